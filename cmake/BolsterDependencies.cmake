@@ -1,0 +1,38 @@
+# Every library that Bolster uses, found once. ARCHITECTURE.md says what each is for.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+find_package(CGAL 5.5 REQUIRED CONFIG)
+
+# SuiteSparse has no CMake config in Debian 12.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(bolster_cholmod INTERFACE)
+target_include_directories(bolster_cholmod SYSTEM INTERFACE "${CHOLMOD_INCLUDE_DIR}")
+target_link_libraries(bolster_cholmod INTERFACE "${CHOLMOD_LIBRARY}")
+
+if(NOT BOLSTER_HEADLESS)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
+    find_package(OpenMesh REQUIRED CONFIG)
+    find_package(embree 3 REQUIRED CONFIG)
+    find_package(OpenImageIO 2.4 REQUIRED CONFIG)
+
+    # Debian's OpenImageIO target names a folder of OpenCV headers that its package does not bring.
+    get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+    set(oiio_present "")
+    foreach(dir IN LISTS oiio_includes)
+        if(EXISTS "${dir}")
+            list(APPEND oiio_present "${dir}")
+        endif()
+    endforeach()
+    set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_present}")
+
+    set(CMAKE_AUTOMOC ON)
+endif()
+
+if(BOLSTER_TESTS)
+    find_package(GTest REQUIRED CONFIG)
+    if(NOT BOLSTER_HEADLESS)
+        find_package(Qt6 REQUIRED COMPONENTS Test)
+    endif()
+endif()

@@ -1,0 +1,69 @@
+// The current design, its history, and one signal.
+#pragma once
+
+#include "History.h"
+
+#include <QObject>
+
+#include <set>
+
+namespace bolster {
+
+class Gesture;
+
+/// Ids of the elements that are different now.
+using ChangeSet = std::set<ElementId>;
+
+class Document : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    /// The design with the running gesture's preview, if there is one.
+    const Design& design() const { return m_design; }
+    /// Increases with every change of design().
+    std::uint64_t revision() const { return m_revision; }
+    const History& history() const { return m_history; }
+
+    /// A new design with a new history (open, new).
+    void reset(Design design);
+    /// Does nothing with an empty edit. Cancels a running gesture first.
+    void commit(Edit edit);
+    void undo();
+    void redo();
+    void jumpTo(NodeId node);
+
+    /// The current node is not the saved one.
+    bool dirty() const;
+    /// The current node is the saved one from now on.
+    void markSaved();
+    /// No node is the saved one (a restored design, a file that could not be written).
+    void markUnsaved();
+
+    bool gestureRunning() const { return m_gesture != nullptr; }
+    /// Takes back the running gesture, if there is one (undo during a drag, Escape).
+    void cancelGesture();
+
+signals:
+    void changed(const bolster::ChangeSet& ids);
+    /// Nodes were added or the current node moved.
+    void historyChanged();
+    void dirtyChanged(bool dirty);
+
+private:
+    friend class Gesture;
+    void show(Design design);
+    void announceDirty();
+
+    Design m_base;   ///< the design at the history's current node
+    Design m_design; ///< the same, with a gesture's preview
+    std::uint64_t m_revision = 0;
+    History m_history;
+    NodeId m_saved = 0;
+    bool m_wasDirty = false;
+    Gesture* m_gesture = nullptr;
+};
+
+} // namespace bolster

@@ -1,0 +1,35 @@
+// One drag: previews while the pointer moves, one commit on release, restored on Escape or destruction.
+#pragma once
+
+#include "Design.h"
+
+namespace bolster {
+
+class Document;
+
+/// Every preview is computed from `start()`, so there is no command merging. Only one gesture runs at a time:
+/// beginning a second one cancels the first, whose calls then do nothing.
+class Gesture {
+public:
+    explicit Gesture(Document& document);
+    ~Gesture(); ///< cancels unless committed
+    Gesture(const Gesture&) = delete;
+    Gesture& operator=(const Gesture&) = delete;
+
+    bool active() const { return m_document != nullptr; }
+    /// The design at the press.
+    const Design& start() const { return m_start; }
+    /// Shows start() with this edit.
+    void update(Edit edit);
+    /// Commits the last preview as one edit; nothing if there was none.
+    void commit();
+    void cancel();
+
+private:
+    friend class Document;
+    Document* m_document;
+    Design m_start;
+    Edit m_edit;
+};
+
+} // namespace bolster

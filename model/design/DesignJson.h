@@ -1,0 +1,24 @@
+// The text form of a design: docs/design-json.md.
+#pragma once
+
+#include "Design.h"
+
+#include <string>
+#include <string_view>
+
+namespace bolster {
+
+struct ReadDesign {
+    Design design;     ///< unreadable elements are in it as Quarantined
+    Problems problems; ///< of reading; the rules of checkDesign are not applied here
+    bool readable = false; ///< false: not a design at all (wrong JSON, format or version); `design` is empty
+};
+
+/// Never throws on bad text; deep nesting, huge numbers and duplicate keys are problems, not accidents.
+ReadDesign readDesign(std::string_view text);
+
+/// Canonical: the same design gives the same bytes; elements by id, keys in the documented order, shortest
+/// numbers that read back to the same double, optional keys left out where they have their default.
+std::string writeDesign(const Design& design);
+
+} // namespace bolster

@@ -1,0 +1,34 @@
+// One thing that the user made.
+#pragma once
+
+#include "Fabric.h"
+#include "FixationCurve.h"
+#include "FixationSeam.h"
+#include "Frame.h"
+#include "Patch.h"
+#include "Quarantined.h"
+#include "Seam.h"
+#include "Settings.h"
+
+#include <memory>
+#include <variant>
+
+namespace bolster {
+
+using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, Quarantined>;
+using ElementPtr = std::shared_ptr<const Element>;
+
+template <class T>
+ElementPtr makeElement(T value)
+{
+    return std::make_shared<const Element>(std::move(value));
+}
+
+/// The word of the text form: "patch", "fixation_seam" ...
+const char* kindName(const Element& element);
+/// The element's own name, or "" for kinds without one.
+const std::string& elementName(const Element& element);
+/// "patch 2 \"Seat\"", as problems name it.
+std::string elementLabel(ElementId id, const Element& element);
+
+} // namespace bolster

@@ -1,0 +1,27 @@
+// The upholstery frame: a mesh from a file, placed in the design.
+#pragma once
+
+#include "Geometry.h"
+
+#include <string>
+
+namespace bolster {
+
+/// A file point p becomes R(rotation) * (scale * p) + position.
+struct Frame {
+    std::string name;
+    std::string file; ///< relative to the design's folder, never outside it
+    double scale = 1; ///< mm per file unit, > 0
+    Vec3 position = Vec3::Zero();
+    Quat rotation = Quat::Identity();
+
+    Vec3 placed(const Vec3& filePoint) const { return rotation * (scale * filePoint) + position; }
+
+    friend bool operator==(const Frame& a, const Frame& b)
+    {
+        return a.name == b.name && a.file == b.file && a.scale == b.scale && a.position == b.position
+               && a.rotation.coeffs() == b.rotation.coeffs();
+    }
+};
+
+} // namespace bolster

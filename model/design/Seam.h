@@ -1,0 +1,20 @@
+// A seam between two stretches: ((i, r, s), (j, r', s')) of the paper, section 3.1.
+#pragma once
+
+#include "Stretch.h"
+
+namespace bolster {
+
+enum class Continuity { C0, C1, G1 }; ///< paper, section 3.4
+
+struct Seam {
+    Stretch a;
+    Stretch b;
+    bool reversed = true; ///< b is walked backwards
+    Match match = Match::Length;
+    Continuity continuity = Continuity::C0;
+
+    friend bool operator==(const Seam&, const Seam&) = default;
+};
+
+} // namespace bolster

@@ -1,0 +1,17 @@
+// Editing rules for fixation curves.
+#pragma once
+
+#include "Design.h"
+
+#include <span>
+
+namespace bolster::edits {
+
+/// Moves control points of a fixation curve by `delta` (mm).
+Edit moveCurvePoints(const Design& design, ElementId curve, std::span<const int> points, const Vec3& delta);
+/// Inserts a control point at the parameter without changing the shape.
+Edit insertCurvePoint(const Design& design, ElementId curve, double parameter);
+/// Removes a control point with the least change of shape.
+Edit removeCurvePoint(const Design& design, ElementId curve, int point);
+
+} // namespace bolster::edits

@@ -1,0 +1,20 @@
+// Editing rules that hold for elements of every kind.
+#pragma once
+
+#include "Design.h"
+
+#include <span>
+
+namespace bolster::edits {
+
+/// Adds an element under a fresh id: that of the edit's only change.
+Edit addElement(const Design& design, ElementPtr element);
+/// Replaces an element; empty when the content is the same.
+Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb);
+Edit renameElement(const Design& design, ElementId id, const std::string& name);
+/// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve). Patches of
+/// a removed fabric are kept: fabrics in use are not removed.
+Edit removeElements(const Design& design, std::span<const ElementId> ids);
+Edit changeSettings(const Design& design, const Settings& settings);
+
+} // namespace bolster::edits

@@ -1,0 +1,24 @@
+// Frames from OBJ, PLY, STL and OFF files. Untrusted input: see the limits in the .cpp.
+#pragma once
+
+#include "Message.h"
+#include "TriangleMesh.h"
+
+#include <QString>
+
+#include <memory>
+
+namespace bolster {
+
+struct ImportedMesh {
+    std::shared_ptr<const TriangleMesh> mesh; ///< null when refused
+    Message problem;                          ///< why, with file and line or offset
+};
+
+/// The format is that of the file's ending; polygons are split into triangles.
+ImportedMesh importMesh(const QString& path);
+
+/// Endings without the dot: "obj", "ply", "stl", "off".
+QStringList meshFileEndings();
+
+} // namespace bolster

@@ -1,0 +1,63 @@
+// A design goes in, surface meshes come out. Latest wins, nobody waits.
+#pragma once
+
+#include "Design.h"
+#include "SolveReport.h"
+#include "SurfaceMesh.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace bolster {
+
+/// What the window's status bar says of the solver.
+struct SolverStatus {
+    enum class State {
+        Idle,      ///< nothing to solve
+        Preparing, ///< triangulating, factorising
+        Moving,    ///< the live surface iterates
+        Settled,   ///< the live surface has converged
+        Failed     ///< `reason` says why; the last good surface stays
+    };
+
+    State state = State::Idle;
+    Message reason;
+    Problems problems;            ///< elements left out, and warnings
+    int iterations = 0;           ///< since the last request
+    double movement = 0;          ///< last move relative to D
+    double iterationsPerSecond = 0;
+    bool resting = false;         ///< the surface is the resting one (within the export tolerance)
+    std::optional<double> restingDistance; ///< mm: the resting surface is known and differs; "Settle" is offered
+};
+
+struct SolverOutput {
+    std::uint64_t designRevision = 0; ///< of the request that this answers
+    SurfaceMeshPtr surface;           ///< null: keep the last one
+    SolverStatus status;
+    SolveReport report;               ///< of the surface, when it has settled
+};
+
+/// Owns the worker. Not copyable; the destructor stops and joins.
+class SolverThread {
+public:
+    /// `wake` is called on the worker when an output waits and none was waiting before.
+    explicit SolverThread(std::function<void()> wake);
+    ~SolverThread();
+    SolverThread(const SolverThread&) = delete;
+    SolverThread& operator=(const SolverThread&) = delete;
+
+    /// Replaces a request that was not taken yet.
+    void request(Design design, std::uint64_t designRevision);
+    /// Makes the resting surface the live one as soon as it is known.
+    void settle();
+    /// The newest output, once.
+    std::optional<SolverOutput> take();
+
+private:
+    class Worker;
+    std::unique_ptr<Worker> m_worker;
+};
+
+} // namespace bolster
