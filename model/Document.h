@@ -14,12 +14,12 @@ class Gesture;
 /// Ids of the elements that are different now.
 using ChangeSet = std::set<ElementId>;
 
-class Document : public QObject
-{
+class Document : public QObject {
     Q_OBJECT
 
 public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     /// The design with the running gesture's preview, if there is one.
     const Design& design() const { return m_design; }

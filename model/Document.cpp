@@ -1,0 +1,114 @@
+#include "Document.h"
+
+#include "Gesture.h"
+
+#include <utility>
+
+namespace bolster {
+
+Document::Document(QObject* parent)
+    : QObject(parent)
+{}
+
+Document::~Document()
+{
+    if (m_gesture)
+        m_gesture->m_document = nullptr;
+}
+
+void Document::reset(Design design)
+{
+    cancelGesture();
+    m_history = History();
+    m_saved = 0;
+    m_base = std::move(design);
+    show(m_base);
+    emit historyChanged();
+    announceDirty();
+}
+
+void Document::commit(Edit edit)
+{
+    cancelGesture();
+    // What counts is what the edit does to this design: `before` is taken from here, so undo is always exact.
+    Design next = m_base.with(edit);
+    edit = editBetween(m_base, next, std::move(edit.verb));
+    if (edit.empty()) {
+        show(m_base);
+        return;
+    }
+    m_history.append(std::move(edit));
+    m_base = std::move(next);
+    show(m_base);
+    emit historyChanged();
+    announceDirty();
+}
+
+void Document::undo()
+{
+    cancelGesture();
+    if (m_history.canUndo())
+        jumpTo(m_history.node(m_history.current()).parent);
+}
+
+void Document::redo()
+{
+    cancelGesture();
+    if (m_history.canRedo())
+        jumpTo(m_history.node(m_history.current()).lastVisitedChild);
+}
+
+void Document::jumpTo(NodeId node)
+{
+    cancelGesture();
+    if (node < 0 || node >= m_history.count() || node == m_history.current())
+        return;
+    for (const Edit& edit : m_history.moveTo(node))
+        m_base = m_base.with(edit);
+    show(m_base);
+    emit historyChanged();
+    announceDirty();
+}
+
+bool Document::dirty() const
+{
+    return m_history.current() != m_saved;
+}
+
+void Document::markSaved()
+{
+    m_saved = m_history.current();
+    announceDirty();
+}
+
+void Document::markUnsaved()
+{
+    m_saved = -1;
+    announceDirty();
+}
+
+void Document::cancelGesture()
+{
+    if (!m_gesture)
+        return;
+    std::exchange(m_gesture, nullptr)->m_document = nullptr;
+    show(m_base);
+}
+
+void Document::show(Design design)
+{
+    const ChangeSet ids = differences(m_design, design);
+    m_design = std::move(design);
+    if (ids.empty())
+        return;
+    ++m_revision;
+    emit changed(ids);
+}
+
+void Document::announceDirty()
+{
+    if (std::exchange(m_wasDirty, dirty()) != dirty())
+        emit dirtyChanged(dirty());
+}
+
+} // namespace bolster

@@ -1,0 +1,46 @@
+#include "Gesture.h"
+
+#include "Document.h"
+
+#include <utility>
+
+namespace bolster {
+
+Gesture::Gesture(Document& document)
+    : m_document(&document)
+{
+    document.cancelGesture();
+    document.m_gesture = this;
+    m_start = document.design();
+}
+
+Gesture::~Gesture()
+{
+    cancel();
+}
+
+void Gesture::update(Edit edit)
+{
+    if (!m_document)
+        return;
+    m_edit = std::move(edit);
+    m_document->show(m_start.with(m_edit));
+}
+
+void Gesture::commit()
+{
+    if (!m_document)
+        return;
+    // Detached first: the document goes from the preview straight to the committed design, without a way back.
+    Document& document = *std::exchange(m_document, nullptr);
+    document.m_gesture = nullptr;
+    document.commit(std::move(m_edit));
+}
+
+void Gesture::cancel()
+{
+    if (m_document)
+        m_document->cancelGesture();
+}
+
+} // namespace bolster
