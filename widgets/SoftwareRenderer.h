@@ -1,0 +1,51 @@
+// What draws the cover where there is no OpenGL. The program hands one in: the views know no ray caster.
+#pragma once
+
+#include "Camera.h"
+#include "Frame.h"
+#include "SurfaceMesh.h"
+#include "TriangleMesh.h"
+
+#include <QColor>
+#include <QImage>
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace bolster {
+
+class SoftwareRenderer {
+public:
+    struct Request {
+        struct PatchLook {
+            ElementId patch{};
+            QColor color;
+        };
+        struct FrameLook {
+            std::shared_ptr<const TriangleMesh> mesh;
+            Frame placement;
+        };
+
+        SurfaceMeshPtr surface; ///< may be null
+        std::vector<PatchLook> looks;
+        std::vector<FrameLook> frames;
+        Camera camera; ///< its size is the size of the picture
+        QColor backgroundTop;
+        QColor backgroundBottom;
+        bool checker = true;
+        bool ground = true;
+        bool moving = false; ///< something moves: quick before beautiful
+    };
+    struct Picture {
+        QImage image; ///< null when stopped
+        std::vector<float>
+            depth; ///< Camera::depth of each pixel, row by row from the top; infinite where nothing is
+    };
+
+    virtual ~SoftwareRenderer() = default;
+    /// Called on a worker thread, one call at a time.
+    virtual Picture render(const Request& request, std::stop_token stop) = 0;
+};
+
+} // namespace bolster
