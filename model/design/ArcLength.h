@@ -1,12 +1,12 @@
 // Arc length of a curve as a function of its parameter, and back.
 #pragma once
 
-#include "BSpline.h"
+#include "BezierPieces.h"
 
 namespace bolster {
 
-/// A table over the curve's polynomial pieces with Gauss-Legendre quadrature in between; relative accuracy
-/// about 1e-9. On a closed curve parameters and lengths continue beyond the domain periodically.
+/// A table over the curve's polynomial pieces with Gauss-Legendre quadrature in between; accurate to about 1e-9 of
+/// the total. On a closed curve parameters and lengths continue beyond the domain periodically.
 template <int Dim>
 class ArcLength {
 public:
@@ -20,9 +20,9 @@ public:
     double parameterAt(double s) const;
 
 private:
-    BSpline<Dim> m_curve;
-    std::vector<double> m_parameters; // increasing; subdivided until the quadrature is accurate
-    std::vector<double> m_lengths;    // from the start, same size
+    bool m_closed;
+    std::vector<BezierPiece<Dim>> m_pieces; // so short that the quadrature is accurate
+    std::vector<double> m_lengths;          // up to the start of each piece, and the total
 };
 
 using ArcLength2 = ArcLength<2>;

@@ -4,10 +4,14 @@
 #include "Geometry.h"
 #include "Message.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace bolster {
+
+template <int Dim>
+struct BezierPiece;
 
 /// An immutable curve, open or closed, with non-uniform knots. Points are millimetres.
 ///
@@ -94,11 +98,25 @@ public:
 
     friend bool operator==(const BSpline& a, const BSpline& b)
     {
-        return a.m_degree == b.m_degree && a.m_closed == b.m_closed && a.m_points == b.m_points
-               && a.m_knots == b.m_knots;
+        return a.m_degree == b.m_degree && a.m_closed == b.m_closed && a.m_points == b.m_points &&
+               a.m_knots == b.m_knots;
     }
 
 private:
+    template <int D>
+    friend std::vector<BezierPiece<D>> bezierPieces(const BSpline<D>& curve);
+
+    int shift() const { return m_closed ? (m_degree + 1) / 2 : 0; }
+    int pointIndex(int basis) const;
+    double knot(int index) const;
+    double nearestKnot(double t) const;
+    int spanAt(double t) const;
+    int multiplicity(double knotValue) const;
+    std::array<Point, 4> localPoints(int span) const;
+    Point blossom(int span, const double* arguments) const;
+
+    // Basis j has the support u_j..u_(j+d+1) of the knots u, which knot() continues periodically on a closed curve;
+    // it belongs to point j + shift().
     int m_degree = 1;
     bool m_closed = false;
     std::vector<Point> m_points;

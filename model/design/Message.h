@@ -16,7 +16,7 @@ namespace bolster {
 /// up in its translations, the command line prints `english()`.
 struct Message {
     std::string key;
-    std::vector<std::string> args;
+    std::vector<std::string> args{};
 
     bool empty() const { return key.empty(); }
     std::string english() const;

@@ -1,0 +1,3 @@
+#include "CurveEdits.h"
+
+namespace bolster::edits {} // namespace bolster::edits

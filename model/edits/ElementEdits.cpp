@@ -1,0 +1,3 @@
+#include "ElementEdits.h"
+
+namespace bolster::edits {} // namespace bolster::edits

@@ -1,0 +1,3 @@
+#include "PatchEdits.h"
+
+namespace bolster::edits {} // namespace bolster::edits
