@@ -5,8 +5,8 @@
 #include "TriangleMesh.h"
 
 #include <cstdint>
-#include <optional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@ struct PreviewView {
     double distance = 2000;     ///< from eye to target, mm
     double azimuth = -0.7;      ///< of the eye about z; 0 is the front (from -y), positive to the right (+x)
     double elevation = 0.35;    ///< of the eye above the horizontal plane
-    double fieldOfView = 0.6;   ///< vertical
+    double fieldOfView = 0.6;   ///< vertical; it sets the scale at the target for both projections
     bool perspective = true;
 
     Vec3 eye() const;
@@ -28,42 +28,68 @@ struct PreviewView {
 };
 
 struct PreviewScene {
-    SurfaceMeshPtr surface;
+    SurfaceMeshPtr surface; ///< may be null
     struct PatchLook {
         ElementId patch{};
-        std::string color = "#7a4a2b";
+        std::string color = "#7a4a2b"; ///< "#rrggbb"
     };
-    std::vector<PatchLook> looks;
+    std::vector<PatchLook> looks; ///< patches that are not listed are leather brown
     struct FrameLook {
         std::shared_ptr<const TriangleMesh> mesh;
         double scale = 1;
         Vec3 position = Vec3::Zero();
         Quat rotation = Quat::Identity();
     };
-    std::vector<FrameLook> frames; ///< drawn only where the renderer is asked to
+    std::vector<FrameLook> frames; ///< drawn in grey
     bool checker = true;
     double checkerSize = 20; ///< mm
-    bool ground = true;
+    bool ground = true;      ///< a shadow on the floor below everything
+    std::string backgroundTop = "#dfe3e8";
+    std::string backgroundBottom = "#fafafa";
+
+    /// Of everything that can be drawn: points that are not finite are left out.
+    Box3 boundingBox() const;
 };
 
 struct PreviewImage {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgba; ///< 4 bytes per pixel, top row first
+    std::vector<float> depth; ///< on demand: mm along the view direction; infinite where only the background is
+
+    bool empty() const { return rgba.empty(); }
 };
 
 struct PreviewOptions {
     int width = 1280;
     int height = 960;
-    int samples = 4; ///< rays per pixel, a square number
-    int threads = 0; ///< the picture does not depend on it
+    int samples = 4;    ///< rays per pixel, a square number (others: the next smaller one)
+    int threads = 0;    ///< 0: as many as the machine has; the picture does not depend on it
+    bool quick = false; ///< without shadows, for a picture that follows the pointer
+    bool depth = false; ///< give the depths, too
 };
 
-/// An empty image when cancelled.
+/// A scene that is looked at more than once: the constructor prepares it, `render` is const.
+class PreviewRenderer {
+public:
+    explicit PreviewRenderer(const PreviewScene& scene);
+    ~PreviewRenderer();
+    PreviewRenderer(PreviewRenderer&&) noexcept;
+    PreviewRenderer& operator=(PreviewRenderer&&) noexcept;
+
+    /// An empty image when cancelled, or when the size is not positive or over 16384 a side.
+    PreviewImage render(const PreviewView& view, const PreviewOptions& options, std::stop_token stop = {}) const;
+
+private:
+    class Prepared;
+    std::unique_ptr<const Prepared> m_prepared;
+};
+
+/// The same in one call.
 PreviewImage renderPreview(const PreviewScene& scene, const PreviewView& view, const PreviewOptions& options,
                            std::stop_token stop = {});
 
-/// Writes a PNG. Returns what went wrong, or "".
+/// Writes a PNG, first under a temporary name. Returns what went wrong, or "".
 std::string writePng(const PreviewImage& image, const std::string& path);
 
 } // namespace bolster

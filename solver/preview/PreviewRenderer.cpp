@@ -1,0 +1,372 @@
+#include "PreviewRenderer.h"
+
+#include "CoverLook.h"
+#include "PictureTile.h"
+#include "RayScene.h"
+#include "StudioLight.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace bolster {
+
+namespace {
+
+constexpr int largestSide = 16384;
+constexpr double farthest = 1e8; ///< mm: points beyond are not drawn
+
+bool drawable(const Vec3& p)
+{
+    return p.allFinite() && p.cwiseAbs().maxCoeff() < farthest;
+}
+
+std::vector<Vec3> placedPoints(const PreviewScene::FrameLook& frame)
+{
+    std::vector<Vec3> points;
+    if (frame.mesh)
+        for (const Vec3& p : frame.mesh->points)
+            points.push_back(frame.rotation * (frame.scale * p) + frame.position);
+    return points;
+}
+
+std::vector<Vec3f> shifted(const std::vector<Vec3>& points, const Vec3& origin)
+{
+    std::vector<Vec3f> result;
+    result.reserve(points.size());
+    for (const Vec3& p : points)
+        result.push_back(drawable(p) ? Vec3f((p - origin).cast<float>()) : Vec3f::Constant(std::nanf("")));
+    return result;
+}
+
+/// Runs work(0) to work(count - 1) on some threads; stops early when asked to.
+template <class Work>
+void inParallel(int count, int threads, std::stop_token stop, const Work& work)
+{
+    if (threads <= 0)
+        threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    std::atomic<int> next = 0;
+    const auto run = [&] {
+        for (int i = next++; i < count && !stop.stop_requested(); i = next++)
+            work(i);
+    };
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < std::min(threads, count); ++i)
+        helpers.emplace_back(run);
+    run();
+}
+
+/// Rays of a view through the pixels of a picture, in the scene's shifted coordinates.
+class Lens {
+public:
+    Lens(const PreviewView& view, const PreviewOptions& options, const Vec3& origin)
+        : m_width(options.width)
+        , m_height(options.height)
+        , m_perspective(view.perspective)
+    {
+        const double sa = std::sin(view.azimuth), ca = std::cos(view.azimuth);
+        const Vec3 backward = (view.eye() - view.target).normalized();
+        const Vec3 right(ca, sa, 0);
+        m_backward = backward.cast<float>();
+        m_eye = (view.eye() - origin).cast<float>();
+        m_distance = static_cast<float>(view.distance);
+        m_step = static_cast<float>(2 * std::tan(view.fieldOfView / 2) / options.height); // at distance 1
+        m_right = right.cast<float>();
+        m_up = backward.cross(right).cast<float>();
+    }
+
+    struct Ray {
+        Vec3f origin, direction;
+    };
+    Ray through(float x, float y) const
+    {
+        const float right = (x - 0.5f * static_cast<float>(m_width)) * m_step;
+        const float up = (0.5f * static_cast<float>(m_height) - y) * m_step;
+        if (m_perspective)
+            return {m_eye, (right * m_right + up * m_up - m_backward).normalized()};
+        // Parallel rays start far behind the eye, which may stand inside the scene.
+        const float back = 10.f * m_distance;
+        return {m_eye + m_distance * (right * m_right + up * m_up) + back * m_backward, -m_backward};
+    }
+    float depth(const Vec3f& point) const { return (m_eye - point).dot(m_backward); }
+    float pixelSize(const Vec3f& at) const
+    {
+        return m_step * (m_perspective ? std::max(depth(at), 1e-3f) : m_distance);
+    }
+    Footprint footprint(const Vec3f& at, float share) const
+    {
+        const float size = share * pixelSize(at);
+        return {size * m_right, size * m_up};
+    }
+
+private:
+    int m_width, m_height;
+    bool m_perspective;
+    Vec3f m_eye, m_right, m_up, m_backward;
+    float m_distance = 1, m_step = 1;
+};
+
+/// Places that fill the unit square evenly however many are taken: the R2 sequence.
+struct Place {
+    float u, v;
+};
+Place evenPlace(int i)
+{
+    const double u = 0.5 + i * 0.7548776662466927, v = 0.5 + i * 0.5698402909980532;
+    return {static_cast<float>(u - std::floor(u)), static_cast<float>(v - std::floor(v))};
+}
+
+/// 0 to 63 within a block of 8 x 8 pixels, such that pixels close together are far apart in the order
+/// (the ordered dither matrix: bits of x ^ y and y, interleaved and reversed).
+int orderInBlock(int x, int y)
+{
+    int order = 0;
+    for (int bit = 0; bit < 3; ++bit)
+        order = order << 2 | ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
+    return order;
+}
+
+std::uint8_t displayed(float linear, int x, int y)
+{
+    // A soft shoulder keeps highlights; the ordered offset hides the steps of gradients.
+    const float light = linear < 0.75f ? linear : 0.75f + 0.25f * (1.f - std::exp(-(linear - 0.75f) / 0.25f));
+    const float s = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+    const float offset = (static_cast<float>(orderInBlock(x, y)) + 0.5f) / 64.f;
+    return static_cast<std::uint8_t>(std::clamp(std::floor(255.f * s + offset), 0.f, 255.f));
+}
+
+} // namespace
+
+Box3 PreviewScene::boundingBox() const
+{
+    Box3 box;
+    const auto extend = [&box](const Vec3& p) {
+        if (drawable(p))
+            box.extend(p);
+    };
+    if (surface)
+        std::for_each(surface->positions.begin(), surface->positions.end(), extend);
+    for (const FrameLook& frame : frames) {
+        const std::vector<Vec3> points = placedPoints(frame);
+        std::for_each(points.begin(), points.end(), extend);
+    }
+    return box;
+}
+
+class PreviewRenderer::Prepared {
+public:
+    explicit Prepared(const PreviewScene& scene);
+
+    PreviewImage render(const PreviewView& view, const PreviewOptions& options, std::stop_token stop) const;
+
+private:
+    struct Job {
+        const PreviewOptions& options;
+        Lens lens;
+        StudioLight light;
+        int grid; ///< samples per pixel and direction
+    };
+
+    void drawTile(const Job& job, int x, int y, PreviewImage& image) const;
+    void drawPixel(const Job& job, int x, int y, PicturePixel& pixel) const;
+    void addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const;
+    void addGround(const Job& job, const Lens::Ray& ray, const Vec3f& background, SurfacePoint& point, Shade& shade,
+                   Vec3f& constant) const;
+    SurfacePoint pointAt(const RayHit& hit, const Vec3f& position, const Vec3f& direction,
+                         const Footprint& pixel) const;
+    Vec3f background(const Job& job, float y) const;
+
+    Box3 m_box;
+    Vec3 m_origin;
+    CoverLook m_cover;
+    RayScene m_rays;
+    bool m_ground;
+    float m_floor = 0; ///< height of the ground, shifted
+    float m_reach = 1; ///< half the diagonal of the box
+    Vec3f m_top, m_bottom;
+};
+
+PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
+    : m_box(scene.boundingBox())
+    , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
+    , m_cover(scene, m_origin)
+    , m_ground(scene.ground && !m_box.isEmpty())
+    , m_top(linearColor(scene.backgroundTop))
+    , m_bottom(linearColor(scene.backgroundBottom))
+{
+    m_rays.add(m_cover.points(), m_cover.triangles());
+    for (const PreviewScene::FrameLook& frame : scene.frames)
+        if (frame.mesh)
+            m_rays.add(shifted(placedPoints(frame), m_origin), frame.mesh->triangles);
+    m_rays.commit();
+    if (!m_box.isEmpty()) {
+        m_reach = std::max(1.f, static_cast<float>(m_box.diagonal().norm() / 2));
+        m_floor = static_cast<float>(m_box.min().z() - m_origin.z()) - 1e-3f * m_reach;
+    }
+}
+
+Vec3f PreviewRenderer::Prepared::background(const Job& job, float y) const
+{
+    const float t = std::clamp(y / static_cast<float>(job.options.height), 0.f, 1.f);
+    return m_top + t * t * (3 - 2 * t) * (m_bottom - m_top);
+}
+
+SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& position, const Vec3f& direction,
+                                                const Footprint& pixel) const
+{
+    if (hit.mesh == 0)
+        return m_cover.at(hit, direction, pixel);
+    SurfacePoint frame;
+    frame.face = hit.normal.dot(direction) < 0 ? hit.normal : Vec3f(-hit.normal);
+    frame.normal = frame.face;
+    frame.position = position;
+    frame.shadowOrigin = position;
+    frame.color = Vec3f(0.42f, 0.43f, 0.45f);
+    frame.gloss = 0.05f;
+    return frame;
+}
+
+/// The floor has the colour of the background and no border: only shadows show that it is there.
+void PreviewRenderer::Prepared::addGround(const Job&, const Lens::Ray& ray, const Vec3f& behind,
+                                          SurfacePoint& point, Shade& shade, Vec3f& constant) const
+{
+    constant = behind;
+    if (!m_ground || ray.direction.z() > -1e-4f)
+        return;
+    const float distance = (m_floor - ray.origin.z()) / ray.direction.z();
+    if (!(distance > 0))
+        return;
+    point.position = ray.origin + distance * ray.direction;
+    point.shadowOrigin = point.position;
+    const float away = std::max(0.f, point.position.head<2>().norm() / m_reach - 1.f);
+    const float strength = 1.f / (1.f + 3.f * away * away) - 0.08f;
+    if (strength <= 0)
+        return;
+    shade.direct = 0.34f * strength * behind;
+    shade.ambient = 0.52f * strength * behind;
+    constant = behind - shade.direct - shade.ambient;
+}
+
+void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const
+{
+    const float step = 1.f / static_cast<float>(job.grid);
+    const float px = static_cast<float>(x) + step * (static_cast<float>(sample % job.grid) + 0.5f);
+    const float py = static_cast<float>(y) + step * (static_cast<float>(sample / job.grid) + 0.5f);
+    const Lens::Ray ray = job.lens.through(px, py);
+
+    SurfacePoint point;
+    Shade shade;
+    Vec3f constant = Vec3f::Zero();
+    if (const std::optional<RayHit> hit = m_rays.first(ray.origin, ray.direction)) {
+        const Vec3f position = ray.origin + hit->distance * ray.direction;
+        point = pointAt(*hit, position, ray.direction, job.lens.footprint(position, step));
+        shade = job.light.shade(point, -ray.direction);
+        pixel.depth = std::min(pixel.depth, job.lens.depth(position));
+    } else {
+        addGround(job, ray, background(job, py), point, shade, constant);
+    }
+    pixel.constant += constant;
+    pixel.direct += shade.direct;
+    pixel.ambient += shade.ambient;
+    if (job.options.quick || shade.ambient.isZero())
+        return;
+
+    pixel.position += point.position;
+    pixel.normal += point.normal;
+    const int samples = job.grid * job.grid;
+    const Place place = evenPlace(orderInBlock(x, y) * samples + sample / 2);
+    const Vec3f from = point.shadowOrigin + 2e-4f * m_reach * point.face;
+    const bool both = samples == 1;
+    if (both || sample % 2 == 0) {
+        pixel.skyAsked += 1;
+        pixel.skySeen += !m_rays.blocked(from, towardsSky(point.normal, place.u, place.v), 0.8f * m_reach);
+    }
+    if (both || sample % 2 == 1) {
+        pixel.keyAsked += 1;
+        pixel.keySeen += !m_rays.blocked(from, job.light.towardsKey(place.u, place.v), 1e3f * m_reach);
+    }
+}
+
+void PreviewRenderer::Prepared::drawPixel(const Job& job, int x, int y, PicturePixel& pixel) const
+{
+    const int samples = job.grid * job.grid;
+    for (int sample = 0; sample < samples; ++sample)
+        addSample(job, x, y, sample, pixel);
+    const float share = 1.f / static_cast<float>(samples);
+    pixel.constant *= share;
+    pixel.direct *= share;
+    pixel.ambient *= share;
+    const float hits = std::max(1.f, pixel.skyAsked + pixel.keyAsked) / (samples == 1 ? 2.f : 1.f);
+    pixel.position /= std::max(1.f, hits);
+    if (pixel.normal.squaredNorm() > 0)
+        pixel.normal.normalize();
+}
+
+void PreviewRenderer::Prepared::drawTile(const Job& job, int x0, int y0, PreviewImage& image) const
+{
+    PictureTile tile(x0, y0, image.width, image.height);
+    for (int y = tile.top(); y < tile.bottom(); ++y)
+        for (int x = tile.left(); x < tile.right(); ++x)
+            drawPixel(job, x, y, tile.at(x, y));
+    for (int y = y0; y < std::min(image.height, y0 + PictureTile::size); ++y)
+        for (int x = x0; x < std::min(image.width, x0 + PictureTile::size); ++x) {
+            const PicturePixel& pixel = tile.at(x, y);
+            const Vec3f light = job.options.quick ? Vec3f(pixel.constant + pixel.direct + pixel.ambient)
+                                                  : tile.resolved(x, y, job.lens.pixelSize(pixel.position));
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+            for (int channel = 0; channel < 3; ++channel)
+                image.rgba[4 * at + static_cast<std::size_t>(channel)] = displayed(light[channel], x, y);
+            image.rgba[4 * at + 3] = 255;
+            if (job.options.depth)
+                image.depth[at] = pixel.depth;
+        }
+}
+
+PreviewImage PreviewRenderer::Prepared::render(const PreviewView& view, const PreviewOptions& options,
+                                               std::stop_token stop) const
+{
+    PreviewImage image;
+    if (options.width < 1 || options.height < 1 || options.width > largestSide || options.height > largestSide)
+        return image;
+    const int grid = std::clamp(static_cast<int>(std::sqrt(options.samples + 0.5)), 1, 16);
+    const Job job{options, Lens(view, options, m_origin), StudioLight(view), grid};
+    image.width = options.width;
+    image.height = options.height;
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    image.rgba.resize(4 * pixels);
+    if (options.depth)
+        image.depth.resize(pixels);
+
+    const int columns = (image.width + PictureTile::size - 1) / PictureTile::size;
+    const int rows = (image.height + PictureTile::size - 1) / PictureTile::size;
+    inParallel(columns * rows, options.threads, stop, [&](int tile) {
+        drawTile(job, tile % columns * PictureTile::size, tile / columns * PictureTile::size, image);
+    });
+    return stop.stop_requested() ? PreviewImage{} : image;
+}
+
+PreviewRenderer::PreviewRenderer(const PreviewScene& scene)
+    : m_prepared(std::make_unique<Prepared>(scene))
+{}
+
+PreviewRenderer::~PreviewRenderer() = default;
+PreviewRenderer::PreviewRenderer(PreviewRenderer&&) noexcept = default;
+PreviewRenderer& PreviewRenderer::operator=(PreviewRenderer&&) noexcept = default;
+
+PreviewImage PreviewRenderer::render(const PreviewView& view, const PreviewOptions& options,
+                                     std::stop_token stop) const
+{
+    return m_prepared->render(view, options, stop);
+}
+
+PreviewImage renderPreview(const PreviewScene& scene, const PreviewView& view, const PreviewOptions& options,
+                           std::stop_token stop)
+{
+    if (stop.stop_requested())
+        return {};
+    return PreviewRenderer(scene).render(view, options, stop);
+}
+
+} // namespace bolster

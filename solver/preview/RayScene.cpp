@@ -1,0 +1,118 @@
+#include "RayScene.h"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace bolster {
+
+namespace {
+
+RTCRay makeRay(const Vec3f& origin, const Vec3f& direction, float reach)
+{
+    RTCRay ray{};
+    ray.org_x = origin.x();
+    ray.org_y = origin.y();
+    ray.org_z = origin.z();
+    ray.dir_x = direction.x();
+    ray.dir_y = direction.y();
+    ray.dir_z = direction.z();
+    ray.tfar = reach;
+    ray.mask = ~0u;
+    return ray;
+}
+
+bool usable(std::span<const Vec3f> points, const std::array<std::uint32_t, 3>& triangle)
+{
+    for (const std::uint32_t corner : triangle)
+        if (corner >= points.size() || !points[corner].allFinite())
+            return false;
+    return true;
+}
+
+} // namespace
+
+// Embree's builder splits its work by threads, and with it the order in which ties are found.
+RayScene::RayScene()
+    : m_device(rtcNewDevice("threads=1"))
+    , m_scene(nullptr)
+{
+    if (!m_device)
+        throw std::bad_alloc();
+    m_scene = rtcNewScene(m_device);
+    rtcSetSceneFlags(m_scene, RTC_SCENE_FLAG_ROBUST);
+}
+
+RayScene::~RayScene()
+{
+    rtcReleaseScene(m_scene);
+    rtcReleaseDevice(m_device);
+}
+
+void RayScene::add(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles)
+{
+    std::vector<std::uint32_t> kept;
+    kept.reserve(triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        if (usable(points, triangles[i]))
+            kept.push_back(static_cast<std::uint32_t>(i));
+
+    const RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    if (!kept.empty()) {
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points.size()));
+        auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), kept.size()));
+        if (!vertices || !corners)
+            throw std::bad_alloc();
+        for (const Vec3f& p : points)
+            for (int axis = 0; axis < 3; ++axis)
+                *vertices++ = std::isfinite(p[axis]) ? p[axis] : 0.f;
+        for (const std::uint32_t i : kept)
+            for (const std::uint32_t corner : triangles[i])
+                *corners++ = corner;
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(m_scene, geometry, static_cast<unsigned>(m_kept.size()));
+    rtcReleaseGeometry(geometry);
+    m_kept.push_back(std::move(kept));
+}
+
+void RayScene::commit()
+{
+    rtcCommitScene(m_scene);
+}
+
+std::optional<RayHit> RayScene::first(const Vec3f& origin, const Vec3f& direction) const
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query{};
+    query.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(m_scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return std::nullopt;
+    RayHit hit;
+    hit.distance = query.ray.tfar;
+    hit.mesh = query.hit.geomID;
+    hit.triangle = m_kept[hit.mesh][query.hit.primID];
+    hit.u = query.hit.u;
+    hit.v = query.hit.v;
+    hit.normal = Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized();
+    return hit;
+}
+
+bool RayScene::blocked(const Vec3f& origin, const Vec3f& direction, float reach) const
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray = makeRay(origin, direction, reach);
+    rtcOccluded1(m_scene, &context, &ray);
+    return ray.tfar < 0;
+}
+
+} // namespace bolster
