@@ -21,10 +21,10 @@ struct SolveResult {
     enum class Status { Solved, NotConverged, Failed, Cancelled };
 
     Status status = Status::Failed;
-    Message reason;     ///< when not solved
-    Problems errors;    ///< what is wrong with the input
+    Message reason;  ///< when not solved
+    Problems errors; ///< what is wrong with the input
     Problems warnings;
-    Problems leftOut;   ///< lenient only
+    Problems leftOut;       ///< lenient only
     SurfaceMeshPtr surface; ///< null when failed
     SolveReport report;
 };

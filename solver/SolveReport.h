@@ -28,15 +28,15 @@ struct SolveReport {
         double mean = 0;
     };
     MaxMean seamGap;
-    MaxMean fixationError;         ///< at vertices
-    double fixationDeviation = 0;  ///< largest distance of the curve from the fixed outline between vertices
+    MaxMean fixationError;        ///< at vertices
+    double fixationDeviation = 0; ///< largest distance of the curve from the fixed outline between vertices
     struct Strain {
         double max = 0; ///< of |principal stretch - 1|
         double p99 = 0;
         double rms = 0; ///< area-weighted, over both principal stretches
     } strain;
-    double area = 0;     ///< mm^2
-    double restArea = 0; ///< mm^2
+    double area = 0;                   ///< mm^2
+    double restArea = 0;               ///< mm^2
     std::int64_t flippedTriangles = 0; ///< normal more than 90 degrees from the mean of its frames' normals
 
     struct Times {

@@ -24,11 +24,11 @@ struct SolverStatus {
 
     State state = State::Idle;
     Message reason;
-    Problems problems;            ///< elements left out, and warnings
-    int iterations = 0;           ///< since the last request
-    double movement = 0;          ///< last move relative to D
+    Problems problems;   ///< elements left out, and warnings
+    int iterations = 0;  ///< since the last request
+    double movement = 0; ///< last move relative to D
     double iterationsPerSecond = 0;
-    bool resting = false;         ///< the surface is the resting one (within the export tolerance)
+    bool resting = false;                  ///< the surface is the resting one (within the export tolerance)
     std::optional<double> restingDistance; ///< mm: the resting surface is known and differs; "Settle" is offered
 };
 
@@ -36,7 +36,7 @@ struct SolverOutput {
     std::uint64_t designRevision = 0; ///< of the request that this answers
     SurfaceMeshPtr surface;           ///< null: keep the last one
     SolverStatus status;
-    SolveReport report;               ///< of the surface, when it has settled
+    SolveReport report; ///< of the surface, when it has settled
 };
 
 /// Owns the worker. Not copyable; the destructor stops and joins.

@@ -1,0 +1,36 @@
+#include "Convergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr int window = 8; // accelerated moves go up and down within a few iterations
+constexpr double slowest = 0.9995;
+
+} // namespace
+
+bool Convergence::add(double move)
+{
+    m_moves.push_back(move);
+    if (m_moves.size() > 2 * window)
+        m_moves.pop_front();
+    if (m_moves.size() < 2 * window) {
+        m_estimate = std::max(m_estimate, move);
+        return false;
+    }
+    const double older = *std::max_element(m_moves.begin(), m_moves.begin() + window);
+    const double newer = *std::max_element(m_moves.begin() + window, m_moves.end());
+    if (newer <= 1e-15) {
+        m_estimate = newer;
+    } else {
+        const double rho = std::min(slowest, std::pow(newer / older, 1.0 / window));
+        m_estimate = newer / (1 - rho);
+    }
+    m_inARow = m_estimate < m_tolerance ? m_inARow + 1 : 0;
+    return m_inARow >= 3;
+}
+
+} // namespace bolster

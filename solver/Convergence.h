@@ -1,0 +1,27 @@
+// When an iteration is near enough to its limit. The last move alone deceives (docs/solver.md, "Converged").
+#pragma once
+
+#include <deque>
+
+namespace bolster {
+
+/// Estimates the distance to the limit from successive moves: move / (1 - rho), rho being their ratio. Converged
+/// when it has been below the tolerance three times in a row.
+class Convergence {
+public:
+    explicit Convergence(double tolerance)
+        : m_tolerance(tolerance)
+    {}
+
+    /// `move` of one more iteration, relative to D. Returns whether the iteration has converged.
+    bool add(double move);
+    double estimate() const { return m_estimate; }
+
+private:
+    double m_tolerance;
+    double m_estimate = 1;
+    int m_inARow = 0;
+    std::deque<double> m_moves;
+};
+
+} // namespace bolster

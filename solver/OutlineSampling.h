@@ -1,0 +1,50 @@
+// Where the vertices on the outlines lie, so that sewn stretches match one to one (paper, section 3.2).
+#pragma once
+
+#include "Design.h"
+
+#include <memory>
+
+namespace bolster {
+
+/// The samples of all outlines, the pairs along seams and the targets along fixations. No triangulation yet.
+///
+/// Outlines are cut at corners and stretch ends, cuts are carried across the seams, and the pieces between cuts are
+/// divided into edges of about the design's edge length, as many on each side of a seam.
+struct OutlineSampling {
+    struct Outline {
+        ElementId patch{};
+        std::vector<double> parameters; ///< increasing, within one period from the domain's start
+        std::vector<Vec2> points;       ///< outline coordinates, mm
+        std::vector<int> cluster;       ///< sewn samples share one
+    };
+    struct SewnChain {
+        ElementId seam{};
+        int outlineA = 0; ///< index into `outlines`
+        int outlineB = 0;
+        std::vector<int> a; ///< sample indices along stretch a; a[k] is sewn to b[k]
+        std::vector<int> b;
+    };
+    struct FixedChain {
+        ElementId fixation{};
+        ElementId curve{};
+        int outline = 0;
+        std::vector<int> samples;
+        std::vector<double> curveParameters; ///< where on the curve each sample belongs
+        std::vector<Vec3> targets;           ///< mm
+    };
+
+    std::vector<Outline> outlines; ///< by increasing patch id
+    std::vector<SewnChain> seams;
+    std::vector<FixedChain> fixations;
+    int clusterCount = 0;
+    Problems problems; ///< seams that cannot be matched, two targets for one vertex ...
+};
+
+/// The design must be free of errors (usablePart).
+OutlineSampling sampleOutlines(const Design& design);
+
+/// The targets again after fixation curves have moved, the samples being kept.
+void retarget(OutlineSampling& sampling, const Design& design);
+
+} // namespace bolster

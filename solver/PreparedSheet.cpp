@@ -1,0 +1,95 @@
+#include "PreparedSheet.h"
+
+#include "DesignCheck.h"
+#include "Stopwatch.h"
+
+#include <algorithm>
+#include <set>
+
+namespace bolster {
+
+const PatchMesh& TriangulationCache::mesh(const OutlineSampling::Outline& outline, double edgeLength)
+{
+    Entry& entry = m_entries[outline.patch];
+    if (entry.edgeLength != edgeLength || entry.boundary != outline.points)
+        entry = {outline.points, edgeLength, triangulatePatch(outline.points, edgeLength)};
+    return entry.mesh;
+}
+
+void TriangulationCache::forgetOthers(const OutlineSampling& sampling)
+{
+    std::set<ElementId> used;
+    for (const auto& outline : sampling.outlines)
+        used.insert(outline.patch);
+    std::erase_if(m_entries, [&](const auto& entry) { return !used.contains(entry.first); });
+}
+
+namespace {
+
+/// Patches that the samples cut so short that their polygon crosses itself.
+Problems triangulateAll(const Design& design, const OutlineSampling& sampling, TriangulationCache& cache,
+                        std::vector<PatchMesh>& meshes)
+{
+    Problems problems;
+    for (const auto& outline : sampling.outlines) {
+        meshes.push_back(cache.mesh(outline, design.settings().edgeLength));
+        if (meshes.back().triangles.empty())
+            problems.push_back(
+                {outline.patch,
+                 elementLabel(outline.patch, *design.element(outline.patch)),
+                 "outline",
+                 {QT_TRANSLATE_NOOP("Message", "the patch is too narrow somewhere for edges of %1 mm. "
+                                               "Choose a smaller edge length."),
+                  {numberText(design.settings().edgeLength)}},
+                 Severity::Error});
+    }
+    return problems;
+}
+
+/// Leaves out what the problems name. False when that changed nothing.
+bool leaveOut(PreparedSheet& sheet, const Problems& problems)
+{
+    const std::size_t before = sheet.design.elements().size();
+    sheet.errors.insert(sheet.errors.end(), problems.begin(), problems.end());
+    Problems leftOut;
+    sheet.design = usablePart(sheet.design, problems, &leftOut);
+    sheet.leftOut.insert(sheet.leftOut.end(), leftOut.begin(), leftOut.end());
+    return sheet.design.elements().size() < before;
+}
+
+} // namespace
+
+std::optional<PreparedSheet> prepareSheet(const Design& design, TriangulationCache& cache, std::stop_token stop)
+{
+    PreparedSheet sheet;
+    const Problems problems = checkDesign(design);
+    std::copy_if(problems.begin(), problems.end(), std::back_inserter(sheet.errors),
+                 [](const Problem& p) { return p.severity == Severity::Error; });
+    std::copy_if(problems.begin(), problems.end(), std::back_inserter(sheet.warnings),
+                 [](const Problem& p) { return p.severity == Severity::Warning; });
+    sheet.design = usablePart(design, problems, &sheet.leftOut);
+
+    Stopwatch watch;
+    std::vector<PatchMesh> meshes;
+    for (;;) {
+        if (stop.stop_requested())
+            return std::nullopt;
+        sheet.sampling = sampleOutlines(sheet.design);
+        if (!sheet.sampling.problems.empty()) {
+            if (!leaveOut(sheet, sheet.sampling.problems))
+                return sheet;
+            continue;
+        }
+        meshes.clear();
+        const Problems narrow = triangulateAll(sheet.design, sheet.sampling, cache, meshes);
+        if (narrow.empty() || !leaveOut(sheet, narrow))
+            break;
+    }
+    cache.forgetOthers(sheet.sampling);
+    sheet.triangulateTime = watch.restart();
+    sheet.mesh = buildSewnMesh(sheet.design, sheet.sampling, meshes);
+    sheet.assembleTime = watch.elapsed();
+    return sheet;
+}
+
+} // namespace bolster

@@ -1,0 +1,44 @@
+// From a design to a mesh that can be optimised.
+#pragma once
+
+#include "OutlineSampling.h"
+#include "PatchTriangulator.h"
+#include "SewnMesh.h"
+
+#include <map>
+#include <optional>
+#include <stop_token>
+
+namespace bolster {
+
+/// Triangulations by patch, kept while a patch's outline samples stay as they are.
+class TriangulationCache {
+public:
+    const PatchMesh& mesh(const OutlineSampling::Outline& outline, double edgeLength);
+    void forgetOthers(const OutlineSampling& sampling);
+
+private:
+    struct Entry {
+        std::vector<Vec2> boundary;
+        double edgeLength = 0;
+        PatchMesh mesh;
+    };
+    std::map<ElementId, Entry> m_entries;
+};
+
+struct PreparedSheet {
+    Design design; ///< the part that can be used
+    OutlineSampling sampling;
+    SewnMesh mesh;
+    Problems errors; ///< what is wrong with the input
+    Problems warnings;
+    Problems leftOut;           ///< elements that are not in `design`, with the reason
+    double triangulateTime = 0; ///< ms
+    double assembleTime = 0;    ///< ms
+};
+
+/// Checks, samples, triangulates and sews; bad elements are left out and named. Nothing when stopped.
+std::optional<PreparedSheet> prepareSheet(const Design& design, TriangulationCache& cache,
+                                          std::stop_token stop = {});
+
+} // namespace bolster

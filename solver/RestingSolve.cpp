@@ -1,0 +1,102 @@
+#include "RestingSolve.h"
+
+#include "CanonicalSolve.h"
+#include "DesignCheck.h"
+#include "OutlineSampling.h"
+#include "SurfaceMeasures.h"
+#include "SurfacePublisher.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+Message firstOf(const Problems& problems)
+{
+    const auto error = std::find_if(problems.begin(), problems.end(),
+                                    [](const Problem& p) { return p.severity == Severity::Error; });
+    return {error->label.empty() ? QT_TRANSLATE_NOOP("Message", "The design cannot be solved: %2")
+                                 : QT_TRANSLATE_NOOP("Message", "%1: %2"),
+            {error->label, error->message.english()}};
+}
+
+SolveResult failed(SolveResult result, Message reason)
+{
+    result.status = SolveResult::Status::Failed;
+    result.reason = std::move(reason);
+    return result;
+}
+
+} // namespace
+
+SolveResult solveResting(const Design& design, const SolveOptions& options, std::stop_token stop,
+                         const std::function<void(int, double)>& progress)
+{
+    Stopwatch watch;
+    SolveResult result;
+    TriangulationCache cache;
+    std::optional<PreparedSheet> sheet = prepareSheet(design, cache, stop);
+    if (!sheet) {
+        result.status = SolveResult::Status::Cancelled;
+        return result;
+    }
+    result.errors = sheet->errors;
+    result.warnings = sheet->warnings;
+    if (options.lenient)
+        result.leftOut = sheet->leftOut;
+    else if (hasErrors(sheet->errors))
+        return failed(std::move(result), firstOf(sheet->errors));
+    if (sheet->mesh.parts.empty())
+        return failed(
+            std::move(result),
+            {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
+
+    WorkerPool pool(options.threads);
+    CanonicalSolve solve(sheet->mesh, pool, options.tolerance);
+    const double factorTime = solve.factorTime();
+    Stopwatch iterating;
+    while (solve.running() && solve.iterations() < options.maxIterations) {
+        if (stop.stop_requested()) {
+            result.status = SolveResult::Status::Cancelled;
+            return result;
+        }
+        solve.iterate();
+        if (progress)
+            progress(solve.iterations(), solve.movement());
+    }
+    const double iterateTime = iterating.elapsed();
+    if (solve.phase() == CanonicalSolve::Phase::Failed)
+        return failed(std::move(result), solve.reason());
+
+    result.report = measureSurface(*sheet, solve.state());
+    result.report.iterations = solve.iterations();
+    result.report.movement = solve.movement();
+    result.report.time = {sheet->triangulateTime,
+                          sheet->assembleTime,
+                          factorTime,
+                          iterateTime,
+                          iterateTime / std::max(1, solve.iterations()),
+                          watch.elapsed()};
+    result.surface = makeSurface(sheet->mesh, solve.state(), 0);
+    if (solve.phase() == CanonicalSolve::Phase::Converged) {
+        result.status = SolveResult::Status::Solved;
+    } else {
+        result.status = SolveResult::Status::NotConverged;
+        result.reason = {
+            QT_TRANSLATE_NOOP("Message", "After %1 iterations the surface still moves by an estimated %2 mm. "
+                                         "Allow more iterations."),
+            {std::to_string(solve.iterations()), numberText(solve.estimate() * sheet->mesh.largestDiameter(), 2)}};
+    }
+    return result;
+}
+
+Problems checkSolvable(const Design& design)
+{
+    const Problems problems = checkDesign(design);
+    Problems more = sampleOutlines(usablePart(design, problems)).problems;
+    more.insert(more.begin(), problems.begin(), problems.end());
+    return more;
+}
+
+} // namespace bolster

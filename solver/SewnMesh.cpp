@@ -1,0 +1,216 @@
+#include "SewnMesh.h"
+
+#include "UnionFind.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+std::vector<int> firstVertices(const std::vector<PatchMesh>& meshes)
+{
+    std::vector<int> first{0};
+    for (const PatchMesh& mesh : meshes)
+        first.push_back(first.back() + static_cast<int>(mesh.points.size()));
+    return first;
+}
+
+/// Numbers the unknowns: free ones first, in order of appearance, then the fixed ones.
+void numberUnknowns(SewnMesh& mesh, SurfaceTopology& topology, const OutlineSampling& sampling)
+{
+    std::vector<char> isFixed(sampling.clusterCount, 0);
+    for (const auto& chain : sampling.fixations)
+        for (int sample : chain.samples)
+            isFixed[sampling.outlines[chain.outline].cluster[sample]] = 1;
+    std::vector<std::uint32_t> ofCluster(sampling.clusterCount, UINT32_MAX);
+    std::uint32_t next = 0;
+    topology.unknown.resize(topology.pattern.size());
+    for (bool fixedOnes : {false, true}) {
+        for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+            const SewnMesh::Part& part = mesh.parts[p];
+            for (int i = 0; i < part.vertexCount; ++i) {
+                const bool onOutline = i < part.boundaryCount;
+                const int cluster = onOutline ? sampling.outlines[p].cluster[i] : -1;
+                if ((onOutline && isFixed[cluster]) != fixedOnes)
+                    continue;
+                std::uint32_t& number = onOutline ? ofCluster[cluster] : topology.unknown[part.firstVertex + i];
+                if (!onOutline || number == UINT32_MAX)
+                    number = next++;
+                topology.unknown[part.firstVertex + i] = number;
+            }
+        }
+        if (!fixedOnes)
+            mesh.freeCount = static_cast<int>(next);
+    }
+    topology.unknownCount = next;
+}
+
+/// Cotangent weights, clamped at 0, and a third of each triangle's area for its corners.
+void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
+{
+    struct HalfEdge {
+        int from = 0;
+        SewnMesh::RingEdge edge;
+    };
+    mesh.area.assign(topology.pattern.size(), 0);
+    std::vector<HalfEdge> halves;
+    halves.reserve(topology.triangles.size() * 6);
+    for (const auto& triangle : topology.triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = static_cast<int>(triangle[k]), b = static_cast<int>(triangle[(k + 1) % 3]);
+            const Vec2& apex = topology.pattern[triangle[(k + 2) % 3]];
+            const Vec2 u = topology.pattern[a] - apex, v = topology.pattern[b] - apex;
+            const double doubleArea = std::abs(cross(u, v));
+            const double halfCot = 0.5 * u.dot(v) / doubleArea;
+            const Vec2 e = topology.pattern[b] - topology.pattern[a];
+            halves.push_back({a, {b, halfCot, e}});
+            halves.push_back({b, {a, halfCot, -e}});
+            mesh.area[a] += doubleArea / 6;
+        }
+    }
+    std::sort(halves.begin(), halves.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        return std::pair(a.from, a.edge.vertex) < std::pair(b.from, b.edge.vertex);
+    });
+    mesh.ringStart.assign(1, 0);
+    for (std::size_t k = 0; k < halves.size();) {
+        SewnMesh::RingEdge edge = halves[k].edge;
+        const int from = halves[k].from;
+        for (++k; k < halves.size() && halves[k].from == from && halves[k].edge.vertex == edge.vertex; ++k)
+            edge.weight += halves[k].edge.weight;
+        edge.weight = std::max(0.0, edge.weight);
+        while (std::ssize(mesh.ringStart) <= from)
+            mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
+        mesh.ring.push_back(edge);
+    }
+    mesh.ringStart.resize(topology.pattern.size() + 1, static_cast<int>(mesh.ring.size()));
+}
+
+void measureParts(SewnMesh& mesh)
+{
+    for (SewnMesh::Part& part : mesh.parts) {
+        double length = 0;
+        int count = 0;
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+            part.area += mesh.area[v];
+            for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k, ++count)
+                length += mesh.ring[k].rest.norm();
+        }
+        part.meanEdge = count > 0 ? length / count : 0;
+    }
+}
+
+void findComponents(SewnMesh& mesh, const OutlineSampling& sampling)
+{
+    UnionFind sewn(static_cast<int>(mesh.parts.size()));
+    for (const auto& seam : sampling.seams)
+        sewn.join(seam.outlineA, seam.outlineB);
+    int count = 0;
+    const std::vector<int> label = sewn.labels(&count);
+    std::vector<double> area(count, 0);
+    mesh.anchored.assign(count, 0);
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+        mesh.parts[p].component = label[p];
+        area[label[p]] += mesh.parts[p].area;
+    }
+    for (const auto& chain : sampling.fixations)
+        mesh.anchored[label[chain.outline]] = 1;
+    for (double a : area)
+        mesh.diameter.push_back(std::sqrt(2 * a));
+}
+
+void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, const std::vector<int>& first)
+{
+    auto vertices = [&](int outline, const std::vector<int>& samples) {
+        std::vector<std::uint32_t> result;
+        for (int sample : samples)
+            result.push_back(static_cast<std::uint32_t>(first[outline] + sample));
+        return result;
+    };
+    for (const auto& seam : sampling.seams)
+        topology.seams.push_back({seam.seam, vertices(seam.outlineA, seam.a), vertices(seam.outlineB, seam.b)});
+    for (const auto& chain : sampling.fixations)
+        topology.fixations.push_back({chain.fixation, vertices(chain.outline, chain.samples), {}});
+}
+
+std::uint64_t nextSerial()
+{
+    static std::atomic<std::uint64_t> serial{0};
+    return ++serial;
+}
+
+} // namespace
+
+double SewnMesh::largestDiameter() const
+{
+    return diameter.empty() ? 1 : *std::max_element(diameter.begin(), diameter.end());
+}
+
+SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes)
+{
+    SewnMesh mesh;
+    auto topology = std::make_shared<SurfaceTopology>();
+    topology->serial = nextSerial();
+    const std::vector<int> first = firstVertices(meshes);
+    for (std::size_t p = 0; p < meshes.size(); ++p) {
+        const ElementId id = sampling.outlines[p].patch;
+        const Patch& patch = *design.find<Patch>(id);
+        SewnMesh::Part part;
+        part.patch = id;
+        part.firstVertex = first[p];
+        part.vertexCount = static_cast<int>(meshes[p].points.size());
+        part.boundaryCount = meshes[p].boundaryCount;
+        part.outward = patch.wrongSideOut ? -1 : 1;
+        mesh.parts.push_back(part);
+        topology->patches.push_back({id, patch.fabric, static_cast<std::uint32_t>(first[p]),
+                                     static_cast<std::uint32_t>(part.vertexCount),
+                                     static_cast<std::uint32_t>(topology->triangles.size()),
+                                     static_cast<std::uint32_t>(meshes[p].triangles.size())});
+        topology->pattern.insert(topology->pattern.end(), meshes[p].points.begin(), meshes[p].points.end());
+        for (auto [a, b, c] : meshes[p].triangles) {
+            if (patch.wrongSideOut)
+                std::swap(b, c);
+            topology->triangles.push_back({static_cast<std::uint32_t>(first[p] + a),
+                                           static_cast<std::uint32_t>(first[p] + b),
+                                           static_cast<std::uint32_t>(first[p] + c)});
+        }
+    }
+    numberUnknowns(mesh, *topology, sampling);
+    measureRestShape(mesh, *topology);
+    measureParts(mesh);
+    findComponents(mesh, sampling);
+    collectChains(*topology, sampling, first);
+    mesh.topology = std::move(topology);
+    updateMaterials(mesh, design);
+    updateTargets(mesh, sampling);
+    return mesh;
+}
+
+void updateMaterials(SewnMesh& mesh, const Design& design)
+{
+    for (SewnMesh::Part& part : mesh.parts) {
+        const Patch& patch = *design.find<Patch>(part.patch);
+        const Fabric& fabric = *design.find<Fabric>(patch.fabric);
+        part.material = {fabric.poisson, fabric.stiffness, fabric.bendingLength, patch.pressure};
+    }
+}
+
+void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling)
+{
+    mesh.targets.resize(static_cast<std::size_t>(mesh.unknownCount() - mesh.freeCount));
+    for (const auto& chain : sampling.fixations)
+        for (std::size_t k = 0; k < chain.samples.size(); ++k) {
+            const int vertex = mesh.parts[chain.outline].firstVertex + chain.samples[k];
+            mesh.targets[mesh.topology->unknown[vertex] - static_cast<std::uint32_t>(mesh.freeCount)] =
+                chain.targets[k];
+        }
+}
+
+} // namespace bolster

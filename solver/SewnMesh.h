@@ -1,0 +1,63 @@
+// All patches in one system: rest shapes, sewn vertices merged, fixed vertices eliminated.
+#pragma once
+
+#include "Design.h"
+#include "OutlineSampling.h"
+#include "PatchTriangulator.h"
+#include "SurfaceMesh.h"
+
+#include <memory>
+
+namespace bolster {
+
+/// Vertices belong to one patch each; `unknown` says which of them share a position. Unknowns are numbered free
+/// ones first, then those held by fixation curves. Symbols are those of docs/solver.md.
+struct SewnMesh {
+    struct Material {
+        double poisson = 0.3;     ///< nu
+        double stiffness = 1;     ///< scales the weights of the patch in L1
+        double bendingLength = 6; ///< lambda, mm
+        double pressure = 0;      ///< P
+    };
+    struct Part {
+        ElementId patch{};
+        int firstVertex = 0;
+        int vertexCount = 0;
+        int boundaryCount = 0; ///< the first vertices lie on the outline
+        int component = 0;     ///< sewn component
+        double outward = 1;    ///< +1: +z of the pattern plane is outside, -1: -z
+        double meanEdge = 0;   ///< h, mm
+        double area = 0;       ///< mm^2
+        Material material;
+    };
+    struct RingEdge {
+        int vertex = 0;
+        double weight = 0;        ///< w_ij
+        Vec2 rest = Vec2::Zero(); ///< e_ij, mm
+    };
+
+    std::shared_ptr<const SurfaceTopology> topology;
+    std::vector<Part> parts;
+    std::vector<double> area;   ///< A_i, mm^2
+    std::vector<int> ringStart; ///< CSR over `ring`, one more than vertices
+    std::vector<RingEdge> ring;
+    int freeCount = 0;
+    std::vector<Vec3> targets;    ///< of the fixed unknowns freeCount, freeCount + 1 ...
+    std::vector<double> diameter; ///< D per sewn component, mm
+    std::vector<char> anchored;   ///< per component: some vertex is fixed
+
+    int vertexCount() const { return static_cast<int>(area.size()); }
+    int unknownCount() const { return static_cast<int>(topology->unknownCount); }
+    const std::vector<Vec2>& rest() const { return topology->pattern; }
+    double largestDiameter() const;
+};
+
+/// One mesh per outline of the sampling.
+SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes);
+
+/// Fabric and pressure values again, when only these have changed.
+void updateMaterials(SewnMesh& mesh, const Design& design);
+/// Fixation targets again, when only these have changed.
+void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling);
+
+} // namespace bolster

@@ -1,0 +1,274 @@
+#include "SheetOptimizer.h"
+
+#include "LocalStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Keeps a cover without fixations solvable. It is in the matrix only, so the fixed point does not feel it.
+constexpr double proximity = 1e-2;
+// The mesh adds bending of its own: lambda_eff^2 = lambda^2 + meshBending h^2.
+constexpr double meshBending = 0.12;
+// A vertex further out than this many D has been thrown away by an instability.
+constexpr double farthest = 1e4;
+
+double bendingSquared(const SewnMesh::Part& part)
+{
+    const double lambda = part.material.bendingLength;
+    return std::max(0.0, lambda * lambda - meshBending * part.meanEdge * part.meanEdge);
+}
+
+} // namespace
+
+SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool)
+    : m_mesh(mesh)
+    , m_pool(pool)
+    , m_positions(positionMatrix())
+    , m_frames(frameMatrix())
+{
+    precomputeRings();
+}
+
+bool SheetOptimizer::refactor()
+{
+    const bool positions = m_positions.refactor(positionMatrix());
+    return m_frames.refactor(frameMatrix()) && positions;
+}
+
+/// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends.
+Eigen::SparseMatrix<double> SheetOptimizer::positionMatrix() const
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
+    const auto& unknown = m_mesh.topology->unknown;
+    for (const SewnMesh::Part& part : m_mesh.parts) {
+        const double d = m_mesh.diameter[part.component];
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+            const int row = static_cast<int>(unknown[v]);
+            if (row >= m_mesh.freeCount)
+                continue;
+            double diagonal = proximity * m_mesh.area[v] / (d * d);
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
+                const int column = static_cast<int>(unknown[m_mesh.ring[k].vertex]);
+                const double weight = 2 * part.material.stiffness * m_mesh.ring[k].weight;
+                if (column == row)
+                    continue;
+                diagonal += weight;
+                if (column < row)
+                    entries.emplace_back(row, column, -weight);
+            }
+            entries.emplace_back(row, row, diagonal);
+        }
+    }
+    Eigen::SparseMatrix<double> matrix(m_mesh.freeCount, m_mesh.freeCount);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+/// diag(A) + 2 lambda^2 L per patch.
+Eigen::SparseMatrix<double> SheetOptimizer::frameMatrix() const
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
+    for (const SewnMesh::Part& part : m_mesh.parts) {
+        const double bending = 2 * bendingSquared(part);
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+            double diagonal = m_mesh.area[v];
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
+                diagonal += bending * m_mesh.ring[k].weight;
+                if (m_mesh.ring[k].vertex < v) // kept even where it is 0, so that the pattern stays
+                    entries.emplace_back(v, m_mesh.ring[k].vertex, -bending * m_mesh.ring[k].weight);
+            }
+            entries.emplace_back(v, v, diagonal);
+        }
+    }
+    Eigen::SparseMatrix<double> matrix(m_mesh.vertexCount(), m_mesh.vertexCount());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+void SheetOptimizer::precomputeRings()
+{
+    const int vertices = m_mesh.vertexCount();
+    m_partOf.resize(vertices);
+    for (int p = 0; p < std::ssize(m_mesh.parts); ++p)
+        std::fill_n(m_partOf.begin() + m_mesh.parts[p].firstVertex, m_mesh.parts[p].vertexCount, p);
+    m_rest.assign(vertices, Eigen::Matrix2d::Zero());
+    for (int v = 0; v < vertices; ++v)
+        for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
+            m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
+
+    m_cornersStart.assign(m_mesh.freeCount + 1, 0);
+    const auto& unknown = m_mesh.topology->unknown;
+    for (int v = 0; v < vertices; ++v)
+        if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
+            ++m_cornersStart[unknown[v] + 1];
+    for (int u = 0; u < m_mesh.freeCount; ++u)
+        m_cornersStart[u + 1] += m_cornersStart[u];
+    m_corners.resize(m_cornersStart.back());
+    std::vector<int> next(m_cornersStart.begin(), m_cornersStart.end() - 1);
+    for (int v = 0; v < vertices; ++v)
+        if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
+            m_corners[next[unknown[v]]++] = v;
+
+    m_map.resize(vertices);
+    m_stretch.resize(vertices);
+    m_frameRight.resize(vertices, 4);
+    m_residual.resize(m_mesh.freeCount, 3);
+}
+
+void SheetOptimizer::restart(SheetState state)
+{
+    m_state = std::move(state);
+    retarget();
+}
+
+void SheetOptimizer::retarget()
+{
+    for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
+        m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)) = m_mesh.targets[k];
+    m_before = m_state;
+    m_next = m_state;
+    m_momentum = 1;
+}
+
+std::optional<double> SheetOptimizer::iterate()
+{
+    extrapolate();
+    fitFrames();
+    solveFrames();
+    solvePositions();
+    return accept();
+}
+
+/// Nesterov's step ahead along the last move, frames included.
+void SheetOptimizer::extrapolate()
+{
+    const double momentum = 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
+    const double beta = (m_momentum - 1) / momentum;
+    m_momentum = momentum;
+    m_ahead.positions = m_state.positions + beta * (m_state.positions - m_before.positions);
+    m_ahead.frames.resize(4, m_state.frames.cols());
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Eigen::Vector4d now = m_state.frames.col(v);
+            Eigen::Vector4d before = m_before.frames.col(v);
+            if (now.dot(before) < 0)
+                before = -before;
+            m_ahead.frames.col(v) = (now + beta * (now - before)).normalized();
+        }
+    });
+}
+
+void SheetOptimizer::fitFrames()
+{
+    const auto& unknown = m_mesh.topology->unknown;
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Eigen::Vector3d here = m_ahead.positions.col(unknown[v]);
+            Matrix32 covariance = Matrix32::Zero();
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
+                const SewnMesh::RingEdge& edge = m_mesh.ring[k];
+                covariance.noalias() +=
+                    (m_ahead.positions.col(unknown[edge.vertex]) - here) * (edge.weight * edge.rest.transpose());
+            }
+            const double poisson = m_mesh.parts[m_partOf[v]].material.poisson;
+            const LocalFit fit = fitVertex(covariance, m_rest[v], m_mesh.area[v], m_ahead.frames.col(v), poisson);
+            m_stretch[v] = fit.stretch;
+            m_frameRight.row(v) = m_mesh.area[v] * fit.frame.transpose();
+        }
+    });
+}
+
+void SheetOptimizer::solveFrames()
+{
+    m_frames.solve(m_frameRight, m_frameSolution);
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Eigen::Vector4d q = m_frameSolution.row(v).transpose();
+            const double norm = q.norm();
+            m_next.frames.col(v) =
+                norm > 1e-12 ? Eigen::Vector4d(q / norm) : Eigen::Vector4d(m_ahead.frames.col(v));
+            m_map[v] = rotationOf(m_next.frames.col(v)).leftCols<2>() * m_stretch[v];
+        }
+    });
+}
+
+/// L1 in delta form: the residual at the present positions, then the move that it asks for.
+void SheetOptimizer::solvePositions()
+{
+    const auto& unknown = m_mesh.topology->unknown;
+    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
+        for (int u = begin; u < end; ++u) {
+            const Eigen::Vector3d here = m_ahead.positions.col(u);
+            Eigen::Vector3d residual = Eigen::Vector3d::Zero();
+            for (int c = m_cornersStart[u]; c < m_cornersStart[u + 1]; ++c) {
+                const int v = m_corners[c];
+                const SewnMesh::Part& part = m_mesh.parts[m_partOf[v]];
+                Eigen::Vector3d pull = Eigen::Vector3d::Zero();
+                for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
+                    const SewnMesh::RingEdge& edge = m_mesh.ring[k];
+                    pull += edge.weight * (2 * (m_ahead.positions.col(unknown[edge.vertex]) - here) -
+                                           (m_map[v] + m_map[edge.vertex]) * edge.rest);
+                }
+                residual += part.material.stiffness * pull;
+                const double pressure = part.material.pressure + m_extraPressure;
+                if (pressure != 0) {
+                    const Eigen::Vector3d normal = rotationOf(m_next.frames.col(v)).col(2) * part.outward;
+                    residual += (pressure * m_mesh.area[v] / m_mesh.diameter[part.component]) * normal;
+                }
+            }
+            m_residual.row(u) = residual.transpose();
+        }
+    });
+    if (m_mesh.freeCount > 0)
+        m_positions.solve(m_residual, m_move);
+    else
+        m_move = m_residual;
+    m_next.positions.leftCols(m_mesh.freeCount) = m_ahead.positions.leftCols(m_mesh.freeCount) + m_move.transpose();
+    const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;
+    m_next.positions.rightCols(fixed) = m_state.positions.rightCols(fixed);
+}
+
+/// Measures the move, restarts the acceleration when it has overshot, and makes the new state the present one.
+std::optional<double> SheetOptimizer::accept()
+{
+    struct Sums {
+        double overshoot = 0;
+        double farthestMove = 0; // squared, relative to D
+        bool bounded = true;
+    };
+    std::vector<Sums> sums(WorkerPool::chunkCount(m_mesh.freeCount));
+    const double bound = farthest * m_mesh.largestDiameter();
+    m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
+        Sums s;
+        for (int u = begin; u < end; ++u) {
+            const Eigen::Vector3d next = m_next.positions.col(u);
+            const Eigen::Vector3d move = next - m_state.positions.col(u);
+            const double d = m_mesh.diameter[m_mesh.parts[m_partOf[m_corners[m_cornersStart[u]]]].component];
+            s.overshoot += (m_ahead.positions.col(u) - next).dot(move);
+            s.farthestMove = std::max(s.farthestMove, move.squaredNorm() / (d * d));
+            s.bounded = s.bounded && next.cwiseAbs().maxCoeff() < bound + m_state.positions.col(u).norm();
+        }
+        sums[chunk] = s;
+    });
+    Sums total;
+    for (const Sums& s : sums) {
+        total.overshoot += s.overshoot;
+        total.farthestMove = std::max(total.farthestMove, s.farthestMove);
+        total.bounded = total.bounded && s.bounded;
+    }
+    if (!total.bounded || !std::isfinite(total.overshoot))
+        return std::nullopt;
+    std::swap(m_before, m_state);
+    std::swap(m_state, m_next);
+    if (total.overshoot > 0)
+        m_momentum = 1;
+    return std::sqrt(total.farthestMove);
+}
+
+} // namespace bolster

@@ -1,0 +1,72 @@
+// The mesh optimisation itself: frames, then positions, by two prefactored systems (paper, section 3.2).
+#pragma once
+
+#include "FactoredSystem.h"
+#include "SewnMesh.h"
+#include "SheetState.h"
+#include "WorkerPool.h"
+
+#include <optional>
+
+namespace bolster {
+
+/// Minimises the sheet's energy from a given state. docs/solver.md has the formulas; the names there are those in
+/// the comments here. The mesh must outlive the optimizer.
+class SheetOptimizer {
+public:
+    SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool);
+
+    /// False when a system could not be factored: nothing else may be called then.
+    bool ok() const { return m_positions.ok() && m_frames.ok(); }
+    /// Takes changed materials (stiffness, bending length) into the matrices. Returns ok().
+    bool refactor();
+
+    /// Positions of fixed unknowns are taken from the mesh's targets.
+    void restart(SheetState state);
+    /// Accepts moved targets and changed pressure or Poisson parameters; positions go on from where they are.
+    void retarget();
+    /// Pressure added to every patch, in the units of Patch::pressure; for the start.
+    void setExtraPressure(double pressure) { m_extraPressure = pressure; }
+
+    /// One iteration. Returns the largest move of a vertex relative to D, or nothing when the result is not finite
+    /// or has left every bound; the state before is kept then.
+    std::optional<double> iterate();
+
+    const SheetState& state() const { return m_state; }
+    const SewnMesh& mesh() const { return m_mesh; }
+
+private:
+    using Matrix32 = Eigen::Matrix<double, 3, 2>;
+
+    Eigen::SparseMatrix<double> positionMatrix() const;
+    Eigen::SparseMatrix<double> frameMatrix() const;
+    void precomputeRings();
+    void extrapolate();
+    void fitFrames();
+    void solveFrames();
+    void solvePositions();
+    std::optional<double> accept();
+
+    const SewnMesh& m_mesh;
+    WorkerPool& m_pool;
+    FactoredSystem m_positions; // L1
+    FactoredSystem m_frames;    // L2
+    double m_extraPressure = 0;
+
+    std::vector<int> m_partOf;           // per vertex
+    std::vector<Eigen::Matrix2d> m_rest; // S_i
+    std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
+    std::vector<int> m_corners;
+
+    SheetState m_state;
+    SheetState m_ahead; // y: the extrapolated state from which an iteration starts
+    SheetState m_next;
+    SheetState m_before;
+    double m_momentum = 1;                                           // t_k of Nesterov's scheme
+    std::vector<Matrix32, Eigen::aligned_allocator<Matrix32>> m_map; // R(q_i) T_i
+    std::vector<Eigen::Matrix2d> m_stretch;
+    Eigen::MatrixXd m_frameRight, m_frameSolution;
+    Eigen::MatrixXd m_residual, m_move;
+};
+
+} // namespace bolster

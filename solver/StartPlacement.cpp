@@ -1,0 +1,291 @@
+#include "StartPlacement.h"
+
+#include "LocalStep.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bolster {
+
+namespace {
+
+/// Fixations that lie this nearly on one line do not say how the patch turns about it.
+constexpr double lineThreshold = 0.02;
+
+struct Rigid {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Vec3 shift = Vec3::Zero();
+
+    Vec3 operator()(const Vec2& p) const { return rotation.leftCols<2>() * p + shift; }
+};
+
+struct Correspondence {
+    Vec2 rest;
+    Vec3 place;
+};
+
+class Placer {
+public:
+    explicit Placer(const SewnMesh& mesh)
+        : m_mesh(mesh)
+        , m_placed(mesh.parts.size())
+        , m_held(mesh.parts.size())
+    {
+        collectHeld();
+        linkVertices();
+    }
+
+    SheetState run()
+    {
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p)
+            if (!m_held[p].empty())
+                place(static_cast<int>(p), m_held[p]);
+        while (placeNextThroughSeams() || placeFirstOfFreeComponent())
+            continue;
+        return assemble();
+    }
+
+private:
+    void collectHeld()
+    {
+        const SurfaceTopology& topology = *m_mesh.topology;
+        m_centre.assign(m_mesh.diameter.size(), Vec3::Zero());
+        std::vector<int> count(m_mesh.diameter.size(), 0);
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            const SewnMesh::Part& part = m_mesh.parts[p];
+            for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v) {
+                const int fixed = static_cast<int>(topology.unknown[v]) - m_mesh.freeCount;
+                if (fixed < 0)
+                    continue;
+                m_held[p].push_back({m_mesh.rest()[v], m_mesh.targets[fixed]});
+                m_centre[part.component] += m_mesh.targets[fixed];
+                ++count[part.component];
+            }
+        }
+        for (std::size_t c = 0; c < m_centre.size(); ++c)
+            if (count[c] > 0)
+                m_centre[c] /= count[c];
+    }
+
+    /// The vertices that share an unknown, for walking from patch to patch.
+    void linkVertices()
+    {
+        m_sharing.resize(m_mesh.unknownCount());
+        m_partOf.resize(m_mesh.vertexCount());
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            const SewnMesh::Part& part = m_mesh.parts[p];
+            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
+                m_partOf[v] = static_cast<int>(p);
+                m_sharing[m_mesh.topology->unknown[v]].push_back(v);
+            }
+        }
+    }
+
+    void place(int p, const std::vector<Correspondence>& points)
+    {
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        Vec2 restCentre = Vec2::Zero();
+        Vec3 placeCentre = Vec3::Zero();
+        for (const Correspondence& c : points) {
+            restCentre += c.rest;
+            placeCentre += c.place;
+        }
+        restCentre /= static_cast<double>(points.size());
+        placeCentre /= static_cast<double>(points.size());
+        Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
+        for (const Correspondence& c : points)
+            covariance += (c.place - placeCentre) * (c.rest - restCentre).transpose();
+
+        Rigid rigid;
+        const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>, Eigen::FullPivHouseholderQRPreconditioner> svd(
+            covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        if (svd.singularValues()[1] > lineThreshold * svd.singularValues()[0]) {
+            rigid.rotation.leftCols<2>() = svd.matrixU().leftCols<2>() * svd.matrixV().transpose();
+            rigid.rotation.col(2) = rigid.rotation.col(0).cross(rigid.rotation.col(1));
+        } else {
+            const bool point = svd.singularValues()[0] <= 0;
+            rigid.rotation =
+                turnedOutwards(svd.matrixV().col(0), point ? Vec3(Vec3::UnitX()) : Vec3(svd.matrixU().col(0)),
+                               placeCentre - m_centre[part.component], part.outward);
+        }
+        rigid.shift = placeCentre - rigid.rotation.leftCols<2>() * restCentre;
+        m_placed[p] = rigid;
+    }
+
+    /// The rotation that carries `rest` to `along` and looks outwards as far as that allows.
+    static Eigen::Matrix3d turnedOutwards(const Vec2& rest, const Vec3& along, const Vec3& outwards, double side)
+    {
+        Vec3 normal = outwards - along.dot(outwards) * along;
+        if (normal.norm() < 1e-6 * (outwards.norm() + 1e-9))
+            normal = along.unitOrthogonal();
+        normal = normal.normalized() * side;
+        Eigen::Matrix3d from, to;
+        from << Vec3(rest.x(), rest.y(), 0), Vec3(-rest.y(), rest.x(), 0), Vec3::UnitZ();
+        to << along, normal.cross(along), normal;
+        return to * from.transpose();
+    }
+
+    /// The points of an unplaced patch that are sewn to placed ones.
+    std::vector<Correspondence> sewnPoints(int p) const
+    {
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        std::vector<Correspondence> points;
+        for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v) {
+            Vec3 sum = Vec3::Zero();
+            int count = 0;
+            for (int other : m_sharing[m_mesh.topology->unknown[v]])
+                if (const auto& rigid = m_placed[m_partOf[other]]) {
+                    sum += (*rigid)(m_mesh.rest()[other]);
+                    ++count;
+                }
+            if (count > 0)
+                points.push_back({m_mesh.rest()[v], sum / count});
+        }
+        return points;
+    }
+
+    bool placeNextThroughSeams()
+    {
+        int best = -1;
+        std::vector<Correspondence> bestPoints;
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            if (m_placed[p])
+                continue;
+            std::vector<Correspondence> points = sewnPoints(static_cast<int>(p));
+            if (points.size() > bestPoints.size()) {
+                best = static_cast<int>(p);
+                bestPoints = std::move(points);
+            }
+        }
+        if (best < 0)
+            return false;
+        if (!m_mesh.anchored[m_mesh.parts[best].component])
+            m_centre[m_mesh.parts[best].component] = centreOfPlaced(m_mesh.parts[best].component);
+        place(best, bestPoints);
+        return true;
+    }
+
+    Vec3 centreOfPlaced(int component) const
+    {
+        Vec3 sum = Vec3::Zero();
+        double area = 0;
+        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+            const SewnMesh::Part& part = m_mesh.parts[p];
+            if (part.component != component || !m_placed[p])
+                continue;
+            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
+                sum += m_mesh.area[v] * (*m_placed[p])(m_mesh.rest()[v]);
+            area += part.area;
+        }
+        return area > 0 ? Vec3(sum / area) : sum;
+    }
+
+    /// A component that nothing holds begins with its largest patch, lying flat; several lie side by side.
+    bool placeFirstOfFreeComponent()
+    {
+        int best = -1;
+        for (int p = 0; p < std::ssize(m_mesh.parts); ++p)
+            if (!m_placed[p] && (best < 0 || m_mesh.parts[p].area > m_mesh.parts[best].area))
+                best = p;
+        if (best < 0)
+            return false;
+        const SewnMesh::Part& part = m_mesh.parts[best];
+        Box2 box;
+        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
+            box.extend(m_mesh.rest()[v]);
+        Rigid rigid;
+        if (part.outward < 0)
+            rigid.rotation = Eigen::AngleAxisd(EIGEN_PI, Vec3::UnitX()).toRotationMatrix();
+        rigid.shift = Vec3(m_freeX, 0, 0) - rigid.rotation.leftCols<2>() * box.center();
+        m_freeX += m_mesh.diameter[part.component];
+        m_placed[best] = rigid;
+        return true;
+    }
+
+    SheetState assemble() const
+    {
+        SheetState state;
+        state.positions.setZero(3, m_mesh.unknownCount());
+        state.frames.resize(4, m_mesh.vertexCount());
+        for (int u = 0; u < m_mesh.unknownCount(); ++u) {
+            for (int v : m_sharing[u])
+                state.positions.col(u) += (*m_placed[m_partOf[v]])(m_mesh.rest()[v]);
+            state.positions.col(u) /= static_cast<double>(m_sharing[u].size());
+        }
+        for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
+            state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)) = m_mesh.targets[k];
+        for (int v = 0; v < m_mesh.vertexCount(); ++v) {
+            const Quat q(m_placed[m_partOf[v]]->rotation);
+            state.frames.col(v) << q.w(), q.x(), q.y(), q.z();
+        }
+        return state;
+    }
+
+    const SewnMesh& m_mesh;
+    std::vector<std::optional<Rigid>> m_placed;
+    std::vector<std::vector<Correspondence>> m_held;
+    std::vector<Vec3> m_centre; // of the fixations, per component
+    std::vector<std::vector<int>> m_sharing;
+    std::vector<int> m_partOf;
+    double m_freeX = 0;
+};
+
+/// The smaller in-plane stretch at a vertex, minus 1.
+double leastStrain(const SewnMesh& mesh, const SheetState& state, int v)
+{
+    Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Matrix2d rest = 1e-4 * mesh.area[v] * Eigen::Matrix2d::Identity();
+    const auto& unknown = mesh.topology->unknown;
+    for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
+        const SewnMesh::RingEdge& edge = mesh.ring[k];
+        const Vec3 e = state.positions.col(unknown[edge.vertex]) - state.positions.col(unknown[v]);
+        covariance += edge.weight * e * edge.rest.transpose();
+        rest += edge.weight * edge.rest * edge.rest.transpose();
+    }
+    const Eigen::Matrix<double, 3, 2> gradient = covariance * rest.inverse();
+    const Eigen::Matrix2d square = gradient.transpose() * gradient;
+    const double half = 0.5 * square.trace();
+    const double root = std::sqrt(std::max(0.0, half * half - square.determinant()));
+    return std::sqrt(std::max(0.0, half - root)) - 1;
+}
+
+/// A smooth ripple within +-1: waves in directions and of lengths that have no common measure.
+double ripple(const Vec2& p, double wavelength)
+{
+    const Vec2 q = p * (2 * EIGEN_PI / wavelength);
+    return (std::sin(q.x() + 0.3) + std::sin(0.62 * q.x() + 0.79 * q.y() + 1.1) +
+            std::sin(0.55 * q.x() - 0.97 * q.y() + 2.3) + std::sin(1.31 * q.y() + 0.7)) /
+           4;
+}
+
+} // namespace
+
+SheetState startPlacement(const SewnMesh& mesh)
+{
+    return Placer(mesh).run();
+}
+
+void seedFolds(const SewnMesh& mesh, SheetState& state)
+{
+    constexpr double height = 0.002;   // of D
+    constexpr double wavelength = 0.2; // of D
+    constexpr double least = 0.002;    // strain at which cloth counts as compressed
+    constexpr double full = 0.02;
+    for (const SewnMesh::Part& part : mesh.parts) {
+        const double d = mesh.diameter[part.component];
+        for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
+            const double compression = -leastStrain(mesh, state, v);
+            if (compression <= least)
+                continue;
+            const double share = std::min(1.0, (compression - least) / (full - least));
+            const Eigen::Vector3d normal = rotationOf(state.frames.col(v)).col(2);
+            state.positions.col(mesh.topology->unknown[v]) +=
+                share * height * d * ripple(mesh.rest()[v], wavelength * d) * normal;
+        }
+    }
+}
+
+} // namespace bolster

@@ -1,0 +1,142 @@
+#include "SurfaceMeasures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+struct Weighted {
+    double value = 0;
+    double weight = 0;
+};
+
+/// The value that 99 % of the weight do not exceed.
+double percentile99(std::vector<Weighted> values)
+{
+    std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    double total = 0;
+    for (const Weighted& v : values)
+        total += v.weight;
+    double sum = 0;
+    for (const Weighted& v : values)
+        if ((sum += v.weight) >= 0.99 * total)
+            return v.value;
+    return 0;
+}
+
+void measureTriangles(const SewnMesh& mesh, const SheetState& state, SolveReport& report)
+{
+    const SurfaceTopology& topology = *mesh.topology;
+    std::vector<Weighted> strains;
+    double squares = 0;
+    for (const SurfaceTopology::PatchRange& range : topology.patches) {
+        const auto part = std::find_if(mesh.parts.begin(), mesh.parts.end(),
+                                       [&](const SewnMesh::Part& p) { return p.patch == range.patch; });
+        for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+            std::array<Vec2, 3> rest;
+            std::array<Vec3, 3> place;
+            Vec3 frameNormal = Vec3::Zero();
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t v = topology.triangles[t][k];
+                rest[k] = topology.pattern[v];
+                place[k] = state.positions.col(topology.unknown[v]);
+                frameNormal += part->outward * rotationOf(state.frames.col(v)).col(2);
+            }
+            const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
+            const double restArea = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+            const Vec3 normal = (place[1] - place[0]).cross(place[2] - place[0]);
+            const Eigen::Vector2d strain = principalStretches(rest, place) - Eigen::Vector2d::Ones();
+            report.restArea += restArea;
+            report.area += 0.5 * normal.norm();
+            report.flippedTriangles += normal.dot(frameNormal) < 0;
+            squares += 0.5 * restArea * strain.squaredNorm();
+            strains.push_back({strain.cwiseAbs().maxCoeff(), restArea});
+            report.strain.max = std::max(report.strain.max, strains.back().value);
+        }
+    }
+    report.strain.p99 = percentile99(std::move(strains));
+    report.strain.rms = report.restArea > 0 ? std::sqrt(squares / report.restArea) : 0;
+}
+
+void addTo(SolveReport::MaxMean& measure, double value, std::int64_t& count)
+{
+    measure.max = std::max(measure.max, value);
+    measure.mean += (value - measure.mean) / static_cast<double>(++count);
+}
+
+void measureSeams(const SewnMesh& mesh, const SheetState& state, SolveReport& report)
+{
+    const SurfaceTopology& topology = *mesh.topology;
+    for (const SurfaceTopology::Chain& chain : topology.seams)
+        for (std::size_t k = 0; k < chain.a.size(); ++k) {
+            const Vec3 gap = state.positions.col(topology.unknown[chain.a[k]]) -
+                             state.positions.col(topology.unknown[chain.b[k]]);
+            addTo(report.seamGap, gap.norm(), report.constraints.sewn);
+        }
+}
+
+double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
+{
+    const Vec3 edge = b - a;
+    const double length = edge.squaredNorm();
+    const double t = length > 0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0;
+    return (a + t * edge - p).norm();
+}
+
+void measureFixations(const PreparedSheet& sheet, const SheetState& state, SolveReport& report)
+{
+    constexpr int probes = 8;
+    std::int64_t count = 0;
+    for (const auto& chain : sheet.sampling.fixations) {
+        const BSpline3& curve = sheet.design.find<FixationCurve>(chain.curve)->curve;
+        const int first = sheet.mesh.parts[chain.outline].firstVertex;
+        auto place = [&](std::size_t k) -> Vec3 {
+            return state.positions.col(sheet.mesh.topology->unknown[first + chain.samples[k]]);
+        };
+        for (std::size_t k = 0; k < chain.samples.size(); ++k) {
+            addTo(report.fixationError, (place(k) - chain.targets[k]).norm(), count);
+            if (k == 0)
+                continue;
+            const double t0 = chain.curveParameters[k - 1], t1 = chain.curveParameters[k];
+            for (int probe = 1; probe < probes; ++probe) {
+                const Vec3 p = curve.at(t0 + (t1 - t0) * probe / probes);
+                report.fixationDeviation =
+                    std::max(report.fixationDeviation, distanceToSegment(p, place(k - 1), place(k)));
+            }
+        }
+    }
+}
+
+} // namespace
+
+Eigen::Vector2d principalStretches(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& place)
+{
+    Eigen::Matrix2d from;
+    from << rest[1] - rest[0], rest[2] - rest[0];
+    Eigen::Matrix<double, 3, 2> to;
+    to << place[1] - place[0], place[2] - place[0];
+    const Eigen::Matrix<double, 3, 2> gradient = to * from.inverse();
+    const Eigen::Matrix2d square = gradient.transpose() * gradient;
+    const double half = 0.5 * square.trace();
+    const double root = std::sqrt(0.25 * std::pow(square(0, 0) - square(1, 1), 2) + square(0, 1) * square(0, 1));
+    return {std::sqrt(half + root), std::sqrt(std::max(0.0, half - root))};
+}
+
+SolveReport measureSurface(const PreparedSheet& sheet, const SheetState& state)
+{
+    SolveReport report;
+    const SewnMesh& mesh = sheet.mesh;
+    report.vertices = mesh.unknownCount();
+    report.triangles = static_cast<std::int64_t>(mesh.topology->triangles.size());
+    report.patches = static_cast<std::int64_t>(mesh.parts.size());
+    report.seams = static_cast<std::int64_t>(mesh.topology->seams.size());
+    report.constraints.fixed = static_cast<std::int64_t>(mesh.targets.size());
+    measureTriangles(mesh, state, report);
+    measureSeams(mesh, state, report);
+    measureFixations(sheet, state, report);
+    return report;
+}
+
+} // namespace bolster
