@@ -20,10 +20,12 @@ struct OpenedDesign {
     bool readable = false;
 };
 
-/// Reads a design and the frame files beside it. Never throws; a missing file is a problem like any other.
-OpenedDesign openDesign(const QString& path);
+/// Reads a design and the frame files beside it (or in `frameFolder`, for a copy that lies elsewhere). Never
+/// throws; a missing file is a problem like any other: that of the design names no element, that of a frame its
+/// field "file".
+OpenedDesign openDesign(const QString& path, const QString& frameFolder = {});
 
-/// Reads the mesh of one frame; `folder` is the design's.
+/// Reads the mesh of one frame; `folder` is the design's. Links are followed, but not out of the folder.
 std::shared_ptr<const TriangleMesh> readFrame(const Frame& frame, const QString& folder, Message* problem);
 
 /// Writes to a temporary file in the same folder, syncs it and renames it over `path`. Returns what went wrong,

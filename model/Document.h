@@ -23,6 +23,8 @@ public:
 
     /// The design with the running gesture's preview, if there is one.
     const Design& design() const { return m_design; }
+    /// The design at the history's current node, without a gesture's preview.
+    const Design& committed() const { return m_base; }
     /// Increases with every change of design().
     std::uint64_t revision() const { return m_revision; }
     const History& history() const { return m_history; }
@@ -57,8 +59,8 @@ private:
     void show(Design design);
     void announceDirty();
 
-    Design m_base;   ///< the design at the history's current node
-    Design m_design; ///< the same, with a gesture's preview
+    Design m_base;
+    Design m_design; // m_base, or the running gesture's preview
     std::uint64_t m_revision = 0;
     History m_history;
     NodeId m_saved = 0;

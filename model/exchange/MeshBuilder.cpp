@@ -1,0 +1,176 @@
+#include "MeshBuilder.h"
+
+#include "PolygonSplit.h"
+
+#include <bit>
+#include <random>
+
+namespace bolster {
+namespace {
+
+constexpr std::size_t largestPartCount = 100'000;
+
+[[noreturn]] void refuseCount(MeshPlace place)
+{
+    refuseMesh(place,
+               QT_TRANSLATE_NOOP("Message", "%1: the mesh is too large, the limit is %2 points and as many "
+                                            "triangles"),
+               {std::to_string(largestMeshCount)});
+}
+
+std::uint64_t mixed(std::uint64_t x)
+{
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+/// A stray point would make the frame look larger than it is.
+void dropUnusedPoints(TriangleMesh& mesh)
+{
+    std::vector<std::uint32_t> newIndex(mesh.points.size(), 0);
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t index : triangle)
+            newIndex[index] = 1;
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        if (newIndex[i] == 0)
+            continue;
+        mesh.points[kept] = mesh.points[i];
+        newIndex[i] = kept++;
+    }
+    mesh.points.resize(kept);
+    for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& index : triangle)
+            index = newIndex[index];
+}
+
+} // namespace
+
+MeshBuilder::MeshBuilder()
+    : m_weldingSeed(std::random_device{}())
+{}
+
+void MeshBuilder::reservePoints(std::uint64_t count, MeshPlace place)
+{
+    if (count > largestMeshCount)
+        refuseCount(place);
+    m_points.reserve(static_cast<std::size_t>(count));
+}
+
+std::uint32_t MeshBuilder::addPoint(const Vec3& point, MeshPlace place)
+{
+    if (!(point.array().abs() <= largestMeshCoordinate).all()) // so that NaN is refused too
+        refuseMesh(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
+    if (m_points.size() >= largestMeshCount)
+        refuseCount(place);
+    m_points.push_back(point);
+    return static_cast<std::uint32_t>(m_points.size() - 1);
+}
+
+std::uint32_t MeshBuilder::addWeldedPoint(const Vec3& point, MeshPlace place)
+{
+    if (2 * m_points.size() >= m_welded.size())
+        growWelding();
+    const Vec3 positive = point + Vec3::Zero(); // -0 is the same place as 0
+    const std::size_t slot = weldingSlot(positive);
+    if (m_welded[slot] == 0)
+        m_welded[slot] = addPoint(positive, place) + 1;
+    return m_welded[slot] - 1;
+}
+
+void MeshBuilder::growWelding()
+{
+    m_welded.assign(std::max<std::size_t>(1024, 2 * m_welded.size()), 0);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+        m_welded[weldingSlot(m_points[i])] = static_cast<std::uint32_t>(i + 1);
+}
+
+std::size_t MeshBuilder::weldingSlot(const Vec3& point) const
+{
+    std::uint64_t hash = m_weldingSeed;
+    for (int i = 0; i < 3; ++i)
+        hash = mixed(hash ^ std::bit_cast<std::uint64_t>(point[i]));
+    const std::size_t mask = m_welded.size() - 1; // the size is a power of two
+    std::size_t slot = hash & mask;
+    while (m_welded[slot] != 0 && m_points[m_welded[slot] - 1] != point)
+        slot = (slot + 1) & mask;
+    return slot;
+}
+
+void MeshBuilder::beginPart(std::string_view name)
+{
+    m_partName = name.substr(0, 200);
+    m_part = noPart;
+}
+
+void MeshBuilder::addFace(std::span<const std::int64_t> corners, MeshPlace place)
+{
+    m_face.clear();
+    for (const std::int64_t corner : corners) {
+        if (corner < 0 || static_cast<std::uint64_t>(corner) >= m_points.size())
+            refuseMesh(place,
+                       QT_TRANSLATE_NOOP("Message", "%1: a face refers to point %2, but there are %3 points"),
+                       {std::to_string(corner + 1), std::to_string(m_points.size())});
+        const auto index = static_cast<std::uint32_t>(corner);
+        if (m_face.empty() || m_face.back() != index)
+            m_face.push_back(index);
+    }
+    while (m_face.size() > 1 && m_face.back() == m_face.front())
+        m_face.pop_back();
+    if (m_face.size() == 3) {
+        addTriangle({m_face[0], m_face[1], m_face[2]}, place);
+    } else if (m_face.size() > 3) {
+        m_corners.clear();
+        for (const std::uint32_t index : m_face)
+            m_corners.push_back(m_points[index]);
+        m_split.clear();
+        splitPolygon(m_corners, m_split);
+        for (const auto& [a, b, c] : m_split)
+            addTriangle({m_face[a], m_face[b], m_face[c]}, place);
+    }
+}
+
+void MeshBuilder::addTriangle(std::array<std::uint32_t, 3> triangle, MeshPlace place)
+{
+    const auto [a, b, c] = triangle;
+    if (a == b || b == c || c == a)
+        return;
+    if (++m_triangleCount > largestMeshCount)
+        refuseCount(place);
+    currentPart(place).triangles.push_back(triangle);
+}
+
+MeshBuilder::Part& MeshBuilder::currentPart(MeshPlace place)
+{
+    if (m_part == noPart) {
+        m_part = m_partByName.try_emplace(m_partName, m_parts.size()).first->second;
+        if (m_part == m_parts.size())
+            m_parts.push_back({m_partName, {}});
+        if (m_parts.size() > largestPartCount)
+            refuseMesh(place, QT_TRANSLATE_NOOP("Message", "%1: the mesh has too many groups, the limit is %2"),
+                       {std::to_string(largestPartCount)});
+    }
+    return m_parts[m_part];
+}
+
+TriangleMesh MeshBuilder::finish()
+{
+    if (m_triangleCount == 0)
+        refuseMesh({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh")
+                                        : QT_TRANSLATE_NOOP(
+                                              "Message", "%1 holds points only; a frame needs faces between them"));
+    TriangleMesh mesh;
+    mesh.triangles.reserve(m_triangleCount);
+    for (Part& part : m_parts) {
+        mesh.parts.push_back({std::move(part.name), static_cast<std::uint32_t>(mesh.triangles.size()),
+                              static_cast<std::uint32_t>(part.triangles.size())});
+        mesh.triangles.insert(mesh.triangles.end(), part.triangles.begin(), part.triangles.end());
+        std::vector<std::array<std::uint32_t, 3>>().swap(part.triangles); // never twice in memory
+    }
+    mesh.points = std::move(m_points);
+    dropUnusedPoints(mesh);
+    return mesh;
+}
+
+} // namespace bolster

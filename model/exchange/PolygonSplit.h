@@ -1,0 +1,18 @@
+// Polygons of imported meshes as triangles.
+#pragma once
+
+#include "Geometry.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace bolster {
+
+/// Appends triangles of indices into `corners` (3 or more): a fan when the polygon is convex, ears when it is not.
+/// Always corners.size() - 2 triangles; a fan too for polygons that cross themselves, have no area, or have more
+/// than 256 corners.
+void splitPolygon(std::span<const Vec3> corners, std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+} // namespace bolster

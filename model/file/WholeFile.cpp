@@ -1,0 +1,207 @@
+#include "WholeFile.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QUuid>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <new>
+#include <optional>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+// QSaveFile would do most of this, but it ignores the result of fsync, does not sync the folder (so a power cut
+// may bring the old file back after "saved" was shown), and tells a full disk from a read-only folder only in the
+// words of the operating system.
+
+namespace bolster {
+namespace {
+
+class Descriptor {
+public:
+    Descriptor(const QString& path, int flags, mode_t mode = 0)
+        : m_fd(::open(QFile::encodeName(path).constData(), flags | O_CLOEXEC, mode))
+    {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    bool valid() const { return m_fd >= 0; }
+    int get() const { return m_fd; }
+    bool close() { return m_fd < 0 || ::close(std::exchange(m_fd, -1)) == 0; }
+
+private:
+    int m_fd;
+};
+
+std::optional<struct stat> status(int fd)
+{
+    struct stat result = {};
+    if (::fstat(fd, &result) != 0)
+        return std::nullopt;
+    return result;
+}
+
+Message readProblem(const QString& path, int error)
+{
+    const std::string name = path.toStdString();
+    switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+        return {QT_TRANSLATE_NOOP("Message", "there is no file \"%1\""), {name}};
+    case EACCES:
+    case EPERM:
+        return {QT_TRANSLATE_NOOP("Message", "you are not allowed to read \"%1\""), {name}};
+    case EISDIR:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" is a folder, not a file"), {name}};
+    case EINVAL:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" is not an ordinary file"), {name}};
+    default:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"), {name, std::strerror(error)}};
+    }
+}
+
+Message writeProblem(const QString& path, int error)
+{
+    const std::string name = path.toStdString();
+    const std::string folder = QFileInfo(path).absolutePath().toStdString();
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: the disk is full; make room or choose "
+                                             "another folder"),
+                {name}};
+    case EROFS:
+    case EACCES:
+    case EPERM:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: you are not allowed to write into \"%2\"; "
+                                             "choose another folder"),
+                {name, folder}};
+    case ENOENT:
+    case ENOTDIR:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: there is no folder \"%2\""),
+                {name, folder}};
+    case EISDIR:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is a folder"), {name}};
+    default:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"), {name, std::strerror(error)}};
+    }
+}
+
+/// 0 or an error number, as all helpers below.
+int writeAll(int fd, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 30));
+        if (written < 0 && errno != EINTR)
+            return errno;
+        if (written > 0)
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+int writeSynced(const QString& temporary, std::string_view bytes, std::optional<mode_t> permissions)
+{
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (!file.valid())
+        return errno;
+    if (permissions && ::fchmod(file.get(), *permissions) != 0)
+        return errno;
+    if (const int error = writeAll(file.get(), bytes))
+        return error;
+    if (::fsync(file.get()) != 0 || !file.close())
+        return errno;
+    return 0;
+}
+
+int syncFolder(const QString& folder)
+{
+    const Descriptor descriptor(folder, O_RDONLY | O_DIRECTORY);
+    // A folder without read permission and file systems that cannot sync folders: nothing more can be done.
+    if (!descriptor.valid() || ::fsync(descriptor.get()) == 0 || errno == EINVAL || errno == ENOTSUP)
+        return 0;
+    return errno;
+}
+
+int replaceRegular(const QString& target, std::string_view bytes, std::optional<mode_t> permissions)
+{
+    const QString folder = QFileInfo(target).absolutePath();
+    const QString temporary = folder + "/.bolster-" + QUuid::createUuid().toString(QUuid::Id128);
+    const QByteArray temporaryName = QFile::encodeName(temporary);
+    int error = writeSynced(temporary, bytes, permissions);
+    if (!error && std::rename(temporaryName.constData(), QFile::encodeName(target).constData()) != 0)
+        error = errno;
+    if (error) {
+        ::unlink(temporaryName.constData());
+        return error;
+    }
+    return syncFolder(folder);
+}
+
+} // namespace
+
+WholeFile readWholeFile(const QString& path, std::int64_t largest)
+{
+    const Descriptor file(path, O_RDONLY | O_NONBLOCK); // a pipe must not hold us up
+    const auto info = file.valid() ? status(file.get()) : std::nullopt;
+    if (!info)
+        return {{}, readProblem(path, errno)};
+    if (!S_ISREG(info->st_mode))
+        return {{}, readProblem(path, S_ISDIR(info->st_mode) ? EISDIR : EINVAL)};
+    if (info->st_size > largest)
+        return {
+            {},
+            {QT_TRANSLATE_NOOP("Message", "\"%1\" is too large: %2 MB, and at most %3 MB are read"),
+             {path.toStdString(), std::to_string(info->st_size / 1'000'000), std::to_string(largest / 1'000'000)}}};
+
+    WholeFile result;
+    try {
+        result.bytes.resize(static_cast<std::size_t>(info->st_size));
+    } catch (const std::bad_alloc&) {
+        return {{}, readProblem(path, ENOMEM)};
+    }
+    std::size_t filled = 0;
+    while (filled < result.bytes.size()) {
+        const ssize_t got = ::read(file.get(), result.bytes.data() + filled, result.bytes.size() - filled);
+        if (got < 0 && errno != EINTR)
+            return {{}, readProblem(path, errno)};
+        if (got == 0)
+            break; // shortened meanwhile
+        filled += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    }
+    result.bytes.resize(filled);
+    return result;
+}
+
+Message replaceWholeFile(const QString& path, std::string_view bytes)
+{
+    const QFileInfo info(path);
+    const QString target = info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+    struct stat present = {};
+    if (::stat(QFile::encodeName(target).constData(), &present) != 0) {
+        const int error = replaceRegular(target, bytes, std::nullopt);
+        return error ? writeProblem(path, error) : Message{};
+    }
+    if (S_ISDIR(present.st_mode))
+        return writeProblem(path, EISDIR);
+    if (S_ISREG(present.st_mode) && ::access(QFile::encodeName(target).constData(), W_OK) != 0)
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is write-protected"),
+                {path.toStdString()}};
+
+    int error = 0;
+    if (S_ISREG(present.st_mode)) {
+        error = replaceRegular(target, bytes, present.st_mode & 0777);
+    } else {
+        Descriptor device(target, O_WRONLY);
+        error = device.valid() ? writeAll(device.get(), bytes) : errno;
+    }
+    return error ? writeProblem(path, error) : Message{};
+}
+
+} // namespace bolster

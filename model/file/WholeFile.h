@@ -1,0 +1,28 @@
+// Files that are read and replaced as a whole.
+#pragma once
+
+#include "Message.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace bolster {
+
+struct WholeFile {
+    std::string bytes;
+    Message problem; ///< why it could not be read; empty when it was
+};
+
+/// Reads a regular file of at most `largest` bytes.
+WholeFile readWholeFile(const QString& path, std::int64_t largest);
+
+/// Writes to a temporary file in the same folder, syncs it, renames it over `path` and syncs the folder: after a
+/// power cut `path` holds the old bytes or the new ones, never a mixture. Links are followed and permissions kept;
+/// pipes and devices ("/dev/stdout") are written to directly. Returns what went wrong, or an empty message; the old
+/// file is untouched then.
+Message replaceWholeFile(const QString& path, std::string_view bytes);
+
+} // namespace bolster
