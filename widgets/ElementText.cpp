@@ -1,0 +1,116 @@
+#include "ElementText.h"
+
+#include "ArcLength.h"
+#include "Units.h"
+
+#include <QCoreApplication>
+
+namespace bolster {
+
+namespace {
+
+QString inWords(const char* text)
+{
+    return QCoreApplication::translate("ElementText", text);
+}
+
+QString nameOrNumber(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    if (!element)
+        return QCoreApplication::translate("ElementText", "missing element %1").arg(number(id));
+    const QString name = QString::fromStdString(elementName(*element));
+    return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindWord(kindOf(*element))).arg(number(id)) : name;
+}
+
+struct KindTexts {
+    const char* word;
+    const char* title;
+    const char* icon;
+};
+
+constexpr KindTexts kindTexts[] = {
+    {QT_TRANSLATE_NOOP("ElementText", "Patch"), QT_TRANSLATE_NOOP("ElementText", "Patches"), "patch"},
+    {QT_TRANSLATE_NOOP("ElementText", "Seam"), QT_TRANSLATE_NOOP("ElementText", "Seams"), "seam"},
+    {QT_TRANSLATE_NOOP("ElementText", "Fixation curve"), QT_TRANSLATE_NOOP("ElementText", "Fixation curves"),
+     "fixation-curve"},
+    {QT_TRANSLATE_NOOP("ElementText", "Fixation"), QT_TRANSLATE_NOOP("ElementText", "Fixations"), "fixation-seam"},
+    {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
+    {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
+    {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
+     "warning"},
+    {QT_TRANSLATE_NOOP("ElementText", "Design"), QT_TRANSLATE_NOOP("ElementText", "Design"), "settings"},
+};
+
+const KindTexts& textsOf(ElementKind kind)
+{
+    return kindTexts[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
+ElementKind kindOf(const Element& element)
+{
+    struct Visitor {
+        ElementKind operator()(const Settings&) const { return ElementKind::Settings; }
+        ElementKind operator()(const Fabric&) const { return ElementKind::Fabric; }
+        ElementKind operator()(const Patch&) const { return ElementKind::Patch; }
+        ElementKind operator()(const Seam&) const { return ElementKind::Seam; }
+        ElementKind operator()(const FixationCurve&) const { return ElementKind::FixationCurve; }
+        ElementKind operator()(const FixationSeam&) const { return ElementKind::FixationSeam; }
+        ElementKind operator()(const Frame&) const { return ElementKind::Frame; }
+        ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
+    };
+    return std::visit(Visitor{}, element);
+}
+
+QString kindTitle(ElementKind kind)
+{
+    return inWords(textsOf(kind).title);
+}
+
+QString kindWord(ElementKind kind)
+{
+    return inWords(textsOf(kind).word);
+}
+
+QString kindIcon(ElementKind kind)
+{
+    return QString::fromLatin1(textsOf(kind).icon);
+}
+
+QString displayName(const Design& design, ElementId id)
+{
+    if (const Seam* seam = design.find<Seam>(id))
+        return QStringLiteral("%1 \u2013 %2").arg(nameOrNumber(design, seam->a.patch),
+                                                  nameOrNumber(design, seam->b.patch));
+    if (const FixationSeam* fixation = design.find<FixationSeam>(id))
+        return QStringLiteral("%1 \u2192 %2").arg(nameOrNumber(design, fixation->stretch.patch),
+                                                  nameOrNumber(design, fixation->curve));
+    if (const Quarantined* bad = design.find<Quarantined>(id))
+        if (!bad->problems.empty() && !bad->problems.front().label.empty())
+            return QString::fromStdString(bad->problems.front().label);
+    return nameOrNumber(design, id);
+}
+
+double stretchLength(const Design& design, const Stretch& stretch)
+{
+    const Patch* patch = design.find<Patch>(stretch.patch);
+    if (!patch || patch->outline.empty())
+        return 0;
+    const double to =
+        unwrappedEnd(stretch.from, stretch.to, patch->outline.domainStart(), patch->outline.domainEnd());
+    return ArcLength2(patch->outline).between(stretch.from, to);
+}
+
+QString seamSummary(const Design& design, const Seam& seam)
+{
+    const double a = stretchLength(design, seam.a);
+    const double b = stretchLength(design, seam.b);
+    if (!(a > 0) || !(b > 0))
+        return {};
+    return QCoreApplication::translate("ElementText", "%1 and %2, ease %3")
+        .arg(lengthText(a), lengthText(b), percentText(std::max(a, b) / std::min(a, b) - 1));
+}
+
+} // namespace bolster

@@ -1,0 +1,28 @@
+// How elements are called in the window.
+#pragma once
+
+#include "Design.h"
+
+#include <QString>
+
+namespace bolster {
+
+/// The order in which lists show the kinds.
+enum class ElementKind { Patch, Seam, FixationCurve, FixationSeam, Frame, Fabric, Unusable, Settings };
+
+ElementKind kindOf(const Element& element);
+/// "Patches".
+QString kindTitle(ElementKind kind);
+/// "Patch".
+QString kindWord(ElementKind kind);
+/// "patch", "seam" ...: the icon in resources/icons.
+QString kindIcon(ElementKind kind);
+
+/// The name, or for elements without one what they join: "Seat - Front band". Never empty.
+QString displayName(const Design& design, ElementId id);
+/// The lengths of a seam's two stretches and its ease, or "".
+QString seamSummary(const Design& design, const Seam& seam);
+/// Arc length, mm; 0 when the stretch does not lie on its outline.
+double stretchLength(const Design& design, const Stretch& stretch);
+
+} // namespace bolster

@@ -1,0 +1,22 @@
+// What lies behind the pattern: a grid that follows the zoom, and a scale bar.
+#pragma once
+
+#include "PatternTransform.h"
+#include "ViewColors.h"
+
+#include <QString>
+
+class QPainter;
+class QSize;
+
+namespace bolster {
+
+/// Spacing of the finer lines, mm: a power of ten that is at least `leastPixels` wide.
+double gridStep(double pixelsPerMillimetre, double leastPixels = 9);
+void paintGrid(QPainter& painter, const PatternTransform& transform, const QSize& size, const ViewColors& colors);
+
+/// A round length (1, 2 or 5 times a power of ten, mm) that is at most `mostPixels` wide.
+double scaleBarLength(double pixelsPerMillimetre, double mostPixels = 130);
+void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size, const ViewColors& colors);
+
+} // namespace bolster

@@ -1,0 +1,119 @@
+#include "PatternMarks.h"
+
+#include <QLineF>
+#include <QPainter>
+#include <QVector>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+struct Spot {
+    QPointF at;
+    QPointF along; ///< unit
+};
+
+/// A path as a line of straight pieces that can be walked by length.
+class Walk {
+public:
+    explicit Walk(const QPainterPath& path)
+    {
+        const QList<QPolygonF> parts = path.toSubpathPolygons();
+        if (!parts.isEmpty())
+            m_points = parts.front();
+        m_lengths.append(0);
+        for (qsizetype i = 1; i < m_points.size(); ++i)
+            m_lengths.append(m_lengths.back() + QLineF(m_points[i - 1], m_points[i]).length());
+    }
+
+    double length() const { return m_lengths.back(); }
+
+    Spot at(double s) const
+    {
+        if (m_points.size() < 2)
+            return {m_points.isEmpty() ? QPointF() : m_points.front(), QPointF(1, 0)};
+        const auto after = std::upper_bound(m_lengths.begin() + 1, m_lengths.end() - 1, s);
+        const qsizetype i = after - m_lengths.begin();
+        const QLineF piece(m_points[i - 1], m_points[i]);
+        const double length = std::max(piece.length(), 1e-9);
+        const QPointF along = QPointF(piece.dx(), piece.dy()) / length;
+        return {piece.p1() + along * (s - m_lengths[i - 1]), along};
+    }
+
+private:
+    QPolygonF m_points;
+    QVector<double> m_lengths;
+};
+
+} // namespace
+
+void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
+                        bool strong)
+{
+    constexpr double gap = 7;
+    constexpr double depth = 6;
+    const Walk walk(stretch);
+    // Far zoomed in a stretch is much longer than the window; the marks then stay apart further.
+    const int count = std::clamp(static_cast<int>(walk.length() / gap), 1, 1000);
+    const double step = walk.length() / count;
+    QVector<QLineF> ticks;
+    for (int i = 0; i < count; ++i) {
+        const Spot spot = walk.at((i + 0.5) * step);
+        QPointF outward(-spot.along.y(), spot.along.x());
+        if (!counterClockwise)
+            outward = -outward;
+        ticks.append({spot.at, spot.at + (outward + 0.7 * spot.along) * depth * 0.8});
+    }
+    painter.setPen(QPen(color, strong ? 1.8 : 1.1));
+    painter.drawLines(ticks);
+    painter.setBrush(Qt::NoBrush);
+    painter.strokePath(stretch, QPen(color, strong ? 3.2 : 2.2, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+}
+
+void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, const QColor& color, const QColor& halo,
+                    bool strong)
+{
+    const Walk walk(stretch);
+    if (walk.length() < 26)
+        return;
+    const Spot spot = walk.at(walk.length() / 2);
+    const double size = strong ? 7 : 5.5;
+    const QPointF across(-spot.along.y(), spot.along.x());
+    QPainterPath arrow(spot.at + spot.along * size);
+    arrow.lineTo(spot.at - spot.along * size * 0.8 + across * size * 0.85);
+    arrow.lineTo(spot.at - spot.along * size * 0.35);
+    arrow.lineTo(spot.at - spot.along * size * 0.8 - across * size * 0.85);
+    arrow.closeSubpath();
+    painter.strokePath(arrow, QPen(halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(arrow, color.darker(115));
+}
+
+void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color)
+{
+    const Walk first(a);
+    const Walk second(b);
+    painter.setPen(QPen(color, 1.2, Qt::DashLine));
+    for (const double share : {0.0, 1.0})
+        painter.drawLine(first.at(share * first.length()).at, second.at(share * second.length()).at);
+    painter.setPen(QPen(color, 1.6));
+    painter.drawLine(first.at(first.length() / 2).at, second.at(second.length() / 2).at);
+}
+
+void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color)
+{
+    painter.setPen(QPen(color, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawLine(centre - half, centre + half);
+    const double length = std::max(std::hypot(half.x(), half.y()), 1e-9);
+    const QPointF along = half / length * 4;
+    const QPointF across(-along.y() * 0.7, along.x() * 0.7);
+    for (const double side : {1.0, -1.0}) {
+        const QPointF tip = centre + half * side;
+        painter.drawPolyline(QPolygonF{tip - along * side + across, tip, tip - along * side - across});
+    }
+}
+
+} // namespace bolster

@@ -1,0 +1,22 @@
+// The signs that are drawn on outlines. Paths and points are pixels.
+#pragma once
+
+#include <QColor>
+#include <QPainterPath>
+
+class QPainter;
+
+namespace bolster {
+
+/// Short strokes on the outer side, as engineers draw what is held. `counterClockwise`: of the outline in the layout.
+void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
+                        bool strong);
+/// An arrow in the middle that says which way the seam runs.
+void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, const QColor& color, const QColor& halo,
+                    bool strong);
+/// Thin lines that join both stretches of a seam where they are sewn together.
+void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
+/// A double arrow along the warp.
+void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color);
+
+} // namespace bolster

@@ -1,0 +1,250 @@
+#include "PatternPainter.h"
+
+#include "CurvePath.h"
+#include "PatternGrid.h"
+#include "PatternMarks.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "Units.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Pixels.
+constexpr double bandWidth = 4;       // of a seam's colour along the outline
+constexpr double leastMeshEdge = 2.5; // finer meshes would only be a grey veil
+constexpr double leastPointGap = 5;
+constexpr double pointSize = 7;
+
+} // namespace
+
+PatternPainter::PatternPainter(QPainter& painter, const Input& input)
+    : m_painter(painter)
+    , m_in(input)
+    , m_matrix(input.transform.matrix())
+    , m_visible(input.transform.visible(input.size))
+{}
+
+void PatternPainter::paint()
+{
+    m_painter.fillRect(QRect(QPoint(0, 0), m_in.size), m_in.colors.canvas);
+    m_painter.setFont(m_in.font);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    if (m_in.layers.grid)
+        paintGrid(m_painter, m_in.transform, m_in.size, m_in.colors);
+    for (const auto& [id, patch] : m_in.scene.patches())
+        if (visible(patch))
+            paintPatch(patch);
+    for (const auto& [id, patch] : m_in.scene.patches())
+        if (m_in.layers.labels && visible(patch))
+            paintLabel(patch);
+    if (m_in.layers.seams)
+        paintSeamLinks();
+    for (const auto& [id, patch] : m_in.scene.patches())
+        if (m_in.layers.points && visible(patch) && (selected(id) || hovered(id)))
+            paintPoints(patch);
+    paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
+}
+
+bool PatternPainter::selected(ElementId id) const
+{
+    return m_in.selection.contains(id);
+}
+
+bool PatternPainter::hovered(ElementId id) const
+{
+    return m_in.selection.hovered() == id;
+}
+
+bool PatternPainter::visible(const PatternPatch& patch) const
+{
+    const Vec2 margin = Vec2::Constant(m_in.transform.millimetres(20));
+    return !patch.path.isEmpty() && Box2(patch.box.min() - margin, patch.box.max() + margin).intersects(m_visible);
+}
+
+QPainterPath PatternPainter::inPixels(const QPainterPath& path) const
+{
+    return m_matrix.map(path);
+}
+
+void PatternPainter::paintPatch(const PatternPatch& patch)
+{
+    const bool isSelected = selected(patch.id);
+    const bool bad = m_in.problems.hasError(patch.id);
+    const QPainterPath outline = inPixels(patch.path);
+    const ViewColors& colors = m_in.colors;
+
+    QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.42 : hovered(patch.id) ? 0.34 : 0.26);
+    if (bad)
+        fill = mixed(colors.canvas, colors.error, 0.18);
+    m_painter.fillPath(outline, fill);
+    if (bad)
+        m_painter.fillPath(outline, QBrush(mixed(colors.canvas, colors.error, 0.5), Qt::BDiagPattern));
+    if (m_in.layers.mesh)
+        paintMesh(patch);
+    if (m_in.layers.seams)
+        paintSeamBands(patch, outline);
+
+    const QColor line = bad ? colors.error : isSelected ? colors.accent : hovered(patch.id) ? colors.hover : colors.outline;
+    m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (m_in.layers.seams)
+        paintStretchMarks(patch);
+}
+
+void PatternPainter::paintMesh(const PatternPatch& patch)
+{
+    const double pixels = m_in.mesh.edgeLength() * m_in.transform.scale();
+    if (pixels < leastMeshEdge)
+        return;
+    QColor color = m_in.colors.mesh;
+    color.setAlphaF(color.alphaF() * static_cast<float>(std::clamp(pixels / 10, 0.35, 1.0)));
+    // Thin, many and short: here smoothing costs much and shows little.
+    m_painter.setRenderHint(QPainter::Antialiasing, false);
+    m_painter.setPen(color);
+    m_painter.drawLines(m_in.mesh.lines(patch.id, patch.patch(), m_in.transform));
+    m_painter.setRenderHint(QPainter::Antialiasing, true);
+}
+
+void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPath& outline)
+{
+    m_painter.save();
+    // The inner half of a line twice as wide: the band ends exactly at the outline.
+    m_painter.setClipPath(outline, Qt::IntersectClip);
+    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
+        if (stretch.patch != patch.id || stretch.fixation)
+            continue;
+        const auto color = m_in.seamColors.find(owner);
+        if (color == m_in.seamColors.end())
+            continue;
+        const bool strong = selected(owner) || hovered(owner);
+        const QPen pen(m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
+                       2 * bandWidth * (strong ? 1.75 : 1), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+        m_painter.strokePath(inPixels(stretch.path), pen);
+    }
+    m_painter.restore();
+}
+
+void PatternPainter::paintStretchMarks(const PatternPatch& patch)
+{
+    const bool counterClockwise = patch.patch().outline.signedArea() > 0;
+    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
+        if (stretch.patch != patch.id)
+            continue;
+        const bool strong = selected(owner) || hovered(owner);
+        const bool bad = m_in.problems.hasError(owner);
+        const QPainterPath path = inPixels(stretch.path);
+        if (stretch.fixation) {
+            const QColor color = bad ? m_in.colors.error
+                                 : selected(owner) ? m_in.colors.accent
+                                                   : m_in.colors.fixation;
+            paintFixationMarks(m_painter, path, counterClockwise, color, strong);
+        } else if (const auto color = m_in.seamColors.find(owner); color != m_in.seamColors.end()) {
+            paintSeamArrow(m_painter, path, bad ? m_in.colors.error : color->second, m_in.colors.canvas, strong);
+        }
+    }
+}
+
+void PatternPainter::paintLabel(const PatternPatch& patch)
+{
+    QFont nameFont = m_in.font;
+    nameFont.setWeight(QFont::DemiBold);
+    const QFontMetricsF metrics(nameFont);
+    const QString name = QString::fromStdString(patch.patch().name);
+    const double scale = m_in.transform.scale();
+    const QSizeF text(metrics.horizontalAdvance(name) / scale, metrics.height() / scale);
+    const bool lying = LabelPlace::fits(patch.label.lying, text);
+    if (name.isEmpty() || (!lying && !LabelPlace::fits(patch.label.upright, text)))
+        return;
+    const LabelPlace::Spot& spot = lying ? patch.label.lying : patch.label.upright;
+
+    m_painter.save();
+    m_painter.translate(m_in.transform.toPixels(spot.centre));
+    if (!lying)
+        m_painter.rotate(-90);
+    const double line = metrics.height();
+    const Vec2 extent = patch.patch().outline.boundingBox().sizes();
+    const QString size = sizeText(extent.x(), extent.y());
+    const QFontMetricsF small(m_in.font);
+    const QSizeF both(std::max(text.width(), small.horizontalAdvance(size) / scale), 2.2 * text.height());
+    const bool withSize = LabelPlace::fits(spot, both);
+    m_painter.setFont(nameFont);
+    m_painter.setPen(m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label);
+    const double top = withSize ? -line : -line / 2;
+    m_painter.drawText(QRectF(-500, top, 1000, line), Qt::AlignCenter, name);
+    if (withSize) {
+        m_painter.setFont(m_in.font);
+        m_painter.setPen(m_in.colors.mutedLabel);
+        m_painter.drawText(QRectF(-500, top + line, 1000, line), Qt::AlignCenter, size);
+    }
+    m_painter.restore();
+    if (lying)
+        paintGrain(patch, spot, withSize ? line : line / 2);
+}
+
+void PatternPainter::paintGrain(const PatternPatch& patch, const LabelPlace::Spot& spot, double below)
+{
+    const double room = spot.room * m_in.transform.scale();
+    const double length = std::min(0.62 * (room - below), 44.0);
+    if (length < 16)
+        return;
+    const QPointF centre = m_in.transform.toPixels(spot.centre) + QPointF(0, below + 10 + length / 2);
+    // Degrees counter-clockwise in the layout; pixels run downwards.
+    const double angle = -(patch.patch().grain + patch.patch().rotation) * M_PI / 180;
+    paintGrainArrow(m_painter, centre, QPointF(std::cos(angle), std::sin(angle)) * length / 2, m_in.colors.mutedLabel);
+}
+
+void PatternPainter::paintSeamLinks()
+{
+    const auto& stretches = m_in.scene.stretches();
+    for (auto stretch = stretches.begin(); stretch != stretches.end(); ++stretch) {
+        const auto other = std::next(stretch);
+        const ElementId owner = stretch->first;
+        if (other == stretches.end() || other->first != owner || !(selected(owner) || hovered(owner)))
+            continue;
+        if (const auto color = m_in.seamColors.find(owner); color != m_in.seamColors.end())
+            paintSeamLink(m_painter, inPixels(stretch->second.path), inPixels(other->second.path), color->second);
+    }
+}
+
+bool PatternPainter::pointsReadable(const PatternPatch& patch, const PatternTransform& transform)
+{
+    const Vec2 extent = patch.box.sizes();
+    const double around = 2 * (extent.x() + extent.y()) * transform.scale();
+    return around > leastPointGap * static_cast<double>(patch.points.size());
+}
+
+void PatternPainter::paintPoints(const PatternPatch& patch)
+{
+    if (!pointsReadable(patch, m_in.transform))
+        return;
+    QPolygonF pixels;
+    for (const Vec2& p : patch.points)
+        pixels << m_in.transform.toPixels(p);
+    const ViewColors& colors = m_in.colors;
+    if (patch.patch().outline.degree() > 1) {
+        m_painter.setPen(QPen(mixed(colors.canvas, colors.accent, 0.55), 1, Qt::DotLine));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawPolygon(pixels);
+    }
+    const QColor line = selected(patch.id) ? colors.accent : colors.hover;
+    for (qsizetype i = 0; i < pixels.size(); ++i) {
+        const bool chosen = m_in.selection.contains(Selection::Point{patch.id, static_cast<int>(i)});
+        m_painter.setPen(QPen(line, 1.4));
+        m_painter.setBrush(chosen ? colors.accent : colors.pointFill);
+        const double size = chosen ? pointSize + 2 : pointSize;
+        const QRectF box(pixels[i] - QPointF(size, size) / 2, QSizeF(size, size));
+        if (patch.corners[static_cast<std::size_t>(i)])
+            m_painter.drawRect(box);
+        else
+            m_painter.drawEllipse(box);
+    }
+}
+
+} // namespace bolster

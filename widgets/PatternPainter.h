@@ -1,0 +1,73 @@
+// Draws a PatternScene.
+#pragma once
+
+#include "PatternMesh.h"
+#include "PatternScene.h"
+#include "PatternTransform.h"
+#include "ViewColors.h"
+
+#include <QFont>
+#include <QSize>
+
+class QPainter;
+
+namespace bolster {
+
+class ProblemSet;
+class Selection;
+
+/// What the pattern view shows; a window offers these as toggles.
+struct PatternLayers {
+    bool grid = true;
+    bool mesh = false;
+    bool seams = true;
+    bool points = true;
+    bool labels = true;
+
+    friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
+};
+
+/// One picture; made anew for each paint event.
+class PatternPainter {
+public:
+    struct Input {
+        const PatternScene& scene;
+        const PatternMesh& mesh;
+        const Selection& selection;
+        const ProblemSet& problems;
+        const std::map<ElementId, QColor>& seamColors;
+        PatternTransform transform;
+        PatternLayers layers;
+        ViewColors colors;
+        QFont font;
+        QSize size;
+    };
+
+    PatternPainter(QPainter& painter, const Input& input);
+    void paint();
+
+    /// Control points are shown where they are far enough apart to be grabbed.
+    static bool pointsReadable(const PatternPatch& patch, const PatternTransform& transform);
+
+private:
+    bool selected(ElementId id) const;
+    bool hovered(ElementId id) const;
+    bool visible(const PatternPatch& patch) const;
+    QPainterPath inPixels(const QPainterPath& path) const;
+
+    void paintPatch(const PatternPatch& patch);
+    void paintMesh(const PatternPatch& patch);
+    void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);
+    void paintStretchMarks(const PatternPatch& patch);
+    void paintLabel(const PatternPatch& patch);
+    void paintGrain(const PatternPatch& patch, const LabelPlace::Spot& spot, double below);
+    void paintSeamLinks();
+    void paintPoints(const PatternPatch& patch);
+
+    QPainter& m_painter;
+    const Input& m_in;
+    QTransform m_matrix;
+    Box2 m_visible;
+};
+
+} // namespace bolster

@@ -1,0 +1,224 @@
+#include "PatternScene.h"
+
+#include "CurvePath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+std::vector<char> cornerPoints(const BSpline2& outline)
+{
+    std::vector<char> corners(static_cast<std::size_t>(outline.pointCount()), outline.degree() == 1);
+    if (outline.degree() == 1)
+        return corners;
+    for (const double t : outline.corners()) {
+        const Vec2 at = outline.at(t);
+        for (int i = 0; i < outline.pointCount(); ++i)
+            if ((outline.points()[static_cast<std::size_t>(i)] - at).squaredNorm() < 1e-12)
+                corners[static_cast<std::size_t>(i)] = true;
+    }
+    return corners;
+}
+
+/// Where the stretch ends after `from`, or nothing when it does not lie on this outline.
+std::optional<double> endOf(const Stretch& stretch, const BSpline2& outline)
+{
+    const double start = outline.domainStart();
+    const double end = outline.domainEnd();
+    const auto valid = [&](double t) { return std::isfinite(t) && t >= start && t <= end; };
+    if (outline.empty() || !valid(stretch.from) || !valid(stretch.to))
+        return {};
+    const double to = unwrappedEnd(stretch.from, stretch.to, start, end);
+    return to > stretch.from ? std::optional(to) : std::nullopt;
+}
+
+} // namespace
+
+bool PatternStretch::contains(const BSpline2& outline, double parameter) const
+{
+    const double t = parameter < from ? parameter + outline.period() : parameter;
+    return t >= from && t <= to;
+}
+
+void PatternScene::reset(const Design& design)
+{
+    m_patches.clear();
+    m_stretches.clear();
+    std::set<ElementId> all;
+    for (const auto& [id, element] : design.elements())
+        all.insert(id);
+    update(design, all);
+}
+
+void PatternScene::update(const Design& design, const std::set<ElementId>& changed)
+{
+    std::set<ElementId> patches;
+    std::set<ElementId> owners;
+    for (const ElementId id : changed) {
+        patches.insert(id);
+        owners.insert(id);
+    }
+    // What a patch's fabric and outline change beyond the patch itself.
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (changed.contains(patch.fabric))
+            patches.insert(id);
+    });
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        if (changed.contains(seam.a.patch) || changed.contains(seam.b.patch))
+            owners.insert(id);
+    });
+    design.each<FixationSeam>([&](ElementId id, const FixationSeam& seam) {
+        if (changed.contains(seam.stretch.patch))
+            owners.insert(id);
+    });
+    for (const ElementId id : patches)
+        updatePatch(design, id);
+    for (const ElementId id : owners)
+        updateStretches(design, id);
+}
+
+void PatternScene::updatePatch(const Design& design, ElementId id)
+{
+    const Patch* patch = design.find<Patch>(id);
+    if (!patch) {
+        m_patches.erase(id);
+        return;
+    }
+    PatternPatch& entry = m_patches[id];
+    const ElementPtr before = std::exchange(entry.element, design.element(id));
+    entry.id = id;
+    const Fabric* fabric = design.find<Fabric>(patch->fabric);
+    entry.fabric = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(Qt::gray);
+    entry.path = curvePath(patch->outline, [patch](const Vec2& p) { return toLayout(*patch, p); });
+    const QRectF bounds = entry.path.boundingRect();
+    entry.box = Box2(toVec(bounds.topLeft()), toVec(bounds.bottomRight()));
+    entry.points.clear();
+    for (const Vec2& p : patch->outline.points())
+        entry.points.push_back(toLayout(*patch, p));
+    entry.corners = cornerPoints(patch->outline);
+
+    const Patch* old = before ? std::get_if<Patch>(before.get()) : nullptr;
+    if (old && old->outline == patch->outline && old->rotation == patch->rotation) {
+        const Vec2 moved = patch->position - old->position;
+        entry.label.lying.centre += moved;
+        entry.label.upright.centre += moved;
+    } else {
+        entry.label = LabelPlace::inside(entry.path.toFillPolygon());
+    }
+}
+
+void PatternScene::updateStretches(const Design& design, ElementId owner)
+{
+    m_stretches.erase(owner);
+    if (const Seam* seam = design.find<Seam>(owner)) {
+        addStretch(owner, seam->a, false, false);
+        addStretch(owner, seam->b, false, seam->reversed);
+    } else if (const FixationSeam* fixation = design.find<FixationSeam>(owner)) {
+        addStretch(owner, fixation->stretch, true, false);
+    }
+}
+
+void PatternScene::addStretch(ElementId owner, const Stretch& stretch, bool fixation, bool reversed)
+{
+    const PatternPatch* entry = patch(stretch.patch);
+    if (!entry)
+        return;
+    const Patch& on = entry->patch();
+    const std::optional<double> to = endOf(stretch, on.outline);
+    if (!to)
+        return;
+    QPainterPath path =
+        curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
+    if (reversed)
+        path = path.toReversed();
+    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, fixation, path});
+}
+
+const PatternPatch* PatternScene::patch(ElementId id) const
+{
+    const auto found = m_patches.find(id);
+    return found == m_patches.end() ? nullptr : &found->second;
+}
+
+Box2 PatternScene::boundingBox() const
+{
+    Box2 box;
+    for (const auto& [id, patch] : m_patches)
+        box.extend(patch.box);
+    return box;
+}
+
+Box2 PatternScene::boundingBox(const std::set<ElementId>& ids) const
+{
+    Box2 box;
+    for (const ElementId id : ids) {
+        if (const PatternPatch* entry = patch(id))
+            box.extend(entry->box);
+        const auto [first, last] = m_stretches.equal_range(id);
+        for (auto stretch = first; stretch != last; ++stretch)
+            if (const PatternPatch* entry = patch(stretch->second.patch))
+                box.extend(entry->box);
+    }
+    return box;
+}
+
+PatternHit PatternScene::hit(const Vec2& at, double tolerance,
+                             const std::function<bool(ElementId)>& pointsShown) const
+{
+    if (const std::optional<PatternHit> point = hitPoint(at, tolerance, pointsShown))
+        return *point;
+    if (const std::optional<PatternHit> outline = hitOutline(at, tolerance))
+        return *outline;
+    for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry)
+        if (entry->second.box.contains(at) && entry->second.path.contains(toPoint(at)))
+            return {PatternHit::Kind::Inside, entry->first};
+    return {};
+}
+
+std::optional<PatternHit> PatternScene::hitPoint(const Vec2& at, double tolerance,
+                                                 const std::function<bool(ElementId)>& pointsShown) const
+{
+    std::optional<PatternHit> best;
+    double nearest = tolerance * tolerance;
+    for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry) {
+        if (!pointsShown(entry->first))
+            continue;
+        const std::vector<Vec2>& points = entry->second.points;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double distance = (points[i] - at).squaredNorm();
+            if (distance < nearest) {
+                nearest = distance;
+                best = PatternHit{PatternHit::Kind::Point, entry->first, static_cast<int>(i)};
+            }
+        }
+    }
+    return best;
+}
+
+std::optional<PatternHit> PatternScene::hitOutline(const Vec2& at, double tolerance) const
+{
+    std::optional<PatternHit> best;
+    double nearest = tolerance;
+    for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry) {
+        const PatternPatch& patch = entry->second;
+        if (patch.patch().outline.empty() || patch.box.exteriorDistance(at) > tolerance)
+            continue;
+        const BSpline2::Closest closest = patch.patch().outline.closest(fromLayout(patch.patch(), at));
+        if (closest.distance >= nearest)
+            continue;
+        nearest = closest.distance;
+        best = PatternHit{PatternHit::Kind::Outline, entry->first, -1, closest.parameter};
+    }
+    if (!best)
+        return best;
+    for (const auto& [owner, stretch] : m_stretches)
+        if (stretch.patch == best->patch
+            && stretch.contains(m_patches.at(best->patch).patch().outline, best->parameter))
+            best->seam = owner;
+    return best;
+}
+
+} // namespace bolster

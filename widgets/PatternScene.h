@@ -1,0 +1,89 @@
+// The pattern as the views draw and hit it: outlines, stretches and labels in layout millimetres, kept until the
+// elements they come from change.
+#pragma once
+
+#include "Design.h"
+#include "LabelPlace.h"
+
+#include <QColor>
+#include <QPainterPath>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace bolster {
+
+struct PatternPatch {
+    ElementId id{};
+    ElementPtr element;
+    QColor fabric;
+    QPainterPath path;         ///< closed
+    Box2 box;                  ///< of the path
+    std::vector<Vec2> points;  ///< control points
+    std::vector<char> corners; ///< per control point: the outline has a corner there
+    LabelPlace label;
+
+    const Patch& patch() const { return std::get<Patch>(*element); }
+};
+
+/// One side of a seam, or a stretch that is fixed.
+struct PatternStretch {
+    ElementId owner{}; ///< Seam or FixationSeam
+    ElementId patch{};
+    double from = 0;
+    double to = 0; ///< unwrapped: larger than `from`
+    bool fixation = false;
+    QPainterPath path; ///< in the direction in which the seam walks it
+
+    bool contains(const BSpline2& outline, double parameter) const;
+};
+
+/// What lies at a place of the layout.
+struct PatternHit {
+    enum class Kind { Nothing, Inside, Outline, Point };
+
+    Kind kind = Kind::Nothing;
+    ElementId patch{};
+    int point = -1;           ///< Kind::Point
+    double parameter = 0;     ///< Kind::Outline
+    ElementId seam = settingsId; ///< Kind::Outline: the seam or fixation seam that runs there
+
+    explicit operator bool() const { return kind != Kind::Nothing; }
+    /// The element that a click selects.
+    ElementId element() const { return seam == settingsId ? patch : seam; }
+};
+
+class PatternScene {
+public:
+    /// Brings everything up to date of which the design differs in `changed`.
+    void update(const Design& design, const std::set<ElementId>& changed);
+    void reset(const Design& design);
+
+    const std::map<ElementId, PatternPatch>& patches() const { return m_patches; }
+    const PatternPatch* patch(ElementId id) const;
+    /// By owner; a seam has two.
+    const std::multimap<ElementId, PatternStretch>& stretches() const { return m_stretches; }
+
+    Box2 boundingBox() const;
+    /// Of patches, and of the patches at seams; empty when none of the ids lies in the layout.
+    Box2 boundingBox(const std::set<ElementId>& ids) const;
+
+    /// Points before outlines before inside; upper patches before lower ones. `tolerance` in mm. Points are hit only
+    /// where `pointsShown`.
+    PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown) const;
+
+private:
+    void updatePatch(const Design& design, ElementId id);
+    void updateStretches(const Design& design, ElementId owner);
+    void addStretch(ElementId owner, const Stretch& stretch, bool fixation, bool reversed);
+    std::optional<PatternHit> hitPoint(const Vec2& at, double tolerance,
+                                       const std::function<bool(ElementId)>& pointsShown) const;
+    std::optional<PatternHit> hitOutline(const Vec2& at, double tolerance) const;
+
+    std::map<ElementId, PatternPatch> m_patches; ///< later ones lie on top
+    std::multimap<ElementId, PatternStretch> m_stretches;
+};
+
+} // namespace bolster

@@ -1,0 +1,312 @@
+#include "PatternView.h"
+
+#include "Document.h"
+#include "ElementText.h"
+#include "PatternSelectTool.h"
+#include "ProblemSet.h"
+#include "SeamColors.h"
+#include "Selection.h"
+#include "Units.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Pixels.
+constexpr double grabRadius = 7;
+constexpr double fitMargin = 36;
+
+} // namespace
+
+PatternView::PatternView(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_problems(problems)
+    , m_tool(new PatternSelectTool(*this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(200, 160);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    connect(&document, &Document::changed, this, &PatternView::designChanged);
+    connect(&selection, &Selection::changed, this, &PatternView::refresh);
+    connect(&selection, &Selection::hoverChanged, this, &PatternView::refresh);
+    connect(&problems, &ProblemSet::changed, this, &PatternView::refresh);
+    m_scene.reset(document.design());
+    m_seamColors = seamColors(document.design(), ViewColors::of(palette()).dark);
+}
+
+PatternView::~PatternView() = default;
+
+void PatternView::designChanged(const std::set<ElementId>& ids)
+{
+    m_scene.update(m_document.design(), ids);
+    m_seamColors = seamColors(m_document.design(), ViewColors::of(palette()).dark);
+    refresh();
+}
+
+void PatternView::setSurface(const SurfaceMeshPtr& surface)
+{
+    const auto topology = surface ? surface->topology : nullptr;
+    m_mesh.setTopology(topology);
+    if (m_layers.mesh)
+        update();
+}
+
+void PatternView::setLayers(const PatternLayers& layers)
+{
+    m_layers = layers;
+    update();
+}
+
+void PatternView::setEmptyHint(const QString& hint)
+{
+    m_emptyHint = hint;
+    update();
+}
+
+void PatternView::fitAll()
+{
+    showBox(m_scene.boundingBox());
+}
+
+void PatternView::fitSelection()
+{
+    const Box2 box = m_scene.boundingBox(m_selection.elements());
+    showBox(box.isEmpty() ? m_scene.boundingBox() : box);
+}
+
+void PatternView::showBox(const Box2& box)
+{
+    m_fitPending = !isVisible(); // without its final size there is nothing to fit to
+    apply(PatternTransform::fitting(box, size(), fitMargin));
+}
+
+void PatternView::setTransform(const PatternTransform& transform)
+{
+    m_fitPending = false;
+    apply(transform);
+}
+
+void PatternView::apply(const PatternTransform& transform)
+{
+    m_transform = transform;
+    refresh();
+}
+
+QString PatternView::prompt() const
+{
+    return m_tool->prompt();
+}
+
+PatternHit PatternView::hit(QPointF pixel) const
+{
+    return m_scene.hit(m_transform.toLayout(pixel), m_transform.millimetres(grabRadius),
+                       [this](ElementId id) { return pointsShown(id); });
+}
+
+bool PatternView::pointsShown(ElementId id) const
+{
+    const PatternPatch* patch = m_scene.patch(id);
+    return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id)
+           && PatternPainter::pointsReadable(*patch, m_transform);
+}
+
+void PatternView::refresh()
+{
+    if (m_panFrom)
+        setCursor(Qt::ClosedHandCursor);
+    else
+        setCursor(m_spaceDown ? QCursor(Qt::OpenHandCursor) : m_tool->cursor());
+    if (const QString prompt = m_tool->prompt(); prompt != m_prompt) {
+        m_prompt = prompt;
+        emit promptChanged(prompt);
+    }
+    update();
+}
+
+void PatternView::report(const QString& problem)
+{
+    emit failed(problem);
+}
+
+bool PatternView::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
+        return true;
+    }
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture)
+            setTransform(m_transform.zoomed(gesture->position(), 1 + gesture->value()));
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        // Space and the arrows are ours even where a window gives them another meaning.
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down))
+            event->accept();
+    }
+    return QWidget::event(event);
+}
+
+QString PatternView::toolTipAt(QPointF pixel) const
+{
+    const PatternHit found = hit(pixel);
+    if (!found)
+        return {};
+    const Design& design = m_document.design();
+    const ElementId id = found.element();
+    QStringList lines{displayName(design, id)};
+    if (const Seam* seam = design.find<Seam>(id)) {
+        lines << seamSummary(design, *seam);
+    } else if (const FixationSeam* fixation = design.find<FixationSeam>(id)) {
+        lines << lengthText(stretchLength(design, fixation->stretch));
+    } else if (const Patch* patch = design.find<Patch>(id)) {
+        const Vec2 extent = patch->outline.boundingBox().sizes();
+        lines << sizeText(extent.x(), extent.y());
+    }
+    lines << m_problems.text(id);
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
+void PatternView::paintEvent(QPaintEvent*)
+{
+    const ViewColors colors = ViewColors::of(palette());
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    QPainter painter(this);
+    const PatternPainter::Input input{m_scene,     m_mesh,   m_selection, m_problems, m_seamColors,
+                                      m_transform, m_layers, colors,      small,      size()};
+    PatternPainter(painter, input).paint();
+    if (m_scene.patches().empty())
+        paintEmptyHint(painter, colors);
+    m_tool->paint(painter, colors);
+}
+
+void PatternView::paintEmptyHint(QPainter& painter, const ViewColors& colors) const
+{
+    painter.setPen(colors.mutedLabel);
+    painter.drawText(QRectF(rect()).adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, m_emptyHint);
+}
+
+void PatternView::resizeEvent(QResizeEvent* event)
+{
+    if (m_fitPending) {
+        m_transform = PatternTransform::fitting(m_scene.boundingBox(), size(), fitMargin);
+        m_fitPending = !isVisible();
+    } else {
+        m_transform = m_transform.resized(event->oldSize(), size());
+    }
+}
+
+void PatternView::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange)
+        designChanged({});
+    QWidget::changeEvent(event);
+}
+
+PatternPointer PatternView::pointerOf(const QMouseEvent& event) const
+{
+    return {event.position(), m_transform.toLayout(event.position()), event.modifiers()};
+}
+
+void PatternView::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && m_spaceDown)) {
+        m_panFrom = event->position();
+        refresh();
+    } else if (event->button() == Qt::LeftButton) {
+        m_tool->press(pointerOf(*event));
+    } else if (event->button() == Qt::RightButton) {
+        // The context menu that follows is about what lies under the pointer.
+        if (const PatternHit found = hit(event->position()); found && !m_selection.contains(found.element()))
+            m_selection.set({found.element()});
+    }
+}
+
+void PatternView::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_panFrom) {
+        setTransform(m_transform.panned(event->position() - *m_panFrom));
+        m_panFrom = event->position();
+    } else {
+        m_tool->move(pointerOf(*event));
+    }
+    emit pointerMoved(m_transform.toLayout(event->position()));
+}
+
+void PatternView::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (m_panFrom) {
+        m_panFrom.reset();
+        refresh();
+    } else if (event->button() == Qt::LeftButton) {
+        m_tool->release(pointerOf(*event));
+    }
+}
+
+void PatternView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        m_tool->doubleClick(pointerOf(*event));
+}
+
+void PatternView::wheelEvent(QWheelEvent* event)
+{
+    const double steps = event->angleDelta().y() / 120.0;
+    setTransform(m_transform.zoomed(event->position(), std::pow(1.2, steps)));
+    event->accept();
+}
+
+void PatternView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space) {
+        m_spaceDown = true;
+        refresh();
+    } else if (event->key() == Qt::Key_Home) {
+        fitAll();
+    } else if (event->key() == Qt::Key_Escape) {
+        m_tool->escape();
+    } else if (!m_tool->keyPress(*event)) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void PatternView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        m_spaceDown = false;
+        refresh();
+    } else if (!m_tool->keyRelease(*event)) {
+        QWidget::keyReleaseEvent(event);
+    }
+}
+
+void PatternView::leaveEvent(QEvent*)
+{
+    m_tool->leave();
+    emit pointerMoved(std::nullopt);
+}
+
+void PatternView::focusOutEvent(QFocusEvent* event)
+{
+    m_spaceDown = false;
+    m_tool->leave();
+    QWidget::focusOutEvent(event);
+}
+
+} // namespace bolster

@@ -1,0 +1,92 @@
+// The pattern view: the patches in their layout, with seams and fixations.
+#pragma once
+
+#include "PatternPainter.h"
+#include "PatternTool.h"
+#include "SurfaceMesh.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace bolster {
+
+/// The wheel zooms at the pointer; the middle button, or Space with the left one, pans; Home shows everything.
+class PatternView : public QWidget, private PatternToolContext
+{
+    Q_OBJECT
+
+public:
+    PatternView(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
+    ~PatternView() override;
+
+    /// Where the triangulation comes from; null for none.
+    void setSurface(const SurfaceMeshPtr& surface);
+    PatternLayers layers() const { return m_layers; }
+    void setLayers(const PatternLayers& layers);
+    /// What is written in the middle while there are no patches.
+    void setEmptyHint(const QString& hint);
+
+    void fitAll();
+    void fitSelection(); ///< everything when nothing in the layout is selected
+    const PatternTransform& transform() const override { return m_transform; }
+    void setTransform(const PatternTransform& transform);
+
+    QString prompt() const;
+    PatternHit hit(QPointF pixel) const override;
+    QSize sizeHint() const override { return {640, 640}; }
+
+signals:
+    void promptChanged(const QString& prompt);
+    void pointerMoved(const std::optional<bolster::Vec2>& layout);
+    /// What a tool could not do, in the user's words.
+    void failed(const QString& message);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    Document& document() override { return m_document; }
+    Selection& selection() override { return m_selection; }
+    const PatternScene& scene() const override { return m_scene; }
+    bool pointsShown(ElementId patch) const override;
+    void refresh() override;
+    void report(const QString& problem) override;
+
+    void designChanged(const std::set<ElementId>& ids);
+    void apply(const PatternTransform& transform);
+    void showBox(const Box2& box);
+    QString toolTipAt(QPointF pixel) const;
+    PatternPointer pointerOf(const QMouseEvent& event) const;
+    void paintEmptyHint(QPainter& painter, const ViewColors& colors) const;
+
+    Document& m_document;
+    Selection& m_selection;
+    ProblemSet& m_problems;
+    PatternScene m_scene;
+    PatternMesh m_mesh;
+    std::map<ElementId, QColor> m_seamColors;
+    PatternTransform m_transform;
+    PatternLayers m_layers;
+    QString m_emptyHint;
+    std::unique_ptr<PatternTool> m_tool;
+    QString m_prompt;
+    bool m_fitPending = true; ///< until the widget has its first size
+    bool m_spaceDown = false;
+    std::optional<QPointF> m_panFrom;
+};
+
+} // namespace bolster

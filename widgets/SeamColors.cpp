@@ -1,0 +1,54 @@
+#include "SeamColors.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace bolster {
+
+namespace {
+
+struct Shade {
+    QRgb onLight;
+    QRgb onDark;
+};
+
+// Hues that stay apart for the common kinds of colour blindness, lightness alternating; red is kept for errors.
+constexpr std::array<Shade, 8> palette{{
+    {0xff0072b2, 0xff4aa8e8}, // blue
+    {0xffe58a00, 0xffffb347}, // orange
+    {0xff009e73, 0xff2fcf9f}, // bluish green
+    {0xffcc5fa0, 0xffec8fc6}, // reddish purple
+    {0xff36a9dd, 0xff8fd6ff}, // sky blue
+    {0xffa3a000, 0xffe6df5a}, // yellow
+    {0xff6a3d9a, 0xffb79bea}, // violet
+    {0xff5b7f1a, 0xffa9cf63}, // olive green
+}};
+
+} // namespace
+
+std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground)
+{
+    std::map<ElementId, QColor> colors;
+    std::map<ElementId, std::set<std::size_t>> usedAt;
+    std::array<int, palette.size()> uses{};
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        const std::set<std::size_t>& a = usedAt[seam.a.patch];
+        const std::set<std::size_t>& b = usedAt[seam.b.patch];
+        // The least used one that neither patch has; when both have all of them, the least used.
+        const auto cost = [&](std::size_t i) {
+            return uses[i] + (a.contains(i) ? 1000 : 0) + (b.contains(i) ? 1000 : 0);
+        };
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < palette.size(); ++i)
+            if (cost(i) < cost(best))
+                best = i;
+        ++uses[best];
+        usedAt[seam.a.patch].insert(best);
+        usedAt[seam.b.patch].insert(best);
+        colors[id] = QColor(darkBackground ? palette[best].onDark : palette[best].onLight);
+    });
+    return colors;
+}
+
+} // namespace bolster

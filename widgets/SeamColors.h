@@ -1,0 +1,15 @@
+// One colour for each seam pair, the same in every view; safe for colour-blind people.
+#pragma once
+
+#include "Design.h"
+
+#include <QColor>
+
+#include <map>
+
+namespace bolster {
+
+/// Seams at the same patch get different colours as far as the palette reaches. Depends on the design alone.
+std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground);
+
+} // namespace bolster

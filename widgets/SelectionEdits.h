@@ -1,0 +1,57 @@
+// What the keys and menus of every view do with the selection. Pure where it can be.
+#pragma once
+
+#include "Design.h"
+
+#include <QString>
+
+#include <span>
+
+namespace bolster {
+
+class Document;
+class Selection;
+
+/// Several edits as one: each is made for `design()`, the result leads from the start to the end.
+class EditChain {
+public:
+    explicit EditChain(const Design& start)
+        : m_start(start)
+        , m_now(start)
+    {}
+
+    const Design& design() const { return m_now; }
+    void add(const Edit& edit);
+    /// With the verb of the only edit, or `verb` when there were several.
+    Edit result(Message verb) const;
+
+private:
+    Design m_start;
+    Design m_now;
+    Message m_verb;
+    int m_count = 0;
+};
+
+/// The selected elements of kind T.
+template <class T>
+std::vector<ElementId> selectedOf(const Design& design, const std::set<ElementId>& elements)
+{
+    std::vector<ElementId> result;
+    for (const ElementId id : elements)
+        if (design.find<T>(id))
+            result.push_back(id);
+    return result;
+}
+
+/// Moves the selected control points of outlines (given as in Selection) by `delta` in the layout, mm.
+Edit movePointsInLayout(const Design& design, const std::set<std::pair<ElementId, int>>& points, const Vec2& delta);
+/// Moves the selected points or, without any, the selected patches in the layout.
+Edit nudge(const Design& design, const Selection& selection, const Vec2& delta);
+/// Removes the selected points or, without any, the selected elements with everything that needs them.
+/// Empty when nothing can be removed; `problem` then says why.
+Edit removeSelected(const Design& design, const Selection& selection, QString* problem);
+
+/// Forgets selected elements and points that are gone.
+void pruneSelection(Selection& selection, const Design& design);
+
+} // namespace bolster

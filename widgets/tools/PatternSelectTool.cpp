@@ -1,0 +1,299 @@
+#include "PatternSelectTool.h"
+
+#include "Document.h"
+#include "PatchEdits.h"
+#include "Selection.h"
+#include "SelectionEdits.h"
+#include "ViewColors.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Pixels.
+constexpr double dragDistance = 4;
+constexpr double handleStem = 26;
+constexpr double handleRadius = 6;
+
+std::optional<Vec2> arrowDirection(int key)
+{
+    switch (key) {
+    case Qt::Key_Left: return Vec2(-1, 0);
+    case Qt::Key_Right: return Vec2(1, 0);
+    case Qt::Key_Up: return Vec2(0, 1);
+    case Qt::Key_Down: return Vec2(0, -1);
+    default: return {};
+    }
+}
+
+} // namespace
+
+void PatternSelectTool::press(const PatternPointer& pointer)
+{
+    endNudge();
+    m_pressed = pointer;
+    m_pressedHandle = onTurnHandle(pointer.pixel);
+    m_pressedHit = m_pressedHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+    m_alreadySelected = false;
+    if (!m_pressedHandle)
+        select(pointer);
+    m_context.refresh();
+}
+
+void PatternSelectTool::select(const PatternPointer& pointer)
+{
+    Selection& selection = m_context.selection();
+    const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
+    const PatternHit& hit = m_pressedHit;
+    if (hit.kind == PatternHit::Kind::Point) {
+        const Selection::Point point{hit.patch, hit.point};
+        m_alreadySelected = selection.contains(point);
+        if (add)
+            selection.toggle(point);
+        else if (!m_alreadySelected)
+            selection.set({hit.patch}, {point});
+    } else if (hit) {
+        m_alreadySelected = selection.contains(hit.element()) && selection.points().empty();
+        if (add)
+            selection.toggle(hit.element());
+        else if (!m_alreadySelected)
+            selection.set({hit.element()});
+    }
+    m_alreadySelected = m_alreadySelected && !add;
+}
+
+std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
+{
+    const Selection& selection = m_context.selection();
+    if (m_pressedHandle)
+        return turnPatches(m_context, *m_pressed);
+    switch (m_pressedHit.kind) {
+    case PatternHit::Kind::Nothing: return selectBox(m_context, *m_pressed);
+    case PatternHit::Kind::Point:
+        return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
+                   ? dragPoints(m_context, *m_pressed)
+                   : nullptr;
+    case PatternHit::Kind::Outline:
+    case PatternHit::Kind::Inside: break;
+    }
+    // A seam is not moved itself: who drags it means the patch under the pointer.
+    if (!selection.contains(m_pressedHit.patch) && selection.contains(m_pressedHit.element()))
+        m_context.selection().set({m_pressedHit.patch});
+    return selection.contains(m_pressedHit.patch) ? dragPatches(m_context, *m_pressed) : nullptr;
+}
+
+void PatternSelectTool::move(const PatternPointer& pointer)
+{
+    if (m_drag && !m_drag->active()) {
+        m_drag.reset(); // undone or replaced meanwhile
+        m_pressed.reset();
+    }
+    if (m_pressed && !m_drag) {
+        const QPointF way = pointer.pixel - m_pressed->pixel;
+        if (std::hypot(way.x(), way.y()) >= dragDistance && !(m_drag = newDrag()))
+            m_pressed.reset();
+    }
+    if (m_drag) {
+        m_drag->update(pointer);
+    } else if (!m_pressed) {
+        m_overHandle = onTurnHandle(pointer.pixel);
+        m_hover = m_overHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+        m_context.selection().hover(m_hover ? m_hover.element() : settingsId);
+    }
+    m_context.refresh();
+}
+
+void PatternSelectTool::release(const PatternPointer& pointer)
+{
+    if (m_drag) {
+        // What is finished must not be there any more when its edit is announced.
+        const std::unique_ptr<PatternDrag> drag = std::move(m_drag);
+        m_pressed.reset();
+        if (drag->active()) {
+            drag->update(pointer);
+            drag->finish();
+        }
+    } else if (m_pressed) {
+        m_pressed.reset();
+        const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
+        if (m_alreadySelected && m_pressedHit.kind == PatternHit::Kind::Point)
+            m_context.selection().set({m_pressedHit.patch}, {{m_pressedHit.patch, m_pressedHit.point}});
+        else if (m_alreadySelected)
+            m_context.selection().set({m_pressedHit.element()});
+        else if (!m_pressedHit && !m_pressedHandle && !add)
+            m_context.selection().clear();
+    }
+    move(pointer);
+}
+
+void PatternSelectTool::doubleClick(const PatternPointer& pointer)
+{
+    m_drag.reset();
+    m_pressed.reset();
+    const PatternHit hit = m_context.hit(pointer.pixel);
+    if (hit.kind != PatternHit::Kind::Outline)
+        return;
+    Document& document = m_context.document();
+    const Edit edit = edits::insertPatchPoint(document.design(), hit.patch, hit.parameter);
+    if (edit.empty()) {
+        m_context.report(tr("There is a control point already."));
+        return;
+    }
+    document.commit(edit);
+    const Patch* patch = document.design().find<Patch>(hit.patch);
+    int inserted = 0;
+    double nearest = INFINITY;
+    for (int i = 0; patch && i < patch->outline.pointCount(); ++i) {
+        const double away = std::abs(patch->outline.parameterOfPoint(i) - hit.parameter);
+        const double around = std::min(away, patch->outline.period() - away);
+        if (around < nearest) {
+            nearest = around;
+            inserted = i;
+        }
+    }
+    m_context.selection().set({hit.patch}, {{hit.patch, inserted}});
+    m_context.refresh();
+}
+
+bool PatternSelectTool::keyPress(const QKeyEvent& event)
+{
+    const std::optional<Vec2> direction = arrowDirection(event.key());
+    if (!direction || m_drag)
+        return false;
+    Document& document = m_context.document();
+    if (!m_nudge || !m_nudge->active()) {
+        m_nudge = std::make_unique<Gesture>(document);
+        m_nudged.setZero();
+    }
+    m_nudged += *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
+    m_nudge->update(nudge(m_nudge->start(), m_context.selection(), m_nudged));
+    return true;
+}
+
+bool PatternSelectTool::keyRelease(const QKeyEvent& event)
+{
+    if (!m_nudge || event.isAutoRepeat() || !arrowDirection(event.key()))
+        return false;
+    endNudge();
+    return true;
+}
+
+void PatternSelectTool::endNudge()
+{
+    if (const std::unique_ptr<Gesture> nudged = std::move(m_nudge))
+        nudged->commit();
+}
+
+bool PatternSelectTool::escape()
+{
+    Selection& selection = m_context.selection();
+    if (m_drag || m_nudge) {
+        m_drag.reset();
+        m_nudge.reset();
+        m_pressed.reset();
+    } else if (!selection.points().empty()) {
+        selection.set(selection.elements());
+    } else if (!selection.elements().empty()) {
+        selection.clear();
+    } else {
+        return false;
+    }
+    m_context.refresh();
+    return true;
+}
+
+void PatternSelectTool::leave()
+{
+    endNudge();
+    if (m_drag || m_pressed)
+        return;
+    m_hover = {};
+    m_overHandle = false;
+    m_context.selection().hover(settingsId);
+    m_context.refresh();
+}
+
+Box2 PatternSelectTool::selectedBox() const
+{
+    const Selection& selection = m_context.selection();
+    if (!selection.points().empty())
+        return {};
+    const std::vector<ElementId> patches =
+        selectedOf<Patch>(m_context.document().design(), selection.elements());
+    return m_context.scene().boundingBox({patches.begin(), patches.end()});
+}
+
+std::optional<QPointF> PatternSelectTool::turnHandle() const
+{
+    const Box2 box = selectedBox();
+    if (box.isEmpty() || m_drag)
+        return {};
+    const QPointF top = m_context.transform().toPixels({box.center().x(), box.max().y()});
+    return top - QPointF(0, handleStem);
+}
+
+bool PatternSelectTool::onTurnHandle(QPointF pixel) const
+{
+    const std::optional<QPointF> handle = turnHandle();
+    return handle && std::hypot(pixel.x() - handle->x(), pixel.y() - handle->y()) <= handleRadius + 3;
+}
+
+QString PatternSelectTool::prompt() const
+{
+    if (m_drag)
+        return m_drag->prompt();
+    if (m_overHandle)
+        return tr("Drag to turn the selected patches in the layout");
+    switch (m_hover.kind) {
+    case PatternHit::Kind::Point: return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
+    case PatternHit::Kind::Outline:
+        return m_hover.seam == settingsId ? tr("Double click to add a control point here, drag to move the patch")
+                                          : tr("Click to select the seam, double click to add a control point here");
+    case PatternHit::Kind::Inside: return tr("Click to select the patch, drag to move it in the layout");
+    case PatternHit::Kind::Nothing: break;
+    }
+    return tr("Click to select, drag a box to select several \u2013 middle button or Space pans, wheel zooms");
+}
+
+QCursor PatternSelectTool::cursor() const
+{
+    if (m_drag)
+        return m_drag->cursor();
+    if (m_overHandle)
+        return Qt::OpenHandCursor;
+    switch (m_hover.kind) {
+    case PatternHit::Kind::Point: return Qt::SizeAllCursor;
+    case PatternHit::Kind::Outline: return Qt::PointingHandCursor;
+    case PatternHit::Kind::Inside:
+    case PatternHit::Kind::Nothing: break;
+    }
+    return Qt::ArrowCursor;
+}
+
+void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
+{
+    if (m_drag) {
+        m_drag->paint(painter, colors);
+        return;
+    }
+    const std::optional<QPointF> handle = turnHandle();
+    if (!handle)
+        return;
+    const Box2 box = selectedBox();
+    const PatternTransform& transform = m_context.transform();
+    painter.setPen(QPen(mixed(colors.canvas, colors.accent, 0.6), 1, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(transform.toPixels(box.min()), transform.toPixels(box.max())).normalized());
+    painter.setPen(QPen(colors.accent, 1.2));
+    painter.drawLine(*handle, *handle + QPointF(0, handleStem));
+    painter.setPen(QPen(colors.accent, 1.6));
+    painter.setBrush(m_overHandle ? colors.accent : colors.pointFill);
+    painter.drawEllipse(*handle, handleRadius, handleRadius);
+}
+
+} // namespace bolster

@@ -1,0 +1,58 @@
+// Selects, moves and turns in the pattern view.
+#pragma once
+
+#include "PatternDrags.h"
+
+#include <QCoreApplication>
+
+#include <optional>
+
+namespace bolster {
+
+/// Click selects, Shift adds, a drag from nothing selects a box. Control points are dragged together, patches by
+/// their inside, turned by the handle above the selection. A double click on an outline inserts a control point,
+/// arrow keys move by 1 mm (Shift: 10 mm).
+class PatternSelectTool : public PatternTool
+{
+    Q_DECLARE_TR_FUNCTIONS(PatternSelectTool)
+
+public:
+    using PatternTool::PatternTool;
+
+    void press(const PatternPointer& pointer) override;
+    void move(const PatternPointer& pointer) override;
+    void release(const PatternPointer& pointer) override;
+    void doubleClick(const PatternPointer& pointer) override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool keyRelease(const QKeyEvent& event) override;
+    bool escape() override;
+    void leave() override;
+
+    QString prompt() const override;
+    QCursor cursor() const override;
+    void paint(QPainter& painter, const ViewColors& colors) const override;
+
+    /// Where the handle for turning is, in pixels, if there is one.
+    std::optional<QPointF> turnHandle() const;
+
+private:
+    void select(const PatternPointer& pointer);
+    std::unique_ptr<PatternDrag> newDrag() const;
+    void endNudge();
+    Box2 selectedBox() const;
+    bool onTurnHandle(QPointF pixel) const;
+
+    PatternHit m_hover;
+    bool m_overHandle = false;
+
+    std::optional<PatternPointer> m_pressed;
+    PatternHit m_pressedHit;
+    bool m_pressedHandle = false;
+    bool m_alreadySelected = false; ///< a click without a drag then selects only this
+    std::unique_ptr<PatternDrag> m_drag;
+
+    std::unique_ptr<Gesture> m_nudge; ///< while an arrow key is held down
+    Vec2 m_nudged = Vec2::Zero();
+};
+
+} // namespace bolster

@@ -1,0 +1,71 @@
+// A tool of the pattern view: turns pointer and key events into edits.
+#pragma once
+
+#include "PatternScene.h"
+#include "PatternTransform.h"
+
+#include <QCursor>
+#include <QString>
+
+class QKeyEvent;
+class QPainter;
+
+namespace bolster {
+
+class Document;
+class Selection;
+struct ViewColors;
+
+/// What a tool may see of the view it works in.
+class PatternToolContext {
+public:
+    virtual ~PatternToolContext() = default;
+
+    virtual Document& document() = 0;
+    virtual Selection& selection() = 0;
+    virtual const PatternScene& scene() const = 0;
+    virtual const PatternTransform& transform() const = 0;
+    virtual PatternHit hit(QPointF pixel) const = 0;
+    virtual bool pointsShown(ElementId patch) const = 0;
+    /// Prompt, cursor or what the tool draws has changed.
+    virtual void refresh() = 0;
+    /// Something that could not be done, in the user's words.
+    virtual void report(const QString& problem) = 0;
+};
+
+/// The pointer of the left button.
+struct PatternPointer {
+    QPointF pixel;
+    Vec2 layout = Vec2::Zero(); ///< mm
+    Qt::KeyboardModifiers modifiers;
+};
+
+class PatternTool {
+public:
+    explicit PatternTool(PatternToolContext& context)
+        : m_context(context)
+    {}
+    virtual ~PatternTool() = default;
+
+    virtual void press(const PatternPointer& pointer) = 0;
+    /// With the button down or not.
+    virtual void move(const PatternPointer& pointer) = 0;
+    virtual void release(const PatternPointer& pointer) = 0;
+    virtual void doubleClick(const PatternPointer& pointer) = 0;
+    virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
+    virtual bool keyRelease(const QKeyEvent& event) = 0;
+    /// One step back; false when there was none.
+    virtual bool escape() = 0;
+    /// The pointer has left the view, or the view the keyboard.
+    virtual void leave() = 0;
+
+    virtual QString prompt() const = 0;
+    virtual QCursor cursor() const = 0;
+    /// On top of the pattern, in pixels.
+    virtual void paint(QPainter& painter, const ViewColors& colors) const = 0;
+
+protected:
+    PatternToolContext& m_context;
+};
+
+} // namespace bolster
