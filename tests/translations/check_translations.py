@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Fails when a string of the sources has no finished translation, or one with other placeholders.
+
+    check_translations.py FILE.ts... -- LUPDATE OPTION...
+
+Each file is brought up to date as a copy, so the sources and the committed translations stay as they are.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+
+def placeholders(text):
+    return sorted(re.findall(r"%(?:L?\d+|n)", text))
+
+
+def problems_of(message):
+    source = message.findtext("source")
+    translation = message.find("translation")
+    if message.get("numerus") == "yes":
+        forms = [form.text or "" for form in translation.findall("numerusform")]
+    else:
+        forms = [translation.text or ""]
+    if translation.get("type") == "unfinished" or not all(forms):
+        return ["no translation"]
+    found = []
+    if any(placeholders(form) != placeholders(source) for form in forms):
+        found.append("other placeholders")
+    if any(form.endswith("...") != source.endswith("...") for form in forms):
+        found.append("'...' at one end only")
+    return found
+
+
+def check(ts_file, lupdate):
+    with tempfile.TemporaryDirectory() as folder:
+        copy = Path(folder) / ts_file.name
+        shutil.copyfile(ts_file, copy)
+        subprocess.run([*lupdate, "-ts", copy], check=True)
+        root = ElementTree.parse(copy).getroot()
+    count = bad = 0
+    for context in root.iter("context"):
+        for message in context.iter("message"):
+            count += 1
+            for problem in problems_of(message):
+                bad += 1
+                print(f"{ts_file.name}: {context.findtext('name')}: {problem}: {message.findtext('source')!r}")
+    print(f"{ts_file.name}: {count} strings, {bad} problems")
+    return count > 0 and bad == 0
+
+
+def main():
+    split = sys.argv.index("--")
+    files, lupdate = sys.argv[1:split], sys.argv[split + 1:]
+    results = [check(Path(name), lupdate) for name in files]
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
