@@ -1,15 +1,145 @@
 #include "DesignJson.h"
 
+#include "ElementReader.h"
+
 namespace bolster {
 
-ReadDesign readDesign(std::string_view)
+namespace {
+
+constexpr int formatVersion = 1;
+
+Problem designProblem(std::string field, Message message)
 {
-    return {};
+    return {settingsId, "design", std::move(field), std::move(message), Severity::Error};
 }
 
-std::string writeDesign(const Design&)
+// Numbers the elements that have no valid number of their own: the first free one above that of the element before.
+// So they keep their places, and with them their numbers, through writing and reading.
+class Numbering {
+public:
+    explicit Numbering(std::set<ElementId> taken)
+        : m_taken(std::move(taken))
+    {}
+
+    ElementId freshAfter(ElementId before)
+    {
+        std::int32_t candidate = number(before) < largestElementId ? number(before) + 1 : 1;
+        // The next one above, or above a gapless run: a set is ordered, so the run is walked once.
+        for (auto next = m_taken.lower_bound(ElementId{candidate});
+             next != m_taken.end() && *next == ElementId{candidate}; ++next)
+            ++candidate;
+        m_taken.insert(ElementId{candidate});
+        return ElementId{candidate};
+    }
+
+private:
+    std::set<ElementId> m_taken;
+};
+
+std::string oneLine(std::string_view text)
 {
-    return {};
+    std::string line(text);
+    for (char& c : line) // line breaks cannot occur inside quotes
+        c = c == '\n' || c == '\r' || c == '\t' ? ' ' : c;
+    return line;
+}
+
+void readElements(const json::Value& list, ReadDesign& result)
+{
+    std::vector<json::Heading> headings;
+    std::set<ElementId> ids;
+    list.eachItem([&](std::size_t i, const json::Value& item) {
+        headings.push_back(json::headingOf(item, i));
+        if (headings.back().id != ElementId{})
+            ids.insert(headings.back().id);
+    });
+
+    Numbering numbering(ids);
+    std::set<ElementId> met;
+    Edit edit;
+    ElementId before{};
+    list.eachItem([&](std::size_t i, const json::Value& item) {
+        const json::Heading& heading = headings[i];
+        const bool unique = heading.id != ElementId{} && met.insert(heading.id).second;
+        const ElementId id = unique ? heading.id : numbering.freshAfter(before);
+        before = id;
+        json::Report report(id, heading.label);
+        ElementPtr element = json::readElement(item, report);
+        if (!unique && heading.id != ElementId{})
+            report.add("id",
+                       {QT_TRANSLATE_NOOP("Message", "another element has the number %1 already; give this one "
+                                                     "a number of its own"),
+                        {std::to_string(number(heading.id))}});
+        if (!report.clean()) {
+            result.problems.insert(result.problems.end(), report.problems().begin(), report.problems().end());
+            element = makeElement(Quarantined{oneLine(item.source()), report.problems()});
+        }
+        edit.changes.push_back({id, nullptr, std::move(element)});
+    });
+    result.design = result.design.with(edit);
+}
+
+// Nothing when the text is a design of this version, whatever may be wrong inside.
+std::optional<Problem> headProblem(json::Fields& fields)
+{
+    const json::Value* format = fields.optional("format");
+    if (!format || format->string() != "bolster-design")
+        return designProblem("format",
+                             {QT_TRANSLATE_NOOP("Message", "this is no Bolster design; it must say \"format\": "
+                                                           "\"bolster-design\"")});
+    const json::Value* version = fields.optional("version");
+    const std::optional<double> number = version ? version->number() : std::nullopt;
+    if (number && *number > formatVersion)
+        return designProblem("version",
+                             {QT_TRANSLATE_NOOP("Message", "the design was made by a newer Bolster (version "
+                                                           "%1 of the format, this program knows %2); update "
+                                                           "the program"),
+                              {numberText(*number, 15), std::to_string(formatVersion)}});
+    if (!number || *number != formatVersion)
+        return designProblem("version",
+                             {QT_TRANSLATE_NOOP("Message", "must be %1"), {std::to_string(formatVersion)}});
+    return std::nullopt;
+}
+
+} // namespace
+
+ReadDesign readDesign(std::string_view text)
+{
+    ReadDesign result;
+    Message wrong;
+    const std::optional<json::Document> document = json::Document::parse(text, wrong);
+    if (!document) {
+        result.problems.push_back({settingsId, "", "", std::move(wrong), Severity::Error});
+        return result;
+    }
+    json::Report report(settingsId, "design");
+    json::Fields fields(document->root(), "", report);
+    std::optional<Problem> problem = headProblem(fields);
+    if (problem || !report.clean()) { // with a key twice, one of the two values would get lost
+        result.problems = report.problems();
+        if (problem)
+            result.problems.push_back(std::move(*problem));
+        return result;
+    }
+
+    result.readable = true;
+    if (fields.text("unit", "mm") != "mm" && report.clean())
+        report.add("unit", {QT_TRANSLATE_NOOP("Message", "must be \"mm\"; convert the design to millimetres")});
+    const json::Value* settings = fields.optional("settings");
+    const json::Value* elements = fields.required("elements");
+    if (elements && !elements->isArray())
+        report.add("elements", {QT_TRANSLATE_NOOP("Message", "must be a list of elements in square brackets")});
+    fields.finish();
+    result.problems = report.problems();
+    if (settings) {
+        json::Report own(settingsId, "settings");
+        const Settings value = json::readSettings(*settings, own);
+        result.design = result.design.with({{}, {{settingsId, nullptr, makeElement(value)}}});
+        result.problems.insert(result.problems.end(), own.problems().begin(), own.problems().end());
+    }
+    if (elements && elements->isArray())
+        readElements(*elements, result);
+    return result;
 }
 
 } // namespace bolster

@@ -27,11 +27,17 @@ const std::string& elementName(const Element& element)
 
 std::string elementLabel(ElementId id, const Element& element)
 {
-    std::string label = std::holds_alternative<Quarantined>(element) ? "element" : kindName(element);
+    const bool readable = !std::holds_alternative<Quarantined>(element);
+    return elementLabel(readable ? kindName(element) : "", id, elementName(element));
+}
+
+std::string elementLabel(std::string_view kind, ElementId id, std::string_view name)
+{
+    std::string label(kind.empty() ? "element" : kind);
     std::replace(label.begin(), label.end(), '_', ' ');
-    if (!std::holds_alternative<Settings>(element))
+    if (id != settingsId)
         label.append(" ").append(std::to_string(number(id)));
-    if (const std::string& name = elementName(element); !name.empty())
+    if (!name.empty())
         label.append(" \"").append(name).append("\"");
     return label;
 }

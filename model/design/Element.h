@@ -11,6 +11,7 @@
 #include "Settings.h"
 
 #include <memory>
+#include <string_view>
 #include <variant>
 
 namespace bolster {
@@ -30,5 +31,6 @@ const char* kindName(const Element& element);
 const std::string& elementName(const Element& element);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
+std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);
 
 } // namespace bolster

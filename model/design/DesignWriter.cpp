@@ -1,0 +1,198 @@
+// The canonical text of a design.
+#include "DesignJson.h"
+
+#include "JsonText.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// The shortest text that reads back as the same double. JSON has no others than finite ones.
+std::string text(double value)
+{
+    if (!std::isfinite(value))
+        return "null";
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return std::string(buffer.data(), end.ptr);
+}
+
+// Bit for bit, so that -0 is written when the default is 0.
+bool same(double a, double b)
+{
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+template <class Vector>
+std::string list(const Vector& values)
+{
+    std::string line;
+    for (const auto& value : values)
+        line.append(line.empty() ? "" : ", ").append(text(value));
+    return "[" + line + "]";
+}
+
+template <class Vector>
+bool sameVector(const Vector& a, const Vector& b)
+{
+    for (Eigen::Index i = 0; i < a.size(); ++i)
+        if (!same(a[i], b[i]))
+            return false;
+    return true;
+}
+
+// One JSON object, key by key.
+class Line {
+public:
+    Line& raw(std::string_view key, std::string_view value)
+    {
+        m_text.append(m_text.empty() ? "" : ", ").append("\"").append(key).append("\": ").append(value);
+        return *this;
+    }
+    Line& add(std::string_view key, double value) { return raw(key, text(value)); }
+    Line& add(std::string_view key, ElementId id) { return raw(key, std::to_string(number(id))); }
+    Line& quoted(std::string_view key, std::string_view value) { return raw(key, json::quoted(value)); }
+    Line& flag(std::string_view key, bool value) { return raw(key, value ? "true" : "false"); }
+    Line& unless(double fallback, std::string_view key, double value)
+    {
+        return same(value, fallback) ? *this : add(key, value);
+    }
+    Line& unless(bool fallback, std::string_view key, bool value)
+    {
+        return value == fallback ? *this : flag(key, value);
+    }
+    template <class Vector>
+    Line& unlessVector(const Vector& fallback, std::string_view key, const Vector& value)
+    {
+        return sameVector(value, fallback) ? *this : raw(key, list(value));
+    }
+    std::string done() const { return "{" + m_text + "}"; }
+
+private:
+    std::string m_text;
+};
+
+template <int Dim>
+std::string curveText(const BSpline<Dim>& curve)
+{
+    std::string points;
+    for (const auto& point : curve.points())
+        points.append(points.empty() ? "" : ", ").append(list(point));
+    Line line;
+    line.add("degree", curve.degree()).flag("closed", curve.closed()).raw("points", "[" + points + "]");
+    if (curve.hasDefaultKnots())
+        return line.done();
+    if (const auto corners = curve.cornerIndices())
+        return line.raw("corners", list(*corners)).done();
+    return line.raw("knots", list(curve.knots())).done();
+}
+
+void addMatch(Line& line, Match match)
+{
+    if (match == Match::Parameter)
+        line.quoted("match", "parameter");
+}
+
+void addStretch(Line& line, const Stretch& stretch)
+{
+    line.add("patch", stretch.patch).add("from", stretch.from).add("to", stretch.to);
+}
+
+std::string stretchText(const Stretch& stretch)
+{
+    Line line;
+    addStretch(line, stretch);
+    return line.done();
+}
+
+void addFields(Line&, const Settings&) {}
+
+void addFields(Line&, const Quarantined&) {}
+
+void addFields(Line& line, const Fabric& fabric)
+{
+    const Fabric normal;
+    line.quoted("name", fabric.name)
+        .unless(normal.poisson, "poisson", fabric.poisson)
+        .unless(normal.stiffness, "stiffness", fabric.stiffness)
+        .unless(normal.bendingLength, "bending_length", fabric.bendingLength);
+    if (fabric.color != normal.color)
+        line.quoted("color", fabric.color);
+}
+
+void addFields(Line& line, const Patch& patch)
+{
+    const Patch normal;
+    line.quoted("name", patch.name)
+        .add("fabric", patch.fabric)
+        .unlessVector(normal.position, "position", patch.position)
+        .unless(normal.rotation, "rotation", patch.rotation)
+        .unless(normal.grain, "grain", patch.grain)
+        .unless(normal.pressure, "pressure", patch.pressure)
+        .unless(normal.wrongSideOut, "wrong_side_out", patch.wrongSideOut)
+        .raw("outline", curveText(patch.outline));
+}
+
+void addFields(Line& line, const Seam& seam)
+{
+    static constexpr std::array<const char*, 3> continuities = {"C0", "C1", "G1"};
+    line.raw("a", stretchText(seam.a)).raw("b", stretchText(seam.b)).unless(true, "reversed", seam.reversed);
+    addMatch(line, seam.match);
+    if (seam.continuity != Continuity::C0)
+        line.quoted("continuity", continuities[static_cast<std::size_t>(seam.continuity)]);
+}
+
+void addFields(Line& line, const FixationCurve& fixation)
+{
+    line.quoted("name", fixation.name).raw("curve", curveText(fixation.curve));
+}
+
+void addFields(Line& line, const FixationSeam& seam)
+{
+    addStretch(line, seam.stretch);
+    line.add("curve", seam.curve);
+    if (seam.curveRange)
+        line.add("curve_from", seam.curveRange->first).add("curve_to", seam.curveRange->second);
+    line.unless(false, "reversed", seam.reversed);
+    addMatch(line, seam.match);
+}
+
+void addFields(Line& line, const Frame& frame)
+{
+    const Eigen::Vector4d wxyz(frame.rotation.w(), frame.rotation.x(), frame.rotation.y(), frame.rotation.z());
+    line.quoted("name", frame.name)
+        .quoted("file", frame.file)
+        .unless(1.0, "scale", frame.scale)
+        .unlessVector(Vec3(0, 0, 0), "position", frame.position)
+        .unlessVector(Eigen::Vector4d(1, 0, 0, 0), "rotation", wxyz);
+}
+
+std::string elementText(ElementId id, const Element& element)
+{
+    if (const auto* quarantined = std::get_if<Quarantined>(&element))
+        return quarantined->text;
+    Line line;
+    line.add("id", id).quoted("kind", kindName(element));
+    std::visit([&](const auto& value) { addFields(line, value); }, element);
+    return line.done();
+}
+
+} // namespace
+
+std::string writeDesign(const Design& design)
+{
+    std::string elements;
+    for (const auto& [id, element] : design.elements())
+        elements.append(elements.empty() ? "\n  " : ",\n  ").append(elementText(id, *element));
+    Line settings;
+    settings.add("edge_length", design.settings().edgeLength);
+    return "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": " + settings.done() +
+           ",\n \"elements\": [" + elements + "]}\n";
+}
+
+} // namespace bolster

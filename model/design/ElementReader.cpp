@@ -1,0 +1,304 @@
+#include "ElementReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster::json {
+
+namespace {
+
+constexpr double largestCoordinate = 1e7;
+
+template <int Dim>
+std::vector<Eigen::Matrix<double, Dim, 1>> pointsIn(Fields& fields)
+{
+    std::vector<Eigen::Matrix<double, Dim, 1>> points;
+    const Value* list = fields.required("points");
+    const std::string field = fields.fieldOf("points");
+    if (list && !list->isArray())
+        fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a list of points in square brackets")});
+    if (list && list->isArray())
+        list->eachItem([&](std::size_t i, const Value& item) {
+            points.push_back(
+                vectorIn<Dim>(item, field + "[" + std::to_string(i) + "]", fields.report(), largestCoordinate));
+        });
+    return points;
+}
+
+// Calls visit(item, its field) for each item of an optional list.
+template <class Visit>
+void eachOptional(Fields& fields, std::string_view key, Visit visit)
+{
+    const Value* list = fields.optional(key);
+    const std::string field = fields.fieldOf(key);
+    if (list && !list->isArray())
+        fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a list of numbers in square brackets")});
+    if (list && list->isArray())
+        list->eachItem(
+            [&](std::size_t i, const Value& item) { visit(item, field + "[" + std::to_string(i) + "]"); });
+}
+
+std::vector<double> knotsIn(Fields& fields)
+{
+    std::vector<double> knots;
+    eachOptional(fields, "knots", [&](const Value& item, const std::string& field) {
+        knots.push_back(numberIn(item, field, fields.report(), largestCoordinate));
+    });
+    return knots;
+}
+
+std::vector<int> cornersIn(Fields& fields, int pointCount)
+{
+    std::vector<int> corners;
+    eachOptional(fields, "corners", [&](const Value& item, const std::string& field) {
+        corners.push_back(integerIn(item, field, fields.report(), 0, std::max(pointCount - 1, 0)));
+    });
+    return corners;
+}
+
+// An empty list of knots or corners is a mistake, not a wish for the default.
+void refuseEmpty(Fields& fields, std::string_view key)
+{
+    const Value* list = fields.optional(key);
+    if (list && list->isArray() && list->size() == 0)
+        fields.report().add(fields.fieldOf(key), {QT_TRANSLATE_NOOP("Message", "the list is empty; leave it out")});
+}
+
+/// A curve, empty when something is wrong with it.
+template <int Dim>
+BSpline<Dim> readCurve(Fields& parent, std::string_view key)
+{
+    const Value* object = parent.required(key);
+    Report& report = parent.report();
+    if (!object)
+        return {};
+    if (!object->isObject()) {
+        report.add(parent.fieldOf(key),
+                   {QT_TRANSLATE_NOOP("Message", "must be a curve in braces, with degree, closed "
+                                                 "and points")});
+        return {};
+    }
+    Report own(ElementId{}, {});
+    Fields fields(*object, parent.fieldOf(key) + ".", own);
+    const Value* degreeValue = fields.required("degree");
+    const int degree = degreeValue ? integerIn(*degreeValue, fields.fieldOf("degree"), own, 1, 3) : 1;
+    const bool closed = fields.flag("closed");
+    const auto points = pointsIn<Dim>(fields);
+    const std::vector<double> knots = knotsIn(fields);
+    const std::vector<int> corners = cornersIn(fields, static_cast<int>(points.size()));
+    refuseEmpty(fields, "knots");
+    refuseEmpty(fields, "corners");
+    if (fields.has("knots") && fields.has("corners"))
+        own.add(fields.fieldOf("corners"),
+                {QT_TRANSLATE_NOOP("Message", "a curve has either corners or knots; remove "
+                                              "one of them")});
+    fields.finish();
+
+    using Curve = BSpline<Dim>;
+    const auto check = [&](std::string_view field, const std::optional<Message>& wrong) {
+        if (wrong && own.clean())
+            own.add(fields.fieldOf(field), *wrong);
+    };
+    check("points", Curve::problem(degree, closed, points));
+    if (own.clean() && !knots.empty())
+        check("knots", Curve::problem(degree, closed, points, knots));
+    if (!corners.empty())
+        check("corners", Curve::cornerProblem(degree, closed, static_cast<int>(points.size()), corners));
+    for (const Problem& problem : own.problems())
+        report.add(problem.field, problem.message);
+    if (!own.clean())
+        return {};
+    return corners.empty() ? Curve(degree, closed, points, knots) : Curve::withCorners(points, corners);
+}
+
+Fabric readFabric(Fields& fields)
+{
+    Fabric fabric;
+    fabric.name = fields.text("name");
+    fabric.poisson = fields.number("poisson", fabric.poisson);
+    fabric.stiffness = fields.number("stiffness", fabric.stiffness);
+    fabric.bendingLength = fields.number("bending_length", fabric.bendingLength);
+    fabric.color = fields.text("color", fabric.color);
+    for (char& c : fabric.color)
+        c = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
+    return fabric;
+}
+
+Patch readPatch(Fields& fields)
+{
+    Patch patch;
+    patch.name = fields.text("name");
+    patch.fabric = fields.id("fabric");
+    patch.position = fields.vector<2>("position", patch.position);
+    patch.rotation = fields.number("rotation", patch.rotation);
+    patch.grain = fields.number("grain", patch.grain);
+    patch.pressure = fields.number("pressure", patch.pressure);
+    patch.wrongSideOut = fields.flag("wrong_side_out", patch.wrongSideOut);
+    patch.outline = readCurve<2>(fields, "outline");
+    if (!patch.outline.empty() && !patch.outline.closed())
+        fields.report().add("outline.closed",
+                            {QT_TRANSLATE_NOOP("Message", "an outline must be closed; write true")});
+    return patch;
+}
+
+Stretch readStretch(Fields& fields)
+{
+    const ElementId patch = fields.id("patch");
+    const double from = fields.number("from");
+    return {patch, from, fields.number("to")};
+}
+
+Stretch readStretch(Fields& parent, std::string_view key)
+{
+    const Value* object = parent.required(key);
+    if (object && !object->isObject())
+        parent.report().add(parent.fieldOf(key), {QT_TRANSLATE_NOOP("Message", "must be a stretch in braces, with "
+                                                                               "patch, from and to")});
+    if (!object || !object->isObject())
+        return {};
+    Fields fields(*object, parent.fieldOf(key) + ".", parent.report());
+    const Stretch stretch = readStretch(fields);
+    fields.finish();
+    return stretch;
+}
+
+Match readMatch(Fields& fields)
+{
+    return static_cast<Match>(fields.choice("match", {"length", "parameter"}));
+}
+
+Seam readSeam(Fields& fields)
+{
+    Seam seam;
+    seam.a = readStretch(fields, "a");
+    seam.b = readStretch(fields, "b");
+    seam.reversed = fields.flag("reversed", seam.reversed);
+    seam.match = readMatch(fields);
+    seam.continuity = static_cast<Continuity>(fields.choice("continuity", {"C0", "C1", "G1"}));
+    return seam;
+}
+
+FixationCurve readFixationCurve(Fields& fields)
+{
+    FixationCurve fixation;
+    fixation.name = fields.text("name");
+    fixation.curve = readCurve<3>(fields, "curve");
+    return fixation;
+}
+
+FixationSeam readFixationSeam(Fields& fields)
+{
+    FixationSeam seam;
+    seam.stretch = readStretch(fields);
+    seam.curve = fields.id("curve");
+    if (fields.has("curve_from") || fields.has("curve_to")) {
+        const double from = fields.number("curve_from");
+        seam.curveRange = {from, fields.number("curve_to")};
+    }
+    seam.reversed = fields.flag("reversed", seam.reversed);
+    seam.match = readMatch(fields);
+    return seam;
+}
+
+Frame readFrame(Fields& fields)
+{
+    Frame frame;
+    frame.name = fields.text("name");
+    frame.file = fields.text("file");
+    frame.scale = fields.number("scale", frame.scale);
+    frame.position = fields.vector<3>("position", frame.position);
+    const Eigen::Vector4d wxyz = fields.vector<4>("rotation", {1, 0, 0, 0});
+    frame.rotation = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    const double size = wxyz.norm();
+    if (!(std::abs(size - 1) <= 1e-3) && fields.has("rotation"))
+        fields.report().add("rotation",
+                            {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, "
+                                                          "not of length %1"),
+                             {numberText(size)}});
+    else if (std::abs(size - 1) > 1e-14) // what is normalised already stays bit for bit
+        frame.rotation.normalize();
+    return frame;
+}
+
+template <class T>
+ElementPtr finished(T value, Fields& fields)
+{
+    fields.finish();
+    return fields.report().clean() ? makeElement(std::move(value)) : nullptr;
+}
+
+std::string textOf(const Value& object, std::string_view wanted)
+{
+    std::string text;
+    object.eachMember([&](const std::string& key, const Value& value) {
+        if (key == wanted && text.empty())
+            text = value.string();
+    });
+    return text;
+}
+
+} // namespace
+
+Heading headingOf(const Value& element, std::size_t position)
+{
+    Heading heading;
+    if (element.isObject()) {
+        Report ignored(ElementId{}, {});
+        Fields fields(element, "", ignored);
+        if (const Value* id = fields.optional("id")) {
+            Report wrong(ElementId{}, {});
+            const int number = integerIn(*id, "id", wrong, 1, largestElementId);
+            heading.id = wrong.clean() ? ElementId{number} : ElementId{};
+        }
+    }
+    if (heading.id == ElementId{})
+        heading.label = "elements[" + std::to_string(position) + "]";
+    else
+        heading.label = elementLabel(textOf(element, "kind"), heading.id, textOf(element, "name"));
+    return heading;
+}
+
+Settings readSettings(const Value& object, Report& report)
+{
+    Settings settings;
+    if (!object.isObject()) {
+        report.add("settings", {QT_TRANSLATE_NOOP("Message", "must be an object in braces")});
+        return settings;
+    }
+    Fields fields(object, "settings.", report);
+    const double edgeLength = fields.number("edge_length", settings.edgeLength);
+    fields.finish();
+    if (report.clean())
+        settings.edgeLength = edgeLength;
+    return settings;
+}
+
+ElementPtr readElement(const Value& object, Report& report)
+{
+    if (!object.isObject()) {
+        report.add("", {QT_TRANSLATE_NOOP("Message", "an element must be an object in braces")});
+        return nullptr;
+    }
+    Fields fields(object, "", report);
+    fields.id("id");
+    const std::string kind = fields.text("kind");
+    if (kind == "fabric")
+        return finished(readFabric(fields), fields);
+    if (kind == "patch")
+        return finished(readPatch(fields), fields);
+    if (kind == "seam")
+        return finished(readSeam(fields), fields);
+    if (kind == "fixation_curve")
+        return finished(readFixationCurve(fields), fields);
+    if (kind == "fixation_seam")
+        return finished(readFixationSeam(fields), fields);
+    if (kind == "frame")
+        return finished(readFrame(fields), fields);
+    if (fields.has("kind") && fields.report().clean())
+        report.add("kind", {QT_TRANSLATE_NOOP("Message", "the kind %1 is unknown; there are fabric, patch, seam, "
+                                                         "fixation_curve, fixation_seam and frame"),
+                            {quoted(kind)}});
+    return nullptr;
+}
+
+} // namespace bolster::json
