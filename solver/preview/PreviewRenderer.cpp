@@ -1,6 +1,9 @@
 #include "PreviewRenderer.h"
 
 #include "CoverLook.h"
+#include "FrameLook.h"
+#include "Lens.h"
+#include "MeshShape.h"
 #include "PictureTile.h"
 #include "RayScene.h"
 #include "StudioLight.h"
@@ -22,24 +25,6 @@ bool drawable(const Vec3& p)
     return p.allFinite() && p.cwiseAbs().maxCoeff() < farthest;
 }
 
-std::vector<Vec3> placedPoints(const PreviewScene::FrameLook& frame)
-{
-    std::vector<Vec3> points;
-    if (frame.mesh)
-        for (const Vec3& p : frame.mesh->points)
-            points.push_back(frame.rotation * (frame.scale * p) + frame.position);
-    return points;
-}
-
-std::vector<Vec3f> shifted(const std::vector<Vec3>& points, const Vec3& origin)
-{
-    std::vector<Vec3f> result;
-    result.reserve(points.size());
-    for (const Vec3& p : points)
-        result.push_back(drawable(p) ? Vec3f((p - origin).cast<float>()) : Vec3f::Constant(std::nanf("")));
-    return result;
-}
-
 /// Runs work(0) to work(count - 1) on some threads; stops early when asked to.
 template <class Work>
 void inParallel(int count, int threads, std::stop_token stop, const Work& work)
@@ -56,56 +41,6 @@ void inParallel(int count, int threads, std::stop_token stop, const Work& work)
         helpers.emplace_back(run);
     run();
 }
-
-/// Rays of a view through the pixels of a picture, in the scene's shifted coordinates.
-class Lens {
-public:
-    Lens(const PreviewView& view, const PreviewOptions& options, const Vec3& origin)
-        : m_width(options.width)
-        , m_height(options.height)
-        , m_perspective(view.perspective)
-    {
-        const double sa = std::sin(view.azimuth), ca = std::cos(view.azimuth);
-        const Vec3 backward = (view.eye() - view.target).normalized();
-        const Vec3 right(ca, sa, 0);
-        m_backward = backward.cast<float>();
-        m_eye = (view.eye() - origin).cast<float>();
-        m_distance = static_cast<float>(view.distance);
-        m_step = static_cast<float>(2 * std::tan(view.fieldOfView / 2) / options.height); // at distance 1
-        m_right = right.cast<float>();
-        m_up = backward.cross(right).cast<float>();
-    }
-
-    struct Ray {
-        Vec3f origin, direction;
-    };
-    Ray through(float x, float y) const
-    {
-        const float right = (x - 0.5f * static_cast<float>(m_width)) * m_step;
-        const float up = (0.5f * static_cast<float>(m_height) - y) * m_step;
-        if (m_perspective)
-            return {m_eye, (right * m_right + up * m_up - m_backward).normalized()};
-        // Parallel rays start far behind the eye, which may stand inside the scene.
-        const float back = 10.f * m_distance;
-        return {m_eye + m_distance * (right * m_right + up * m_up) + back * m_backward, -m_backward};
-    }
-    float depth(const Vec3f& point) const { return (m_eye - point).dot(m_backward); }
-    float pixelSize(const Vec3f& at) const
-    {
-        return m_step * (m_perspective ? std::max(depth(at), 1e-3f) : m_distance);
-    }
-    Footprint footprint(const Vec3f& at, float share) const
-    {
-        const float size = share * pixelSize(at);
-        return {size * m_right, size * m_up};
-    }
-
-private:
-    int m_width, m_height;
-    bool m_perspective;
-    Vec3f m_eye, m_right, m_up, m_backward;
-    float m_distance = 1, m_step = 1;
-};
 
 /// Places that fill the unit square evenly however many are taken: the R2 sequence.
 struct Place {
@@ -127,13 +62,25 @@ int orderInBlock(int x, int y)
     return order;
 }
 
+/// Above this, light is bent into what can be displayed, so that highlights keep their shape.
+constexpr float shoulder = 0.75f;
+
 std::uint8_t displayed(float linear, int x, int y)
 {
-    // A soft shoulder keeps highlights; the ordered offset hides the steps of gradients.
-    const float light = linear < 0.75f ? linear : 0.75f + 0.25f * (1.f - std::exp(-(linear - 0.75f) / 0.25f));
+    const float over = (linear - shoulder) / (1 - shoulder);
+    const float light = over < 0 ? linear : shoulder + (1 - shoulder) * (1 - std::exp(-over));
     const float s = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-    const float offset = (static_cast<float>(orderInBlock(x, y)) + 0.5f) / 64.f;
+    const float offset = (static_cast<float>(orderInBlock(x, y)) + 0.5f) / 64.f; // hides the steps of gradients
     return static_cast<std::uint8_t>(std::clamp(std::floor(255.f * s + offset), 0.f, 255.f));
+}
+
+/// The light that is displayed in this colour.
+Vec3f lightDisplayedAs(const std::string& color)
+{
+    return linearColor(color).unaryExpr([](float shown) {
+        const float over = (std::min(shown, 0.99f) - shoulder) / (1 - shoulder);
+        return over < 0 ? shown : shoulder - (1 - shoulder) * std::log(1 - over);
+    });
 }
 
 } // namespace
@@ -154,6 +101,16 @@ Box3 PreviewScene::boundingBox() const
     return box;
 }
 
+PreviewView PreviewScene::threeQuarterView(double aspect) const
+{
+    std::vector<Vec3> points;
+    if (surface)
+        points = surface->positions;
+    else if (!frames.empty())
+        points = placedPoints(frames.front());
+    return PreviewView::threeQuarter(boundingBox(), aspect, frontAzimuth(points));
+}
+
 class PreviewRenderer::Prepared {
 public:
     explicit Prepared(const PreviewScene& scene);
@@ -171,15 +128,15 @@ private:
     void drawTile(const Job& job, int x, int y, PreviewImage& image) const;
     void drawPixel(const Job& job, int x, int y, PicturePixel& pixel) const;
     void addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const;
-    void addGround(const Job& job, const Lens::Ray& ray, const Vec3f& background, SurfacePoint& point, Shade& shade,
+    void addGround(const Lens::Ray& ray, const Vec3f& behind, SurfacePoint& point, Shade& shade,
                    Vec3f& constant) const;
-    SurfacePoint pointAt(const RayHit& hit, const Vec3f& position, const Vec3f& direction,
-                         const Footprint& pixel) const;
+    SurfacePoint pointAt(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
     Vec3f background(const Job& job, float y) const;
 
     Box3 m_box;
     Vec3 m_origin;
     CoverLook m_cover;
+    std::vector<FrameLook> m_frames;
     RayScene m_rays;
     bool m_ground;
     float m_floor = 0; ///< height of the ground, shifted
@@ -192,13 +149,14 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
     , m_ground(scene.ground && !m_box.isEmpty())
-    , m_top(linearColor(scene.backgroundTop))
-    , m_bottom(linearColor(scene.backgroundBottom))
+    , m_top(lightDisplayedAs(scene.backgroundTop))
+    , m_bottom(lightDisplayedAs(scene.backgroundBottom))
 {
     m_rays.add(m_cover.points(), m_cover.triangles());
-    for (const PreviewScene::FrameLook& frame : scene.frames)
-        if (frame.mesh)
-            m_rays.add(shifted(placedPoints(frame), m_origin), frame.mesh->triangles);
+    for (const PreviewScene::FrameLook& frame : scene.frames) {
+        m_frames.emplace_back(frame, m_origin);
+        m_rays.add(m_frames.back().points(), m_frames.back().triangles());
+    }
     m_rays.commit();
     if (!m_box.isEmpty()) {
         m_reach = std::max(1.f, static_cast<float>(m_box.diagonal().norm() / 2));
@@ -212,24 +170,17 @@ Vec3f PreviewRenderer::Prepared::background(const Job& job, float y) const
     return m_top + t * t * (3 - 2 * t) * (m_bottom - m_top);
 }
 
-SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& position, const Vec3f& direction,
+SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& direction,
                                                 const Footprint& pixel) const
 {
     if (hit.mesh == 0)
         return m_cover.at(hit, direction, pixel);
-    SurfacePoint frame;
-    frame.face = hit.normal.dot(direction) < 0 ? hit.normal : Vec3f(-hit.normal);
-    frame.normal = frame.face;
-    frame.position = position;
-    frame.shadowOrigin = position;
-    frame.color = Vec3f(0.42f, 0.43f, 0.45f);
-    frame.gloss = 0.05f;
-    return frame;
+    return m_frames[hit.mesh - 1].at(hit, direction);
 }
 
 /// The floor has the colour of the background and no border: only shadows show that it is there.
-void PreviewRenderer::Prepared::addGround(const Job&, const Lens::Ray& ray, const Vec3f& behind,
-                                          SurfacePoint& point, Shade& shade, Vec3f& constant) const
+void PreviewRenderer::Prepared::addGround(const Lens::Ray& ray, const Vec3f& behind, SurfacePoint& point,
+                                          Shade& shade, Vec3f& constant) const
 {
     constant = behind;
     if (!m_ground || ray.direction.z() > -1e-4f)
@@ -260,11 +211,11 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
     Vec3f constant = Vec3f::Zero();
     if (const std::optional<RayHit> hit = m_rays.first(ray.origin, ray.direction)) {
         const Vec3f position = ray.origin + hit->distance * ray.direction;
-        point = pointAt(*hit, position, ray.direction, job.lens.footprint(position, step));
+        point = pointAt(*hit, ray.direction, job.lens.footprint(position, step));
         shade = job.light.shade(point, -ray.direction);
         pixel.depth = std::min(pixel.depth, job.lens.depth(position));
     } else {
-        addGround(job, ray, background(job, py), point, shade, constant);
+        addGround(ray, background(job, py), point, shade, constant);
     }
     pixel.constant += constant;
     pixel.direct += shade.direct;
@@ -331,7 +282,7 @@ PreviewImage PreviewRenderer::Prepared::render(const PreviewView& view, const Pr
     if (options.width < 1 || options.height < 1 || options.width > largestSide || options.height > largestSide)
         return image;
     const int grid = std::clamp(static_cast<int>(std::sqrt(options.samples + 0.5)), 1, 16);
-    const Job job{options, Lens(view, options, m_origin), StudioLight(view), grid};
+    const Job job{options, Lens(view, options.width, options.height, m_origin), StudioLight(view), grid};
     image.width = options.width;
     image.height = options.height;
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

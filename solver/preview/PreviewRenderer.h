@@ -23,8 +23,9 @@ struct PreviewView {
     bool perspective = true;
 
     Vec3 eye() const;
-    /// From the front and a little to the side and above, so that the whole box is seen.
-    static PreviewView threeQuarter(const Box3& box, double aspect);
+    /// From the front and a little to the side and above, so that the whole box is seen. `front` is the azimuth
+    /// from which the front is seen (frontAzimuth of MeshShape.h).
+    static PreviewView threeQuarter(const Box3& box, double aspect, double front = 0);
 };
 
 struct PreviewScene {
@@ -49,6 +50,8 @@ struct PreviewScene {
 
     /// Of everything that can be drawn: points that are not finite are left out.
     Box3 boundingBox() const;
+    /// The whole scene from its front, a little to the side and above.
+    PreviewView threeQuarterView(double aspect) const;
 };
 
 struct PreviewImage {

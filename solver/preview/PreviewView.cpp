@@ -25,9 +25,10 @@ Vec3 PreviewView::eye() const
     return target + distance * axes(*this).col(2);
 }
 
-PreviewView PreviewView::threeQuarter(const Box3& box, double aspect)
+PreviewView PreviewView::threeQuarter(const Box3& box, double aspect, double front)
 {
     PreviewView view;
+    view.azimuth += front;
     if (box.isEmpty())
         return view;
     const Eigen::Matrix3d basis = axes(view);

@@ -10,6 +10,8 @@ namespace bolster {
 
 namespace {
 
+constexpr float farthest = 1e8f; ///< mm: beyond, single precision says nothing any more
+
 RTCRay makeRay(const Vec3f& origin, const Vec3f& direction, float reach)
 {
     RTCRay ray{};
@@ -27,7 +29,7 @@ RTCRay makeRay(const Vec3f& origin, const Vec3f& direction, float reach)
 bool usable(std::span<const Vec3f> points, const std::array<std::uint32_t, 3>& triangle)
 {
     for (const std::uint32_t corner : triangle)
-        if (corner >= points.size() || !points[corner].allFinite())
+        if (corner >= points.size() || !(points[corner].cwiseAbs().maxCoeff() < farthest))
             return false;
     return true;
 }

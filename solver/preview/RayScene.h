@@ -34,7 +34,7 @@ public:
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
 
-    /// Triangles with a point that is not finite, or with indices beyond the points, are left out.
+    /// Triangles with a point that is not finite or very far away, or with indices beyond the points, are left out.
     void add(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles);
     void commit();
 

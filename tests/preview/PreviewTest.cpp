@@ -1,0 +1,249 @@
+#include "PreviewMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+PreviewOptions small(int samples = 4)
+{
+    PreviewOptions options;
+    options.width = 160;
+    options.height = 120;
+    options.samples = samples;
+    return options;
+}
+
+PreviewScene sceneOf(SurfaceMeshPtr surface)
+{
+    PreviewScene scene;
+    scene.surface = std::move(surface);
+    return scene;
+}
+
+/// Straight down; one pixel is `pixel` mm wide at the plane z = 0.
+PreviewView fromAbove(const Vec3& target, double pixel, int height)
+{
+    PreviewView view;
+    view.target = target;
+    view.azimuth = 0;
+    view.elevation = std::numbers::pi / 2;
+    view.perspective = false;
+    view.distance = pixel * height / (2 * std::tan(view.fieldOfView / 2));
+    return view;
+}
+
+TEST(Preview, IsTheSameOnAnyNumberOfThreads)
+{
+    const PreviewScene scene = sceneOf(corner(300));
+    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    PreviewOptions options = small();
+    options.depth = true;
+    options.threads = 1;
+    const PreviewImage one = renderPreview(scene, view, options);
+    for (const int threads : {2, 3, 7}) {
+        options.threads = threads;
+        const PreviewImage other = renderPreview(scene, view, options);
+        EXPECT_EQ(one.rgba, other.rgba);
+        EXPECT_EQ(one.depth, other.depth);
+    }
+}
+
+TEST(Preview, CancelledIsEmpty)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    const PreviewScene scene = sceneOf(corner(300));
+    EXPECT_TRUE(renderPreview(scene, {}, small(), stop.get_token()).empty());
+    EXPECT_TRUE(PreviewRenderer(scene).render({}, small(), stop.get_token()).empty());
+}
+
+TEST(Preview, RefusesImpossibleSizes)
+{
+    PreviewOptions options = small();
+    options.width = 0;
+    EXPECT_TRUE(renderPreview({}, {}, options).empty());
+    options.width = 1 << 20;
+    EXPECT_TRUE(renderPreview({}, {}, options).empty());
+}
+
+TEST(Preview, DrawsTheBackgroundOfAnEmptyScene)
+{
+    const PreviewImage image = renderPreview({}, {}, small());
+    ASSERT_EQ(image.rgba.size(), 4u * 160 * 120);
+    EXPECT_NEAR(brightness(image, 80, 119), 250, 3);
+    EXPECT_LT(brightness(image, 80, 0), brightness(image, 80, 119));
+    EXPECT_EQ(image.rgba[3], 255);
+}
+
+TEST(Preview, SurvivesPointsThatAreNoNumbers)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const SurfaceMeshPtr mesh = changed(flatPatch(100, 100), [&](SurfaceMesh& m) {
+        m.positions[3] = {nan, 0, 0};
+        m.positions[17] = {1e300, 0, 0};
+        m.normals[40] = Eigen::Vector3f::Constant(std::nanf(""));
+    });
+    const PreviewScene scene = sceneOf(mesh);
+    EXPECT_NEAR(scene.boundingBox().sizes().x(), 100, 1e-9);
+    const PreviewImage image = renderPreview(scene, fromAbove({50, 50, 0}, 1, 120), small());
+    EXPECT_LT(brightness(image, 80, 40), 200); // the other triangles are there
+    const SurfaceMeshPtr nothing = changed(flatPatch(100, 100), [&](SurfaceMesh& m) {
+        for (Vec3& p : m.positions)
+            p.setConstant(nan);
+    });
+    EXPECT_FALSE(renderPreview(sceneOf(nothing), {}, small()).empty());
+}
+
+TEST(Preview, IgnoresAMeshWhoseArraysDoNotFit)
+{
+    const SurfaceMeshPtr mesh = changed(flatPatch(100, 100), [](SurfaceMesh& m) { m.normals.pop_back(); });
+    EXPECT_FALSE(renderPreview(sceneOf(mesh), fromAbove({50, 50, 0}, 1, 120), small()).empty());
+}
+
+TEST(Preview, CheckerHasItsRealSize)
+{
+    PreviewScene scene = sceneOf(flatPatch(400, 400));
+    scene.checkerSize = 20;
+    PreviewOptions options = small();
+    options.width = 400;
+    options.height = 300;
+    const PreviewImage image = renderPreview(scene, fromAbove({200, 200, 0}, 1, options.height), options);
+    // Pixel x shows 0 mm + x, pixel row 150 lies at y = 200 - 0.5, one square's upper border.
+    int changes = 0, last = 0, first = 0;
+    const int row = 140;
+    for (int x = 11; x < 390; ++x) {
+        const bool was = brightness(image, x - 1, row) > 125, is = brightness(image, x, row) > 125;
+        if (was != is) {
+            if (changes++ == 0)
+                first = x;
+            last = x;
+        }
+    }
+    ASSERT_GT(changes, 10);
+    EXPECT_NEAR(static_cast<double>(last - first) / (changes - 1), 20, 0.1);
+    EXPECT_EQ(first % 20, 0);
+}
+
+TEST(Preview, FarCheckerBecomesItsMean)
+{
+    PreviewScene scene = sceneOf(flatPatch(8000, 8000));
+    const PreviewImage image = renderPreview(scene, fromAbove({4000, 4000, 0}, 47, 120), small());
+    int lowest = 255, highest = 0;
+    for (int x = 40; x < 120; ++x) {
+        lowest = std::min(lowest, brightness(image, x, 60));
+        highest = std::max(highest, brightness(image, x, 60));
+    }
+    EXPECT_LT(highest - lowest, 8);
+}
+
+TEST(Preview, ShowsPatchColorsAndTheLining)
+{
+    PreviewScene scene = sceneOf(flatPatch(400, 400));
+    scene.looks = {{ElementId{2}, "#c02020"}};
+    scene.checker = false;
+    const auto redness = [&](double elevation) {
+        PreviewView view = fromAbove({200, 200, 0}, 1, 120);
+        view.elevation = elevation;
+        const PreviewImage image = renderPreview(scene, view, small());
+        const std::size_t middle = 4 * (60 * 160 + 80);
+        return static_cast<double>(image.rgba[middle]) / std::max<int>(1, image.rgba[middle + 2]);
+    };
+    EXPECT_GT(redness(std::numbers::pi / 2), 2.5);
+    EXPECT_LT(redness(-std::numbers::pi / 2), 1.8);
+}
+
+TEST(Preview, CornersAreDarkerThanOpenPlaces)
+{
+    PreviewScene scene = sceneOf(corner(300));
+    scene.checker = false;
+    PreviewView view = fromAbove({150, 200, 0}, 3, 120);
+    view.azimuth = 2.5; // the key light comes from behind the back
+    const PreviewImage shadowed = renderPreview(scene, view, small(16));
+    PreviewOptions quick = small(16);
+    quick.quick = true;
+    const PreviewImage flat = renderPreview(scene, view, quick);
+    EXPECT_LT(brightness(shadowed, 80, 60), brightness(flat, 80, 60) - 15);
+}
+
+TEST(Preview, SeamsAreDarkLines)
+{
+    PreviewScene scene = sceneOf(corner(300));
+    scene.checker = false;
+    const PreviewImage image = renderPreview(scene, fromAbove({150, 290, 0}, 0.5, 120), small());
+    // The seam runs along y = 300, 20 pixels above the middle.
+    EXPECT_LT(brightness(image, 80, 41), brightness(image, 80, 100) - 25);
+}
+
+TEST(Preview, GivesDepths)
+{
+    const PreviewScene scene = sceneOf(flatPatch(40, 40));
+    PreviewOptions options = small();
+    options.depth = true;
+    const PreviewView view = fromAbove({20, 20, 0}, 1, 120);
+    const PreviewImage image = renderPreview(scene, view, options);
+    EXPECT_NEAR(image.depth[60 * 160 + 80], view.distance, 0.1);
+    EXPECT_TRUE(std::isinf(image.depth[0]));
+}
+
+TEST(Preview, ShowsFramesInGrey)
+{
+    auto frame = std::make_shared<TriangleMesh>();
+    frame->points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    frame->triangles = {{0, 1, 2}};
+    PreviewScene scene;
+    scene.frames.push_back({frame, 100, {5, 0, 0}, Quat::Identity()});
+    EXPECT_NEAR(scene.boundingBox().max().x(), 105, 1e-9);
+    const PreviewImage image = renderPreview(scene, fromAbove({30, 30, 0}, 1, 120), small());
+    const std::size_t middle = 4 * (60 * 160 + 80);
+    EXPECT_LT(brightness(image, 80, 60), 235);
+    EXPECT_NEAR(image.rgba[middle], image.rgba[middle + 2], 25);
+}
+
+TEST(Preview, ThreeQuarterViewShowsTheWholeBox)
+{
+    const Box3 box(Vec3(-400, 100, 30), Vec3(500, 700, 1200));
+    for (const double aspect : {0.5, 1.0, 4.0 / 3, 3.0}) {
+        const PreviewView view = PreviewView::threeQuarter(box, aspect);
+        const Vec3 backward = (view.eye() - view.target).normalized();
+        const Vec3 right(std::cos(view.azimuth), std::sin(view.azimuth), 0);
+        const Vec3 up = backward.cross(right);
+        double widest = 0;
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 p = box.corner(static_cast<Box3::CornerType>(i)) - view.eye();
+            const double half = -p.dot(backward) * std::tan(view.fieldOfView / 2);
+            widest = std::max({widest, std::abs(p.dot(up)) / half, std::abs(p.dot(right)) / (half * aspect)});
+        }
+        EXPECT_LE(widest, 1);
+        EXPECT_GT(widest, 0.8);
+    }
+}
+
+TEST(Preview, WritesPngFiles)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bolster-preview-test";
+    std::filesystem::create_directories(folder);
+    const std::string path = (folder / "picture.png").string();
+    const PreviewImage image = renderPreview({}, {}, small());
+    EXPECT_EQ(writePng(image, path), "");
+    std::ifstream file(path, std::ios::binary);
+    std::string head(8, ' ');
+    file.read(head.data(), 8);
+    EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
+    EXPECT_NE(writePng(image, (folder / "missing" / "picture.png").string()), "");
+    EXPECT_NE(writePng({}, path), "");
+    std::size_t files = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder))
+        ++files;
+    EXPECT_EQ(files, 1u); // nothing unfinished is left
+    std::filesystem::remove_all(folder);
+}
+
+} // namespace
+} // namespace bolster::test
