@@ -38,7 +38,7 @@ std::string placeText(const std::string& file, const MeshPlace& place)
 /// Names of groups come in any encoding; those that are not UTF-8 are taken for Latin-1.
 std::string cleanName(const std::string& name)
 {
-    QStringDecoder utf8(QStringDecoder::Utf8);
+    QStringDecoder utf8(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
     const QString decoded = utf8(QByteArrayView(name.data(), static_cast<qsizetype>(name.size())));
     return (utf8.hasError() ? QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())) : decoded)
         .toStdString();

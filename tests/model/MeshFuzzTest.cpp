@@ -1,0 +1,156 @@
+// Damaged files must be read or refused, whatever the damage; run with sanitizers this shows bad accesses too.
+#include "MeshReaders.h"
+#include "MeshRefused.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <random>
+
+namespace bolster {
+namespace {
+
+template <class Number>
+void append(std::string& bytes, Number value)
+{
+    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    bytes.append(raw.data(), raw.size());
+}
+
+const std::string objSeed = "o A\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3 4\n"
+                            "g B\nf -4 -3 \\\n -2\nf 1 2 3 4 1 2 3\n";
+const std::string offSeed = "COFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3 0.5\n";
+const std::string textPlySeed =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nproperty list uchar int n\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n0 0 0 1 5\n1 0 0 0\n0 1 0 2 1 1\n"
+    "3 0 1 2\n";
+const std::string textStlSeed =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+    "endloop\nendfacet\nendsolid a\n";
+
+std::string binaryPlySeed(const std::string& order)
+{
+    std::string bytes = "ply\nformat binary_" + order +
+                        "_endian 1.0\nelement vertex 3\nproperty double x\n"
+                        "property float y\nproperty short z\nelement face 2\n"
+                        "property list ushort uint vertex_index\nproperty uchar flag\nend_header\n";
+    for (const int i : {0, 1, 2}) {
+        append(bytes, static_cast<double>(i));
+        append(bytes, static_cast<float>(i % 2));
+        append(bytes, static_cast<std::int16_t>(i));
+    }
+    for (int face = 0; face < 2; ++face) {
+        append(bytes, std::uint16_t{3});
+        for (const std::uint32_t index : {0u, 1u, 2u})
+            append(bytes, index);
+        append(bytes, std::uint8_t{1});
+    }
+    return bytes;
+}
+
+std::string binaryStlSeed()
+{
+    std::string bytes(80, 'x');
+    append(bytes, std::uint32_t{2});
+    for (int i = 0; i < 2; ++i) {
+        for (const float number : {0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
+            append(bytes, number);
+        append(bytes, std::uint16_t{0});
+    }
+    return bytes;
+}
+
+std::string mutated(std::string bytes, std::mt19937& random)
+{
+    static const std::vector<std::string> words = {
+        "-1", "0",    "4294967295", "1e308", "nan",   "\n", " ",         "99999999999999999999", "/", "\\\n",
+        "#",  "list", "vertex",     "face",  "solid", "-0", "2147483648"};
+    for (int i = static_cast<int>(random() % 4); i >= 0; --i) {
+        const std::size_t at = bytes.empty() ? 0 : random() % bytes.size();
+        switch (random() % 6) {
+        case 0:
+            if (!bytes.empty())
+                bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
+            break;
+        case 1:
+            if (!bytes.empty())
+                bytes[at] = static_cast<char>(random());
+            break;
+        case 2:
+            bytes.erase(at, random() % 8);
+            break;
+        case 3:
+            bytes.insert(at, words[random() % words.size()]);
+            break;
+        case 4:
+            bytes.resize(at);
+            break;
+        case 5:
+            bytes.insert(at, bytes.substr(at, random() % 32));
+            break;
+        }
+    }
+    return bytes;
+}
+
+/// What a reader returns must be sound.
+void expectSound(const TriangleMesh& mesh)
+{
+    ASSERT_FALSE(mesh.triangles.empty());
+    for (const Vec3& point : mesh.points)
+        ASSERT_TRUE((point.array().abs() <= 1e7).all());
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t index : triangle)
+            ASSERT_LT(index, mesh.points.size());
+    std::uint32_t covered = 0;
+    for (const TriangleMesh::Part& part : mesh.parts) {
+        ASSERT_EQ(part.firstTriangle, covered);
+        covered += part.triangleCount;
+    }
+    ASSERT_EQ(covered, mesh.triangles.size());
+}
+
+void fuzz(TriangleMesh (*reader)(std::string_view), const std::string& seed)
+{
+    EXPECT_NO_THROW(expectSound(reader(seed)));
+    std::mt19937 random(1);
+    int accepted = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const std::string bytes = mutated(seed, random);
+        try {
+            expectSound(reader(bytes));
+            ++accepted;
+        } catch (const MeshRefused& refused) {
+            EXPECT_FALSE(refused.sentence.empty());
+        }
+    }
+    EXPECT_GT(accepted, 100); // or the mutations would say nothing about what is behind the first check
+    EXPECT_LT(accepted, 9900);
+}
+
+TEST(MeshFuzz, Obj)
+{
+    fuzz(readObj, objSeed);
+}
+
+TEST(MeshFuzz, Off)
+{
+    fuzz(readOff, offSeed);
+}
+
+TEST(MeshFuzz, Ply)
+{
+    fuzz(readPly, textPlySeed);
+    fuzz(readPly, binaryPlySeed("little"));
+}
+
+TEST(MeshFuzz, Stl)
+{
+    fuzz(readStl, textStlSeed);
+    fuzz(readStl, binaryStlSeed());
+}
+
+} // namespace
+} // namespace bolster
