@@ -9,11 +9,14 @@ namespace {
 
 constexpr int window = 8; // accelerated moves go up and down within a few iterations
 constexpr double slowest = 0.9995;
+constexpr int stage = 200; // iterations between two looks for a stall
+constexpr int plainIterations = 100;
 
 } // namespace
 
 bool Convergence::add(double move)
 {
+    watchForStall(move);
     m_moves.push_back(move);
     if (m_moves.size() > 2 * window)
         m_moves.pop_front();
@@ -31,6 +34,20 @@ bool Convergence::add(double move)
     }
     m_inARow = m_estimate < m_tolerance ? m_inARow + 1 : 0;
     return m_inARow >= 3;
+}
+
+/// Compares the largest moves of successive stages.
+void Convergence::watchForStall(double move)
+{
+    if (m_plainLeft > 0)
+        --m_plainLeft;
+    m_largestOfStage = std::max(m_largestOfStage, move);
+    if (++m_count % stage != 0)
+        return;
+    if (m_count > stage && m_largestOfStage > 0.8 * m_largestBefore)
+        m_plainLeft = plainIterations;
+    m_largestBefore = m_largestOfStage;
+    m_largestOfStage = 0;
 }
 
 } // namespace bolster

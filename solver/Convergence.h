@@ -16,11 +16,19 @@ public:
     /// `move` of one more iteration, relative to D. Returns whether the iteration has converged.
     bool add(double move);
     double estimate() const { return m_estimate; }
+    /// The moves have not become smaller for long; stays true for some iterations.
+    bool stalled() const { return m_plainLeft > 0; }
 
 private:
+    void watchForStall(double move);
+
     double m_tolerance;
     double m_estimate = 1;
     int m_inARow = 0;
+    int m_count = 0;
+    double m_largestOfStage = 0;
+    double m_largestBefore = 0;
+    int m_plainLeft = 0;
     std::deque<double> m_moves;
 };
 

@@ -1,8 +1,9 @@
 #include "RestingSolve.h"
 
-#include "CanonicalSolve.h"
 #include "DesignCheck.h"
 #include "OutlineSampling.h"
+#include "Relaxation.h"
+#include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
 
@@ -53,10 +54,11 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
     WorkerPool pool(options.threads);
-    CanonicalSolve solve(sheet->mesh, pool, options.tolerance);
-    const double factorTime = solve.factorTime();
-    Stopwatch iterating;
-    while (solve.running() && solve.iterations() < options.maxIterations) {
+    Stopwatch stage;
+    Relaxation solve(sheet->mesh, pool, options.tolerance);
+    const double factorTime = stage.restart();
+    solve.startCanonically();
+    while (solve.phase() == Relaxation::Phase::Running && solve.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
             result.status = SolveResult::Status::Cancelled;
             return result;
@@ -65,8 +67,8 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
         if (progress)
             progress(solve.iterations(), solve.movement());
     }
-    const double iterateTime = iterating.elapsed();
-    if (solve.phase() == CanonicalSolve::Phase::Failed)
+    const double iterateTime = stage.elapsed();
+    if (solve.phase() == Relaxation::Phase::Failed)
         return failed(std::move(result), solve.reason());
 
     result.report = measureSurface(*sheet, solve.state());
@@ -79,7 +81,7 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
                           iterateTime / std::max(1, solve.iterations()),
                           watch.elapsed()};
     result.surface = makeSurface(sheet->mesh, solve.state(), 0);
-    if (solve.phase() == CanonicalSolve::Phase::Converged) {
+    if (solve.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;

@@ -115,6 +115,10 @@ void SheetOptimizer::precomputeRings()
         if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
             m_corners[next[unknown[v]]++] = v;
 
+    for (int c = 0; c < std::ssize(m_mesh.anchored); ++c)
+        if (!m_mesh.anchored[c])
+            m_freeBodies.emplace_back(m_mesh, c);
+
     m_map.resize(vertices);
     m_stretch.resize(vertices);
     m_frameRight.resize(vertices, 4);
@@ -136,6 +140,18 @@ void SheetOptimizer::retarget()
     m_momentum = 1;
 }
 
+void SheetOptimizer::relaxPositions()
+{
+    m_ahead = m_state;
+    m_next.frames = m_state.frames;
+    for (int v = 0; v < m_mesh.vertexCount(); ++v)
+        m_map[v] = rotationOf(m_state.frames.col(v)).leftCols<2>();
+    solvePositions();
+    m_state = m_next;
+    m_before = m_state;
+    m_momentum = 1;
+}
+
 std::optional<double> SheetOptimizer::iterate()
 {
     extrapolate();
@@ -149,7 +165,7 @@ std::optional<double> SheetOptimizer::iterate()
 void SheetOptimizer::extrapolate()
 {
     const double momentum = 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
-    const double beta = (m_momentum - 1) / momentum;
+    const double beta = m_accelerated ? (m_momentum - 1) / momentum : 0;
     m_momentum = momentum;
     m_ahead.positions = m_state.positions + beta * (m_state.positions - m_before.positions);
     m_ahead.frames.resize(4, m_state.frames.cols());
@@ -216,7 +232,7 @@ void SheetOptimizer::solvePositions()
                                            (m_map[v] + m_map[edge.vertex]) * edge.rest);
                 }
                 residual += part.material.stiffness * pull;
-                const double pressure = part.material.pressure + m_extraPressure;
+                const double pressure = part.material.pressure;
                 if (pressure != 0) {
                     const Eigen::Vector3d normal = rotationOf(m_next.frames.col(v)).col(2) * part.outward;
                     residual += (pressure * m_mesh.area[v] / m_mesh.diameter[part.component]) * normal;
@@ -225,6 +241,8 @@ void SheetOptimizer::solvePositions()
             m_residual.row(u) = residual.transpose();
         }
     });
+    for (const FreeBody& body : m_freeBodies)
+        body.balance(m_ahead.positions, m_residual);
     if (m_mesh.freeCount > 0)
         m_positions.solve(m_residual, m_move);
     else

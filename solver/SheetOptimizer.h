@@ -2,6 +2,7 @@
 #pragma once
 
 #include "FactoredSystem.h"
+#include "FreeBody.h"
 #include "SewnMesh.h"
 #include "SheetState.h"
 #include "WorkerPool.h"
@@ -23,10 +24,14 @@ public:
 
     /// Positions of fixed unknowns are taken from the mesh's targets.
     void restart(SheetState state);
+    /// Moves positions to where the present frames want them, without fitting frames first: a start whose rings are
+    /// torn by sewing and fixing says nothing about frames yet.
+    void relaxPositions();
     /// Accepts moved targets and changed pressure or Poisson parameters; positions go on from where they are.
     void retarget();
-    /// Pressure added to every patch, in the units of Patch::pressure; for the start.
-    void setExtraPressure(double pressure) { m_extraPressure = pressure; }
+
+    /// Off: plain iterations, slower but never circling.
+    void setAccelerated(bool on) { m_accelerated = on; }
 
     /// One iteration. Returns the largest move of a vertex relative to D, or nothing when the result is not finite
     /// or has left every bound; the state before is kept then.
@@ -51,17 +56,19 @@ private:
     WorkerPool& m_pool;
     FactoredSystem m_positions; // L1
     FactoredSystem m_frames;    // L2
-    double m_extraPressure = 0;
 
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i
     std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
     std::vector<int> m_corners;
 
+    std::vector<FreeBody> m_freeBodies; // components that nothing holds
+
     SheetState m_state;
     SheetState m_ahead; // y: the extrapolated state from which an iteration starts
     SheetState m_next;
     SheetState m_before;
+    bool m_accelerated = true;
     double m_momentum = 1;                                           // t_k of Nesterov's scheme
     std::vector<Matrix32, Eigen::aligned_allocator<Matrix32>> m_map; // R(q_i) T_i
     std::vector<Eigen::Matrix2d> m_stretch;

@@ -1,0 +1,28 @@
+// Keeps a cover that nothing holds from drifting and spinning.
+#pragma once
+
+#include "SewnMesh.h"
+
+#include <Eigen/Core>
+
+namespace bolster {
+
+/// One sewn component without fixations. Pressure on rest areas leaves a small net force and torque, which only the
+/// proximal term would resist; a free body would sail away.
+class FreeBody {
+public:
+    FreeBody(const SewnMesh& mesh, int component);
+
+    /// Takes net force and net torque out of `residual` (one row per free unknown), in proportion to area.
+    void balance(const Eigen::Matrix3Xd& positions, Eigen::MatrixXd& residual) const;
+
+private:
+    struct Mass {
+        int unknown = 0;
+        double area = 0;
+    };
+    std::vector<Mass> m_masses;
+    double m_area = 0;
+};
+
+} // namespace bolster

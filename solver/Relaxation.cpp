@@ -1,0 +1,92 @@
+#include "Relaxation.h"
+
+#include "StartPlacement.h"
+
+namespace bolster {
+
+Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance)
+    : m_optimizer(mesh, pool)
+    , m_tolerance(tolerance)
+    , m_convergence(tolerance)
+{
+    checkFactors();
+}
+
+void Relaxation::startCanonically()
+{
+    startFrom(startPlacement(m_optimizer.mesh()), true);
+    if (m_phase == Phase::Failed)
+        return;
+    // Only now, with the fixed and sewn outlines in place, is it known where the cloth is compressed.
+    SheetState seeded = m_optimizer.state();
+    seedFolds(m_optimizer.mesh(), seeded);
+    m_optimizer.restart(std::move(seeded));
+}
+
+void Relaxation::startFrom(SheetState state, bool torn)
+{
+    if (!checkFactors())
+        return;
+    m_optimizer.restart(std::move(state));
+    if (torn)
+        m_optimizer.relaxPositions();
+    begin();
+}
+
+void Relaxation::retarget()
+{
+    if (!checkFactors())
+        return;
+    m_optimizer.retarget();
+    begin();
+}
+
+void Relaxation::refactor()
+{
+    m_optimizer.refactor();
+    retarget();
+}
+
+void Relaxation::iterate()
+{
+    if (m_phase != Phase::Running)
+        return;
+    m_optimizer.setAccelerated(!m_convergence.stalled());
+    const std::optional<double> move = m_optimizer.iterate();
+    if (!move) {
+        fail({QT_TRANSLATE_NOOP("Message",
+                                "The surface ran away after %1 iterations. Lower the pressure or check the "
+                                "sizes of the patches."),
+              {std::to_string(m_iterations)}});
+        return;
+    }
+    m_movement = *move;
+    ++m_iterations;
+    if (m_convergence.add(m_movement))
+        m_phase = Phase::Converged;
+}
+
+bool Relaxation::checkFactors()
+{
+    if (!m_optimizer.ok())
+        fail({QT_TRANSLATE_NOOP("Message",
+                                "The equations of the cover could not be solved: a patch is degenerate or its "
+                                "numbers are too large."),
+              {}});
+    return m_optimizer.ok();
+}
+
+void Relaxation::begin()
+{
+    m_phase = Phase::Running;
+    m_iterations = 0;
+    m_convergence = Convergence(m_tolerance);
+}
+
+void Relaxation::fail(Message reason)
+{
+    m_phase = Phase::Failed;
+    m_reason = std::move(reason);
+}
+
+} // namespace bolster

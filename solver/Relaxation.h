@@ -1,0 +1,53 @@
+// An optimizer that runs until it has converged, one iteration at a time.
+#pragma once
+
+#include "Convergence.h"
+#include "SheetOptimizer.h"
+
+namespace bolster {
+
+/// Callers can stop between iterations, show progress, or go on after a change. When the moves stop shrinking it
+/// iterates without acceleration until they do again: an accelerated iteration can circle around a kink of the
+/// energy.
+class Relaxation {
+public:
+    enum class Phase { Running, Converged, Failed };
+
+    /// Factors; failed when that did not succeed. `tolerance` is relative to D. Mesh and pool must outlive it.
+    Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance);
+
+    /// From the start that depends on the design alone.
+    void startCanonically();
+    /// From any other state. `torn`: seams or fixations are new to it, so that its frames say more than its
+    /// positions.
+    void startFrom(SheetState state, bool torn);
+    /// After updateTargets() or updateMaterials() on the mesh.
+    void retarget();
+    /// The same when matrices change too.
+    void refactor();
+
+    /// One iteration; does nothing unless running.
+    void iterate();
+
+    Phase phase() const { return m_phase; }
+    int iterations() const { return m_iterations; }              ///< since the last start
+    double movement() const { return m_movement; }               ///< of the last iteration, relative to D
+    double estimate() const { return m_convergence.estimate(); } ///< distance to the limit, relative to D
+    const Message& reason() const { return m_reason; }           ///< when failed
+    const SheetState& state() const { return m_optimizer.state(); }
+
+private:
+    bool checkFactors();
+    void begin();
+    void fail(Message reason);
+
+    SheetOptimizer m_optimizer;
+    double m_tolerance;
+    Convergence m_convergence;
+    Phase m_phase = Phase::Running;
+    int m_iterations = 0;
+    double m_movement = 0;
+    Message m_reason;
+};
+
+} // namespace bolster
