@@ -42,7 +42,7 @@ class Cover:
         self.elements[element["id"]] = element
         return element["id"]
 
-    def close_rear(self, name, edges, gap_name=None, pressure=0.0):
+    def close_rear(self, name, edges, gap_name=None, pressure=0):
         """Adds a patch bounded by these rear edges and joins it to them."""
         controls = [self.controls(edge) for edge in edges]
         for i, side in enumerate(controls):
@@ -130,7 +130,7 @@ def main():
     cover = Cover(read(sys.argv[1]))
     for edges in (OUTSIDE_BACK, ARM_RIGHT_REAR, ARM_LEFT_REAR):
         check_loop(cover, edges)
-    cover.close_rear("Outside back", OUTSIDE_BACK, "Outside back at the arm")
+    cover.close_rear("Outside back", OUTSIDE_BACK, "Outside back at the arm", pressure=0.04)
     cover.close_rear("Arm right rear", ARM_RIGHT_REAR)
     cover.close_rear("Arm left rear", ARM_LEFT_REAR)
     arrange(cover)

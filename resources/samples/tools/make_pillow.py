@@ -51,14 +51,14 @@ def main():
                     "--comment", COMMENT], check=True)
     position, rotation = lying_frame(mesh)
 
-    width, height, pressure = 640, 420, 0.15
+    width, height, pressure = 600, 385, 0.3
     elements = [
         {"id": 1, "kind": "fabric", "name": "Linen", "poisson": 0.3, "stiffness": 1, "bending_length": 7,
          "color": "#b9a27c"},
         {"id": 2, "kind": "patch", "name": "Front", "fabric": 1, "position": [0, 0], "pressure": pressure,
-         "outline": outline(width, height, 12)},
+         "outline": outline(width, height, 15)},
         {"id": 3, "kind": "patch", "name": "Back", "fabric": 1, "position": [width + GAP, 0], "pressure": pressure,
-         "outline": outline(width, height, 12)},
+         "outline": outline(width, height, 15)},
     ]
     # The back is seen from behind: its left edge belongs to the right edge of the front.
     corner = [0, 3, 6, 9, 12]

@@ -15,7 +15,7 @@ def trapezoid():
     corners = [(-lower / 2, 0, 0), (lower / 2, 0, 0), (size / 2, 0, height), (-size / 2, 0, height)]
     corners = [[tidy(c) for c in corner] for corner in corners]
     elements = [
-        {"id": 1, "kind": "fabric", "name": "Soft leather", "poisson": 0.3, "stiffness": 1, "bending_length": 3,
+        {"id": 1, "kind": "fabric", "name": "Soft leather", "poisson": 0.3, "stiffness": 1, "bending_length": 2,
          "color": "#a8743f"},
         {"id": 2, "kind": "patch", "name": "Square", "fabric": 1, "outline": rectangle(size, size)},
         {"id": 3, "kind": "fixation_curve", "name": "Trapezoid", "curve": polygon(*corners)},
@@ -23,7 +23,7 @@ def trapezoid():
     for side in range(4):
         elements.append({"id": 4 + side, "kind": "fixation_seam", **stretch(2, side, side + 1), "curve": 3,
                          "curve_from": side, "curve_to": side + 1})
-    write(SAMPLES / "trapezoid" / "trapezoid.json", elements, 6)
+    write(SAMPLES / "trapezoid" / "trapezoid.json", elements, 5)
 
 
 def circle(circumference, height, count=24):
