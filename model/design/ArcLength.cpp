@@ -58,7 +58,7 @@ ArcLength<Dim>::ArcLength(const BSpline<Dim>& curve)
     , m_lengths{0}
 {
     const std::vector<BezierPiece<Dim>> spans = bezierPieces(curve);
-    const double tolerance = 1e-12 * controlPolygonLength(spans);
+    const double tolerance = 1e-10 * controlPolygonLength(spans);
     for (const BezierPiece<Dim>& span : spans)
         appendAccurate(span, tolerance, 20, m_pieces, m_lengths);
 }

@@ -97,8 +97,14 @@ double BSpline<Dim>::knot(int index) const
     const int n = pointCount();
     if (!m_closed || (index >= 0 && index <= n))
         return m_knots[static_cast<std::size_t>(index)];
-    const int turns = index < 0 ? -((n - 1 - index) / n) : index / n;
-    return m_knots[static_cast<std::size_t>(index - turns * n)] + turns * period();
+    int turns = index < 0 ? -((n - 1 - index) / n) : index / n;
+    const double value = m_knots[static_cast<std::size_t>(index - turns * n)];
+    if (value != m_knots.front() && value != m_knots.back())
+        return value + turns * period();
+    // Knots at the start, all equal in spite of rounding.
+    if (value == m_knots.back())
+        ++turns;
+    return turns > 0 ? m_knots.back() + (turns - 1) * period() : m_knots.front() + turns * period();
 }
 
 // The m with u_m <= t < u_(m+1); at the end of an open curve the last span. t lies in the domain.

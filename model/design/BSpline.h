@@ -87,8 +87,11 @@ public:
     /// Knot insertion: the same shape with one more control point; every parameter stays valid.
     /// Returns *this when t already has multiplicity d.
     BSpline withKnot(double t) const;
-    /// One control point less, with the least change of shape (least squares in the control points); the domain
-    /// stays. Nothing when too few points would remain.
+    /// One control point less, with the least change of shape (least squares in the control points). Corners and
+    /// the ends of an open curve stay where they are, unless the point itself is a corner: that becomes smoother.
+    /// The period stays; only when the knot at the start of a closed curve goes does the domain begin at the
+    /// next knot, every parameter keeping its place. Nothing when too few points would remain, or when the point
+    /// only shapes the curve between two corners or ends that have no others between them.
     std::optional<BSpline> withoutPoint(int i) const;
     /// The open part from t0 to t1 (closed curves: passing the start if t1 <= t0), parameters kept up to
     /// a period.
@@ -110,6 +113,8 @@ private:
     int pointIndex(int basis) const;
     double knot(int index) const;
     double nearestKnot(double t) const;
+    BSpline startingAtKnot(int index) const;
+    BSpline withoutKnot(double place, int removed, double& change) const;
     int spanAt(double t) const;
     int multiplicity(double knotValue) const;
     std::array<Point, 4> localPoints(int span) const;

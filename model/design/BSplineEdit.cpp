@@ -7,9 +7,72 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace bolster {
+
+namespace {
+
+/// Least squares for a few points of a curve, the free ones, from equations a P_i + b P_j = target.
+template <int Dim>
+class PointFit {
+public:
+    using Point = Eigen::Matrix<double, Dim, 1>;
+
+    explicit PointFit(int pointCount)
+        : m_column(static_cast<std::size_t>(pointCount), -1)
+    {}
+
+    void free(int point)
+    {
+        int& column = m_column[static_cast<std::size_t>(point)];
+        if (column < 0)
+            column = m_columns++;
+    }
+
+    /// Points that are not free count with their present places. Indices with weight 0 may be out of range.
+    void require(const std::vector<Point>& points, int i, double a, int j, double b, Point target)
+    {
+        Eigen::Vector4d row = Eigen::Vector4d::Zero();
+        for (const auto& [point, weight] : {std::pair(i, a), std::pair(j, b)}) {
+            if (weight == 0)
+                continue;
+            if (const int column = m_column[static_cast<std::size_t>(point)]; column >= 0)
+                row[column] += weight;
+            else
+                target -= weight * points[static_cast<std::size_t>(point)];
+        }
+        m_rows.push_back(row);
+        m_targets.push_back(target);
+    }
+
+    /// Places the free points; returns the sum of the squared residuals.
+    double solve(std::vector<Point>& points) const
+    {
+        Eigen::MatrixXd matrix(m_rows.size(), m_columns);
+        Eigen::MatrixXd targets(m_rows.size(), Dim);
+        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+            matrix.row(i) = m_rows[static_cast<std::size_t>(i)].head(m_columns).transpose();
+            targets.row(i) = m_targets[static_cast<std::size_t>(i)].transpose();
+        }
+        if (m_columns == 0)
+            return targets.squaredNorm();
+        const Eigen::MatrixXd found = matrix.colPivHouseholderQr().solve(targets);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (m_column[i] >= 0)
+                points[i] = found.row(m_column[i]).transpose();
+        return (matrix * found - targets).squaredNorm();
+    }
+
+private:
+    std::vector<int> m_column; // of each point, -1: not free
+    int m_columns = 0;         // at most degree + 1
+    std::vector<Eigen::Vector4d> m_rows;
+    std::vector<Point> m_targets;
+};
+
+} // namespace
 
 // Boehm's algorithm. With u_m <= t < u_(m+1) and t of multiplicity s already, only the bases m-d+1 to m-s mix two
 // points; those above move up by one.
@@ -126,10 +189,87 @@ BSpline<Dim> BSpline<Dim>::reversed() const
     return BSpline(m_degree, m_closed, std::move(points), std::move(knots));
 }
 
+// The same closed curve with its start at another knot.
 template <int Dim>
-std::optional<BSpline<Dim>> BSpline<Dim>::withoutPoint(int) const
+BSpline<Dim> BSpline<Dim>::startingAtKnot(int index) const
 {
-    return std::nullopt;
+    BSpline turned = *this;
+    const int n = pointCount();
+    for (int i = 0; i < n; ++i) {
+        turned.m_knots[static_cast<std::size_t>(i)] = knot(i + index);
+        turned.m_points[static_cast<std::size_t>(i)] =
+            m_points[static_cast<std::size_t>(((i + index) % n + n) % n)];
+    }
+    turned.m_knots[static_cast<std::size_t>(n)] = knot(n + index);
+    return turned;
+}
+
+// One copy of a knot less. Inserting it again would mix a few points of the result, Q_(m-d) to Q_(m-s), into those
+// of this curve: they are found by least squares, the others stay. So do corners and the ends of an open curve,
+// except the point `removed`. `change` becomes the sum of the squared residuals.
+template <int Dim>
+BSpline<Dim> BSpline<Dim>::withoutKnot(double place, int removed, double& change) const
+{
+    const int d = m_degree;
+    const int n = pointCount();
+    if (m_closed && place == domainStart() && knot(1) != place) {
+        // A knot is removed behind one of the same value or behind another one: turn until there is one in front.
+        const bool single = multiplicity(place) == 1;
+        const int turn = single ? 1 : -1;
+        return startingAtKnot(turn).withoutKnot(single ? domainEnd() : place, removed - turn, change);
+    }
+    BSpline reduced = *this;
+    reduced.m_knots.erase(std::upper_bound(m_knots.begin(), m_knots.begin() + n, place) - 1 - m_knots.begin() +
+                          reduced.m_knots.begin());
+    reduced.m_points.pop_back();
+    const int m = reduced.spanAt(place);
+    const int s = multiplicity(place) - 1;
+    const int first = m - d;
+    const int last = m - s;
+    for (int j = m_closed ? m - n + 1 : 0; j < (m_closed ? m + 1 : n); ++j)
+        if (j <= first || j > last)
+            reduced.m_points[static_cast<std::size_t>(reduced.pointIndex(j > last ? j - 1 : j))] =
+                m_points[static_cast<std::size_t>(pointIndex(j))];
+
+    const auto stays = [&](int basis) {
+        return knot(basis + 1) == knot(basis + d) && pointIndex(basis) != (removed % n + n) % n;
+    };
+    PointFit<Dim> fit(reduced.pointCount());
+    for (int q = first; q <= last; ++q)
+        if (!(q == first && stays(first)) && !(q == last && stays(last + 1)))
+            fit.free(reduced.pointIndex(q));
+    for (int j = first; j <= last + 1; ++j) { // P_j = alpha Q_j + (1 - alpha) Q_(j-1)
+        const double low = reduced.knot(j);
+        const double alpha = j == first ? 1 : j > last ? 0 : (place - low) / (reduced.knot(j + d) - low);
+        fit.require(reduced.m_points, reduced.pointIndex(j), alpha, reduced.pointIndex(j - 1), 1 - alpha,
+                    m_points[static_cast<std::size_t>(pointIndex(j))]);
+    }
+    change = fit.solve(reduced.m_points);
+    return reduced;
+}
+
+template <int Dim>
+std::optional<BSpline<Dim>> BSpline<Dim>::withoutPoint(int i) const
+{
+    if (pointCount() <= (m_closed ? 3 : m_degree + 1))
+        return std::nullopt;
+    std::optional<BSpline> best;
+    double least = std::numeric_limits<double>::infinity();
+    const int basis = i - shift();
+    const bool isCorner = knot(basis + 1) == knot(basis + m_degree);
+    for (int k = 1; k <= m_degree; ++k) {
+        const double place = wrapped(knot(basis + k));
+        const bool end = !m_closed && (place == domainStart() || place == domainEnd());
+        if (end || (multiplicity(place) >= m_degree && !isCorner))
+            continue;
+        double change = 0;
+        BSpline reduced = withoutKnot(place, i, change);
+        if (change < least) {
+            least = change;
+            best = std::move(reduced);
+        }
+    }
+    return best;
 }
 
 template BSpline<2> BSpline<2>::withKnot(double) const;
@@ -140,6 +280,10 @@ template BSpline<2> BSpline<2>::reversed() const;
 template BSpline<3> BSpline<3>::reversed() const;
 template std::optional<BSpline<2>> BSpline<2>::withoutPoint(int) const;
 template std::optional<BSpline<3>> BSpline<3>::withoutPoint(int) const;
+template BSpline<2> BSpline<2>::startingAtKnot(int) const;
+template BSpline<3> BSpline<3>::startingAtKnot(int) const;
+template BSpline<2> BSpline<2>::withoutKnot(double, int, double&) const;
+template BSpline<3> BSpline<3>::withoutKnot(double, int, double&) const;
 template double BSpline<2>::nearestKnot(double) const;
 template double BSpline<3>::nearestKnot(double) const;
 

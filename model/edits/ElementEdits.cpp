@@ -1,3 +1,98 @@
 #include "ElementEdits.h"
 
-namespace bolster::edits {} // namespace bolster::edits
+#include "EditHelpers.h"
+
+namespace bolster::edits {
+
+namespace {
+
+Message addVerb(const Element& element)
+{
+    static constexpr std::array<const char*, std::variant_size_v<Element>> keys = {
+        QT_TRANSLATE_NOOP("Message", "Change the settings"),
+        QT_TRANSLATE_NOOP("Message", "Add fabric %1"),
+        QT_TRANSLATE_NOOP("Message", "Add patch %1"),
+        QT_TRANSLATE_NOOP("Message", "Add a seam"),
+        QT_TRANSLATE_NOOP("Message", "Add fixation curve %1"),
+        QT_TRANSLATE_NOOP("Message", "Add a fixation seam"),
+        QT_TRANSLATE_NOOP("Message", "Add frame %1"),
+        QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
+    };
+    return {keys[element.index()], {elementName(element)}};
+}
+
+bool refersTo(const Element& element, const std::set<ElementId>& ids)
+{
+    if (const auto* seam = std::get_if<Seam>(&element))
+        return ids.contains(seam->a.patch) || ids.contains(seam->b.patch);
+    if (const auto* fixation = std::get_if<FixationSeam>(&element))
+        return ids.contains(fixation->stretch.patch) || ids.contains(fixation->curve);
+    return false;
+}
+
+} // namespace
+
+Edit addElement(const Design& design, ElementPtr element)
+{
+    if (!element || std::holds_alternative<Settings>(*element))
+        return {};
+    Edit edit{addVerb(*element), {}};
+    edit.changes.push_back({design.nextId(), nullptr, std::move(element)});
+    return edit;
+}
+
+Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb)
+{
+    const ElementPtr before = design.element(id);
+    const bool settings = element && std::holds_alternative<Settings>(*element);
+    if (!before || !element || settings != (id == settingsId) || *before == *element)
+        return {};
+    return {std::move(verb), {{id, before, std::move(element)}}};
+}
+
+Edit renameElement(const Design& design, ElementId id, const std::string& name)
+{
+    const ElementPtr before = design.element(id);
+    if (!before)
+        return {};
+    Element renamed = *before;
+    std::visit(
+        [&](auto& value) {
+            if constexpr (requires { value.name; })
+                value.name = name;
+        },
+        renamed);
+    return replaceElement(design, id, std::make_shared<const Element>(std::move(renamed)),
+                          {QT_TRANSLATE_NOOP("Message", "Rename %1 to %2"), {displayName(design, id), name}});
+}
+
+Edit removeElements(const Design& design, std::span<const ElementId> ids)
+{
+    std::set<ElementId> removed;
+    for (const ElementId id : ids)
+        if (id != settingsId && design.element(id))
+            removed.insert(id);
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (!removed.contains(id) && design.find<Fabric>(patch.fabric))
+            removed.erase(patch.fabric);
+    });
+    if (removed.empty())
+        return {};
+
+    Edit edit;
+    if (removed.size() == 1)
+        edit.verb = {QT_TRANSLATE_NOOP("Message", "Remove %1"), {displayName(design, *removed.begin())}};
+    else
+        edit.verb = {QT_TRANSLATE_NOOP("Message", "Remove %1 elements"), {std::to_string(removed.size())}};
+    for (const auto& [id, element] : design.elements())
+        if (removed.contains(id) || refersTo(*element, removed))
+            edit.changes.push_back({id, element, nullptr});
+    return edit;
+}
+
+Edit changeSettings(const Design& design, const Settings& settings)
+{
+    return replaceWith(design, settingsId, settings, {QT_TRANSLATE_NOOP("Message", "Change the settings")});
+}
+
+} // namespace bolster::edits
