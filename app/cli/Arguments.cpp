@@ -1,0 +1,88 @@
+#include "Arguments.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace bolster::cli {
+namespace {
+
+/// Refuses numbers with anything behind them, too, and NaN through the comparison.
+template <class Number>
+Number parsed(std::string_view option, const std::string& text, Number least, Number most)
+{
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end)
+        throw UsageError(std::string(option) + " needs a number, not \"" + text + "\"");
+    if (!(value >= least && value <= most))
+        throw UsageError(std::string(option) + " cannot be " + text);
+    return value;
+}
+
+} // namespace
+
+Arguments::Arguments(std::span<const std::string> words, std::span<const OptionRule> rules)
+{
+    bool optionsEnded = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (optionsEnded || word.size() < 2 || word[0] != '-') {
+            m_positional.push_back(word);
+            continue;
+        }
+        if (word == "--") {
+            optionsEnded = true;
+            continue;
+        }
+        const std::size_t equals = word.find('=');
+        const std::string name = word.substr(0, equals);
+        const auto rule =
+            std::find_if(rules.begin(), rules.end(), [&](const OptionRule& r) { return r.name == name; });
+        if (rule == rules.end() || (!rule->takesValue && equals != std::string::npos))
+            throw UsageError("unknown option \"" + word + "\"");
+        std::string text;
+        if (rule->takesValue && equals != std::string::npos)
+            text = word.substr(equals + 1);
+        else if (rule->takesValue && i + 1 < words.size())
+            text = words[++i];
+        if (rule->takesValue && text.empty())
+            throw UsageError(name + " needs a value");
+        if (!m_options.emplace(name, text).second)
+            throw UsageError(name + " is given twice");
+    }
+}
+
+QString Arguments::path(std::string_view option) const
+{
+    return QString::fromStdString(value(option).value_or(""));
+}
+
+double Arguments::number(std::string_view option, double fallback, double least, double most) const
+{
+    const auto text = value(option);
+    return text ? parsed(option, *text, least, most) : fallback;
+}
+
+int Arguments::integer(std::string_view option, int fallback, int least, int most) const
+{
+    const auto text = value(option);
+    return text ? parsed(option, *text, least, most) : fallback;
+}
+
+QString Arguments::onlyFile(const std::string& what) const
+{
+    if (m_positional.empty())
+        throw UsageError(what + " is missing");
+    if (m_positional.size() > 1)
+        throw UsageError("unexpected argument \"" + m_positional[1] + "\"");
+    return QString::fromStdString(m_positional.front());
+}
+
+std::optional<std::string> Arguments::value(std::string_view option) const
+{
+    const auto found = m_options.find(option);
+    return found == m_options.end() ? std::nullopt : std::optional(found->second);
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,36 @@
+#include "Commands.h"
+#include "DesignFile.h"
+#include "Output.h"
+#include "RestingSolve.h"
+
+#include <algorithm>
+
+namespace bolster::cli {
+
+const char* const checkHelp = R"(Usage: bolster check DESIGN
+
+Reads a design (JSON) and the frames it names, and reports everything that is
+wrong with it: one line for each problem on stderr, with element and field, and
+the number of errors and warnings on stdout.
+
+Exit code:
+  0  no errors (warnings do not count)
+  2  at least one error, or DESIGN cannot be read
+)";
+
+int check(std::span<const std::string> words)
+{
+    const QString path = Arguments(words, {}).onlyFile("DESIGN");
+    OpenedDesign opened = openDesign(path);
+    if (opened.readable)
+        for (const Problem& problem : checkSolvable(opened.design))
+            if (std::find(opened.problems.begin(), opened.problems.end(), problem) == opened.problems.end())
+                opened.problems.push_back(problem);
+    std::stable_sort(opened.problems.begin(), opened.problems.end(),
+                     [](const Problem& a, const Problem& b) { return a.element < b.element; });
+    printProblems(opened.problems);
+    printResult(countedProblems(opened.problems));
+    return hasErrors(opened.problems) ? badInput : done;
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,87 @@
+#include "CommandLine.h"
+
+#include "Commands.h"
+#include "Output.h"
+
+#include <QFileInfo>
+
+#include <cstdio>
+#include <new>
+
+namespace bolster {
+namespace {
+
+const char* const help = R"(Usage: bolster [DESIGN]             open the workbench
+       bolster solve DESIGN ...     solve a design and write the cover
+       bolster check DESIGN         report everything that is wrong with a design
+       bolster COMMAND --help       explain a command
+       bolster --version            print the version
+
+Bolster turns a sewing pattern, its seams and the curves that hold it on a frame
+into a 3D cover.
+)";
+
+struct Command {
+    std::string_view name;
+    const char* help;
+    int (*run)(std::span<const std::string> words);
+};
+
+const Command commands[] = {{"solve", cli::solveHelp, cli::solve}, {"check", cli::checkHelp, cli::check}};
+
+int run(const Command& command, std::span<const std::string> words)
+{
+    const std::string name = "bolster " + std::string(command.name);
+    for (const std::string& word : words) {
+        if (word == "--help" || word == "-h") {
+            std::fputs(command.help, stdout);
+            return cli::done;
+        }
+    }
+    try {
+        return command.run(words);
+    } catch (const cli::UsageError& error) {
+        cli::printError(name + ": " + error.what());
+        cli::printError("Try \"" + name + " --help\".");
+        return cli::badInput;
+    } catch (const std::bad_alloc&) {
+        cli::printError(name + ": there is not enough memory for this design");
+    } catch (const std::exception& error) {
+        cli::printError(name + ": " + error.what());
+    }
+    return cli::otherFailure;
+}
+
+/// A word that is neither a file nor looks like one is a mistyped command, not a design to open.
+bool looksLikeCommand(const std::string& word)
+{
+    return word.find_first_of("-./\\:") == std::string::npos && !QFileInfo::exists(QString::fromStdString(word));
+}
+
+} // namespace
+
+std::optional<int> runCommandLine(int argc, char** argv)
+{
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (words.empty())
+        return std::nullopt;
+    const std::string& first = words.front();
+    if (first == "--help" || first == "-h") {
+        std::fputs(help, stdout);
+        return cli::done;
+    }
+    if (first == "--version") {
+        std::puts("bolster " BOLSTER_VERSION);
+        return cli::done;
+    }
+    for (const Command& command : commands)
+        if (command.name == first)
+            return run(command, std::span(words).subspan(1));
+    if (!looksLikeCommand(first))
+        return std::nullopt;
+    cli::printError("bolster: unknown command \"" + first + "\"");
+    cli::printError("Try \"bolster --help\".");
+    return cli::badInput;
+}
+
+} // namespace bolster

@@ -1,0 +1,49 @@
+#include "Output.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bolster::cli {
+namespace {
+
+void print(std::FILE* stream, std::string line)
+{
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), stream);
+    std::fflush(stream);
+}
+
+} // namespace
+
+void printResult(const std::string& line)
+{
+    print(stdout, line);
+}
+
+void printError(const std::string& line)
+{
+    print(stderr, line);
+}
+
+void printProblems(const Problems& problems)
+{
+    for (const Problem& problem : problems)
+        printError((problem.severity == Severity::Error ? "error: " : "warning: ") + problem.english());
+}
+
+std::string counted(std::int64_t count, const std::string& thing)
+{
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string countedProblems(const Problems& problems)
+{
+    const auto errors = std::count_if(problems.begin(), problems.end(),
+                                      [](const Problem& problem) { return problem.severity == Severity::Error; });
+    return counted(errors, "error") + ", " +
+           counted(static_cast<std::int64_t>(problems.size()) - errors, "warning");
+}
+
+} // namespace bolster::cli

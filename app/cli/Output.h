@@ -1,0 +1,24 @@
+// Lines for people and scripts.
+#pragma once
+
+#include "Problem.h"
+
+#include <cstdint>
+#include <string>
+
+namespace bolster::cli {
+
+/// One line on stdout or stderr. Control characters, which names in a design may hold, are replaced.
+void printResult(const std::string& line);
+void printError(const std::string& line);
+
+/// One line each on stderr: "error: patch 2 "Seat", outline.points: ..."
+void printProblems(const Problems& problems);
+
+/// "1 seam", "2 seams"
+std::string counted(std::int64_t count, const std::string& thing);
+
+/// "1 error, 2 warnings"
+std::string countedProblems(const Problems& problems);
+
+} // namespace bolster::cli

@@ -1,0 +1,79 @@
+#include "ReportJson.h"
+
+#include <nlohmann/json.hpp>
+
+namespace bolster::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* statusWord(SolveResult::Status status)
+{
+    switch (status) {
+    case SolveResult::Status::Solved:
+        return "solved";
+    case SolveResult::Status::NotConverged:
+        return "not_converged";
+    case SolveResult::Status::Failed:
+    case SolveResult::Status::Cancelled:
+        break;
+    }
+    return "failed";
+}
+
+Json json(const Problems& problems)
+{
+    Json list = Json::array();
+    for (const Problem& problem : problems)
+        list.push_back({{"element", number(problem.element)},
+                        {"label", problem.label},
+                        {"field", problem.field},
+                        {"message", problem.message.english()}});
+    return list;
+}
+
+Json json(const SolveReport::MaxMean& value)
+{
+    return {{"max", value.max}, {"mean", value.mean}};
+}
+
+} // namespace
+
+std::string reportJson(const SolveResult& result)
+{
+    const SolveReport& report = result.report;
+    const Json root = {
+        {"status", statusWord(result.status)},
+        {"reason", result.reason.english()},
+        {"warnings", json(result.warnings)},
+        {"left_out", json(result.leftOut)},
+        {"vertices", report.vertices},
+        {"triangles", report.triangles},
+        {"patches", report.patches},
+        {"seams", report.seams},
+        {"constraints",
+         {{"fixed", report.constraints.fixed},
+          {"sewn", report.constraints.sewn},
+          {"orientation", report.constraints.orientation},
+          {"ghost", report.constraints.ghost}}},
+        {"iterations", report.iterations},
+        {"movement", report.movement},
+        {"seam_gap_mm", json(report.seamGap)},
+        {"fixation_error_mm", json(report.fixationError)},
+        {"fixation_deviation_mm", {{"max", report.fixationDeviation}}},
+        {"strain", {{"max", report.strain.max}, {"p99", report.strain.p99}, {"rms", report.strain.rms}}},
+        {"area_mm2", report.area},
+        {"rest_area_mm2", report.restArea},
+        {"flipped_triangles", report.flippedTriangles},
+        {"time_ms",
+         {{"triangulate", report.time.triangulate},
+          {"assemble", report.time.assemble},
+          {"factor", report.time.factor},
+          {"iterate", report.time.iterate},
+          {"per_iteration", report.time.perIteration},
+          {"total", report.time.total}}},
+    };
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,160 @@
+#include "Commands.h"
+#include "DesignFile.h"
+#include "Interrupt.h"
+#include "Output.h"
+#include "RestingSolve.h"
+#include "SolveOutputs.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace bolster::cli {
+
+const char* const solveHelp = R"(Usage: bolster solve DESIGN [options]
+
+Sews and stretches the pattern of a design (JSON) and writes the cover at rest:
+a function of the design alone, the same on every run and number of threads.
+
+Outputs:
+  --obj FILE            the cover as OBJ: millimetres, z up, a group per patch
+  --ply FILE            the cover as binary PLY
+  --image FILE.png      a picture of the cover with a checker
+  --report FILE.json    what the solver did, in numbers
+
+Options:
+  --tolerance X         distance to the limit at which the solve ends, relative to
+                        the size of the pattern (default 1e-6)
+  --max-iterations N    give up after N iterations (default 5000)
+  --threads N           use N threads (default 0: as many as the machine has)
+  --lenient             leave bad elements out instead of refusing the design
+
+Exit code:
+  0  solved
+  1  other failures: an output cannot be written, not enough memory, interrupted
+  2  the design is bad (see "bolster check"), or wrong usage
+  3  not converged; the outputs are written nevertheless
+)";
+
+namespace {
+
+constexpr std::array rules = {
+    OptionRule{"--obj", true},     OptionRule{"--ply", true},       OptionRule{"--image", true},
+    OptionRule{"--report", true},  OptionRule{"--tolerance", true}, OptionRule{"--max-iterations", true},
+    OptionRule{"--threads", true}, OptionRule{"--lenient", false},
+};
+
+SolveOptions solveOptions(const Arguments& arguments)
+{
+    SolveOptions options;
+    constexpr double smallest = std::numeric_limits<double>::min();
+    options.tolerance = arguments.number("--tolerance", options.tolerance, smallest, 1);
+    options.maxIterations =
+        arguments.integer("--max-iterations", options.maxIterations, 1, std::numeric_limits<int>::max());
+    options.threads = arguments.integer("--threads", options.threads, 0, 1024);
+    options.lenient = arguments.has("--lenient");
+    return options;
+}
+
+std::string firstOf(const Problems& problems)
+{
+    const auto errors = std::count_if(problems.begin(), problems.end(),
+                                      [](const Problem& problem) { return problem.severity == Severity::Error; });
+    for (const Problem& problem : problems)
+        if (problem.severity == Severity::Error)
+            return problem.english() + (errors > 1 ? " (and " + std::to_string(errors - 1) + " more)" : "");
+    return {};
+}
+
+Problems withSeverity(const Problems& problems, Severity severity)
+{
+    Problems found;
+    std::copy_if(problems.begin(), problems.end(), std::back_inserter(found),
+                 [&](const Problem& problem) { return problem.severity == severity; });
+    return found;
+}
+
+void add(Problems& problems, const Problems& more)
+{
+    for (const Problem& problem : more)
+        if (std::find(problems.begin(), problems.end(), problem) == problems.end())
+            problems.push_back(problem);
+}
+
+/// Solves as strictly as asked; what reading and checking found goes into the result.
+SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
+{
+    SolveResult result;
+    if (!opened.readable || (hasErrors(opened.problems) && !options.lenient)) {
+        result.reason = {firstOf(opened.problems), {}};
+        result.errors = withSeverity(opened.problems, Severity::Error);
+    } else {
+        result = solveResting(opened.design, options, std::move(stop));
+        if (result.status == SolveResult::Status::Cancelled)
+            result.reason = {"interrupted", {}};
+        for (const Problem& problem : withSeverity(opened.problems, Severity::Error))
+            if (std::none_of(result.leftOut.begin(), result.leftOut.end(),
+                             [&](const Problem& known) { return known.element == problem.element; }))
+                result.leftOut.push_back(problem);
+    }
+    add(result.warnings, withSeverity(opened.problems, Severity::Warning));
+    return result;
+}
+
+void printSummary(const SolveResult& result)
+{
+    const SolveReport& report = result.report;
+    const bool solved = result.status == SolveResult::Status::Solved;
+    printResult((solved ? "solved in " : "not converged after ") + counted(report.iterations, "iteration") + ", " +
+                numberText(report.time.total / 1000, 3) + " s");
+    printResult(std::to_string(report.patches) + (report.patches == 1 ? " patch, " : " patches, ") +
+                counted(report.seams, "seam") + ", " + std::to_string(report.vertices) + " vertices, " +
+                counted(report.triangles, "triangle"));
+    printResult("strain " + numberText(100 * report.strain.rms, 3) + " % rms, " +
+                numberText(100 * report.strain.max, 3) + " % at most; fixation error " +
+                numberText(report.fixationError.max, 3) + " mm, seam gap " + numberText(report.seamGap.max, 3) +
+                " mm, " + counted(report.flippedTriangles, "flipped triangle"));
+}
+
+void printFindings(const SolveResult& result)
+{
+    printProblems(result.errors);
+    for (const Problem& problem : result.leftOut)
+        printError("left out: " + problem.english());
+    printProblems(result.warnings);
+    if (!result.reason.empty() && result.errors.empty())
+        printError("error: " + result.reason.english());
+}
+
+} // namespace
+
+int solve(std::span<const std::string> words)
+{
+    const Arguments arguments(words, rules);
+    const QString path = arguments.onlyFile("DESIGN");
+    const SolveOptions options = solveOptions(arguments);
+    const SolveOutputs outputs(arguments, options.threads);
+
+    const Interrupt interrupt;
+    const OpenedDesign opened = openDesign(path);
+    outputs.protectInputs(path, opened.design);
+    const SolveResult result = solveOpened(opened, options, interrupt.token());
+    printFindings(result);
+    if (result.surface)
+        printSummary(result);
+    const bool written = outputs.write(result, opened.design, interrupt.token());
+
+    switch (result.status) {
+    case SolveResult::Status::Solved:
+        return written ? done : otherFailure;
+    case SolveResult::Status::NotConverged:
+        return written ? notConverged : otherFailure;
+    case SolveResult::Status::Cancelled:
+        return otherFailure;
+    case SolveResult::Status::Failed:
+        break;
+    }
+    return result.errors.empty() ? otherFailure : badInput;
+}
+
+} // namespace bolster::cli

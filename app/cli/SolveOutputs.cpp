@@ -1,0 +1,114 @@
+#include "SolveOutputs.h"
+
+#include "Output.h"
+#include "PreviewRenderer.h"
+#include "ReportJson.h"
+#include "SurfaceExport.h"
+#include "WholeFile.h"
+
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <limits>
+#include <utility>
+
+namespace bolster::cli {
+namespace {
+
+/// One name for one file, however it is reached. Several outputs may go to the same device.
+QString resolved(const QString& path)
+{
+    const QFileInfo info(path);
+    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+}
+
+bool isDevice(const QString& path)
+{
+    return QFileInfo::exists(path) && !QFileInfo(path).isFile();
+}
+
+PreviewScene scene(const SurfaceMeshPtr& surface, const Design& design)
+{
+    PreviewScene scene;
+    scene.surface = surface;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        const Fabric* fabric = design.find<Fabric>(patch.fabric);
+        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
+    });
+    return scene;
+}
+
+/// Written into a temporary folder first, so that half a picture never takes the place of an older one.
+Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const PreviewOptions& options,
+                   const QString& path, std::stop_token stop)
+{
+    const auto view =
+        PreviewView::threeQuarter(surface->boundingBox(), static_cast<double>(options.width) / options.height);
+    const PreviewImage image = renderPreview(scene(surface, design), view, options, std::move(stop));
+    if (image.rgba.empty())
+        return {"\"%1\" was not drawn: interrupted", {path.toStdString()}};
+    const QTemporaryDir folder;
+    const QString temporary = folder.filePath("cover.png");
+    if (const std::string problem = writePng(image, temporary.toStdString()); !problem.empty())
+        return {"\"%1\" cannot be written: %2", {path.toStdString(), problem}};
+    const WholeFile png = readWholeFile(temporary, std::numeric_limits<int>::max());
+    return png.problem.empty() ? replaceWholeFile(path, png.bytes) : png.problem;
+}
+
+} // namespace
+
+SolveOutputs::SolveOutputs(const Arguments& arguments, int threads)
+    : m_threads(threads)
+{
+    std::map<QString, std::string> taken;
+    for (const char* const option : {"--obj", "--ply", "--image", "--report"}) {
+        if (!arguments.has(option))
+            continue;
+        const QString path = arguments.path(option);
+        m_paths.emplace(option, path);
+        const auto [other, isNew] = taken.emplace(resolved(path), option);
+        if (!isNew && !isDevice(path))
+            throw UsageError(other->second + " and " + option + " are the same file");
+    }
+}
+
+void SolveOutputs::protectInputs(const QString& designPath, const Design& design) const
+{
+    std::map<QString, std::string> inputs = {{resolved(designPath), "the design"}};
+    const QString folder = QFileInfo(designPath).absolutePath();
+    design.each<Frame>([&](ElementId, const Frame& frame) {
+        inputs.emplace(resolved(folder + "/" + QString::fromStdString(frame.file)),
+                       "the frame \"" + frame.file + "\"");
+    });
+    for (const auto& [option, path] : m_paths)
+        if (const auto input = inputs.find(resolved(path)); input != inputs.end() && QFileInfo(path).isFile())
+            throw UsageError(option + " would overwrite " + input->second);
+}
+
+bool SolveOutputs::write(const SolveResult& result, const Design& design, std::stop_token stop) const
+{
+    bool allWritten = true;
+    const auto write = [&](const std::string& option, auto writer) {
+        const auto found = m_paths.find(option);
+        if (found == m_paths.end())
+            return;
+        const Message problem = writer(found->second);
+        if (problem.empty())
+            printResult("wrote " + found->second.toStdString());
+        else
+            printError("error: " + problem.english());
+        allWritten = allWritten && problem.empty();
+    };
+    if (result.surface) {
+        PreviewOptions options;
+        options.threads = m_threads;
+        write("--obj", [&](const QString& path) { return exportObj(*result.surface, design, path); });
+        write("--ply", [&](const QString& path) { return exportPly(*result.surface, design, path); });
+        write("--image",
+              [&](const QString& path) { return writeImage(result.surface, design, options, path, stop); });
+    }
+    write("--report", [&](const QString& path) { return replaceWholeFile(path, reportJson(result)); });
+    return allWritten;
+}
+
+} // namespace bolster::cli
