@@ -1,5 +1,7 @@
 #include "LabelPlace.h"
 
+#include <QLineF>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,20 +12,26 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-/// At most `most` points of the polygon, evenly chosen, with x and y stretched.
-Points sampled(const QPolygonF& polygon, std::size_t most, double stretchX, double stretchY)
+/// Points at equal distances along the polygon, with x and y stretched.
+Points sampled(const QPolygonF& polygon, int count, double stretchX, double stretchY)
 {
-    const auto count = static_cast<std::size_t>(polygon.size());
-    const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
+    double around = 0;
+    for (qsizetype i = 1; i < polygon.size(); ++i)
+        around += QLineF(polygon[i - 1], polygon[i]).length();
     Points points;
-    for (std::size_t i = 0; i < count; i += step) {
-        const QPointF p = polygon[static_cast<qsizetype>(i)];
-        points.emplace_back(p.x() * stretchX, p.y() * stretchY);
+    double left = 0; // to the next point
+    for (qsizetype i = 1; i < polygon.size(); ++i) {
+        const QLineF edge(polygon[i - 1], polygon[i]);
+        for (; left < edge.length(); left += around / count) {
+            const QPointF p = edge.pointAt(left / edge.length());
+            points.emplace_back(p.x() * stretchX, p.y() * stretchY);
+        }
+        left -= edge.length();
     }
     return points;
 }
 
-/// Distance to the outline, negative outside.
+/// Half the size of the largest square around p that holds no point of the outline; negative outside.
 double depthInside(const Points& outline, const Vec2& p)
 {
     double nearest = INFINITY;
@@ -31,13 +39,12 @@ double depthInside(const Points& outline, const Vec2& p)
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
         const Vec2& a = outline[i];
         const Vec2& b = outline[j];
-        const Vec2 edge = b - a;
-        const double t = std::clamp((p - a).dot(edge) / std::max(edge.squaredNorm(), 1e-12), 0.0, 1.0);
-        nearest = std::min(nearest, (p - a - t * edge).squaredNorm());
-        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < edge.x() * (p.y() - a.y()) / edge.y() + a.x())
+        nearest = std::min(nearest, (p - a).cwiseAbs().maxCoeff());
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x())
             inside = !inside;
     }
-    return inside ? std::sqrt(nearest) : -std::sqrt(nearest);
+    return inside ? nearest : -nearest;
 }
 
 LabelPlace::Spot deepest(const Points& outline, Box2 box, int cells)
@@ -63,7 +70,7 @@ LabelPlace::Spot deepest(const Points& outline, Box2 box, int cells)
 
 LabelPlace::Spot search(const QPolygonF& outline, double stretchX, double stretchY)
 {
-    const Points points = sampled(outline, 120, stretchX, stretchY);
+    const Points points = sampled(outline, 160, stretchX, stretchY);
     if (points.size() < 3)
         return {};
     Box2 box;
@@ -78,7 +85,7 @@ LabelPlace::Spot search(const QPolygonF& outline, double stretchX, double stretc
 
 bool LabelPlace::fits(const Spot& spot, const QSizeF& text)
 {
-    return std::hypot(text.width() / 2 / aspect, text.height() / 2) <= spot.room;
+    return std::max(text.width() / 2 / aspect, text.height() / 2) <= spot.room;
 }
 
 LabelPlace LabelPlace::inside(const QPolygonF& outline)

@@ -12,9 +12,9 @@ namespace bolster {
 struct LabelPlace {
     struct Spot {
         Vec2 centre = Vec2::Zero(); ///< in the polygon's coordinates
-        double room = 0;            ///< half the height of the largest line of `aspect` that fits, roughly
+        double room = 0;            ///< half the height of the largest line of `aspect` that fits
     };
-    static constexpr double aspect = 4; ///< width to height of the line that is looked for
+    static constexpr double aspect = 3; ///< width to height of the line that is looked for
 
     Spot lying;
     Spot upright;

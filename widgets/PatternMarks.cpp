@@ -70,25 +70,27 @@ void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool cou
     painter.setPen(QPen(color, strong ? 1.8 : 1.1));
     painter.drawLines(ticks);
     painter.setBrush(Qt::NoBrush);
-    painter.strokePath(stretch, QPen(color, strong ? 3.2 : 2.2, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.strokePath(stretch, QPen(color, strong ? 3.4 : 2.4, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
 }
 
-void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, const QColor& color, const QColor& halo,
+void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, bool leftIsInside, const QColor& color,
                     bool strong)
 {
     const Walk walk(stretch);
-    if (walk.length() < 26)
+    if (walk.length() < 30)
         return;
-    const Spot spot = walk.at(walk.length() / 2);
-    const double size = strong ? 7 : 5.5;
-    const QPointF across(-spot.along.y(), spot.along.x());
-    QPainterPath arrow(spot.at + spot.along * size);
-    arrow.lineTo(spot.at - spot.along * size * 0.8 + across * size * 0.85);
-    arrow.lineTo(spot.at - spot.along * size * 0.35);
-    arrow.lineTo(spot.at - spot.along * size * 0.8 - across * size * 0.85);
+    // Not in the middle: there it would meet the label, and in narrow patches the arrow of the other side.
+    const Spot spot = walk.at(walk.length() / 3);
+    const double size = strong ? 6 : 4.5;
+    // Pixels run downwards: there the left of the layout is (y, -x).
+    const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (leftIsInside ? 1 : -1);
+    const QPointF centre = spot.at + inward * (strong ? 14 : 9);
+    QPainterPath arrow(centre + spot.along * size);
+    arrow.lineTo(centre - spot.along * size * 0.8 + inward * size * 0.8);
+    arrow.lineTo(centre - spot.along * size * 0.4);
+    arrow.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
     arrow.closeSubpath();
-    painter.strokePath(arrow, QPen(halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(arrow, color.darker(115));
+    painter.fillPath(arrow, color);
 }
 
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color)

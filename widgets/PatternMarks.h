@@ -8,11 +8,13 @@ class QPainter;
 
 namespace bolster {
 
-/// Short strokes on the outer side, as engineers draw what is held. `counterClockwise`: of the outline in the layout.
+/// Short strokes on the outer side, as engineers draw what is held. `counterClockwise`: of the outline in the
+/// layout.
 void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
                         bool strong);
-/// An arrow in the middle that says which way the seam runs.
-void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, const QColor& color, const QColor& halo,
+/// An arrow on the inner side that says which way the seam runs. `leftIsInside`: the patch lies to the left of the
+/// stretch as the seam walks it (in the layout, where y points up).
+void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, bool leftIsInside, const QColor& color,
                     bool strong);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);

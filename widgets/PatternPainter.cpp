@@ -92,10 +92,15 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     if (m_in.layers.seams)
         paintSeamBands(patch, outline);
 
-    const QColor line = bad ? colors.error : isSelected ? colors.accent : hovered(patch.id) ? colors.hover : colors.outline;
+    if (m_in.layers.seams)
+        paintFixations(patch);
+    const QColor line = bad                 ? colors.error
+                        : isSelected        ? colors.accent
+                        : hovered(patch.id) ? colors.hover
+                                            : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (m_in.layers.seams)
-        paintStretchMarks(patch);
+        paintSeamArrows(patch);
 }
 
 void PatternPainter::paintMesh(const PatternPatch& patch)
@@ -131,23 +136,31 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
     m_painter.restore();
 }
 
-void PatternPainter::paintStretchMarks(const PatternPatch& patch)
+void PatternPainter::paintFixations(const PatternPatch& patch)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
     for (const auto& [owner, stretch] : m_in.scene.stretches()) {
-        if (stretch.patch != patch.id)
+        if (stretch.patch != patch.id || !stretch.fixation)
             continue;
-        const bool strong = selected(owner) || hovered(owner);
-        const bool bad = m_in.problems.hasError(owner);
-        const QPainterPath path = inPixels(stretch.path);
-        if (stretch.fixation) {
-            const QColor color = bad ? m_in.colors.error
-                                 : selected(owner) ? m_in.colors.accent
-                                                   : m_in.colors.fixation;
-            paintFixationMarks(m_painter, path, counterClockwise, color, strong);
-        } else if (const auto color = m_in.seamColors.find(owner); color != m_in.seamColors.end()) {
-            paintSeamArrow(m_painter, path, bad ? m_in.colors.error : color->second, m_in.colors.canvas, strong);
-        }
+        const QColor color = m_in.problems.hasError(owner) ? m_in.colors.error
+                             : selected(owner)             ? m_in.colors.accent
+                                                           : m_in.colors.fixation;
+        paintFixationMarks(m_painter, inPixels(stretch.path), counterClockwise, color,
+                           selected(owner) || hovered(owner));
+    }
+}
+
+void PatternPainter::paintSeamArrows(const PatternPatch& patch)
+{
+    const bool counterClockwise = patch.patch().outline.signedArea() > 0;
+    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
+        const auto color = m_in.seamColors.find(owner);
+        if (stretch.patch != patch.id || color == m_in.seamColors.end())
+            continue;
+        const bool leftIsInside = counterClockwise != stretch.backwards;
+        paintSeamArrow(m_painter, inPixels(stretch.path), leftIsInside,
+                       m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
+                       selected(owner) || hovered(owner));
     }
 }
 
@@ -172,7 +185,7 @@ void PatternPainter::paintLabel(const PatternPatch& patch)
     const Vec2 extent = patch.patch().outline.boundingBox().sizes();
     const QString size = sizeText(extent.x(), extent.y());
     const QFontMetricsF small(m_in.font);
-    const QSizeF both(std::max(text.width(), small.horizontalAdvance(size) / scale), 2.2 * text.height());
+    const QSizeF both(std::max(text.width(), small.horizontalAdvance(size) / scale), 3.2 * text.height());
     const bool withSize = LabelPlace::fits(spot, both);
     m_painter.setFont(nameFont);
     m_painter.setPen(m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label);
@@ -197,7 +210,8 @@ void PatternPainter::paintGrain(const PatternPatch& patch, const LabelPlace::Spo
     const QPointF centre = m_in.transform.toPixels(spot.centre) + QPointF(0, below + 10 + length / 2);
     // Degrees counter-clockwise in the layout; pixels run downwards.
     const double angle = -(patch.patch().grain + patch.patch().rotation) * M_PI / 180;
-    paintGrainArrow(m_painter, centre, QPointF(std::cos(angle), std::sin(angle)) * length / 2, m_in.colors.mutedLabel);
+    paintGrainArrow(m_painter, centre, QPointF(std::cos(angle), std::sin(angle)) * length / 2,
+                    m_in.colors.mutedLabel);
 }
 
 void PatternPainter::paintSeamLinks()

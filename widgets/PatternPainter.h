@@ -58,7 +58,8 @@ private:
     void paintPatch(const PatternPatch& patch);
     void paintMesh(const PatternPatch& patch);
     void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);
-    void paintStretchMarks(const PatternPatch& patch);
+    void paintFixations(const PatternPatch& patch);
+    void paintSeamArrows(const PatternPatch& patch);
     void paintLabel(const PatternPatch& patch);
     void paintGrain(const PatternPatch& patch, const LabelPlace::Spot& spot, double below);
     void paintSeamLinks();

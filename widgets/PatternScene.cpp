@@ -130,11 +130,10 @@ void PatternScene::addStretch(ElementId owner, const Stretch& stretch, bool fixa
     const std::optional<double> to = endOf(stretch, on.outline);
     if (!to)
         return;
-    QPainterPath path =
-        curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
+    QPainterPath path = curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
     if (reversed)
         path = path.toReversed();
-    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, fixation, path});
+    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, fixation, reversed, path});
 }
 
 const PatternPatch* PatternScene::patch(ElementId id) const
@@ -215,8 +214,8 @@ std::optional<PatternHit> PatternScene::hitOutline(const Vec2& at, double tolera
     if (!best)
         return best;
     for (const auto& [owner, stretch] : m_stretches)
-        if (stretch.patch == best->patch
-            && stretch.contains(m_patches.at(best->patch).patch().outline, best->parameter))
+        if (stretch.patch == best->patch &&
+            stretch.contains(m_patches.at(best->patch).patch().outline, best->parameter))
             best->seam = owner;
     return best;
 }

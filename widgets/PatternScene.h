@@ -35,7 +35,8 @@ struct PatternStretch {
     double from = 0;
     double to = 0; ///< unwrapped: larger than `from`
     bool fixation = false;
-    QPainterPath path; ///< in the direction in which the seam walks it
+    bool backwards = false; ///< the seam walks it from `to` to `from`
+    QPainterPath path;      ///< in the direction in which the seam walks it
 
     bool contains(const BSpline2& outline, double parameter) const;
 };
@@ -46,8 +47,8 @@ struct PatternHit {
 
     Kind kind = Kind::Nothing;
     ElementId patch{};
-    int point = -1;           ///< Kind::Point
-    double parameter = 0;     ///< Kind::Outline
+    int point = -1;              ///< Kind::Point
+    double parameter = 0;        ///< Kind::Outline
     ElementId seam = settingsId; ///< Kind::Outline: the seam or fixation seam that runs there
 
     explicit operator bool() const { return kind != Kind::Nothing; }
@@ -70,8 +71,8 @@ public:
     /// Of patches, and of the patches at seams; empty when none of the ids lies in the layout.
     Box2 boundingBox(const std::set<ElementId>& ids) const;
 
-    /// Points before outlines before inside; upper patches before lower ones. `tolerance` in mm. Points are hit only
-    /// where `pointsShown`.
+    /// Points before outlines before inside; upper patches before lower ones. `tolerance` in mm. Points are hit
+    /// only where `pointsShown`.
     PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown) const;
 
 private:

@@ -1,0 +1,232 @@
+#include "ElementsView.h"
+
+#include "Document.h"
+#include "ElementsModel.h"
+#include "Icons.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "ViewColors.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPainter>
+#include <QScrollBar>
+#include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+namespace {
+
+/// Headings for kinds with their number, a sign for problems, and what lies under the pointer in any view.
+class ElementDelegate : public QStyledItemDelegate {
+public:
+    ElementDelegate(const Selection& selection, QObject* parent)
+        : QStyledItemDelegate(parent)
+        , m_selection(selection)
+    {}
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        return {QStyledItemDelegate::sizeHint(option, index).width(), option.fontMetrics.height() + 9};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        if (!index.parent().isValid()) {
+            paintHeading(*painter, option, index);
+            return;
+        }
+        const bool selected = option.state & QStyle::State_Selected;
+        const QVariant id = index.data(ElementsModel::ElementRole);
+        if (!selected && m_selection.hovered() == ElementId{id.toInt()})
+            painter->fillRect(option.rect, mixed(option.palette.color(QPalette::Base),
+                                                 option.palette.color(QPalette::Highlight), 0.14));
+        QStyleOptionViewItem shortened = option;
+        const int problem = index.data(ElementsModel::ProblemRole).toInt();
+        if (problem > 0)
+            shortened.rect.setRight(option.rect.right() - 22);
+        QStyledItemDelegate::paint(painter, shortened, index);
+        if (problem == 0)
+            return;
+        const ViewColors colors = ViewColors::of(option.palette);
+        const QColor sign = problem == 2 ? colors.error : QColor(0xd9, 0x8a, 0x00);
+        if (selected)
+            painter->fillRect(QRect(shortened.rect.right() + 1, option.rect.top(), 22, option.rect.height()),
+                              option.palette.brush(QPalette::Highlight));
+        const QRect place(option.rect.right() - 20, option.rect.center().y() - 7, 16, 16);
+        icon(problem == 2 ? QStringLiteral("error") : QStringLiteral("warning"),
+             selected ? option.palette.color(QPalette::HighlightedText) : sign)
+            .paint(painter, place);
+    }
+
+private:
+    static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
+    {
+        QFont font = option.font;
+        font.setWeight(QFont::DemiBold);
+        painter.save();
+        painter.setFont(font);
+        painter.setPen(option.palette.color(QPalette::Text));
+        const QString title = index.data().toString();
+        const QRect place = option.rect.adjusted(4, 0, -6, 0);
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, title);
+        painter.setFont(option.font);
+        painter.setPen(mixed(option.palette.color(QPalette::Base), option.palette.color(QPalette::Text), 0.5));
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignRight,
+                         QString::number(index.data(ElementsModel::CountRole).toInt()));
+        painter.restore();
+    }
+
+    const Selection& m_selection;
+};
+
+} // namespace
+
+ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_model(new ElementsModel(document, problems, this))
+    , m_filter(new QSortFilterProxyModel(this))
+    , m_tree(new QTreeView(this))
+{
+    m_filter->setSourceModel(m_model);
+    m_filter->setRecursiveFilteringEnabled(true);
+    m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    buildTree();
+
+    auto* search = new QLineEdit(this);
+    search->setPlaceholderText(tr("Find an element"));
+    search->setClearButtonEnabled(true);
+    search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+    connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
+        m_filter->setFilterFixedString(text);
+        restoreExpanded();
+    });
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    auto* top = new QVBoxLayout;
+    top->setContentsMargins(6, 6, 6, 6);
+    top->addWidget(search);
+    layout->addLayout(top);
+    layout->addWidget(m_tree);
+
+    connect(&selection, &Selection::changed, this, &ElementsView::selectInTree);
+    connect(&selection, &Selection::hoverChanged, m_tree->viewport(), qOverload<>(&QWidget::update));
+}
+
+void ElementsView::buildTree()
+{
+    m_tree->setModel(m_filter);
+    m_tree->setItemDelegate(new ElementDelegate(m_selection, m_tree));
+    m_tree->setHeaderHidden(true);
+    m_tree->setFrameShape(QFrame::NoFrame);
+    m_tree->setIndentation(16);
+    m_tree->setIconSize({16, 16});
+    m_tree->setUniformRowHeights(true);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_tree->setExpandsOnDoubleClick(false);
+    m_tree->setMouseTracking(true);
+    m_tree->viewport()->installEventFilter(this);
+
+    connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ElementsView::selectFromTree);
+    connect(m_tree, &QTreeView::entered, this, [this](const QModelIndex& index) {
+        m_selection.hover(ElementId{index.data(ElementsModel::ElementRole).toInt()});
+    });
+    connect(m_tree, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (index.parent().isValid() && !(index.flags() & Qt::ItemIsEditable))
+            emit shown(ElementId{index.data(ElementsModel::ElementRole).toInt()});
+    });
+    connect(m_tree, &QTreeView::collapsed, this, [this](const QModelIndex& index) {
+        if (!m_syncing)
+            m_collapsed.insert(index.data().toString());
+    });
+    connect(m_tree, &QTreeView::expanded, this, [this](const QModelIndex& index) {
+        if (!m_syncing)
+            m_collapsed.remove(index.data().toString());
+    });
+    // A list made anew stays where it was.
+    connect(m_filter, &QAbstractItemModel::modelReset, this, [this] {
+        const int scrolled = m_tree->verticalScrollBar()->value();
+        restoreExpanded();
+        selectInTree();
+        m_tree->verticalScrollBar()->setValue(scrolled);
+    });
+    restoreExpanded();
+}
+
+void ElementsView::restoreExpanded()
+{
+    m_syncing = true;
+    for (int row = 0; row < m_filter->rowCount(); ++row) {
+        const QModelIndex group = m_filter->index(row, 0);
+        m_tree->setExpanded(group, !m_collapsed.contains(group.data().toString()));
+    }
+    m_syncing = false;
+}
+
+QModelIndex ElementsView::indexOf(ElementId id) const
+{
+    return m_filter->mapFromSource(m_model->indexOf(id));
+}
+
+void ElementsView::selectInTree()
+{
+    if (m_syncing)
+        return;
+    m_syncing = true;
+    QItemSelection rows;
+    for (const ElementId id : m_selection.elements())
+        if (const QModelIndex index = indexOf(id); index.isValid())
+            rows.select(index, index);
+    m_tree->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    if (!rows.isEmpty()) {
+        const QModelIndex first = rows.indexes().front();
+        m_tree->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+        if (m_tree->isExpanded(first.parent()))
+            m_tree->scrollTo(first);
+    }
+    m_syncing = false;
+}
+
+void ElementsView::selectFromTree()
+{
+    if (m_syncing)
+        return;
+    m_syncing = true;
+    Selection::Elements elements;
+    for (const QModelIndex& index : m_tree->selectionModel()->selectedIndexes())
+        elements.insert(ElementId{index.data(ElementsModel::ElementRole).toInt()});
+    m_selection.set(std::move(elements));
+    m_syncing = false;
+}
+
+void ElementsView::reveal(ElementId id)
+{
+    if (const QModelIndex index = indexOf(id); index.isValid())
+        m_tree->expand(index.parent());
+    m_selection.set({id});
+}
+
+void ElementsView::rename(ElementId id)
+{
+    reveal(id);
+    const QModelIndex index = indexOf(id);
+    if (index.flags() & Qt::ItemIsEditable)
+        m_tree->edit(index);
+}
+
+bool ElementsView::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Leave)
+        m_selection.hover(settingsId);
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace bolster

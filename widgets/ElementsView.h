@@ -1,0 +1,53 @@
+// The list of the design's elements, its selection in step with the views.
+#pragma once
+
+#include "ElementId.h"
+
+#include <QSet>
+#include <QWidget>
+
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace bolster {
+
+class Document;
+class ElementsModel;
+class ProblemSet;
+class Selection;
+
+class ElementsView : public QWidget {
+    Q_OBJECT
+
+public:
+    ElementsView(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
+
+    QTreeView& tree() { return *m_tree; }
+    /// Opens the group, scrolls there and selects.
+    void reveal(ElementId id);
+    /// Starts renaming, if the element has a name.
+    void rename(ElementId id);
+
+signals:
+    /// A double click on something that cannot be renamed.
+    void shown(bolster::ElementId id);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void buildTree();
+    void selectInTree();
+    void selectFromTree();
+    void restoreExpanded();
+    QModelIndex indexOf(ElementId id) const;
+
+    Selection& m_selection;
+    ElementsModel* m_model;
+    QSortFilterProxyModel* m_filter;
+    QTreeView* m_tree;
+    QSet<QString> m_collapsed; ///< kinds that the user has closed
+    bool m_syncing = false;
+};
+
+} // namespace bolster

@@ -1,0 +1,102 @@
+#include "HistoryModel.h"
+
+#include "Document.h"
+#include "Translated.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <set>
+
+namespace bolster {
+
+HistoryModel::HistoryModel(Document& document, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_document(document)
+{
+    connect(&document, &Document::historyChanged, this, &HistoryModel::rebuild);
+    rebuild();
+}
+
+void HistoryModel::rebuild()
+{
+    const History& history = m_document.history();
+    const std::vector<NodeId> path = history.pathTo(history.current());
+    const std::set<NodeId> done(path.begin(), path.end());
+    beginResetModel();
+    m_rows.clear();
+    // Depth first with a stack of its own: a history may be much longer than the call stack.
+    struct Todo {
+        NodeId node;
+        int depth;
+        bool firstOfBranch;
+    };
+    std::vector<Todo> todo{{0, 0, false}};
+    while (!todo.empty()) {
+        const Todo next = todo.back();
+        todo.pop_back();
+        m_rows.push_back({next.node, next.depth, next.firstOfBranch, done.contains(next.node), 0});
+        const std::vector<NodeId>& children = history.node(next.node).children;
+        if (children.empty())
+            continue;
+        todo.push_back({children.back(), next.depth, false});
+        for (auto child = children.rbegin() + 1; child != children.rend(); ++child)
+            todo.push_back({*child, next.depth + 1, true});
+    }
+    // From below: a lane is open where a later row continues it.
+    quint32 lanes = 0;
+    for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+        row->lanes = lanes;
+        const quint32 own = 1U << std::min(row->depth, 31);
+        lanes = row->firstOfBranch ? lanes & ~own : lanes | own;
+    }
+    endResetModel();
+}
+
+int HistoryModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+QString HistoryModel::text(NodeId node) const
+{
+    if (node == 0)
+        return tr("Start");
+    const Message& verb = m_document.history().node(node).edit.verb;
+    return verb.empty() ? tr("Change") : translated(verb);
+}
+
+QVariant HistoryModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row.node);
+    case Qt::ToolTipRole:
+        return QLocale().toString(m_document.history().node(row.node).time.toLocalTime(), QLocale::ShortFormat);
+    case NodeRole:
+        return row.node;
+    case DepthRole:
+        return row.depth;
+    case CurrentRole:
+        return row.node == m_document.history().current();
+    case DoneRole:
+        return row.done;
+    case FirstOfBranchRole:
+        return row.firstOfBranch;
+    case LaneBitsRole:
+        return row.lanes;
+    default:
+        return {};
+    }
+}
+
+QModelIndex HistoryModel::indexOf(NodeId node) const
+{
+    const auto found = std::ranges::find(m_rows, node, &Row::node);
+    return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
+}
+
+} // namespace bolster

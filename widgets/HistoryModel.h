@@ -1,0 +1,49 @@
+// The tree of edits as lines for a list.
+#pragma once
+
+#include "History.h"
+
+#include <QAbstractListModel>
+
+namespace bolster {
+
+class Document;
+
+/// The newest branch runs straight down; an older one stands indented right below the edit where it began. The
+/// order never changes when the user moves in the history, so nothing jumps under the pointer.
+class HistoryModel : public QAbstractListModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        NodeRole = Qt::UserRole, ///< NodeId
+        DepthRole,               ///< 0: the newest branch, 1: beside it ...
+        CurrentRole,             ///< bool
+        DoneRole,                ///< bool: on the way from the start to the current edit
+        FirstOfBranchRole,       ///< bool: the line comes from a less indented one
+        LaneBitsRole,            ///< quint32: at which depths a line passes on downwards
+    };
+
+    explicit HistoryModel(Document& document, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QModelIndex indexOf(NodeId node) const;
+
+private:
+    struct Row {
+        NodeId node = 0;
+        int depth = 0;
+        bool firstOfBranch = false;
+        bool done = false;
+        quint32 lanes = 0;
+    };
+
+    void rebuild();
+    QString text(NodeId node) const;
+
+    Document& m_document;
+    std::vector<Row> m_rows;
+};
+
+} // namespace bolster

@@ -1,0 +1,50 @@
+#include "Inspector.h"
+
+#include "Document.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+
+#include <QApplication>
+
+namespace bolster {
+
+Inspector::Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
+    : QScrollArea(parent)
+    , m_forms(document, selection, problems, [this](ElementId id) { emit frameFileWanted(id); })
+{
+    setWidgetResizable(true);
+    setFrameShape(NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(&selection, &Selection::changed, this, &Inspector::rebuild);
+    connect(&document, &Document::changed, this, &Inspector::refresh);
+    connect(&problems, &ProblemSet::changed, this, &Inspector::refresh);
+    // What a form was made of (the list of fabrics) changes only with edits, not while something is dragged.
+    connect(&document, &Document::historyChanged, this, [this] {
+        if (!isAncestorOf(QApplication::focusWidget()))
+            rebuild();
+    });
+    rebuild();
+}
+
+void Inspector::rebuild()
+{
+    m_form = m_forms.make().release();
+    // The form that is replaced may be the sender of what led here.
+    if (QWidget* old = takeWidget())
+        old->deleteLater();
+    setWidget(m_form);
+}
+
+void Inspector::refresh()
+{
+    if (isVisible())
+        m_form->refresh();
+}
+
+void Inspector::showEvent(QShowEvent* event)
+{
+    m_form->refresh();
+    QScrollArea::showEvent(event);
+}
+
+} // namespace bolster

@@ -1,0 +1,32 @@
+// The properties of what is selected.
+#pragma once
+
+#include "InspectorForms.h"
+
+#include <QScrollArea>
+
+namespace bolster {
+
+/// One element: its properties; nothing: those of the whole design; several: how many they are.
+class Inspector : public QScrollArea {
+    Q_OBJECT
+
+public:
+    Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
+
+signals:
+    /// The user wants another mesh for this frame.
+    void frameFileWanted(bolster::ElementId frame);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void rebuild();
+    void refresh();
+
+    InspectorForms m_forms;
+    PropertyForm* m_form = nullptr;
+};
+
+} // namespace bolster

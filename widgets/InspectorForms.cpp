@@ -1,0 +1,346 @@
+#include "InspectorForms.h"
+
+#include "ArcLength.h"
+#include "CurveEdits.h"
+#include "Icons.h"
+#include "InspectorSubject.h"
+#include "PatchEdits.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <array>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double radiansPerDegree = M_PI / 180;
+
+// What the fields take; what is a good value, DesignCheck says.
+const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
+const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
+
+/// Turns about the fixed axes x, y, z, one after the other, in degrees.
+std::array<double, 3> anglesOf(const Quat& rotation)
+{
+    const Eigen::Matrix3d r = rotation.normalized().toRotationMatrix();
+    const double y = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
+    std::array<double, 3> angles{};
+    if (std::abs(r(2, 0)) < 1 - 1e-9)
+        angles = {std::atan2(r(2, 1), r(2, 2)), y, std::atan2(r(1, 0), r(0, 0))};
+    else
+        angles = {std::atan2(-r(1, 2), r(1, 1)), y, 0}; // x and z are the same axis then
+    for (double& angle : angles)
+        angle /= radiansPerDegree;
+    return angles;
+}
+
+Quat rotationOf(const std::array<double, 3>& degrees)
+{
+    const auto about = [&](std::size_t i) {
+        return Eigen::AngleAxisd(degrees[i] * radiansPerDegree, Vec3::Unit(static_cast<Eigen::Index>(i)));
+    };
+    return Quat(about(2) * about(1) * about(0)).normalized();
+}
+
+} // namespace
+
+InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
+                               std::function<void(ElementId)> chooseFrameFile)
+    : m_document(document)
+    , m_selection(selection)
+    , m_problems(problems)
+    , m_chooseFrameFile(std::move(chooseFrameFile))
+{}
+
+std::unique_ptr<PropertyForm> InspectorForms::make() const
+{
+    auto form = std::make_unique<PropertyForm>();
+    const Selection::Elements& elements = m_selection.elements();
+    if (elements.empty())
+        addSettings(*form);
+    else if (elements.size() == 1 && m_document.design().element(*elements.begin()))
+        addElement(*form, *elements.begin());
+    else
+        addSeveral(*form);
+    return form;
+}
+
+void InspectorForms::addSeveral(PropertyForm& form) const
+{
+    form.addHeading(tr("%n elements", nullptr, static_cast<int>(m_selection.elements().size())),
+                    icon(QStringLiteral("settings")));
+    std::map<ElementKind, int> counts;
+    for (const ElementId id : m_selection.elements())
+        if (const ElementPtr element = m_document.design().element(id))
+            ++counts[kindOf(*element)];
+    for (const auto& [kind, count] : counts)
+        form.addInfo(kindTitle(kind), [count = count] { return QString::number(count); });
+    if (!m_selection.points().empty())
+        form.addInfo(tr("Points"), [n = m_selection.points().size()] { return QString::number(n); });
+}
+
+void InspectorForms::addElement(PropertyForm& form, ElementId id) const
+{
+    const ElementKind kind = kindOf(*m_document.design().element(id));
+    form.addHeading(kindWord(kind), icon(kindIcon(kind)));
+    form.addNote([this, id] { return m_problems.text(id); }, true);
+    switch (kind) {
+    case ElementKind::Patch:
+        addPatch(form, id);
+        break;
+    case ElementKind::Seam:
+        addSeam(form, id);
+        break;
+    case ElementKind::FixationCurve:
+        addFixationCurve(form, id);
+        break;
+    case ElementKind::FixationSeam:
+        addFixationSeam(form, id);
+        break;
+    case ElementKind::Frame:
+        addFrame(form, id);
+        break;
+    case ElementKind::Fabric:
+        addFabric(form, id);
+        break;
+    case ElementKind::Unusable:
+        addUnusable(form, id);
+        break;
+    case ElementKind::Settings:
+        break;
+    }
+}
+
+void InspectorForms::addSettings(PropertyForm& form) const
+{
+    form.addHeading(kindWord(ElementKind::Settings), icon(QStringLiteral("settings")));
+    const NumberBox::Range edge{QStringLiteral(" mm"), 2, 0.1, 1000, 1};
+    form.addNumber(
+        tr("Mesh edges"), edge, [this] { return m_document.design().settings().edgeLength; },
+        [this](double value) {
+            Settings settings = m_document.design().settings();
+            settings.edgeLength = value;
+            m_document.commit(edits::changeSettings(m_document.design(), settings));
+        });
+    form.addInfo(tr("Patches"), [this] {
+        int count = 0;
+        double area = 0; // mm^2
+        m_document.design().each<Patch>([&](ElementId, const Patch& patch) {
+            ++count;
+            area += patch.outline.empty() ? 0 : std::abs(patch.outline.signedArea());
+        });
+        return tr("%1, %2 m\u00b2 in all").arg(count).arg(decimalText(area * 1e-6, 2, true));
+    });
+    form.addInfo(tr("Seams"), [this] {
+        int count = 0;
+        double length = 0;
+        m_document.design().each<Seam>([&](ElementId, const Seam& seam) {
+            ++count;
+            length += stretchLength(m_document.design(), seam.a);
+        });
+        return tr("%1, %2 m in all").arg(count).arg(decimalText(length * 1e-3, 2, true));
+    });
+    form.addNote([] { return tr("Select something to see its properties."); });
+}
+
+void InspectorForms::addFabric(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Fabric> fabric(m_document, id, form);
+    fabric.name(tr("Name"));
+    form.addColor(
+        tr("Colour"), [fabric] { return QColor(QString::fromStdString(fabric.now().color)); },
+        [fabric](const QColor& color) {
+            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
+                          [&](Fabric& f) { f.color = color.name().toStdString(); });
+        });
+    fabric.number(tr("Stiffness"), {{}, 3, 0.001, 1000, 0.1}, &Fabric::stiffness,
+                  QT_TRANSLATE_NOOP("Message", "Change the stiffness of %1"));
+    fabric.number(tr("Poisson"), {{}, 3, -0.5, 0.5, 0.05}, &Fabric::poisson,
+                  QT_TRANSLATE_NOOP("Message", "Change the Poisson parameter of %1"));
+    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1000, 1}, &Fabric::bendingLength,
+                  QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
+}
+
+void InspectorForms::addFabricChoice(PropertyForm& form, ElementId id) const
+{
+    std::vector<ElementId> fabrics;
+    QStringList names;
+    m_document.design().each<Fabric>([&](ElementId fabric, const Fabric&) {
+        fabrics.push_back(fabric);
+        names << displayName(m_document.design(), fabric);
+    });
+    const InspectorSubject<Patch> patch(m_document, id, form);
+    form.addChoice(
+        tr("Fabric"), names,
+        [patch, fabrics] {
+            const auto found = std::ranges::find(fabrics, patch.now().fabric);
+            return found == fabrics.end() ? -1 : static_cast<int>(found - fabrics.begin());
+        },
+        [patch, fabrics](int chosen) {
+            patch.change(QT_TRANSLATE_NOOP("Message", "Change the fabric of %1"),
+                         [&](Patch& p) { p.fabric = fabrics[static_cast<std::size_t>(chosen)]; });
+        });
+}
+
+void InspectorForms::addPatch(PropertyForm& form, ElementId id) const
+{
+    if (m_selection.points().size() == 1)
+        addPatchPoint(form, id, m_selection.points().begin()->second);
+    const InspectorSubject<Patch> patch(m_document, id, form);
+    patch.name(tr("Name"));
+    addFabricChoice(form, id);
+    patch.number(tr("Grain"), angleRange, &Patch::grain, QT_TRANSLATE_NOOP("Message", "Change the grain of %1"));
+    patch.number(tr("Pressure"), {{}, 4, -1e6, 1e6, 0.05}, &Patch::pressure,
+                 QT_TRANSLATE_NOOP("Message", "Change the pressure of %1"));
+    patch.check(tr("Wrong side out"), &Patch::wrongSideOut,
+                QT_TRANSLATE_NOOP("Message", "Change the right side of %1"));
+    patch.numbers(
+        tr("Position"), lengthRange, 2, [](Patch& p, int i) -> double& { return p.position[i]; },
+        QT_TRANSLATE_NOOP("Message", "Move %1 in the layout"));
+    patch.number(tr("Rotation"), angleRange, &Patch::rotation,
+                 QT_TRANSLATE_NOOP("Message", "Turn %1 in the layout"));
+    patch.info(tr("Size"), [](const Design&, const Patch& p) {
+        if (p.outline.empty())
+            return QString();
+        const Vec2 extent = p.outline.boundingBox().sizes();
+        return sizeText(extent.x(), extent.y());
+    });
+    patch.info(tr("Outline"), [](const Design&, const Patch& p) {
+        return p.outline.empty() ? QString() : lengthText(ArcLength2(p.outline).total(), 0);
+    });
+}
+
+void InspectorForms::addPatchPoint(PropertyForm& form, ElementId id, int point) const
+{
+    const auto position = [this, id, point]() -> Vec2 {
+        const Patch* patch = m_document.design().find<Patch>(id);
+        return patch && point < patch->outline.pointCount()
+                   ? patch->outline.points()[static_cast<std::size_t>(point)]
+                   : Vec2(0, 0);
+    };
+    form.addNumbers(
+        tr("Point"), lengthRange, 2, [position](int i) { return position()[i]; },
+        [this, id, point, position](int i, double value) {
+            Vec2 delta = Vec2::Zero();
+            delta[i] = value - position()[i];
+            m_document.commit(edits::movePatchPoints(m_document.design(), id, std::array{point}, delta));
+        });
+}
+
+void InspectorForms::addCurvePoint(PropertyForm& form, ElementId id, int point) const
+{
+    const auto position = [this, id, point]() -> Vec3 {
+        const FixationCurve* curve = m_document.design().find<FixationCurve>(id);
+        return curve && point < curve->curve.pointCount() ? curve->curve.points()[static_cast<std::size_t>(point)]
+                                                          : Vec3(0, 0, 0);
+    };
+    form.addNumbers(
+        tr("Point"), lengthRange, 3, [position](int i) { return position()[i]; },
+        [this, id, point, position](int i, double value) {
+            Vec3 delta = Vec3::Zero();
+            delta[i] = value - position()[i];
+            m_document.commit(edits::moveCurvePoints(m_document.design(), id, std::array{point}, delta));
+        });
+}
+
+QStringList InspectorForms::matchNames()
+{
+    return {tr("By length"), tr("By parameter")};
+}
+
+void InspectorForms::addSeam(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Seam> seam(m_document, id, form);
+    seam.info(tr("First side"), [](const Design& design, const Seam& s) {
+        return tr("%1, %2").arg(displayName(design, s.a.patch), lengthText(stretchLength(design, s.a)));
+    });
+    seam.info(tr("Second side"), [](const Design& design, const Seam& s) {
+        return tr("%1, %2").arg(displayName(design, s.b.patch), lengthText(stretchLength(design, s.b)));
+    });
+    seam.info(tr("Ease"), [](const Design& design, const Seam& s) {
+        const double a = stretchLength(design, s.a);
+        const double b = stretchLength(design, s.b);
+        return a > 0 && b > 0
+                   ? tr("%1, %2").arg(lengthText(std::abs(a - b)), percentText(std::max(a, b) / std::min(a, b) - 1))
+                   : QString();
+    });
+    seam.choice(tr("Continuity"),
+                {tr("C0 \u2013 an edge"), tr("C1 \u2013 smooth, texture too"), tr("G1 \u2013 rounded")},
+                &Seam::continuity, QT_TRANSLATE_NOOP("Message", "Change the continuity of %1"));
+    seam.choice(tr("Match"), matchNames(), &Seam::match, QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
+    seam.check(tr("Second side runs backwards"), &Seam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
+}
+
+void InspectorForms::addFixationCurve(PropertyForm& form, ElementId id) const
+{
+    if (m_selection.points().size() == 1)
+        addCurvePoint(form, id, m_selection.points().begin()->second);
+    const InspectorSubject<FixationCurve> curve(m_document, id, form);
+    curve.name(tr("Name"));
+    curve.info(tr("Length"), [](const Design&, const FixationCurve& c) {
+        return c.curve.empty() ? QString() : lengthText(ArcLength3(c.curve).total());
+    });
+    curve.info(tr("Points"),
+               [](const Design&, const FixationCurve& c) { return QString::number(c.curve.pointCount()); });
+}
+
+void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<FixationSeam> fixation(m_document, id, form);
+    fixation.info(tr("Outline"), [](const Design& design, const FixationSeam& f) {
+        return tr("%1, %2").arg(displayName(design, f.stretch.patch), lengthText(stretchLength(design, f.stretch)));
+    });
+    fixation.info(tr("Curve"), [](const Design& design, const FixationSeam& f) {
+        const FixationCurve* curve = design.find<FixationCurve>(f.curve);
+        if (!curve || curve->curve.empty())
+            return displayName(design, f.curve);
+        const ArcLength3 length(curve->curve);
+        const double all =
+            f.curveRange ? length.between(f.curveRange->first, f.curveRange->second) : length.total();
+        return tr("%1, %2").arg(displayName(design, f.curve), lengthText(all));
+    });
+    fixation.choice(tr("Match"), matchNames(), &FixationSeam::match,
+                    QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
+    fixation.check(tr("Curve runs backwards"), &FixationSeam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
+}
+
+void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Frame> frame(m_document, id, form);
+    frame.name(tr("Name"));
+    frame.info(tr("File"), [](const Design&, const Frame& f) { return QString::fromStdString(f.file); });
+    frame.number(tr("Scale"), {tr(" mm per unit"), 6, 1e-6, 1e6, 0.1}, &Frame::scale,
+                 QT_TRANSLATE_NOOP("Message", "Scale %1"));
+    frame.numbers(
+        tr("Position"), lengthRange, 3, [](Frame& f, int i) -> double& { return f.position[i]; },
+        QT_TRANSLATE_NOOP("Message", "Move %1"));
+    form.addNumbers(
+        tr("Rotation"), angleRange, 3,
+        [frame](int i) { return anglesOf(frame.now().rotation)[static_cast<std::size_t>(i)]; },
+        [frame](int i, double value) {
+            frame.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](Frame& f) {
+                std::array<double, 3> angles = anglesOf(f.rotation);
+                angles[static_cast<std::size_t>(i)] = value;
+                f.rotation = rotationOf(angles);
+            });
+        });
+    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFrameFile(id); });
+}
+
+void InspectorForms::addUnusable(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Quarantined> bad(m_document, id, form);
+    bad.info(tr("Problems"), [](const Design&, const Quarantined& q) {
+        QStringList lines;
+        for (const Problem& problem : q.problems)
+            lines << translated(problem);
+        return lines.join(u'\n');
+    });
+    form.addNote([] { return tr("It keeps its text and is saved as it is."); });
+}
+
+} // namespace bolster

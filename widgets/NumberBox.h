@@ -1,0 +1,37 @@
+// A field for a number with its unit.
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace bolster {
+
+/// Shows no trailing zeros, takes point and comma as the decimal sign, and reports a value once: when the user is
+/// done with it, not with every key.
+class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    struct Range {
+        QString unit; ///< " mm", or ""
+        int decimals = 3;
+        double least = -1e7;
+        double most = 1e7;
+        double step = 1;
+    };
+
+    explicit NumberBox(const Range& range, QWidget* parent = nullptr);
+
+    /// Without a signal; keeps what the user is typing.
+    void display(double value);
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    QString withDecimalPoint(QString text) const;
+};
+
+} // namespace bolster

@@ -1,0 +1,178 @@
+#include "PropertyForm.h"
+
+#include "Icons.h"
+#include "ViewColors.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+namespace bolster {
+
+PropertyForm::PropertyForm(QWidget* parent)
+    : QWidget(parent)
+    , m_layout(new QFormLayout(this))
+{
+    m_layout->setContentsMargins(10, 10, 10, 10);
+    m_layout->setHorizontalSpacing(10);
+    m_layout->setVerticalSpacing(6);
+    m_layout->setLabelAlignment(Qt::AlignLeft);
+    m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_layout->setRowWrapPolicy(QFormLayout::DontWrapRows);
+}
+
+void PropertyForm::refresh()
+{
+    for (const std::function<void()>& show : m_shows)
+        show();
+}
+
+void PropertyForm::addField(const QString& label, QWidget* field, std::function<void()> show)
+{
+    show();
+    m_shows.push_back(std::move(show));
+    if (label.isEmpty())
+        m_layout->addRow(field);
+    else
+        m_layout->addRow(label, field);
+}
+
+void PropertyForm::addHeading(const QString& text, const QIcon& sign)
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 2);
+    layout->setSpacing(6);
+    auto* picture = new QLabel(row);
+    picture->setPixmap(sign.pixmap(QSize(18, 18), devicePixelRatioF()));
+    auto* title = new QLabel(text, row);
+    QFont font = title->font();
+    font.setWeight(QFont::DemiBold);
+    title->setFont(font);
+    layout->addWidget(picture);
+    layout->addWidget(title, 1);
+    m_layout->addRow(row);
+}
+
+void PropertyForm::addInfo(const QString& label, const std::function<QString()>& read)
+{
+    auto* text = new QLabel(this);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    text->setWordWrap(true);
+    addField(label, text, [text, read] { text->setText(read()); });
+}
+
+void PropertyForm::addNote(const std::function<QString()>& read, bool error)
+{
+    auto* text = new QLabel(this);
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, error ? ViewColors::of(colors).error : ViewColors::of(colors).mutedLabel);
+    text->setPalette(colors);
+    addField({}, text, [text, read] {
+        text->setText(read());
+        text->setVisible(!text->text().isEmpty());
+    });
+}
+
+void PropertyForm::addText(const QString& label, const std::function<QString()>& read,
+                           const std::function<void(const QString&)>& write)
+{
+    auto* edit = new QLineEdit(this);
+    connect(edit, &QLineEdit::editingFinished, this, [edit, write] {
+        if (!edit->isModified())
+            return;
+        edit->setModified(false);
+        write(edit->text());
+    });
+    addField(label, edit, [edit, read] {
+        if (!edit->isModified())
+            edit->setText(read());
+    });
+}
+
+void PropertyForm::addNumber(const QString& label, const NumberBox::Range& range,
+                             const std::function<double()>& read, const std::function<void(double)>& write)
+{
+    auto* box = new NumberBox(range, this);
+    connect(box, &QDoubleSpinBox::valueChanged, this, write);
+    addField(label, box, [box, read] { box->display(read()); });
+}
+
+void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& range, int count,
+                              const std::function<double(int)>& read, const std::function<void(int, double)>& write)
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    std::vector<NumberBox*> boxes;
+    for (int i = 0; i < count; ++i) {
+        auto* box = new NumberBox(range, row);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setMinimumWidth(40);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [i, write](double value) { write(i, value); });
+        layout->addWidget(box, 1);
+        boxes.push_back(box);
+    }
+    addField(label, row, [boxes, read] {
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            boxes[i]->display(read(static_cast<int>(i)));
+    });
+}
+
+void PropertyForm::addCheck(const QString& label, const std::function<bool()>& read,
+                            const std::function<void(bool)>& write)
+{
+    auto* box = new QCheckBox(label, this);
+    connect(box, &QCheckBox::clicked, this, write);
+    addField(QStringLiteral(" "), box, [box, read] { box->setChecked(read()); });
+}
+
+void PropertyForm::addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
+                             const std::function<void(int)>& write)
+{
+    auto* box = new QComboBox(this);
+    box->addItems(choices);
+    box->setMinimumContentsLength(6);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setFocusPolicy(Qt::StrongFocus);
+    connect(box, &QComboBox::activated, this, write);
+    addField(label, box, [box, read] {
+        const QSignalBlocker quiet(box);
+        box->setCurrentIndex(read());
+    });
+}
+
+void PropertyForm::addColor(const QString& label, const std::function<QColor()>& read,
+                            const std::function<void(const QColor&)>& write)
+{
+    auto* button = new QToolButton(this);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({18, 18});
+    connect(button, &QToolButton::clicked, this, [this, read, write] {
+        const QColor chosen = QColorDialog::getColor(read(), this, tr("Colour of the fabric"));
+        if (chosen.isValid())
+            write(chosen);
+    });
+    addField(label, button, [button, read] {
+        button->setIcon(colorSpot(read()));
+        button->setText(read().name());
+    });
+}
+
+void PropertyForm::addButton(const QString& text, const std::function<void()>& pressed)
+{
+    auto* button = new QPushButton(text, this);
+    connect(button, &QPushButton::clicked, this, pressed);
+    m_layout->addRow(QStringLiteral(" "), button);
+}
+
+} // namespace bolster

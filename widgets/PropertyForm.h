@@ -1,0 +1,52 @@
+// A form whose fields read and write values through functions.
+#pragma once
+
+#include "NumberBox.h"
+
+#include <QColor>
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QFormLayout;
+
+namespace bolster {
+
+/// A field calls `write` when the user is done with it, and shows `read()` again on refresh(), except while the
+/// user types in it.
+class PropertyForm : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PropertyForm(QWidget* parent = nullptr);
+
+    void addHeading(const QString& text, const QIcon& sign);
+    /// A line that only informs.
+    void addInfo(const QString& label, const std::function<QString()>& read);
+    /// Text over the whole width; hidden while it is empty. `error`: in the colour of errors.
+    void addNote(const std::function<QString()>& read, bool error = false);
+    void addText(const QString& label, const std::function<QString()>& read,
+                 const std::function<void(const QString&)>& write);
+    void addNumber(const QString& label, const NumberBox::Range& range, const std::function<double()>& read,
+                   const std::function<void(double)>& write);
+    /// Several numbers in a row; both functions get the place in the row.
+    void addNumbers(const QString& label, const NumberBox::Range& range, int count,
+                    const std::function<double(int)>& read, const std::function<void(int, double)>& write);
+    void addCheck(const QString& label, const std::function<bool()>& read, const std::function<void(bool)>& write);
+    void addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
+                   const std::function<void(int)>& write);
+    void addColor(const QString& label, const std::function<QColor()>& read,
+                  const std::function<void(const QColor&)>& write);
+    void addButton(const QString& text, const std::function<void()>& pressed);
+
+    void refresh();
+
+private:
+    void addField(const QString& label, QWidget* field, std::function<void()> show);
+
+    QFormLayout* m_layout;
+    std::vector<std::function<void()>> m_shows;
+};
+
+} // namespace bolster
