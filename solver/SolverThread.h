@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <thread>
 
 namespace bolster {
 
@@ -39,6 +40,8 @@ struct SolverOutput {
     SolveReport report; ///< of the surface, when it has settled
 };
 
+class SolverWorker;
+
 /// Owns the worker. Not copyable; the destructor stops and joins.
 class SolverThread {
 public:
@@ -56,8 +59,10 @@ public:
     std::optional<SolverOutput> take();
 
 private:
-    class Worker;
-    std::unique_ptr<Worker> m_worker;
+    Design m_design; // of the last request
+    std::uint64_t m_revision = 0;
+    std::unique_ptr<SolverWorker> m_worker;
+    std::jthread m_thread; // last, so that it ends first
 };
 
 } // namespace bolster

@@ -1,0 +1,19 @@
+// What a change of the design asks of the solver.
+#pragma once
+
+#include "Design.h"
+
+namespace bolster {
+
+enum class SolvePlan {
+    Nothing,  ///< names, colours, layout, frames: the surface stays
+    Retarget, ///< right-hand sides only: fixation curves moved, pressure, Poisson parameter
+    Refactor, ///< matrix values too: stiffness, bending length
+    Rebuild,  ///< outlines, edge length: triangulate again, positions and frames are carried over
+    Resew     ///< Rebuild, and seams or fixations came or went, so that the surface is torn
+};
+
+/// Cheap: shared elements are not looked into, of others only the fields that matter are compared.
+SolvePlan planSolve(const Design& before, const Design& after);
+
+} // namespace bolster

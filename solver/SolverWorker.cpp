@@ -1,0 +1,290 @@
+#include "SolverWorker.h"
+
+#include "DesignCheck.h"
+#include "StateTransfer.h"
+#include "SurfaceMeasures.h"
+#include "SurfacePublisher.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+namespace bolster {
+
+namespace {
+
+constexpr double liveTolerance = 1e-5; // relative to D
+constexpr double restingTolerance = 1e-6;
+constexpr int mostIterations = 5000;
+constexpr double publishInterval = 15; // ms: nobody sees more
+constexpr double silentDistance = 0.5; // mm: a resting surface this near replaces the live one unasked
+
+bool sameElements(const Design& a, const Design& b)
+{
+    return std::equal(a.elements().begin(), a.elements().end(), b.elements().begin(), b.elements().end(),
+                      [](const auto& x, const auto& y) { return x.first == y.first; });
+}
+
+} // namespace
+
+SolverWorker::SolverWorker(std::function<void()> wake)
+    : m_wake(std::move(wake))
+{}
+
+void SolverWorker::run(std::stop_token stop)
+{
+    while (!stop.stop_requested()) {
+        bool busy = false;
+        try {
+            busy = step(stop);
+        } catch (const std::bad_alloc&) {
+            fail({QT_TRANSLATE_NOOP("Message",
+                                    "There is not enough memory for this surface. Choose a larger edge length."),
+                  {}});
+        } catch (const std::exception& error) {
+            fail({QT_TRANSLATE_NOOP("Message", "The solver failed: %1. The last good surface is kept."),
+                  {error.what()}});
+        }
+        if (!busy)
+            m_in.wait(stop);
+    }
+}
+
+bool SolverWorker::running(const Sheet& sheet)
+{
+    return sheet.relaxation->phase() == Relaxation::Phase::Running &&
+           sheet.relaxation->iterations() < mostIterations;
+}
+
+/// A little work. False when there is none left.
+bool SolverWorker::step(std::stop_token stop)
+{
+    if (std::optional<Request> request = m_in.take())
+        begin(std::move(*request), stop);
+    else if (m_live && running(*m_live))
+        iterateLive();
+    else if (m_live && !m_resting && !m_restingDone)
+        endLive(stop);
+    else if (m_resting && !m_status.restingDistance) // once known it waits to be asked for
+        iterateResting();
+    else
+        return false;
+    return true;
+}
+
+void SolverWorker::begin(Request request, std::stop_token stop)
+{
+    const SolvePlan plan = m_live ? planSolve(m_design, request.design) : SolvePlan::Resew;
+    m_design = std::move(request.design);
+    m_designRevision = request.revision;
+    m_settleWanted = request.settle;
+    if (plan == SolvePlan::Nothing) {
+        if (m_settleWanted && m_resting && m_status.restingDistance)
+            adoptResting();
+        publish(m_status.state);
+        return;
+    }
+    m_resting.reset();
+    m_restingDone = false;
+    m_status.resting = false;
+    m_status.restingDistance.reset();
+    m_status.reason = {};
+    m_status.iterations = 0;
+    m_rateWatch.restart();
+    m_rateCount = 0;
+    const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
+    if (!light || !retargetLive(m_design, plan)) {
+        if (!m_live)
+            publish(SolverStatus::State::Preparing);
+        rebuildLive(m_design, plan == SolvePlan::Resew, stop);
+    }
+    if (m_live)
+        iterateLive();
+}
+
+/// Keeps samples and triangles. False when the change asks for more after all.
+bool SolverWorker::retargetLive(const Design& design, SolvePlan plan)
+{
+    const Problems problems = checkDesign(design);
+    const Design usable = usablePart(design, problems);
+    PreparedSheet& prepared = m_live->prepared;
+    if (!sameElements(usable, prepared.design))
+        return false;
+    OutlineSampling sampling = prepared.sampling;
+    retarget(sampling, usable);
+    if (!sampling.problems.empty())
+        return false;
+    prepared.sampling = std::move(sampling);
+    prepared.design = usable;
+    updateTargets(prepared.mesh, prepared.sampling);
+    updateMaterials(prepared.mesh, usable);
+    if (plan == SolvePlan::Refactor)
+        m_live->relaxation->refactor();
+    else
+        m_live->relaxation->retarget();
+    m_live->canonical = false;
+    m_live->stale = true;
+    m_status.problems = problems;
+    return true;
+}
+
+void SolverWorker::rebuildLive(const Design& design, bool torn, std::stop_token stop)
+{
+    const bool first = !m_live;
+    std::unique_ptr<Sheet> next = makeSheet(design, first ? restingTolerance : liveTolerance, stop);
+    if (!next)
+        return;
+    m_status.problems = next->prepared.errors;
+    m_status.problems.insert(m_status.problems.end(), next->prepared.warnings.begin(),
+                             next->prepared.warnings.end());
+    if (next->prepared.mesh.parts.empty()) {
+        m_live.reset();
+        m_surface = makeSurface(next->prepared.mesh, {}, ++m_surfaceRevision);
+        publish(SolverStatus::State::Idle);
+        return;
+    }
+    if (first) {
+        next->canonical = true;
+        next->relaxation->startCanonically();
+    } else {
+        const Sheet& source = *m_live;
+        SheetState state = transferState(source.prepared.mesh, source.relaxation->state(), next->prepared.mesh);
+        if (m_lastWhole)
+            fillMissing(m_lastWhole->prepared.mesh, m_lastWhole->relaxation->state(), source.prepared.mesh,
+                        next->prepared.mesh, state);
+        next->relaxation->startFrom(std::move(state), torn);
+    }
+    const bool losesPatches = !first && !next->prepared.leftOut.empty();
+    if (losesPatches && !m_lastWhole)
+        m_lastWhole = std::move(m_live);
+    else if (!losesPatches)
+        m_lastWhole.reset();
+    m_live = std::move(next);
+}
+
+std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const Design& design, double tolerance,
+                                                             std::stop_token stop)
+{
+    std::optional<PreparedSheet> prepared = prepareSheet(design, m_cache, stop);
+    if (!prepared)
+        return nullptr;
+    auto sheet = std::make_unique<Sheet>();
+    sheet->prepared = std::move(*prepared);
+    if (!sheet->prepared.mesh.parts.empty())
+        sheet->relaxation = std::make_unique<Relaxation>(sheet->prepared.mesh, m_pool, tolerance);
+    return sheet;
+}
+
+/// One iteration, and a published surface when somebody could see it.
+void SolverWorker::iterateLive()
+{
+    Relaxation& relaxation = *m_live->relaxation;
+    relaxation.iterate();
+    if (relaxation.phase() == Relaxation::Phase::Failed) {
+        fail(relaxation.reason());
+        return;
+    }
+    ++m_rateCount;
+    const bool first = m_status.iterations == 0;
+    m_status.iterations = relaxation.iterations();
+    m_status.movement = relaxation.movement();
+    if (first || m_sincePublished.elapsed() >= publishInterval) {
+        m_status.iterationsPerSecond = 1000 * m_rateCount / std::max(1e-3, m_rateWatch.elapsed());
+        publishSurface();
+        publish(SolverStatus::State::Moving);
+    }
+}
+
+/// The live surface has converged: report it, and find out what the resting one is.
+void SolverWorker::endLive(std::stop_token stop)
+{
+    const bool converged = m_live->relaxation->phase() == Relaxation::Phase::Converged;
+    if (!converged)
+        m_status.reason = {QT_TRANSLATE_NOOP("Message", "The surface still moves after %1 iterations."),
+                           {std::to_string(m_live->relaxation->iterations())}};
+    if (m_live->stale) {
+        // The samples catch up with curves that have moved; the surface goes on from where it is.
+        rebuildLive(m_design, false, stop);
+        return;
+    }
+    m_report = measureSurface(m_live->prepared, m_live->relaxation->state());
+    m_report.iterations = m_live->relaxation->iterations();
+    m_report.movement = m_live->relaxation->movement();
+    m_status.resting = m_live->canonical && converged;
+    m_restingDone = m_live->canonical;
+    publishSurface();
+    publish(SolverStatus::State::Settled);
+    if (!m_restingDone)
+        beginResting(stop);
+}
+
+void SolverWorker::beginResting(std::stop_token stop)
+{
+    m_resting = makeSheet(m_design, restingTolerance, stop);
+    if (!m_resting || !m_resting->relaxation) {
+        m_resting.reset();
+        m_restingDone = true;
+        return;
+    }
+    m_resting->canonical = true;
+    m_resting->relaxation->startCanonically();
+}
+
+void SolverWorker::iterateResting()
+{
+    Relaxation& relaxation = *m_resting->relaxation;
+    if (running(*m_resting)) {
+        relaxation.iterate();
+        return;
+    }
+    m_restingDone = true;
+    if (relaxation.phase() != Relaxation::Phase::Converged) {
+        m_resting.reset();
+        return;
+    }
+    const double distance = surfaceDistance(m_live->prepared.mesh, m_live->relaxation->state(),
+                                            m_resting->prepared.mesh, relaxation.state());
+    if (distance < silentDistance || m_settleWanted) {
+        adoptResting();
+        return;
+    }
+    m_status.restingDistance = distance;
+    publish(SolverStatus::State::Settled);
+}
+
+void SolverWorker::adoptResting()
+{
+    m_live = std::move(m_resting);
+    m_restingDone = true;
+    m_status.restingDistance.reset();
+    m_status.resting = true;
+    m_report = measureSurface(m_live->prepared, m_live->relaxation->state());
+    m_report.iterations = m_live->relaxation->iterations();
+    m_report.movement = m_live->relaxation->movement();
+    publishSurface();
+    publish(SolverStatus::State::Settled);
+}
+
+void SolverWorker::fail(Message reason)
+{
+    m_resting.reset();
+    m_live.reset(); // the next request starts anew; the published surface stays
+    m_restingDone = true;
+    m_status.reason = std::move(reason);
+    publish(SolverStatus::State::Failed);
+}
+
+void SolverWorker::publishSurface()
+{
+    m_surface = makeSurface(m_live->prepared.mesh, m_live->relaxation->state(), ++m_surfaceRevision);
+    m_sincePublished.restart();
+}
+
+void SolverWorker::publish(SolverStatus::State state)
+{
+    m_status.state = state;
+    if (m_out.put({m_designRevision, m_surface, m_status, m_report}))
+        m_wake();
+}
+
+} // namespace bolster

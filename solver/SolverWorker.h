@@ -1,0 +1,79 @@
+// What runs on the solver thread: follows the newest design and computes its resting surface when there is time.
+#pragma once
+
+#include "Mailbox.h"
+#include "PreparedSheet.h"
+#include "Relaxation.h"
+#include "SolvePlan.h"
+#include "SolverThread.h"
+#include "Stopwatch.h"
+
+#include <functional>
+#include <memory>
+
+namespace bolster {
+
+class SolverWorker {
+public:
+    struct Request {
+        Design design;
+        std::uint64_t revision = 0;
+        bool settle = false; ///< make the resting surface the live one as soon as it is known
+    };
+
+    /// `wake` is called when an output waits and none was waiting before.
+    explicit SolverWorker(std::function<void()> wake);
+
+    Mailbox<Request>& in() { return m_in; }
+    Mailbox<SolverOutput>& out() { return m_out; }
+    /// Until stopped.
+    void run(std::stop_token stop);
+
+private:
+    /// A cover with its solver state.
+    struct Sheet {
+        PreparedSheet prepared;
+        std::unique_ptr<Relaxation> relaxation;
+        bool canonical = false; ///< iterates from the canonical start, so it ends as the resting surface
+        bool stale = false;     ///< its samples belong to fixation curves as they were before a drag
+    };
+
+    static bool running(const Sheet& sheet);
+    bool step(std::stop_token stop);
+    void begin(Request request, std::stop_token stop);
+    bool retargetLive(const Design& design, SolvePlan plan);
+    void rebuildLive(const Design& design, bool torn, std::stop_token stop);
+    std::unique_ptr<Sheet> makeSheet(const Design& design, double tolerance, std::stop_token stop);
+    void iterateLive();
+    void endLive(std::stop_token stop);
+    void beginResting(std::stop_token stop);
+    void iterateResting();
+    void adoptResting();
+    void fail(Message reason);
+    void publishSurface();
+    void publish(SolverStatus::State state);
+
+    Mailbox<Request> m_in;
+    Mailbox<SolverOutput> m_out;
+    std::function<void()> m_wake;
+
+    WorkerPool m_pool{1}; // the other cores belong to the window
+    TriangulationCache m_cache;
+    Design m_design; // as requested, bad elements included
+    std::uint64_t m_designRevision = 0;
+    bool m_settleWanted = false;
+    std::unique_ptr<Sheet> m_live;
+    std::unique_ptr<Sheet> m_lastWhole; // before patches had to be left out: they come back to where they were
+    std::unique_ptr<Sheet> m_resting;
+    bool m_restingDone = false;
+
+    SurfaceMeshPtr m_surface;
+    std::uint64_t m_surfaceRevision = 0;
+    SolverStatus m_status;
+    SolveReport m_report;
+    Stopwatch m_sincePublished;
+    Stopwatch m_rateWatch;
+    int m_rateCount = 0;
+};
+
+} // namespace bolster
