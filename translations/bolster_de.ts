@@ -5,405 +5,871 @@
     <name>ElementText</name>
     <message>
         <source>missing element %1</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlendes Element %1</translation>
     </message>
     <message>
         <source>Patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteil</translation>
     </message>
     <message>
         <source>Patches</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteile</translation>
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht</translation>
     </message>
     <message>
         <source>Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähte</translation>
     </message>
     <message>
         <source>Fixation curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierkurve</translation>
     </message>
     <message>
         <source>Fixation curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierkurven</translation>
     </message>
     <message>
         <source>Fixation</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierung</translation>
     </message>
     <message>
         <source>Fixations</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixierungen</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestell</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestelle</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoff</translation>
     </message>
     <message>
         <source>Fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoffe</translation>
     </message>
     <message>
         <source>Unusable element</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbrauchbares Element</translation>
     </message>
     <message>
         <source>Unusable elements</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbrauchbare Elemente</translation>
     </message>
     <message>
         <source>Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>%1 and %2, ease %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2, Mehrweite %3</translation>
+    </message>
+</context>
+<context>
+    <name>InspectorForms</name>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n Element</numerusform>
+            <numerusform>%n Elemente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Mesh edges</source>
+        <translation>Netzkanten</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1, %2 m² in all</source>
+        <translation>%1, zusammen %2 m²</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>%1, %2 m in all</source>
+        <translation>%1, zusammen %2 m</translation>
+    </message>
+    <message>
+        <source>Select something to see its properties.</source>
+        <translation>Wählen Sie etwas aus, um seine Eigenschaften zu sehen.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Querkontraktion</translation>
+    </message>
+    <message>
+        <source>Bending length</source>
+        <translation>Biegelänge</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Wrong side out</source>
+        <translation>Linke Seite außen</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>By length</source>
+        <translation>Nach Länge</translation>
+    </message>
+    <message>
+        <source>By parameter</source>
+        <translation>Nach Parameter</translation>
+    </message>
+    <message>
+        <source>First side</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Second side</source>
+        <translation>Zweite Seite</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>C0 – an edge</source>
+        <translation>C0 – mit Kante</translation>
+    </message>
+    <message>
+        <source>C1 – smooth, texture too</source>
+        <translation>C1 – glatt, auch das Muster</translation>
+    </message>
+    <message>
+        <source>G1 – rounded</source>
+        <translation>G1 – gerundet</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Second side runs backwards</source>
+        <translation>Zweite Seite läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Curve runs backwards</source>
+        <translation>Kurve läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source> mm per unit</source>
+        <translation> mm je Einheit</translation>
+    </message>
+    <message>
+        <source>Choose another file …</source>
+        <translation>Andere Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>It keeps its text and is saved as it is.</source>
+        <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>Message</name>
     <message>
         <source>the degree must be 1, 2 or 3, not %1</source>
-        <translation type="unfinished"></translation>
+        <translation>der Grad muss 1, 2 oder 3 sein, nicht %1</translation>
     </message>
     <message>
         <source>a closed curve needs at least %1 points, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine geschlossene Kurve braucht mindestens %1 Punkte, nicht %2</translation>
     </message>
     <message>
         <source>an open curve of this degree needs at least %1 points, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine offene Kurve dieses Grades braucht mindestens %1 Punkte, nicht %2</translation>
     </message>
     <message>
         <source>point %1 is no number or beyond 1e7 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1 ist keine Zahl oder liegt jenseits von 1e7 mm</translation>
     </message>
     <message>
         <source>corners belong to closed curves of degree 3 only</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken gibt es nur bei geschlossenen Kurven vom Grad 3</translation>
     </message>
     <message>
         <source>the list of corners is empty; leave it out</source>
-        <translation type="unfinished"></translation>
+        <translation>die Liste der Ecken ist leer; lassen Sie sie weg</translation>
     </message>
     <message>
         <source>corner %1 does not exist; the points are numbered 0 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke %1 gibt es nicht; die Punkte haben die Nummern 0 bis %2</translation>
     </message>
     <message>
         <source>the corners must increase, but %1 follows %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ecken müssen aufsteigen, aber %1 folgt auf %2</translation>
     </message>
     <message>
         <source>there must be at least two points between the corners %1 and %2 (a straight edge: at its thirds)</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen den Ecken %1 und %2 müssen mindestens zwei Punkte liegen (bei einer geraden Kante auf ihren Dritteln)</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text goes on after the design&apos;s last bracket; remove what follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: nach der letzten Klammer des Entwurfs geht der Text weiter; entfernen Sie, was folgt</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text ends in the middle of the design; the file is incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: der Text endet mitten im Entwurf; die Datei ist unvollständig</translation>
     </message>
     <message>
         <source>Line %1, column %2: brackets are nested more than 64 deep; no design needs that</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: die Klammern sind mehr als 64-fach verschachtelt; das braucht kein Entwurf</translation>
     </message>
     <message>
         <source>Line %1, column %2: a value is expected here: a number, a text in quotes, true, false or a bracket (NaN and Infinity are no numbers)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: hier wird ein Wert erwartet: eine Zahl, ein Text in Anführungszeichen, true, false oder eine Klammer (NaN und Infinity sind keine Zahlen)</translation>
     </message>
     <message>
         <source>Line %1, column %2: a comma or &quot;]&quot; is missing here</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: hier fehlt ein Komma oder „]“</translation>
     </message>
     <message>
         <source>Line %1, column %2: a key in quotes is expected here</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: hier wird ein Schlüssel in Anführungszeichen erwartet</translation>
     </message>
     <message>
         <source>Line %1, column %2: a colon is missing after the key</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: nach dem Schlüssel fehlt ein Doppelpunkt</translation>
     </message>
     <message>
         <source>Line %1, column %2: a comma or &quot;}&quot; is missing here</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: hier fehlt ein Komma oder „}“</translation>
     </message>
     <message>
         <source>Line %1, column %2: a text in quotes must end on its line; a quote is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: ein Text in Anführungszeichen muss auf seiner Zeile enden; ein Anführungszeichen fehlt</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is no valid escape; write a backslash as &quot;\\&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: das ist keine gültige Escape-Folge; schreiben Sie einen umgekehrten Schrägstrich als „\\“</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is not UTF-8; save the file in that encoding</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: das ist kein UTF-8; speichern Sie die Datei in dieser Kodierung</translation>
     </message>
     <message>
         <source>Line %1, column %2: the text ends inside quotes; the file is incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: der Text endet zwischen Anführungszeichen; die Datei ist unvollständig</translation>
     </message>
     <message>
         <source>Line %1, column %2: this is no number; write it like 12.5, -3 or 1e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2: das ist keine Zahl; schreiben Sie sie wie 12.5, -3 oder 1e-3</translation>
     </message>
     <message>
         <source>the text is larger than %1 MB; that is no design</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text ist größer als %1 MB; das ist kein Entwurf</translation>
     </message>
     <message>
         <source>knot %1 occurs more often than %2 times, the degree; remove the surplus ones</source>
-        <translation type="unfinished"></translation>
+        <translation>der Knoten %1 kommt mehr als %2-mal vor (das ist der Grad); entfernen Sie die überzähligen</translation>
     </message>
     <message>
         <source>the knots of an open curve must begin with %1 equal ones and end with %1 equal, larger ones</source>
-        <translation type="unfinished"></translation>
+        <translation>die Knoten einer offenen Kurve müssen mit %1 gleichen beginnen und mit %1 gleichen, größeren enden</translation>
     </message>
     <message>
         <source>%1 points of degree %2 need %3 knots, not %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte vom Grad %2 brauchen %3 Knoten, nicht %4</translation>
     </message>
     <message>
         <source>a knot is no number or beyond 1e7</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Knoten ist keine Zahl oder liegt jenseits von 1e7</translation>
     </message>
     <message>
         <source>the knots must not decrease</source>
-        <translation type="unfinished"></translation>
+        <translation>die Knoten dürfen nicht abnehmen</translation>
     </message>
     <message>
         <source>the last knot must be larger than the first</source>
-        <translation type="unfinished"></translation>
+        <translation>der letzte Knoten muss größer sein als der erste</translation>
     </message>
     <message>
         <source>two knots near %1 are almost equal; make them equal</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Knoten bei %1 sind beinahe gleich; machen Sie sie gleich</translation>
     </message>
     <message>
         <source>&quot;%1&quot; lies outside the design&apos;s folder; copy the mesh into that folder and name it here</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ liegt außerhalb des Ordners, in dem der Entwurf liegt; kopieren Sie das Netz dorthin und nennen Sie es hier</translation>
     </message>
     <message>
         <source>there is no file &quot;%1&quot; in the design&apos;s folder; copy the mesh there or choose another one</source>
-        <translation type="unfinished"></translation>
+        <translation>im Ordner des Entwurfs gibt es keine Datei „%1“; kopieren Sie das Netz dorthin oder wählen Sie ein anderes</translation>
     </message>
     <message>
         <source>with this scale and position the frame reaches beyond 10,000,000 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mit diesem Maßstab und dieser Lage reicht das Gestell über 10 000 000 mm hinaus</translation>
     </message>
     <message>
         <source>there is not enough memory for this design</source>
-        <translation type="unfinished"></translation>
+        <translation>für diesen Entwurf reicht der Speicher nicht</translation>
     </message>
     <message>
         <source>%1: the file promises more than it holds</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Datei verspricht mehr, als sie enthält</translation>
     </message>
     <message>
         <source>%1: the mesh is too large, the limit is %2 points and as many triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das Netz ist zu groß; die Grenze sind %2 Punkte und ebenso viele Dreiecke</translation>
     </message>
     <message>
         <source>%1: the point is not finite, or beyond 10,000,000</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: der Punkt ist nicht endlich oder liegt jenseits von 10 000 000</translation>
     </message>
     <message>
         <source>%1: a face refers to point %2, but there are %3 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: eine Fläche nennt den Punkt %2, aber es gibt %3 Punkte</translation>
     </message>
     <message>
         <source>%1: the mesh has too many groups, the limit is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das Netz hat zu viele Gruppen; die Grenze ist %2</translation>
     </message>
     <message>
         <source>%1 holds no mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält kein Netz</translation>
     </message>
     <message>
         <source>%1 holds points only; a frame needs faces between them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält nur Punkte; ein Gestell braucht Flächen dazwischen</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: für dieses Netz reicht der Speicher nicht</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a mesh that can be read; OBJ, PLY, STL and OFF can</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein lesbares Netz; gelesen werden OBJ, PLY, STL und OFF</translation>
     </message>
     <message>
         <source>%1: points are counted from 1, not from 0</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Punkte werden ab 1 gezählt, nicht ab 0</translation>
     </message>
     <message>
         <source>%1: the file ends too early</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Datei endet zu früh</translation>
     </message>
     <message>
         <source>%1: the file does not begin with OFF</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Datei beginnt nicht mit OFF</translation>
     </message>
     <message>
         <source>%1: binary OFF is not read; save it as text</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: binäres OFF wird nicht gelesen; speichern Sie es als Text</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a PLY number type</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ ist kein Zahlentyp von PLY</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a PLY format</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ ist kein PLY-Format</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; cannot count a list</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ kann keine Liste zählen</translation>
     </message>
     <message>
         <source>%1: the file does not begin with &quot;ply&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Datei beginnt nicht mit „ply“</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not expected in a PLY header</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ wird im Kopf einer PLY-Datei nicht erwartet</translation>
     </message>
     <message>
         <source>%1: a count is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: eine Anzahl ist negativ</translation>
     </message>
     <message>
         <source>%1: the points have no coordinate &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Punkte haben keine Koordinate „%2“</translation>
     </message>
     <message>
         <source>%1: the faces have no list &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Flächen haben keine Liste „%2“</translation>
     </message>
     <message>
         <source>%1: a number is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: eine Zahl fehlt</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ ist keine Zahl</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: „%2“ ist keine ganze Zahl</translation>
     </message>
     <message>
         <source>unsaved work cannot be protected: &quot;%1&quot; cannot be written</source>
-        <translation type="unfinished"></translation>
+        <translation>ungespeicherte Arbeit kann nicht gesichert werden: „%1“ lässt sich nicht schreiben</translation>
     </message>
     <message>
         <source>there is no file &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Datei „%1“</translation>
     </message>
     <message>
         <source>you are not allowed to read &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie dürfen „%1“ nicht lesen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is a folder, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist ein Ordner, keine Datei</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an ordinary file</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine gewöhnliche Datei</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be read (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht lesen (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: the disk is full; make room or choose another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben: der Datenträger ist voll; schaffen Sie Platz oder wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: you are not allowed to write into &quot;%2&quot;; choose another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben: in „%2“ dürfen Sie nicht schreiben; wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: there is no folder &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben: den Ordner „%2“ gibt es nicht</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben: es ist ein Ordner</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben (%2)</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too large: %2 MB, and at most %3 MB are read</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist zu groß: %2 MB; gelesen werden höchstens %3 MB</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written: it is write-protected</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben: es ist schreibgeschützt</translation>
     </message>
     <message>
         <source>The equations of the cover could not be solved: a patch is degenerate or its numbers are too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gleichungen des Bezugs ließen sich nicht lösen: ein Schnittteil ist entartet, oder seine Zahlen sind zu groß.</translation>
     </message>
     <message>
         <source>The surface ran away after %1 iterations. Lower the pressure or check the sizes of the patches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen. Verringern Sie den Druck oder prüfen Sie die Größe der Schnittteile.</translation>
     </message>
     <message>
         <source>this seam and its neighbours carry their ends round in a circle without ever meeting. Let the seams of this circle end at common points.</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Naht und ihre Nachbarn reichen ihre Enden im Kreis weiter, ohne je zusammenzutreffen. Lassen Sie die Nähte dieses Kreises an gemeinsamen Punkten enden.</translation>
     </message>
     <message>
         <source>the corners of the two stretches lie too close together to be matched. Move them apart or choose a smaller edge length.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ecken der beiden Abschnitte liegen zu dicht beieinander, um einander zugeordnet zu werden. Rücken Sie sie auseinander oder wählen Sie eine kleinere Kantenlänge.</translation>
     </message>
     <message>
         <source>%1 and %2 hold the same point of the cover in two places, %3 mm apart. Let both curves meet there, or end one stretch earlier.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 halten denselben Punkt des Bezugs an zwei Stellen, %3 mm voneinander entfernt. Lassen Sie beide Kurven dort zusammentreffen oder einen Abschnitt früher enden.</translation>
     </message>
     <message>
         <source>the patch is too narrow somewhere for edges of %1 mm. Choose a smaller edge length.</source>
-        <translation type="unfinished"></translation>
+        <translation>das Schnittteil ist irgendwo zu schmal für Kanten von %1 mm. Wählen Sie eine kleinere Kantenlänge.</translation>
     </message>
     <message>
         <source>The design cannot be solved: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Entwurf lässt sich nicht berechnen: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>There is no patch to solve. Add a patch to the pattern.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Schnittteil zu berechnen. Fügen Sie dem Schnitt eines hinzu.</translation>
     </message>
     <message>
         <source>After %1 iterations the surface still moves by an estimated %2 mm. Allow more iterations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 Schritten bewegt sich die Oberfläche noch um schätzungsweise %2 mm. Erlauben Sie mehr Schritte.</translation>
     </message>
     <message>
         <source>Remove %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte entfernen</translation>
     </message>
     <message>
         <source>Move %1 points</source>
+        <translation>%1 Punkte verschieben</translation>
+    </message>
+    <message>
+        <source>another element has the number %1 already; give this one a number of its own</source>
+        <translation>ein anderes Element hat schon die Nummer %1; geben Sie diesem eine eigene</translation>
+    </message>
+    <message>
+        <source>this is no Bolster design; it must say &quot;format&quot;: &quot;bolster-design&quot;</source>
+        <translation>das ist kein Bolster-Entwurf; darin muss &quot;format&quot;: &quot;bolster-design&quot; stehen</translation>
+    </message>
+    <message>
+        <source>the design was made by a newer Bolster (version %1 of the format, this program knows %2); update the program</source>
+        <translation>der Entwurf stammt von einem neueren Bolster (Version %1 des Formats, dieses Programm kennt %2); aktualisieren Sie das Programm</translation>
+    </message>
+    <message>
+        <source>must be %1</source>
+        <translation>muss %1 sein</translation>
+    </message>
+    <message>
+        <source>must be &quot;mm&quot;; convert the design to millimetres</source>
+        <translation>muss &quot;mm&quot; sein; rechnen Sie den Entwurf in Millimeter um</translation>
+    </message>
+    <message>
+        <source>must be a list of elements in square brackets</source>
+        <translation>muss eine Liste von Elementen in eckigen Klammern sein</translation>
+    </message>
+    <message>
+        <source>must be a list of points in square brackets</source>
+        <translation>muss eine Liste von Punkten in eckigen Klammern sein</translation>
+    </message>
+    <message>
+        <source>must be a list of numbers in square brackets</source>
+        <translation>muss eine Liste von Zahlen in eckigen Klammern sein</translation>
+    </message>
+    <message>
+        <source>the list is empty; leave it out</source>
+        <translation>die Liste ist leer; lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>must be a curve in braces, with degree, closed and points</source>
+        <translation>muss eine Kurve in geschweiften Klammern sein, mit degree, closed und points</translation>
+    </message>
+    <message>
+        <source>a curve has either corners or knots; remove one of them</source>
+        <translation>eine Kurve hat entweder corners oder knots; entfernen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>an outline must be closed; write true</source>
+        <translation>ein Umriss muss geschlossen sein; schreiben Sie true</translation>
+    </message>
+    <message>
+        <source>must be a stretch in braces, with patch, from and to</source>
+        <translation>muss ein Abschnitt in geschweiften Klammern sein, mit patch, from und to</translation>
+    </message>
+    <message>
+        <source>must be a quaternion [w, x, y, z] of length 1, not of length %1</source>
+        <translation>muss ein Quaternion [w, x, y, z] der Länge 1 sein, nicht der Länge %1</translation>
+    </message>
+    <message>
+        <source>must be an object in braces</source>
+        <translation>muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>an element must be an object in braces</source>
+        <translation>ein Element muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam and frame</source>
+        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam und frame</translation>
+    </message>
+    <message>
+        <source>must be true or false, without quotes</source>
+        <translation>muss true oder false sein, ohne Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>and %1 more problems of this element</source>
+        <translation>und %1 weitere Probleme dieses Elements</translation>
+    </message>
+    <message>
+        <source>must be a number, without quotes</source>
+        <translation>muss eine Zahl sein, ohne Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the number %1 is beyond what is sensible; stay within %2</source>
+        <translation>die Zahl %1 liegt jenseits des Sinnvollen; bleiben Sie innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>muss eine ganze Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>must be a list of %1 numbers in square brackets</source>
+        <translation>muss eine Liste von %1 Zahlen in eckigen Klammern sein</translation>
+    </message>
+    <message>
+        <source>this key occurs twice; remove one of them</source>
+        <translation>dieser Schlüssel kommt zweimal vor; entfernen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>this key is missing; add it</source>
+        <translation>dieser Schlüssel fehlt; fügen Sie ihn hinzu</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>muss eines von %1 sein</translation>
+    </message>
+    <message>
+        <source>this key is unknown; check its spelling or remove it</source>
+        <translation>dieser Schlüssel ist unbekannt; prüfen Sie die Schreibweise oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>Move a point of %1</source>
+        <translation>Punkt von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %2 points of %1</source>
+        <translation>%2 Punkte von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Insert a point into %1</source>
+        <translation>Punkt in %1 einfügen</translation>
+    </message>
+    <message>
+        <source>Remove a point of %1</source>
+        <translation>Punkt von %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Change the settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>Add fabric %1</source>
+        <translation>Stoff %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add patch %1</source>
+        <translation>Schnittteil %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a seam</source>
+        <translation>Naht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add fixation curve %1</source>
+        <translation>Fixierkurve %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a fixation seam</source>
+        <translation>Fixierung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add frame %1</source>
+        <translation>Gestell %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an unreadable element</source>
+        <translation>Unlesbares Element hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1 elements</source>
+        <translation>%1 Elemente entfernen</translation>
+    </message>
+    <message>
+        <source>Move %1 patches</source>
+        <translation>%1 Schnittteile verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Turn %1 patches</source>
+        <translation>%1 Schnittteile drehen</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this surface. Choose a larger edge length.</source>
+        <translation>Für diese Oberfläche reicht der Speicher nicht. Wählen Sie eine größere Kantenlänge.</translation>
+    </message>
+    <message>
+        <source>The solver failed: %1. The last good surface is kept.</source>
+        <translation>Die Berechnung ist gescheitert: %1. Die letzte gute Oberfläche bleibt stehen.</translation>
+    </message>
+    <message>
+        <source>Change the colour of %1</source>
+        <translation>Farbe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the stiffness of %1</source>
+        <translation>Steifigkeit von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the Poisson parameter of %1</source>
+        <translation>Querkontraktion von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the bending length of %1</source>
+        <translation>Biegelänge von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the fabric of %1</source>
+        <translation>Stoff von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the grain of %1</source>
+        <translation>Fadenlauf von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the pressure of %1</source>
+        <translation>Druck von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the right side of %1</source>
+        <translation>Rechte Seite von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Move %1 in the layout</source>
+        <translation>%1 im Layout verschieben</translation>
+    </message>
+    <message>
+        <source>Turn %1 in the layout</source>
+        <translation>%1 im Layout drehen</translation>
+    </message>
+    <message>
+        <source>Change the continuity of %1</source>
+        <translation>Übergang von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change how %1 is matched</source>
+        <translation>Zuordnung von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Reverse %1</source>
+        <translation>%1 umkehren</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>%1 skalieren</translation>
+    </message>
+    <message>
+        <source>The surface still moves after %1 iterations.</source>
+        <translation>Nach %1 Schritten bewegt sich die Oberfläche noch.</translation>
+    </message>
+    <message>
+        <source>no file is named; write the name of a mesh beside the design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no name of a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be relative to the design&apos;s folder and use &quot;/&quot; between folders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leaves the design&apos;s folder; copy the file into that folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out because of its errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out because it needs %1, which is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an edge length of %1 mm is used instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move points of %1 fixation curves</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -411,56 +877,87 @@
     <name>PatternSelectTool</name>
     <message>
         <source>There is a control point already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier ist schon ein Kontrollpunkt.</translation>
     </message>
     <message>
         <source>Drag to turn the selected patches in the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen dreht die ausgewählten Schnittteile im Layout</translation>
     </message>
     <message>
         <source>Drag to move the control point – Shift+click selects several, Del removes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
     </message>
     <message>
         <source>Double click to add a control point here, drag to move the patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick fügt hier einen Kontrollpunkt ein, Ziehen verschiebt das Schnittteil</translation>
     </message>
     <message>
         <source>Click to select the seam, double click to add a control point here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt die Naht aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
     <message>
         <source>Click to select the patch, drag to move it in the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt das Schnittteil aus, Ziehen verschiebt es im Layout</translation>
     </message>
     <message>
         <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt aus, Aufziehen eines Rahmens wählt mehrere aus – mittlere Taste oder Leertaste verschiebt die Ansicht, das Rad zoomt</translation>
     </message>
 </context>
 <context>
     <name>PatternTool</name>
     <message>
         <source>Moved by %1, %2 – Shift keeps to one axis, Esc takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Um %1, %2 verschoben – Umschalt hält eine Achse, Esc nimmt es zurück</translation>
     </message>
     <message>
         <source>Turned by %1 – Shift turns in steps of 15°, Esc takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Um %1 gedreht – Umschalt dreht in Schritten von 15°, Esc nimmt es zurück</translation>
     </message>
     <message>
         <source>Release to select what lies in the box – Shift adds, Esc takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen wählt aus, was im Rahmen liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
     <name>SelectionEdits</name>
     <message>
         <source>Not removed: the curve needs these points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht entfernt: die Kurve braucht diese Punkte.</translation>
     </message>
     <message>
         <source>Not removed: other elements need this fabric.</source>
+        <translation>Nicht entfernt: andere Elemente brauchen diesen Stoff.</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceSelectTool</name>
+    <message>
+        <source>There is a control point already.</source>
+        <translation>Hier ist schon ein Kontrollpunkt.</translation>
+    </message>
+    <message>
+        <source>Drag to move the control point – Shift+click selects several, Del removes</source>
+        <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
+    </message>
+    <message>
+        <source>Click to select the fixation curve, double click to add a control point here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to select the seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to select the patch, drag to turn the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to select the frame, drag to turn the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -468,18 +965,100 @@
     <name>Units</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ElementsView</name>
+    <message>
+        <source>Find an element</source>
+        <translation>Element suchen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::GlCanvas</name>
+    <message>
+        <source>No OpenGL: drawn in software</source>
+        <translation>Kein OpenGL: in Software gezeichnet</translation>
+    </message>
+    <message>
+        <source>OpenGL is older than 3.3: drawn in software</source>
+        <translation>OpenGL ist älter als 3.3: in Software gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::HistoryModel</name>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PropertyForm</name>
+    <message>
+        <source>Colour of the fabric</source>
+        <translation>Farbe des Stoffs</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SurfaceSelectTool</name>
+    <message>
+        <source>Moved by x %1, y %2, z %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X, Y, Z or Shift keep to an axis, Escape cancels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept to an axis; the same key frees it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SurfaceViewCube</name>
+    <message>
+        <source>FRONT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>BOTTOM</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a face, an edge or a corner to look from there; drag to turn</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Fails when a string of the sources has no finished translation, or one with other placeholders.
 
-    check_translations.py FILE.ts... -- LUPDATE OPTION...
+    check_translations.py FILE.ts LUPDATE OPTION...
 
-Each file is brought up to date as a copy, so the sources and the committed translations stay as they are.
+A copy of the file is brought up to date, so the committed translations stay as they are.
 """
 
 import re
@@ -54,10 +54,7 @@ def check(ts_file, lupdate):
 
 
 def main():
-    split = sys.argv.index("--")
-    files, lupdate = sys.argv[1:split], sys.argv[split + 1:]
-    results = [check(Path(name), lupdate) for name in files]
-    return 0 if all(results) else 1
+    return 0 if check(Path(sys.argv[1]), sys.argv[2:]) else 1
 
 
 if __name__ == "__main__":

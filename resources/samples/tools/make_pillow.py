@@ -51,9 +51,9 @@ def main():
                     "--comment", COMMENT], check=True)
     position, rotation = lying_frame(mesh)
 
-    width, height, pressure = 600, 385, 0.3
+    width, height, pressure = 600, 385, 0.4
     elements = [
-        {"id": 1, "kind": "fabric", "name": "Linen", "poisson": 0.3, "stiffness": 1, "bending_length": 7,
+        {"id": 1, "kind": "fabric", "name": "Linen", "poisson": 0.3, "stiffness": 1, "bending_length": 5,
          "color": "#b9a27c"},
         {"id": 2, "kind": "patch", "name": "Front", "fabric": 1, "position": [0, 0], "pressure": pressure,
          "outline": outline(width, height, 15)},

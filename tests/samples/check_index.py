@@ -1,0 +1,25 @@
+#!/usr/bin/env python3
+"""The index of the samples names every sample, in both languages, and each has its credit.
+
+    check_index.py SAMPLES_FOLDER
+"""
+
+import json
+import sys
+from pathlib import Path
+
+
+def main():
+    folder = Path(sys.argv[1])
+    index = json.loads((folder / "samples.json").read_text(encoding="utf-8"))
+    listed = {entry["file"] for entry in index}
+    present = {str(path.relative_to(folder)) for path in folder.glob("*/*.json")}
+    assert listed == present, listed ^ present
+    for entry in index:
+        for texts in (entry, entry["de"]):
+            assert texts["title"] and texts["description"], entry
+        assert (folder / entry["file"]).with_name("CREDIT.md").is_file(), entry["file"]
+
+
+if __name__ == "__main__":
+    main()
