@@ -1,25 +1,108 @@
 #include "DesignCheck.h"
 
+#include "ElementRules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace bolster {
 
-Problems checkDesign(const Design&)
+namespace {
+
+// Patches that hang together through seams.
+class Components {
+public:
+    void join(ElementId a, ElementId b) { m_parent[root(a)] = root(b); }
+
+    ElementId root(ElementId id)
+    {
+        while (m_parent.contains(id) && m_parent[id] != id)
+            id = m_parent[id];
+        return id;
+    }
+
+private:
+    std::map<ElementId, ElementId> m_parent;
+};
+
+void warnOfFreePatches(const Design& design, Problems& problems)
 {
-    return {};
+    Components components;
+    design.each<Seam>([&](ElementId, const Seam& seam) { components.join(seam.a.patch, seam.b.patch); });
+    std::set<ElementId> fixed;
+    design.each<FixationSeam>(
+        [&](ElementId, const FixationSeam& seam) { fixed.insert(components.root(seam.stretch.patch)); });
+
+    std::map<ElementId, std::vector<ElementId>> free;
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        if (const ElementId root = components.root(id); !fixed.contains(root))
+            free[root].push_back(id);
+    });
+    for (const auto& [root, patches] : free) {
+        const ElementId id = patches.front();
+        Message message{QT_TRANSLATE_NOOP("Message",
+                                          "the patch is free in space: nothing fixes it to the frame; add a "
+                                          "fixation seam")};
+        if (patches.size() > 1)
+            message = {QT_TRANSLATE_NOOP("Message",
+                                         "this patch and the %1 sewn to it are free in space: nothing fixes "
+                                         "them to the frame; add a fixation seam"),
+                       {std::to_string(patches.size() - 1)}};
+        problems.push_back({id, elementLabel(id, *design.element(id)), "", std::move(message), Severity::Warning});
+    }
 }
 
-Design usablePart(const Design& design, const Problems&, Problems*)
+void sortByPlace(Problems& problems)
 {
-    return design;
+    std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+        return std::tie(a.element, a.field) < std::tie(b.element, b.field);
+    });
 }
 
-double seamEase(const Design&, const Seam&)
+} // namespace
+
+Problems checkDesign(const Design& design)
 {
-    return 0;
+    Problems problems;
+    ElementRules rules(design, problems);
+    rules.check(settingsId, *design.element(settingsId));
+    for (const auto& [id, element] : design.elements())
+        rules.check(id, *element);
+    warnOfFreePatches(design, problems);
+    sortByPlace(problems);
+    return problems;
 }
 
-std::optional<Vec2> selfIntersection(const BSpline2&)
+Problems allProblems(const ReadDesign& read)
 {
-    return std::nullopt;
+    Problems problems = checkDesign(read.design);
+    for (const Problem& problem : read.problems)
+        if (std::find(problems.begin(), problems.end(), problem) == problems.end())
+            problems.push_back(problem);
+    sortByPlace(problems);
+    return problems;
+}
+
+double smallestEdgeLength(const Design& design)
+{
+    constexpr double mostTriangles = 5e6;
+    double area = 0;
+    design.each<Patch>([&](ElementId, const Patch& patch) { area += std::abs(patch.outline.signedArea()); });
+    return std::sqrt(area / mostTriangles * 4 / std::sqrt(3.0)); // of equilateral triangles
+}
+
+double seamEase(const Design& design, const Seam& seam)
+{
+    const auto length = [&](const Stretch& stretch) {
+        const auto* patch = design.find<Patch>(stretch.patch);
+        if (!patch || patch->outline.empty())
+            return 0.0;
+        const BSpline2& outline = patch->outline;
+        const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+        return ArcLength2(outline).between(stretch.from, end);
+    };
+    return ease(length(seam.a), length(seam.b));
 }
 
 } // namespace bolster

@@ -1,17 +1,24 @@
 // What is wrong with the elements of a design, and what remains usable.
 #pragma once
 
-#include "Design.h"
+#include "DesignJson.h"
 
 namespace bolster {
 
 /// Every rule that needs only the design: ranges, references, stretches, outlines that cross themselves, seams of
-/// a stretch with itself ... Warnings too (ease over 5 %). Ordered by element, then field.
+/// a stretch with itself ... Warnings too (ease over 5 %). Elements that could not be read repeat their problems.
+/// Ordered by element, then field.
 Problems checkDesign(const Design& design);
 
-/// The design without the elements that have errors, and without those that refer to them.
-/// `leftOut` gets one problem for each element that was left out.
+/// The problems of reading and those of checkDesign, each once.
+Problems allProblems(const ReadDesign& read);
+
+/// The design without the elements that have errors, and without those that refer to them. A bad edge length
+/// becomes 12 mm. `leftOut` gets one warning for each element that was left out, and one for the edge length.
 Design usablePart(const Design& design, const Problems& problems, Problems* leftOut = nullptr);
+
+/// The edge length (mm) below which the patches would need more than five million triangles.
+double smallestEdgeLength(const Design& design);
 
 /// Length of the longer stretch over that of the shorter one, minus 1. 0 when an end is missing.
 double seamEase(const Design& design, const Seam& seam);

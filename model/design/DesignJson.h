@@ -9,8 +9,8 @@
 namespace bolster {
 
 struct ReadDesign {
-    Design design;     ///< unreadable elements are in it as Quarantined
-    Problems problems; ///< of reading; the rules of checkDesign are not applied here
+    Design design;         ///< unreadable elements are in it as Quarantined
+    Problems problems;     ///< of reading; the rules of checkDesign are not applied here
     bool readable = false; ///< false: not a design at all (wrong JSON, format or version); `design` is empty
 };
 

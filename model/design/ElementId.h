@@ -12,6 +12,9 @@ enum class ElementId : std::int32_t {};
 inline constexpr ElementId settingsId{0};
 inline constexpr std::int32_t largestElementId = 2'000'000'000;
 
-constexpr std::int32_t number(ElementId id) { return static_cast<std::int32_t>(id); }
+constexpr std::int32_t number(ElementId id)
+{
+    return static_cast<std::int32_t>(id);
+}
 
 } // namespace bolster

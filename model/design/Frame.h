@@ -2,7 +2,9 @@
 #pragma once
 
 #include "Geometry.h"
+#include "Message.h"
 
+#include <optional>
 #include <string>
 
 namespace bolster {
@@ -19,9 +21,13 @@ struct Frame {
 
     friend bool operator==(const Frame& a, const Frame& b)
     {
-        return a.name == b.name && a.file == b.file && a.scale == b.scale && a.position == b.position
-               && a.rotation.coeffs() == b.rotation.coeffs();
+        return a.name == b.name && a.file == b.file && a.scale == b.scale && a.position == b.position &&
+               a.rotation.coeffs() == b.rotation.coeffs();
     }
 };
+
+/// What is wrong with the name of a frame's file, if anything: it must lie in the design's folder, whatever system
+/// the design is opened on. Links on disk are not looked at.
+std::optional<Message> frameFileProblem(const std::string& file);
 
 } // namespace bolster

@@ -1,0 +1,334 @@
+#include "ElementRules.h"
+
+#include "DesignCheck.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double largestNumber = 1e7;
+constexpr double shortestLength = 1e-3; // mm: of anything that has a length
+constexpr double mostEase = 0.05;
+constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
+constexpr double leastPressure = -1000;
+constexpr double mostPressure = 1000;
+
+bool isColor(const std::string& text)
+{
+    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+    return text.size() == 7 && text[0] == '#' && std::all_of(text.begin() + 1, text.end(), isHex);
+}
+
+int distinctPoints(const BSpline2& outline)
+{
+    std::vector<std::pair<double, double>> points;
+    for (const Vec2& point : outline.points())
+        points.emplace_back(point.x(), point.y());
+    std::sort(points.begin(), points.end());
+    return static_cast<int>(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+// Whether all points lie on one line.
+bool flat(const BSpline2& outline)
+{
+    const Vec2 origin = outline.points().front();
+    Vec2 farthest = origin;
+    for (const Vec2& point : outline.points())
+        if ((point - origin).norm() > (farthest - origin).norm())
+            farthest = point;
+    const Vec2 line = farthest - origin;
+    return std::all_of(outline.points().begin(), outline.points().end(), [&](const Vec2& point) {
+        return std::abs(line.x() * (point - origin).y() - line.y() * (point - origin).x()) <=
+               1e-9 * line.squaredNorm();
+    });
+}
+
+std::string coordinates(const Vec2& point)
+{
+    return std::string("(").append(numberText(point.x())).append(", ").append(numberText(point.y())).append(")");
+}
+
+} // namespace
+
+double ease(double lengthA, double lengthB)
+{
+    const auto [shorter, longer] = std::minmax(lengthA, lengthB);
+    return shorter > 0 ? longer / shorter - 1 : 0;
+}
+
+void ElementRules::check(ElementId id, const Element& element)
+{
+    m_id = id;
+    m_label = elementLabel(id, element);
+    std::visit([this](const auto& value) { rules(value); }, element);
+}
+
+void ElementRules::error(std::string field, Message message)
+{
+    m_problems.push_back({m_id, m_label, std::move(field), std::move(message), Severity::Error});
+}
+
+void ElementRules::warn(std::string field, Message message)
+{
+    m_problems.push_back({m_id, m_label, std::move(field), std::move(message), Severity::Warning});
+}
+
+bool ElementRules::inRange(std::string field, double value, double low, double high)
+{
+    if (value >= low && value <= high)
+        return true;
+    error(std::move(field), {QT_TRANSLATE_NOOP("Message", "is %1, but must lie between %2 and %3"),
+                             {numberText(value), numberText(low), numberText(high)}});
+    return false;
+}
+
+template <class T>
+const T* ElementRules::reference(std::string field, ElementId id)
+{
+    const ElementPtr element = id == settingsId ? nullptr : m_design.element(id);
+    if (const T* found = element ? std::get_if<T>(element.get()) : nullptr)
+        return found;
+    const std::string wanted = elementLabel(kindName(Element{T{}}), settingsId, "");
+    const std::string given = std::to_string(number(id));
+    if (!element)
+        error(std::move(field),
+              {QT_TRANSLATE_NOOP("Message", "there is no element %1; name a %2"), {given, wanted}});
+    else if (std::holds_alternative<Quarantined>(*element))
+        error(std::move(field),
+              {QT_TRANSLATE_NOOP("Message", "element %1 cannot be read; repair it or name another %2"),
+               {given, wanted}});
+    else
+        error(std::move(field), {QT_TRANSLATE_NOOP("Message", "%1 is no %2; name another element"),
+                                 {elementLabel(id, *element), wanted}});
+    return nullptr;
+}
+
+void ElementRules::rules(const Settings& settings)
+{
+    const double smallest = smallestEdgeLength(m_design);
+    if (!(settings.edgeLength > 0 && settings.edgeLength <= largestNumber))
+        error("edge_length", {QT_TRANSLATE_NOOP("Message", "is %1, but must be a positive length; 12 mm is usual"),
+                              {numberText(settings.edgeLength)}});
+    else if (settings.edgeLength < smallest)
+        error("edge_length",
+              {QT_TRANSLATE_NOOP("Message", "%1 mm would make more than 5 million triangles; take at "
+                                            "least %2 mm for these patches"),
+               {numberText(settings.edgeLength), numberText(std::ceil(smallest * 100) / 100)}});
+}
+
+void ElementRules::rules(const Fabric& fabric)
+{
+    inRange("poisson", fabric.poisson, -0.5, 0.5);
+    inRange("stiffness", fabric.stiffness, 1e-3, 1e3);
+    if (!isColor(fabric.color))
+        error("color",
+              {QT_TRANSLATE_NOOP("Message", "\"%1\" is no colour; write it like #7a4a2b"), {fabric.color}});
+    if (!inRange("bending_length", fabric.bendingLength, 0, largestNumber))
+        return;
+    bool used = false;
+    m_design.each<Patch>([&](ElementId, const Patch& patch) { used = used || patch.fabric == m_id; });
+    const double resolved = resolvedShare * m_design.settings().edgeLength;
+    if (used && fabric.bendingLength < resolved)
+        warn("bending_length",
+             {QT_TRANSLATE_NOOP("Message",
+                                "the mesh cannot resolve folds as small as a bending length of %1 mm makes "
+                                "them: with edges of %2 mm it acts like %3 mm; take an edge length of at most "
+                                "%4 mm, or a longer bending length"),
+              {numberText(fabric.bendingLength), numberText(m_design.settings().edgeLength), numberText(resolved),
+               numberText(fabric.bendingLength / resolvedShare)}});
+}
+
+void ElementRules::rules(const Patch& patch)
+{
+    reference<Fabric>("fabric", patch.fabric);
+    for (const double value : patch.position)
+        if (!inRange("position", value, -largestNumber, largestNumber))
+            break;
+    inRange("rotation", patch.rotation, -largestNumber, largestNumber);
+    inRange("grain", patch.grain, -largestNumber, largestNumber);
+    inRange("pressure", patch.pressure, leastPressure, mostPressure);
+    outlineShape(patch.outline);
+}
+
+void ElementRules::outlineShape(const BSpline2& outline)
+{
+    if (outline.empty() || !outline.closed()) {
+        error("outline", {QT_TRANSLATE_NOOP("Message", "an outline must be a closed curve")});
+        return;
+    }
+    const double size = outline.boundingBox().diagonal().norm();
+    if (distinctPoints(outline) < 3 || !(size >= shortestLength)) {
+        error("outline.points",
+              {QT_TRANSLATE_NOOP("Message", "the outline needs at least three points in different places")});
+    } else if (flat(outline)) {
+        error("outline.points",
+              {QT_TRANSLATE_NOOP("Message", "all points of the outline lie on one line, it encloses no "
+                                            "area; move one of them")});
+    } else if (const auto crossing = selfIntersection(outline)) {
+        error("outline.points",
+              {QT_TRANSLATE_NOOP("Message", "the outline crosses or touches itself near %1; move its "
+                                            "points apart there"),
+               {coordinates(*crossing)}});
+    } else if (!(std::abs(outline.signedArea()) > 1e-9 * size * size)) {
+        error("outline.points", {QT_TRANSLATE_NOOP("Message", "the outline encloses no area")});
+    }
+}
+
+template <int Dim>
+bool ElementRules::range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve,
+                         double from, double to)
+{
+    const double start = curve.domainStart();
+    const double end = curve.domainEnd();
+    // A closed curve may be addressed from 0 or from its first knot; mostly these are the same.
+    const double low = curve.closed() ? std::min(0.0, start) : start;
+    const double high = curve.closed() ? std::max(curve.period(), end) : end;
+    const std::size_t before = m_problems.size();
+    if (inRange(fromField, from, low, high) && curve.closed() && from == high)
+        error(fromField, {QT_TRANSLATE_NOOP("Message", "%1 is the end of the curve; write %2, its start"),
+                          {numberText(from), numberText(low)}});
+    inRange(toField, to, low, high);
+    if (m_problems.size() > before)
+        return false;
+    if (!curve.closed() && !(from < to)) {
+        error(toField, {QT_TRANSLATE_NOOP("Message", "is %1, but must be larger than the start of the stretch, %2"),
+                        {numberText(to), numberText(from)}});
+        return false;
+    }
+    const double length = unwrappedEnd(from, to, start, end) - from;
+    if (length > 0 && length <= curve.period() * (1 + 1e-12) && length >= 1e-9 * curve.period())
+        return true;
+    error(toField, {QT_TRANSLATE_NOOP("Message", "the stretch from %1 to %2 is empty or longer than the curve"),
+                    {numberText(from, 12), numberText(to, 12)}});
+    return false;
+}
+
+const Patch* ElementRules::stretch(const std::string& prefix, const Stretch& stretch)
+{
+    const auto* patch = reference<Patch>(prefix + "patch", stretch.patch);
+    if (!patch || patch->outline.empty() ||
+        !range(prefix + "from", prefix + "to", patch->outline, stretch.from, stretch.to))
+        return nullptr;
+    if (lengthOf(stretch, patch->outline) >= shortestLength)
+        return patch;
+    error(prefix + "to",
+          {QT_TRANSLATE_NOOP("Message", "the stretch from %1 to %2 has no length; the outline's points "
+                                        "coincide there"),
+           {numberText(stretch.from), numberText(stretch.to)}});
+    return nullptr;
+}
+
+double ElementRules::lengthOf(const Stretch& stretch, const BSpline2& outline)
+{
+    const ArcLength2& lengths = m_lengths.try_emplace(stretch.patch, outline).first->second;
+    return lengths.between(stretch.from,
+                           unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
+}
+
+// Whether two stretches of one outline have more than end points in common.
+bool ElementRules::overlapsItself(const Seam& seam, const BSpline2& outline) const
+{
+    if (seam.a.patch != seam.b.patch)
+        return false;
+    const double period = outline.period();
+    const auto extent = [&](const Stretch& stretch) {
+        return unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
+    };
+    const double offset = seam.b.from - seam.a.from;
+    const double ahead = offset - period * std::floor(offset / period); // of b's start, seen from a's
+    const double slack = 1e-9 * period;
+    const bool startsInside = ahead < extent(seam.a) - slack && ahead < period - slack;
+    return startsInside || ahead + extent(seam.b) > period + slack || (period - ahead < slack);
+}
+
+// Outlines that run the same way round, seen from their right sides, meet right side to right side when one of them
+// is walked backwards.
+bool ElementRules::joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const
+{
+    const auto counterClockwise = [](const Patch& patch) {
+        return (patch.outline.signedArea() > 0) != patch.wrongSideOut;
+    };
+    return seam.reversed == (counterClockwise(a) == counterClockwise(b));
+}
+
+void ElementRules::rules(const Seam& seam)
+{
+    const Patch* a = stretch("a.", seam.a);
+    const Patch* b = stretch("b.", seam.b);
+    if (!a || !b)
+        return;
+    if (overlapsItself(seam, a->outline)) {
+        error("b", {QT_TRANSLATE_NOOP("Message",
+                                      "the seam would sew a stretch of \"%1\" to itself: %2 to %3 and %4 to %5 "
+                                      "overlap; choose two separate stretches"),
+                    {a->name, numberText(seam.a.from), numberText(seam.a.to), numberText(seam.b.from),
+                     numberText(seam.b.to)}});
+        return;
+    }
+    if (!joinsRightSides(seam, *a, *b)) {
+        Message message{QT_TRANSLATE_NOOP("Message",
+                                          "the seam joins the right side of \"%1\" to the wrong side of \"%2\"; "
+                                          "turn \"reversed\" round, or one patch wrong side out"),
+                        {a->name, b->name}};
+        if (seam.continuity == Continuity::C0)
+            warn("reversed", std::move(message));
+        else
+            error("reversed", std::move(message)); // the surface could not be smooth across it
+    }
+    const double lengthA = lengthOf(seam.a, a->outline);
+    const double lengthB = lengthOf(seam.b, b->outline);
+    if (const double ratio = ease(lengthA, lengthB); ratio > mostEase)
+        warn("b",
+             {QT_TRANSLATE_NOOP("Message", "the sides of the seam are %1 mm (\"%2\") and %3 mm (\"%4\") long: %5 % "
+                                           "ease, more than 5 % puckers; make them equal or check the ends of the "
+                                           "stretches"),
+              {numberText(lengthA), a->name, numberText(lengthB), b->name, numberText(100 * ratio, 3)}});
+}
+
+void ElementRules::rules(const FixationCurve& fixation)
+{
+    if (fixation.curve.empty() || !(ArcLength3(fixation.curve).total() >= shortestLength))
+        error("curve.points", {QT_TRANSLATE_NOOP("Message", "the curve has no length; move its points apart")});
+}
+
+void ElementRules::rules(const FixationSeam& seam)
+{
+    stretch("", seam.stretch);
+    const auto* fixation = reference<FixationCurve>("curve", seam.curve);
+    if (!fixation || fixation->curve.empty() || !seam.curveRange)
+        return;
+    const auto [from, to] = *seam.curveRange;
+    if (!range("curve_from", "curve_to", fixation->curve, from, to))
+        return;
+    const double end = unwrappedEnd(from, to, fixation->curve.domainStart(), fixation->curve.domainEnd());
+    if (!(ArcLength3(fixation->curve).between(from, end) >= shortestLength))
+        error("curve_to", {QT_TRANSLATE_NOOP("Message", "the curve from %1 to %2 has no length"),
+                           {numberText(from), numberText(to)}});
+}
+
+void ElementRules::rules(const Frame& frame)
+{
+    if (auto problem = frameFileProblem(frame.file))
+        error("file", std::move(*problem));
+    if (!(frame.scale > 0 && frame.scale <= largestNumber))
+        error("scale",
+              {QT_TRANSLATE_NOOP("Message", "is %1, but must be positive: millimetres per unit of the file"),
+               {numberText(frame.scale)}});
+    for (const double value : frame.position)
+        if (!inRange("position", value, -largestNumber, largestNumber))
+            break;
+    if (!(std::abs(frame.rotation.norm() - 1) <= 1e-6))
+        error("rotation",
+              {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
+               {numberText(frame.rotation.norm())}});
+}
+
+void ElementRules::rules(const Quarantined& quarantined)
+{
+    m_problems.insert(m_problems.end(), quarantined.problems.begin(), quarantined.problems.end());
+}
+
+} // namespace bolster

@@ -1,0 +1,57 @@
+// The rules for single elements of a design. Private to the library.
+#pragma once
+
+#include "ArcLength.h"
+#include "Design.h"
+
+#include <map>
+
+namespace bolster {
+
+/// Length of the longer one over that of the shorter one, minus 1; 0 when there is none.
+double ease(double lengthA, double lengthB);
+
+class ElementRules {
+public:
+    /// Reports into `problems`.
+    ElementRules(const Design& design, Problems& problems)
+        : m_design(design)
+        , m_problems(problems)
+    {}
+
+    void check(ElementId id, const Element& element);
+
+private:
+    void rules(const Settings& settings);
+    void rules(const Fabric& fabric);
+    void rules(const Patch& patch);
+    void rules(const Seam& seam);
+    void rules(const FixationCurve& fixation);
+    void rules(const FixationSeam& seam);
+    void rules(const Frame& frame);
+    void rules(const Quarantined& quarantined);
+
+    void error(std::string field, Message message);
+    void warn(std::string field, Message message);
+    /// Reports a number outside [low, high], NaN too; says whether it is inside.
+    bool inRange(std::string field, double value, double low, double high);
+    template <class T>
+    const T* reference(std::string field, ElementId id);
+    void outlineShape(const BSpline2& outline);
+    /// The patch, if the stretch is sound; `prefix` is "a." or "b." or nothing.
+    const Patch* stretch(const std::string& prefix, const Stretch& stretch);
+    template <int Dim>
+    bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
+               double to);
+    bool overlapsItself(const Seam& seam, const BSpline2& outline) const;
+    bool joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const;
+    double lengthOf(const Stretch& stretch, const BSpline2& outline);
+
+    const Design& m_design;
+    Problems& m_problems;
+    ElementId m_id{};
+    std::string m_label;
+    std::map<ElementId, ArcLength2> m_lengths; // by patch
+};
+
+} // namespace bolster
