@@ -1,76 +1,436 @@
 #include "SurfaceView.h"
 
+#include "Document.h"
+#include "GlCanvas.h"
+#include "MeshShape.h"
+#include "Selection.h"
+#include "SoftwareCanvas.h"
+#include "SurfaceMarks.h"
+#include "SurfaceSelectTool.h"
+#include "SurfaceViewCube.h"
+
+#include <QEvent>
+#include <QResizeEvent>
+
+#include <chrono>
+
 namespace bolster {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto occlusionDelay = 250ms; ///< the cover must rest that long before its shadows are found
+constexpr int movingWithin = 250;      ///< ms between two surfaces that belong to one movement
+constexpr int cubeMargin = 8;          ///< pixels
+
+} // namespace
 
 SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
-{}
+    , m_layers{Layer::Cover, Layer::Checker, Layer::Seams, Layer::Frames, Layer::FixationCurves, Layer::Ground}
+    , m_cube(new SurfaceViewCube(this))
+    , m_tool(std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this)))
+    , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
+        m_scene.occlusion = std::move(occlusion);
+        draw(false);
+    })
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setMinimumSize(160, 120);
+    m_scene.colors = ViewColors::of(palette());
+    m_flight.setDuration(260);
+    m_flight.setEasingCurve(QEasingCurve::InOutCubic);
+    m_flight.setStartValue(0.0);
+    m_flight.setEndValue(1.0);
+    m_occlusionDelay.setSingleShot(true);
+    m_occlusionDelay.setInterval(occlusionDelay);
 
-SurfaceView::~SurfaceView() = default;
+    connect(&m_flight, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        m_flightTo.size = m_camera.size;
+        apply(Camera::between(m_flightFrom, m_flightTo, t.toDouble()));
+    });
+    connect(&m_occlusionDelay, &QTimer::timeout, this, &SurfaceView::requestOcclusion);
+    connect(m_cube, &SurfaceViewCube::viewChosen, this, [this](double azimuth, double elevation) {
+        Camera camera = m_camera;
+        camera.azimuth = azimuth;
+        camera.elevation = elevation;
+        camera.fit(m_scene.box);
+        goTo(camera);
+    });
+    connect(m_cube, &SurfaceViewCube::turned, this, [this](double azimuthBy, double elevationBy) {
+        Camera camera = m_camera;
+        camera.orbit(azimuthBy, elevationBy, m_scene.box.isEmpty() ? m_camera.target : Vec3(m_scene.box.center()));
+        setCamera(camera);
+    });
+    connect(&m_document, &Document::changed, this, &SurfaceView::designChanged);
+    const auto selectionChanged = [this] {
+        updateLooks();
+        updateMarks();
+        draw(false);
+    };
+    connect(&m_selection, &Selection::changed, this, selectionChanged);
+    connect(&m_selection, &Selection::hoverChanged, this, selectionChanged);
+    designChanged();
+}
 
-void SurfaceView::setSoftwareRenderer(std::unique_ptr<SoftwareRenderer>) {}
+SurfaceView::~SurfaceView()
+{
+    m_canvas.reset(); // before the scene that it draws
+}
 
-void SurfaceView::setDrawing(Drawing) {}
+void SurfaceView::setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer)
+{
+    m_softwareRenderer = std::move(renderer);
+}
+
+void SurfaceView::setDrawing(Drawing drawing)
+{
+    m_drawing = drawing;
+}
+
+void SurfaceView::makeCanvas()
+{
+    const QString problem = m_drawing == Drawing::Software ? tr("Drawn in software") : glProblem();
+    if (!problem.isEmpty()) {
+        useSoftware(problem);
+        return;
+    }
+    auto canvas = std::make_unique<GlCanvas>(m_scene, m_camera, this);
+    connect(canvas.get(), &GlCanvas::failed, this, &SurfaceView::useSoftware, Qt::QueuedConnection);
+    m_canvas = std::move(canvas);
+    emit rendererNote({});
+}
+
+void SurfaceView::useSoftware(const QString& note)
+{
+    m_canvas.reset();
+    m_canvas = std::make_unique<SoftwareCanvas>(m_scene, m_camera, m_softwareRenderer, this);
+    m_canvas->widget().setGeometry(rect());
+    m_canvas->widget().lower();
+    m_canvas->widget().show();
+    emit rendererNote(note);
+    draw(false);
+}
 
 void SurfaceView::setSurface(SurfaceMeshPtr surface)
 {
-    m_surface = std::move(surface);
-    update();
+    const bool usable = surface && surface->topology &&
+                        surface->positions.size() == surface->topology->vertexCount() &&
+                        surface->normals.size() == surface->positions.size();
+    m_surface = usable ? std::move(surface) : nullptr;
+    m_scene.surface = layerVisible(Layer::Cover) ? m_surface : nullptr;
+    m_borders.setTopology(m_scene.surface ? m_scene.surface->topology : nullptr);
+    m_hitTest.setSurface(m_scene.surface);
+    const bool moving = m_sinceSurface.isValid() && m_sinceSurface.elapsed() < movingWithin;
+    m_sinceSurface.start();
+    updateLooks();
+    updateMarks();
+    updateBox();
+    m_occlusionDelay.start();
+    draw(moving);
 }
 
-SurfaceMeshPtr SurfaceView::surface() const
+void SurfaceView::setFrames(const FrameMeshes& frames)
 {
-    return m_surface;
+    m_frameMeshes = frames;
+    updateFrames();
+    updateBox();
+    m_occlusionDelay.start();
+    draw(false);
 }
 
-void SurfaceView::setFrames(const FrameMeshes&) {}
-
-void SurfaceView::setDimmed(bool) {}
-
-void SurfaceView::fitAll() {}
-
-void SurfaceView::fitSelection() {}
-
-void SurfaceView::setStandardView(StandardView) {}
-
-void SurfaceView::setPerspective(bool perspective)
+void SurfaceView::setDimmed(bool dimmed)
 {
-    m_camera.perspective = perspective;
-    emit perspectiveChanged(perspective);
+    if (dimmed == m_scene.dimmed)
+        return;
+    m_scene.dimmed = dimmed;
+    draw(false);
 }
 
-bool SurfaceView::perspective() const
+void SurfaceView::setLayerVisible(Layer layer, bool visible)
 {
-    return m_camera.perspective;
+    if (visible == layerVisible(layer))
+        return;
+    if (visible)
+        m_layers.insert(layer);
+    else
+        m_layers.erase(layer);
+    m_scene.checker = layerVisible(Layer::Checker);
+    m_scene.meshEdges = layerVisible(Layer::MeshEdges);
+    m_scene.ground = layerVisible(Layer::Ground);
+    updateFrames();
+    setSurface(m_surface);
 }
 
-const Camera& SurfaceView::camera() const
+void SurfaceView::designChanged()
 {
-    return m_camera;
+    m_curves.update(m_document.design());
+    updateFrames();
+    updateLooks();
+    updateMarks();
+    updateBox();
+    draw(m_document.gestureRunning());
 }
 
-void SurfaceView::setCamera(const Camera& camera)
+void SurfaceView::updateFrames()
 {
-    m_camera = camera;
+    std::vector<SurfaceScene::FrameLook> frames;
+    std::vector<ElementId> ids;
+    if (layerVisible(Layer::Frames))
+        m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
+            const auto mesh = m_frameMeshes.find(id);
+            if (mesh == m_frameMeshes.end() || !mesh->second)
+                return;
+            frames.push_back({mesh->second, frame});
+            ids.push_back(id);
+        });
+    const auto same = [](const SurfaceScene::FrameLook& a, const SurfaceScene::FrameLook& b) {
+        return a.mesh == b.mesh && a.placement == b.placement;
+    };
+    if (std::equal(frames.begin(), frames.end(), m_scene.frames.begin(), m_scene.frames.end(), same))
+        return;
+    m_scene.frames = std::move(frames);
+    m_hitTest.setFrames(m_scene.frames, ids);
+    m_occlusionDelay.start();
 }
 
-void SurfaceView::setLayerVisible(Layer, bool) {}
-
-bool SurfaceView::layerVisible(Layer) const
+void SurfaceView::updateLooks()
 {
-    return true;
+    m_scene.patches.clear();
+    if (!m_scene.surface)
+        return;
+    for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
+        const Fabric* fabric = m_document.design().find<Fabric>(range.fabric);
+        QColor tint = m_scene.colors.accent;
+        tint.setAlphaF(m_selection.contains(range.patch)      ? 0.22F
+                       : m_selection.hovered() == range.patch ? 0.10F
+                                                              : 0);
+        const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
+        m_scene.patches.push_back({range.patch, color, tint});
+    }
 }
 
-QImage SurfaceView::grabPicture()
+void SurfaceView::updateMarks()
 {
-    return {};
+    const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves)};
+    SurfaceMarks(m_borders, m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
+    for (SurfaceLine& guide : m_tool->guides())
+        m_scene.lines.push_back(std::move(guide));
+}
+
+void SurfaceView::updateBox()
+{
+    Box3 solid;
+    if (m_scene.surface)
+        for (const Vec3& p : m_scene.surface->positions)
+            if (p.allFinite())
+                solid.extend(p);
+    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
+        for (const Vec3& p : placedPoints(frame))
+            if (p.allFinite())
+                solid.extend(p);
+    Box3 box = solid;
+    for (const auto& [id, curve] : m_curves.all())
+        for (const Vec3& p : curve.points)
+            box.extend(p);
+    m_scene.box = box;
+    m_scene.floor = box.isEmpty() ? 0 : (solid.isEmpty() ? box : solid).min().z() - 1;
+    if (m_fitPending && !box.isEmpty() && width() > 1 && isVisible()) {
+        m_fitPending = false;
+        m_camera.look(StandardView::ThreeQuarter);
+        m_camera.azimuth += frontSide();
+        m_camera.fit(box);
+    } else if (box.isEmpty()) {
+        m_fitPending = true;
+    }
+}
+
+void SurfaceView::requestOcclusion()
+{
+    SurfaceOcclusion::Input input;
+    input.surface = m_scene.surface;
+    input.floor = static_cast<float>(m_scene.floor);
+    for (const SurfaceScene::FrameLook& frame : m_scene.frames) {
+        const auto first = static_cast<std::uint32_t>(input.framePoints.size());
+        for (const Vec3& p : placedPoints(frame))
+            input.framePoints.push_back(p.cast<float>());
+        for (const SurfaceRays::Triangle& t : frame.mesh->triangles)
+            input.frameTriangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    }
+    m_occlusionJob.request(std::move(input), true);
+}
+
+void SurfaceView::draw(bool moving)
+{
+    m_cube->setCamera(m_camera);
+    if (m_canvas)
+        m_canvas->refresh(moving);
+}
+
+void SurfaceView::refresh()
+{
+    const QString text = m_tool->prompt();
+    if (text != m_prompt) {
+        m_prompt = text;
+        emit promptChanged(text);
+    }
+    setCursor(m_tool->cursor());
+    const auto hovered = m_tool->hoveredPoint();
+    if (hovered != m_hoveredPoint || !m_tool->guides().empty()) {
+        m_hoveredPoint = hovered;
+        updateMarks();
+        draw(m_document.gestureRunning());
+    }
 }
 
 QString SurfaceView::prompt() const
 {
-    return {};
+    return m_tool->prompt();
+}
+
+SurfaceHit SurfaceView::hit(QPointF pixel) const
+{
+    const SurfaceCurves* curves = layerVisible(Layer::FixationCurves) ? &m_curves : nullptr;
+    return m_hitTest.hit({m_camera, curves, m_selection, layerVisible(Layer::Seams)}, pixel);
+}
+
+void SurfaceView::apply(const Camera& camera)
+{
+    m_camera = camera;
+    m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
+    draw(true);
+}
+
+void SurfaceView::setCamera(const Camera& camera)
+{
+    m_flight.stop();
+    m_fitPending = false;
+    const bool before = m_camera.perspective;
+    apply(camera);
+    if (before != m_camera.perspective)
+        emit perspectiveChanged(m_camera.perspective);
+}
+
+void SurfaceView::goTo(Camera camera)
+{
+    m_flight.stop();
+    m_fitPending = false;
+    m_flightFrom = m_camera;
+    m_flightTo = camera;
+    if (isVisible())
+        m_flight.start();
+    else
+        apply(camera);
+}
+
+void SurfaceView::setPerspective(bool perspective)
+{
+    Camera camera = m_flight.state() == QAbstractAnimation::Running ? m_flightTo : m_camera;
+    camera.perspective = perspective;
+    setCamera(camera);
+}
+
+double SurfaceView::frontSide() const
+{
+    if (m_scene.surface)
+        return frontAzimuth(m_scene.surface->positions);
+    return m_scene.frames.empty() ? 0 : frontAzimuth(placedPoints(m_scene.frames.front()));
+}
+
+void SurfaceView::setStandardView(StandardView view)
+{
+    Camera camera = m_camera;
+    camera.look(view);
+    if (view == StandardView::ThreeQuarter)
+        camera.azimuth += frontSide();
+    camera.fit(m_scene.box);
+    goTo(camera);
+}
+
+void SurfaceView::fitAll()
+{
+    if (!isVisible() || m_scene.box.isEmpty()) {
+        m_fitPending = true;
+        updateBox();
+        return;
+    }
+    Camera camera = m_camera;
+    camera.fit(m_scene.box);
+    goTo(camera);
+}
+
+Box3 SurfaceView::selectedBox() const
+{
+    Box3 box;
+    for (const auto& [id, curve] : m_curves.all())
+        if (m_selection.contains(id))
+            for (const Vec3& p : curve.points)
+                box.extend(p);
+    if (m_scene.surface)
+        for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches)
+            if (m_selection.contains(range.patch))
+                for (std::uint32_t i = 0; i < range.vertexCount; ++i)
+                    box.extend(m_scene.surface->positions[range.firstVertex + i]);
+    return box;
+}
+
+void SurfaceView::fitSelection()
+{
+    const Box3 box = selectedBox();
+    if (box.isEmpty()) {
+        fitAll();
+        return;
+    }
+    Camera camera = m_camera;
+    camera.fit(box);
+    goTo(camera);
+}
+
+QImage SurfaceView::grabPicture()
+{
+    if (!m_canvas)
+        makeCanvas();
+    return m_canvas->grab();
+}
+
+void SurfaceView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (!m_canvas) {
+        makeCanvas();
+        m_canvas->widget().setGeometry(rect());
+        m_canvas->widget().lower();
+        m_canvas->widget().show();
+    }
+    updateBox();
+    draw(false);
+}
+
+void SurfaceView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
+    if (m_canvas)
+        m_canvas->widget().setGeometry(rect());
+    m_cube->move(width() - m_cube->width() - cubeMargin, cubeMargin);
+    m_cube->setVisible(width() > 3 * m_cube->width() && height() > 2 * m_cube->height());
+    updateBox();
+    draw(true);
+}
+
+void SurfaceView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
+        m_scene.colors = ViewColors::of(palette());
+        updateLooks();
+        updateMarks();
+        draw(false);
+    }
 }
 
 } // namespace bolster

@@ -4,20 +4,31 @@
 #include "Camera.h"
 #include "DesignFile.h"
 #include "SoftwareRenderer.h"
-#include "SurfaceMesh.h"
+#include "SurfaceBorders.h"
+#include "SurfaceCanvas.h"
+#include "SurfaceHit.h"
+#include "SurfaceJob.h"
+#include "SurfaceTool.h"
 
+#include <QElapsedTimer>
 #include <QImage>
+#include <QTimer>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace bolster {
 
 class Document;
 class Selection;
+class SurfaceViewCube;
 
-class SurfaceView : public QWidget {
+/// The middle or right button, or Alt with the left one, turns; with Shift it pans. The left button turns, too,
+/// where there is nothing to drag. The wheel zooms at the pointer; Home shows everything.
+class SurfaceView : public QWidget, private SurfaceToolContext {
     Q_OBJECT
 
 public:
@@ -42,28 +53,30 @@ public:
 
     /// The cover to show; null for none. Cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
-    SurfaceMeshPtr surface() const;
+    SurfaceMeshPtr surface() const { return m_surface; }
     /// The meshes of the design's frames; their placement is taken from the design.
     void setFrames(const FrameMeshes& frames);
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
     void fitAll();
-    void fitSelection();
+    void fitSelection(); ///< everything when nothing that is shown is selected
     /// Turns smoothly and fits the whole scene.
     void setStandardView(bolster::SurfaceView::StandardView view);
     void setPerspective(bool perspective);
-    bool perspective() const;
-    const Camera& camera() const;
+    bool perspective() const { return m_camera.perspective; }
+    const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
 
     void setLayerVisible(bolster::SurfaceView::Layer layer, bool visible);
-    bool layerVisible(bolster::SurfaceView::Layer layer) const;
+    bool layerVisible(bolster::SurfaceView::Layer layer) const { return m_layers.contains(layer); }
 
     /// What the view shows now, in device pixels, drawn finely.
     QImage grabPicture();
     /// What can be done now, for the status bar.
     QString prompt() const;
+    SurfaceHit hit(QPointF pixel) const override;
+    QSize sizeHint() const override { return {760, 640}; }
 
 signals:
     void promptChanged(const QString& prompt);
@@ -75,11 +88,81 @@ signals:
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
+protected:
+    bool event(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
 private:
+    enum class Navigation { None, Turn, Pan };
+
+    Document& document() override { return m_document; }
+    Selection& selection() override { return m_selection; }
+    const Camera& toolCamera() const override { return m_camera; }
+    const ViewColors& colors() const override { return m_scene.colors; }
+    void refresh() override;
+    void report(const QString& problem) override { emit failed(problem); }
+
+    void makeCanvas();
+    void useSoftware(const QString& note);
+    void designChanged();
+    void updateFrames();
+    void updateLooks();
+    void updateMarks();
+    void updateBox();
+    void draw(bool moving);
+    void requestOcclusion();
+
+    void apply(const Camera& camera);
+    void goTo(Camera camera);
+    Box3 selectedBox() const;
+    double frontSide() const;
+    void startNavigation(Navigation navigation, QPointF pixel);
+    void navigate(QPointF pixel);
+    Vec3 anchorAt(QPointF pixel) const;
+
     Document& m_document;
     Selection& m_selection;
+    std::shared_ptr<SoftwareRenderer> m_softwareRenderer;
+    Drawing m_drawing = Drawing::Automatic;
+    std::set<Layer> m_layers;
+
     SurfaceMeshPtr m_surface;
+    FrameMeshes m_frameMeshes;
+    SurfaceScene m_scene;
+    SurfaceBorders m_borders;
+    SurfaceCurves m_curves;
+    SurfaceHitTest m_hitTest;
     Camera m_camera;
+
+    std::unique_ptr<SurfaceCanvas> m_canvas;
+    SurfaceViewCube* m_cube;
+    std::unique_ptr<SurfaceTool> m_tool;
+    QString m_prompt;
+    std::optional<std::pair<ElementId, int>> m_hoveredPoint;
+    bool m_fitPending = true; ///< until there is something to see and a size
+
+    Navigation m_navigation = Navigation::None;
+    Qt::MouseButton m_navigationButton = Qt::NoButton;
+    QPointF m_navigationLast;
+    Vec3 m_navigationAnchor = Vec3::Zero();
+    QVariantAnimation m_flight;
+    Camera m_flightFrom, m_flightTo;
+
+    QElapsedTimer m_sinceSurface;
+    QTimer m_occlusionDelay;
+    SurfaceJob<SurfaceOcclusion::Input, std::shared_ptr<const SurfaceOcclusion>> m_occlusionJob;
 };
 
 } // namespace bolster

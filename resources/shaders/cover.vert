@@ -1,0 +1,23 @@
+#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 pattern;  // outline coordinates in mm, and 0 on a seam, 1 beside it
+layout(location = 3) in vec2 openness; // of the outside and of the inside
+uniform mat4 view;
+uniform mat4 projection;
+out vec3 eyePosition;
+out vec3 eyeNormal;
+out vec3 worldNormal;
+out vec3 cloth;
+out vec2 open;
+
+void main()
+{
+    vec4 p = view * vec4(position, 1.0);
+    eyePosition = p.xyz;
+    eyeNormal = mat3(view) * normal;
+    worldNormal = normal;
+    cloth = pattern;
+    open = openness;
+    gl_Position = projection * p;
+}

@@ -1,0 +1,61 @@
+#include "GlFrames.h"
+
+#include "MeshShape.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+GlFrames::GlFrames(GlFunctions& gl)
+    : m_gl(gl)
+    , m_program("frame.vert", "frame.frag")
+{
+    m_array.create();
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    bindColumns(gl, m_vertices, sizeof(Vertex),
+                {{0, 3, GL_FLOAT, offsetof(Vertex, position)}, {1, 3, GL_FLOAT, offsetof(Vertex, normal)}});
+}
+
+void GlFrames::update(const SurfaceScene& scene)
+{
+    const auto same = [](const SurfaceScene::FrameLook& a, const SurfaceScene::FrameLook& b) {
+        return a.mesh == b.mesh && a.placement == b.placement;
+    };
+    if (std::equal(m_frames.begin(), m_frames.end(), scene.frames.begin(), scene.frames.end(), same))
+        return;
+    m_frames = scene.frames;
+    std::vector<Vertex> vertices;
+    for (const SurfaceScene::FrameLook& frame : m_frames) {
+        const std::vector<Vec3> points = placedPoints(frame);
+        const auto normals = cornerNormals(points, frame.mesh->triangles);
+        for (std::size_t t = 0; t < frame.mesh->triangles.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                vertices.push_back({points[frame.mesh->triangles[t][i]].cast<float>(), normals[t][i]});
+    }
+    m_vertices.put(vertices, QOpenGLBuffer::StaticDraw);
+    m_count = static_cast<GLsizei>(vertices.size());
+}
+
+void GlFrames::draw(const SurfaceScene& scene, const GlView& view)
+{
+    if (m_count == 0)
+        return;
+    const bool solid = !scene.surface;
+    m_program.use();
+    view.setTransforms(m_program);
+    view.setLights(m_program);
+    m_program.set("material", Eigen::Vector3f(0.42F, 0.43F, 0.45F));
+    m_program.set("opacity", solid ? 1.F : 0.3F);
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    if (!solid) { // curves and seams behind it stay visible
+        m_gl.glDepthMask(GL_FALSE);
+        m_gl.glEnable(GL_CULL_FACE);
+    }
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glDrawArrays(GL_TRIANGLES, 0, m_count);
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDepthMask(GL_TRUE);
+}
+
+} // namespace bolster

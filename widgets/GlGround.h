@@ -1,0 +1,30 @@
+// Background and floor of an OpenGL picture.
+#pragma once
+
+#include "GlBuffer.h"
+#include "GlView.h"
+
+#include <QOpenGLTexture>
+
+namespace bolster {
+
+class GlGround {
+public:
+    explicit GlGround(GlFunctions& gl);
+
+    void update(const SurfaceScene& scene);
+    /// Before everything else; does not touch the depths.
+    void draw(const SurfaceScene& scene, const Camera& camera, const GlView& view);
+
+private:
+    void drawFloor(const SurfaceScene& scene, const GlView& view);
+
+    GlFunctions& m_gl;
+    GlProgram m_backgroundProgram;
+    GlProgram m_groundProgram;
+    QOpenGLVertexArrayObject m_array; ///< empty: the shaders know their corners
+    std::unique_ptr<QOpenGLTexture> m_texture;
+    std::shared_ptr<const SurfaceOcclusion> m_occlusion;
+};
+
+} // namespace bolster

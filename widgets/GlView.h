@@ -1,0 +1,28 @@
+// What all parts of an OpenGL picture share: camera, light, size.
+#pragma once
+
+#include "GlProgram.h"
+#include "SurfaceScene.h"
+
+#include <QSize>
+
+namespace bolster {
+
+struct GlView {
+    Eigen::Matrix4f view;
+    Eigen::Matrix4f projection;
+    Eigen::Vector2f viewport; ///< pixels of the picture
+    float pixelRatio = 1;     ///< pixels of the picture per pixel of the widget
+    float pixelAtOne = 1;     ///< mm per pixel at depth 1, or everywhere without perspective
+    bool perspective = true;
+    Eigen::Vector3f key, rim; ///< directions to the lights, eye coordinates
+
+    /// `jitter`: by how much the picture is moved, pixels.
+    GlView(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);
+
+    void setTransforms(GlProgram& program) const;
+    void setLights(GlProgram& program) const;
+    void setPixels(GlProgram& program) const;
+};
+
+} // namespace bolster

@@ -1,0 +1,55 @@
+// The 3D view where there is no OpenGL: pictures come from a renderer on a thread of its own, lines are painted
+// over.
+#pragma once
+
+#include "SurfaceCanvas.h"
+#include "SurfaceJob.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <mutex>
+
+namespace bolster {
+
+/// Small pictures while something moves, the whole size when it rests; the newest wins.
+class SoftwareCanvas : public QWidget, public SurfaceCanvas {
+    Q_OBJECT
+
+public:
+    /// Without a renderer only background and lines are drawn.
+    SoftwareCanvas(const SurfaceScene& scene, const Camera& camera, std::shared_ptr<SoftwareRenderer> renderer,
+                   QWidget* parent);
+    ~SoftwareCanvas() override;
+
+    QWidget& widget() override { return *this; }
+    void refresh(bool moving) override;
+    QImage grab() override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    struct Picture {
+        SoftwareRenderer::Request request;
+        SoftwareRenderer::Picture result;
+    };
+
+    SoftwareRenderer::Request request(bool moving) const;
+    void send(bool moving);
+    void received(Picture picture);
+    void paintPicture(QPainter& painter, const Picture& picture, const Camera& camera) const;
+
+    std::shared_ptr<SoftwareRenderer> m_renderer;
+    Picture m_picture;
+    bool m_fine = false; ///< m_picture shows the present state finely
+    enum class Asked { Nothing, Quick, Fine } m_asked = Asked::Nothing; ///< the picture that is on its way
+    bool m_again = false; ///< something has changed since a quick one was asked for
+    QTimer m_rest;
+    std::mutex m_rendering; ///< the renderer takes one call at a time
+    std::unique_ptr<SurfaceJob<SoftwareRenderer::Request, Picture>> m_job;
+};
+
+} // namespace bolster

@@ -1,0 +1,15 @@
+// Lines and handles painted over a picture without OpenGL.
+#pragma once
+
+#include "SurfaceScene.h"
+
+class QPainter;
+
+namespace bolster {
+
+/// `depth` belongs to the picture underneath, `depthSize` pixels wide and high; empty: nothing hides anything.
+/// The camera's size is that of the painted area.
+void paintMarks(QPainter& painter, const SurfaceScene& scene, const Camera& camera, const std::vector<float>& depth,
+                const Eigen::Vector2i& depthSize);
+
+} // namespace bolster

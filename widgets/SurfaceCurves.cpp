@@ -1,0 +1,38 @@
+#include "SurfaceCurves.h"
+
+namespace bolster {
+
+namespace {
+
+SurfaceCurve sampled(const ElementPtr& element)
+{
+    SurfaceCurve curve{element, {}, {}};
+    const BSpline3& spline = curve.spline();
+    const std::vector<double> breaks = spline.breaks();
+    const int steps = spline.degree() == 1 ? 1 : 12; // per polynomial piece
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        for (int step = 0; step < steps; ++step)
+            curve.parameters.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * step / steps);
+    curve.parameters.push_back(breaks.back());
+    for (const double t : curve.parameters)
+        curve.points.push_back(spline.at(t));
+    return curve;
+}
+
+} // namespace
+
+void SurfaceCurves::update(const Design& design)
+{
+    std::map<ElementId, SurfaceCurve> curves;
+    for (const auto& [id, element] : design.elements()) {
+        const auto* fixation = std::get_if<FixationCurve>(element.get());
+        if (!fixation || fixation->curve.empty())
+            continue;
+        const auto known = m_curves.find(id);
+        const bool unchanged = known != m_curves.end() && known->second.element == element;
+        curves.emplace(id, unchanged ? std::move(known->second) : sampled(element));
+    }
+    m_curves = std::move(curves);
+}
+
+} // namespace bolster

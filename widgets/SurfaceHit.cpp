@@ -1,0 +1,189 @@
+#include "SurfaceHit.h"
+
+#include "Selection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Pixels around the pointer.
+constexpr double pointReach = 9;
+constexpr double curveReach = 6;
+constexpr double seamReach = 4;
+
+struct OnSegment {
+    double share = 0;    ///< from the first to the second end
+    double distance = 0; ///< pixels
+};
+
+OnSegment nearest(const Vec2& p, const Vec2& a, const Vec2& b)
+{
+    const double length2 = (b - a).squaredNorm();
+    const double share = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0;
+    return {share, (a + share * (b - a) - p).norm()};
+}
+
+/// Whether the solid that was hit stands clearly in front of the point.
+bool hidden(const Camera& camera, const Vec3& point, const SurfaceHit& solid)
+{
+    return solid && camera.depth(solid.position) < camera.depth(point) - 6 - 6 * camera.pixelSize(point);
+}
+
+std::vector<Eigen::Vector3f> single(const std::vector<Vec3>& points)
+{
+    std::vector<Eigen::Vector3f> result;
+    result.reserve(points.size());
+    for (const Vec3& p : points)
+        result.push_back(p.cast<float>());
+    return result;
+}
+
+} // namespace
+
+void SurfaceHitTest::setSurface(SurfaceMeshPtr surface)
+{
+    m_surface = std::move(surface);
+}
+
+void SurfaceHitTest::setFrames(const std::vector<SurfaceScene::FrameLook>& frames,
+                               const std::vector<ElementId>& ids)
+{
+    std::vector<Eigen::Vector3f> points;
+    std::vector<SurfaceRays::Triangle> triangles;
+    m_frameEnds.clear();
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const auto first = static_cast<std::uint32_t>(points.size());
+        for (const Vec3& p : placedPoints(frames[i]))
+            points.push_back(p.cast<float>());
+        for (const SurfaceRays::Triangle& t : frames[i].mesh->triangles)
+            triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        m_frameEnds.emplace_back(static_cast<std::uint32_t>(triangles.size()), ids[i]);
+    }
+    m_frameRays.build(std::move(points), std::move(triangles));
+}
+
+const SurfaceRays& SurfaceHitTest::rays() const
+{
+    if (m_raysOf == m_surface)
+        return m_rays;
+    if (m_raysOf && m_raysOf->topology == m_surface->topology)
+        m_rays.move(single(m_surface->positions));
+    else
+        m_rays.build(single(m_surface->positions), m_surface->topology->triangles);
+    m_raysOf = m_surface;
+    return m_rays;
+}
+
+SurfaceHit SurfaceHitTest::hitSolid(const Camera& camera, QPointF pixel) const
+{
+    const Camera::Ray ray = camera.ray({pixel.x(), pixel.y()});
+    const Eigen::Vector3f origin = ray.origin.cast<float>(), direction = ray.direction.cast<float>();
+    SurfaceHit result;
+    if (m_surface)
+        if (const auto hit = rays().first(origin, direction)) {
+            result.kind = SurfaceHit::Kind::Cover;
+            result.position = ray.origin + static_cast<double>(hit->distance) * ray.direction;
+            for (const SurfaceTopology::PatchRange& range : m_surface->topology->patches)
+                if (hit->triangle - range.firstTriangle < range.triangleCount)
+                    result.element = range.patch;
+            return result;
+        }
+    if (const auto hit = m_frameRays.first(origin, direction)) {
+        result.kind = SurfaceHit::Kind::Frame;
+        result.position = ray.origin + static_cast<double>(hit->distance) * ray.direction;
+        const auto frame = std::find_if(m_frameEnds.begin(), m_frameEnds.end(),
+                                        [&](const auto& end) { return hit->triangle < end.first; });
+        result.element = frame != m_frameEnds.end() ? frame->second : settingsId;
+    }
+    return result;
+}
+
+SurfaceHit SurfaceHitTest::hitPoint(const Question& question, const Vec2& pixel) const
+{
+    SurfaceHit best;
+    double bestDistance = pointReach;
+    for (const auto& [id, curve] : question.curves->all()) {
+        if (!question.selection.contains(id) && question.selection.hovered() != id)
+            continue;
+        const std::vector<Vec3>& points = curve.spline().points();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::optional<Vec2> at = question.camera.pixel(points[i]);
+            if (at && (*at - pixel).norm() < bestDistance) {
+                bestDistance = (*at - pixel).norm();
+                best = {SurfaceHit::Kind::Point, id, static_cast<int>(i), 0, points[i]};
+            }
+        }
+    }
+    return best;
+}
+
+SurfaceHit SurfaceHitTest::hitCurve(const Question& question, const Vec2& pixel, const SurfaceHit& solid) const
+{
+    SurfaceHit best;
+    double bestDistance = curveReach;
+    for (const auto& [id, curve] : question.curves->all()) {
+        const bool selected = question.selection.contains(id);
+        std::optional<Vec2> last;
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            const std::optional<Vec2> next = question.camera.pixel(curve.points[i]);
+            if (last && next) {
+                const OnSegment near = nearest(pixel, *last, *next);
+                const Vec3 at = curve.points[i - 1] + near.share * (curve.points[i] - curve.points[i - 1]);
+                if (near.distance < bestDistance && (selected || !hidden(question.camera, at, solid))) {
+                    bestDistance = near.distance;
+                    const double t =
+                        curve.parameters[i - 1] + near.share * (curve.parameters[i] - curve.parameters[i - 1]);
+                    best = {SurfaceHit::Kind::Curve, id, -1, t, at};
+                }
+            }
+            last = next;
+        }
+    }
+    return best;
+}
+
+SurfaceHit SurfaceHitTest::hitSeam(const Question& question, const Vec2& pixel, const SurfaceHit& solid) const
+{
+    SurfaceHit best;
+    double bestDistance = seamReach;
+    for (const SurfaceTopology::Chain& chain : m_surface->topology->seams) {
+        std::optional<Vec2> last;
+        for (std::size_t i = 0; i < chain.a.size(); ++i) {
+            const Vec3& here = m_surface->positions[chain.a[i]];
+            const std::optional<Vec2> next = question.camera.pixel(here);
+            if (last && next) {
+                const OnSegment near = nearest(pixel, *last, *next);
+                const Vec3& before = m_surface->positions[chain.a[i - 1]];
+                const Vec3 at = before + near.share * (here - before);
+                if (near.distance < bestDistance && !hidden(question.camera, at, solid)) {
+                    bestDistance = near.distance;
+                    best = {SurfaceHit::Kind::Seam, chain.seam, -1, 0, at};
+                }
+            }
+            last = next;
+        }
+    }
+    return best;
+}
+
+SurfaceHit SurfaceHitTest::hit(const Question& question, QPointF position) const
+{
+    const Vec2 pixel(position.x(), position.y());
+    if (question.curves)
+        if (const SurfaceHit point = hitPoint(question, pixel))
+            return point;
+    const SurfaceHit solid = hitSolid(question.camera, position);
+    const SurfaceHit cover = solid.kind == SurfaceHit::Kind::Cover ? solid : SurfaceHit{};
+    if (question.curves)
+        if (const SurfaceHit curve = hitCurve(question, pixel, cover))
+            return curve;
+    if (question.seams && m_surface)
+        if (const SurfaceHit seam = hitSeam(question, pixel, cover))
+            return seam;
+    return solid;
+}
+
+} // namespace bolster

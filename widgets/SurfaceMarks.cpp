@@ -1,0 +1,125 @@
+#include "SurfaceMarks.h"
+
+#include "Selection.h"
+
+namespace bolster {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+Points pointsOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices)
+{
+    Points points;
+    points.reserve(vertices.size());
+    for (const std::uint32_t v : vertices)
+        if (mesh.positions[v].allFinite())
+            points.push_back(mesh.positions[v].cast<float>());
+    return points;
+}
+
+Points pointsOf(const std::vector<Vec3>& positions, bool closed = false)
+{
+    Points points;
+    for (const Vec3& p : positions)
+        points.push_back(p.cast<float>());
+    if (closed && !points.empty())
+        points.push_back(points.front());
+    return points;
+}
+
+QColor withAlpha(QColor color, float alpha)
+{
+    color.setAlphaF(alpha);
+    return color;
+}
+
+} // namespace
+
+QColor fixationCurveColor(const ViewColors& colors)
+{
+    return colors.dark ? QColor(0x2f, 0xd6, 0xc3) : QColor(0x12, 0xb5, 0xa5);
+}
+
+void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const
+{
+    scene.lines.clear();
+    scene.dots.clear();
+    if (scene.surface) {
+        if (m_shown.seams)
+            addSeams(scene);
+        addBorders(scene);
+    }
+    if (m_shown.curves) {
+        for (const auto& [id, curve] : m_curves.all())
+            addCurve(scene, id, curve);
+        for (const auto& [id, curve] : m_curves.all())
+            if (m_selection.contains(id) || m_selection.hovered() == id)
+                addControlPoints(scene, id, curve,
+                                 hoveredPoint && hoveredPoint->first == id ? hoveredPoint->second : -1);
+    }
+    ++scene.marks;
+}
+
+void SurfaceMarks::addSeams(SurfaceScene& scene) const
+{
+    const SurfaceMesh& mesh = *scene.surface;
+    for (const SurfaceTopology::Chain& chain : mesh.topology->seams) {
+        SurfaceLine line{pointsOf(mesh, chain.a), QColor(18, 14, 12, 200), 1.5F};
+        if (m_selection.contains(chain.seam))
+            line = {line.points, scene.colors.accent, 3, 0.35F, 1};
+        else if (m_selection.hovered() == chain.seam)
+            line = {line.points, scene.colors.hover, 3, 0.25F, 1};
+        scene.lines.push_back(std::move(line));
+    }
+}
+
+void SurfaceMarks::addBorders(SurfaceScene& scene) const
+{
+    const SurfaceMesh& mesh = *scene.surface;
+    const auto add = [&](const std::vector<SurfaceBorders::Edge>& edges, const QColor& color, float width,
+                         float hidden) {
+        for (const std::vector<std::uint32_t>& run : chained(edges))
+            scene.lines.push_back({pointsOf(mesh, run), color, width, hidden});
+    };
+    if (m_shown.seams)
+        add(m_borders.free(), QColor(18, 14, 12, 150), 1.2F, 0);
+    for (const SurfaceTopology::PatchRange& range : mesh.topology->patches) {
+        if (m_selection.contains(range.patch))
+            add(m_borders.ofPatch(range.patch), scene.colors.accent, 2.4F, 0.25F);
+        else if (m_selection.hovered() == range.patch)
+            add(m_borders.ofPatch(range.patch), scene.colors.hover, 1.8F, 0);
+    }
+}
+
+void SurfaceMarks::addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve) const
+{
+    const bool selected = m_selection.contains(id), hovered = m_selection.hovered() == id;
+    SurfaceLine line;
+    line.points = pointsOf(curve.points);
+    line.color = selected ? scene.colors.accent : fixationCurveColor(scene.colors);
+    line.width = selected || hovered ? 3.2F : 2.2F;
+    line.hidden = selected || hovered ? 0.6F : 0.22F;
+    line.casing = 0.8F;
+    scene.lines.push_back(std::move(line));
+}
+
+void SurfaceMarks::addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const
+{
+    const QColor color = m_selection.contains(id) ? scene.colors.accent : fixationCurveColor(scene.colors);
+    const std::vector<Vec3>& points = curve.spline().points();
+    if (curve.spline().degree() > 1)
+        scene.lines.push_back(
+            {pointsOf(points, curve.spline().closed()), withAlpha(mixed(color, Qt::white, 0.35), 0.75F), 1, 0.5F});
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+        const bool selected = m_selection.contains(Selection::Point{id, i});
+        SurfaceDot dot;
+        dot.at = points[static_cast<std::size_t>(i)].cast<float>();
+        dot.fill = selected ? scene.colors.accent : QColor(Qt::white);
+        dot.rim = selected ? QColor(Qt::white) : color.darker(125);
+        dot.radius = i == hovered ? 6.5F : selected ? 5.5F : 4.5F;
+        scene.dots.push_back(dot);
+    }
+}
+
+} // namespace bolster

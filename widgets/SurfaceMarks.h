@@ -1,0 +1,45 @@
+// Everything on the cover that is drawn as a line or a handle: seams, borders, fixation curves, what is selected.
+#pragma once
+
+#include "SurfaceBorders.h"
+#include "SurfaceCurves.h"
+#include "SurfaceScene.h"
+
+namespace bolster {
+
+class Selection;
+
+/// The colour of fixation curves; selected ones take the accent.
+QColor fixationCurveColor(const ViewColors& colors);
+
+/// Fills in the scene's lines and dots.
+class SurfaceMarks {
+public:
+    struct Shown {
+        bool seams = true;
+        bool curves = true;
+    };
+
+    SurfaceMarks(const SurfaceBorders& borders, const SurfaceCurves& curves, const Selection& selection,
+                 Shown shown)
+        : m_borders(borders)
+        , m_curves(curves)
+        , m_selection(selection)
+        , m_shown(shown)
+    {}
+
+    void fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const;
+
+private:
+    void addSeams(SurfaceScene& scene) const;
+    void addBorders(SurfaceScene& scene) const;
+    void addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve) const;
+    void addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const;
+
+    const SurfaceBorders& m_borders;
+    const SurfaceCurves& m_curves;
+    const Selection& m_selection;
+    Shown m_shown;
+};
+
+} // namespace bolster

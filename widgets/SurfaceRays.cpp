@@ -1,0 +1,174 @@
+#include "SurfaceRays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace bolster {
+
+namespace {
+
+constexpr std::uint32_t leafSize = 4;
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Where the ray meets the triangle, in lengths of the direction; infinite if it does not (Moeller, Trumbore 1997).
+float meeting(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, const Eigen::Vector3f& a,
+              const Eigen::Vector3f& b, const Eigen::Vector3f& c)
+{
+    const Eigen::Vector3f e1 = b - a, e2 = c - a, p = direction.cross(e2);
+    const float determinant = e1.dot(p);
+    if (!(std::abs(determinant) > 1e-12f))
+        return infinite;
+    const Eigen::Vector3f fromA = origin - a, q = fromA.cross(e1);
+    const float u = fromA.dot(p) / determinant, v = direction.dot(q) / determinant;
+    const float t = e2.dot(q) / determinant;
+    return u >= -1e-5f && v >= -1e-5f && u + v <= 1.00001f && t > 0 ? t : infinite;
+}
+
+} // namespace
+
+void SurfaceRays::build(std::vector<Vec3f> points, std::vector<Triangle> triangles)
+{
+    m_points = std::move(points);
+    m_nodes.clear();
+    m_ids.clear();
+    std::vector<Eigen::Array3f> centres(triangles.size(), Eigen::Array3f::Zero());
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        if (std::any_of(triangles[i].begin(), triangles[i].end(), [&](auto k) { return k >= m_points.size(); }))
+            continue;
+        m_ids.push_back(i);
+        for (const std::uint32_t corner : triangles[i])
+            if (m_points[corner].allFinite())
+                centres[i] += m_points[corner].array() / 3;
+    }
+    if (!m_ids.empty())
+        split(0, static_cast<std::uint32_t>(m_ids.size()), centres);
+    m_triangles.clear();
+    for (const std::uint32_t id : m_ids)
+        m_triangles.push_back(triangles[id]);
+    fitBoxes();
+}
+
+void SurfaceRays::move(std::vector<Vec3f> points)
+{
+    if (points.size() != m_points.size())
+        return;
+    m_points = std::move(points);
+    fitBoxes();
+}
+
+/// Makes the node for these triangles: halves along the longest side of their centres' box.
+std::uint32_t SurfaceRays::split(std::uint32_t first, std::uint32_t count, std::vector<Eigen::Array3f>& centres)
+{
+    const auto node = static_cast<std::uint32_t>(m_nodes.size());
+    m_nodes.push_back({});
+    if (count <= leafSize) {
+        m_nodes[node].first = first;
+        m_nodes[node].count = count;
+        return node;
+    }
+    Eigen::Array3f low = centres[m_ids[first]], high = low;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+        low = low.min(centres[m_ids[i]]);
+        high = high.max(centres[m_ids[i]]);
+    }
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const auto begin = m_ids.begin() + first;
+    std::nth_element(begin, begin + count / 2, begin + count,
+                     [&](std::uint32_t a, std::uint32_t b) { return centres[a][axis] < centres[b][axis]; });
+    split(first, count / 2, centres);
+    const std::uint32_t right = split(first + count / 2, count - count / 2, centres);
+    m_nodes[node].first = right;
+    return node;
+}
+
+void SurfaceRays::fitBox(Node& node) const
+{
+    node.low = Eigen::Array3f::Constant(infinite);
+    node.high = Eigen::Array3f::Constant(-infinite);
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        for (const std::uint32_t corner : m_triangles[i])
+            if (m_points[corner].allFinite()) {
+                node.low = node.low.min(m_points[corner].array());
+                node.high = node.high.max(m_points[corner].array());
+            }
+}
+
+void SurfaceRays::fitBoxes()
+{
+    for (std::size_t i = m_nodes.size(); i-- > 0;) { // children come after their parent
+        Node& node = m_nodes[i];
+        if (node.count > 0) {
+            fitBox(node);
+        } else {
+            const Node &left = m_nodes[i + 1], &right = m_nodes[node.first];
+            node.low = left.low.min(right.low);
+            node.high = left.high.max(right.high);
+        }
+    }
+}
+
+template <class Visit>
+void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach, const Visit& visit) const
+{
+    if (m_nodes.empty())
+        return;
+    const Eigen::Array3f inverse = direction.array().inverse();
+    const auto entry = [&](const Node& node) {
+        const Eigen::Array3f a = (node.low - origin.array()) * inverse, b = (node.high - origin.array()) * inverse;
+        const float in = std::max(a.min(b).maxCoeff(), 0.f), out = a.max(b).minCoeff();
+        return in <= out * 1.00001f && in < reach ? in : infinite;
+    };
+    std::array<std::uint32_t, 64> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t index = waiting[--count];
+        const Node& node = m_nodes[index];
+        if (entry(node) == infinite)
+            continue;
+        if (node.count > 0) {
+            if (visit(node))
+                return;
+            continue;
+        }
+        const bool leftFirst = entry(m_nodes[index + 1]) < entry(m_nodes[node.first]);
+        waiting[count++] = leftFirst ? node.first : index + 1;
+        waiting[count++] = leftFirst ? index + 1 : node.first;
+    }
+}
+
+std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& origin, const Vec3f& direction) const
+{
+    std::optional<Hit> best;
+    float reach = infinite;
+    walk(origin, direction, reach, [&](const Node& node) {
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Triangle& t = m_triangles[i];
+            const float at = meeting(origin, direction, m_points[t[0]], m_points[t[1]], m_points[t[2]]);
+            if (at < reach) {
+                reach = at;
+                best = Hit{m_ids[i], at};
+            }
+        }
+        return false;
+    });
+    return best;
+}
+
+bool SurfaceRays::blocked(const Vec3f& origin, const Vec3f& direction, float reach) const
+{
+    bool found = false;
+    walk(origin, direction, reach, [&](const Node& node) {
+        for (std::uint32_t i = node.first; i < node.first + node.count && !found; ++i) {
+            const Triangle& t = m_triangles[i];
+            found = meeting(origin, direction, m_points[t[0]], m_points[t[1]], m_points[t[2]]) < reach;
+        }
+        return found;
+    });
+    return found;
+}
+
+} // namespace bolster

@@ -1,0 +1,55 @@
+#include "SurfaceRenderer.h"
+
+#include <stdexcept>
+
+namespace bolster {
+
+GlFunctions& SurfaceRenderer::functions()
+{
+    GlFunctions* gl = glFunctions();
+    if (!gl)
+        throw std::runtime_error("no OpenGL 3.3");
+    return *gl;
+}
+
+SurfaceRenderer::SurfaceRenderer()
+    : m_gl(functions())
+    , m_ground(m_gl)
+    , m_cover(m_gl)
+    , m_frames(m_gl)
+    , m_marks(m_gl)
+{}
+
+void SurfaceRenderer::update(const SurfaceScene& scene)
+{
+    m_ground.update(scene);
+    m_cover.update(scene);
+    m_frames.update(scene);
+    m_marks.update(scene);
+}
+
+void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter)
+{
+    const GlView view(scene, camera, size, jitter);
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); // colours come premultiplied
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+
+    m_ground.draw(scene, camera, view);
+    m_cover.draw(scene, view);
+    if (scene.meshEdges) {
+        m_gl.glEnable(GL_BLEND);
+        m_cover.drawEdges(view, QColor(10, 10, 10, 90));
+        m_gl.glDisable(GL_BLEND);
+    }
+    m_frames.draw(scene, view);
+    m_marks.draw(view, true);
+    m_marks.draw(view, false);
+}
+
+} // namespace bolster

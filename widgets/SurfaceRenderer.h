@@ -1,0 +1,32 @@
+// Draws a scene with OpenGL.
+#pragma once
+
+#include "GlCover.h"
+#include "GlFrames.h"
+#include "GlGround.h"
+#include "GlMarks.h"
+
+namespace bolster {
+
+/// Lives with one context, which must be current whenever it is used or destroyed.
+class SurfaceRenderer {
+public:
+    /// Throws std::runtime_error when the context is too old or a shader does not compile.
+    SurfaceRenderer();
+
+    /// Brings the graphics card up to date.
+    void update(const SurfaceScene& scene);
+    /// Into the framebuffer that is bound, of the given size in pixels, moved by `jitter` pixels.
+    void draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);
+
+private:
+    static GlFunctions& functions();
+
+    GlFunctions& m_gl;
+    GlGround m_ground;
+    GlCover m_cover;
+    GlFrames m_frames;
+    GlMarks m_marks;
+};
+
+} // namespace bolster

@@ -1,0 +1,65 @@
+// What the 3D view shows, as a value that both of its canvases draw.
+#pragma once
+
+#include "SoftwareRenderer.h"
+#include "SurfaceOcclusion.h"
+#include "ViewColors.h"
+
+#include <memory>
+#include <vector>
+
+namespace bolster {
+
+/// A line of constant width in the picture.
+struct SurfaceLine {
+    std::vector<Eigen::Vector3f> points; ///< mm
+    QColor color;
+    float width = 1;  ///< pixels
+    float hidden = 0; ///< share of its opacity behind the cover
+    float casing = 0; ///< dark border at both sides, pixels
+};
+
+/// A round handle.
+struct SurfaceDot {
+    Eigen::Vector3f at = Eigen::Vector3f::Zero();
+    QColor fill;
+    QColor rim;
+    float radius = 4; ///< pixels
+    float hidden = 0.5F;
+};
+
+struct SurfaceScene {
+    struct PatchLook {
+        ElementId patch{};
+        QColor fabric;
+        QColor tint; ///< with its opacity: hovered, selected
+    };
+    using FrameLook = SoftwareRenderer::Request::FrameLook;
+
+    SurfaceMeshPtr surface; ///< null: no cover
+    std::vector<PatchLook> patches;
+    std::vector<FrameLook> frames;
+    std::vector<SurfaceLine> lines;
+    std::vector<SurfaceDot> dots;
+    std::uint64_t marks = 0;                           ///< different when lines or dots are
+    std::shared_ptr<const SurfaceOcclusion> occlusion; ///< may be null, or of another topology
+
+    Box3 box;         ///< of cover, frames and curves
+    double floor = 0; ///< height of the ground
+
+    bool checker = true;
+    bool meshEdges = false;
+    bool ground = true;
+    bool dimmed = false;
+    ViewColors colors;
+
+    /// The look of a patch, or null.
+    const PatchLook* look(ElementId patch) const;
+    QColor backgroundTop() const;
+    QColor backgroundBottom() const;
+};
+
+/// The frames' points where they stand, mm.
+std::vector<Vec3> placedPoints(const SurfaceScene::FrameLook& frame);
+
+} // namespace bolster

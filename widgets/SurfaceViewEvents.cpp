@@ -1,0 +1,176 @@
+// The pointer and the keys in the 3D view: they turn the camera or go to the tool.
+#include "Document.h"
+#include "Selection.h"
+#include "SurfaceView.h"
+
+#include <QContextMenuEvent>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double turnSpeed = 0.0075; ///< radians per pixel
+constexpr double wheelStep = 0.88;   ///< distance after one notch
+
+SurfacePointer pointerOf(const QMouseEvent& event)
+{
+    return {event.position(), event.modifiers()};
+}
+
+} // namespace
+
+/// What lies under the pointer, or the place at the depth of the scene's middle: movements are about it.
+Vec3 SurfaceView::anchorAt(QPointF pixel) const
+{
+    if (const SurfaceHit solid = m_hitTest.hitSolid(m_camera, pixel))
+        return solid.position;
+    const Vec3 middle = m_scene.box.isEmpty() ? m_camera.target : Vec3(m_scene.box.center());
+    const bool inFront = !m_camera.perspective || m_camera.depth(middle) > 0;
+    return m_camera.onPlaneThrough(inFront ? middle : m_camera.target, {pixel.x(), pixel.y()});
+}
+
+void SurfaceView::startNavigation(Navigation navigation, QPointF pixel)
+{
+    m_flight.stop();
+    m_fitPending = false;
+    m_navigation = navigation;
+    m_navigationLast = pixel;
+    m_navigationAnchor = anchorAt(pixel);
+    if (navigation == Navigation::Turn && !m_hitTest.hitSolid(m_camera, pixel))
+        m_navigationAnchor = m_scene.box.isEmpty() ? m_camera.target : Vec3(m_scene.box.center());
+    setCursor(navigation == Navigation::Pan ? Qt::ClosedHandCursor : Qt::SizeAllCursor);
+}
+
+void SurfaceView::navigate(QPointF pixel)
+{
+    const QPointF by = pixel - m_navigationLast;
+    m_navigationLast = pixel;
+    Camera camera = m_camera;
+    if (m_navigation == Navigation::Turn)
+        camera.orbit(-turnSpeed * by.x(), turnSpeed * by.y(), m_navigationAnchor);
+    else
+        camera.pan({by.x(), by.y()}, m_navigationAnchor);
+    apply(camera);
+}
+
+void SurfaceView::mousePressEvent(QMouseEvent* event)
+{
+    if (m_navigation != Navigation::None)
+        return;
+    const bool left = event->button() == Qt::LeftButton, alt = event->modifiers() & Qt::AltModifier;
+    if (left && !alt) {
+        m_tool->press(pointerOf(*event));
+        return;
+    }
+    if (!left && event->button() != Qt::MiddleButton && event->button() != Qt::RightButton) {
+        event->ignore();
+        return;
+    }
+    const bool pan = event->modifiers() & Qt::ShiftModifier;
+    m_navigationButton = event->button();
+    startNavigation(pan ? Navigation::Pan : Navigation::Turn, event->position());
+}
+
+void SurfaceView::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_navigation != Navigation::None) {
+        navigate(event->position());
+    } else if (!m_tool->move(pointerOf(*event)) && event->buttons() & Qt::LeftButton) {
+        m_navigationButton = Qt::LeftButton;
+        startNavigation(event->modifiers() & Qt::ShiftModifier ? Navigation::Pan : Navigation::Turn,
+                        event->position());
+    }
+    const SurfaceHit solid = m_hitTest.hitSolid(m_camera, event->position());
+    emit pointerMoved(solid.kind == SurfaceHit::Kind::Cover ? std::optional(solid.position) : std::nullopt);
+}
+
+void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (m_navigation != Navigation::None) {
+        if (event->button() == m_navigationButton) {
+            m_navigation = Navigation::None;
+            setCursor(m_tool->cursor());
+        }
+    } else if (event->button() == Qt::LeftButton) {
+        m_tool->release(pointerOf(*event));
+    }
+}
+
+void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && !(event->modifiers() & Qt::AltModifier))
+        m_tool->doubleClick(pointerOf(*event));
+    else
+        mousePressEvent(event);
+}
+
+void SurfaceView::wheelEvent(QWheelEvent* event)
+{
+    const double notches = event->angleDelta().y() / 120.0;
+    if (notches == 0)
+        return;
+    Camera camera = m_camera;
+    camera.zoom(std::pow(wheelStep, notches), anchorAt(event->position()));
+    setCamera(camera);
+}
+
+bool SurfaceView::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture) {
+        const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
+        if (gesture.gestureType() == Qt::ZoomNativeGesture) {
+            Camera camera = m_camera;
+            camera.zoom(1 / std::max(0.1, 1 + gesture.value()), anchorAt(gesture.position()));
+            setCamera(camera);
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
+        // During a drag these belong to the tool, whatever the menus say.
+        const int key = static_cast<const QKeyEvent&>(*event).key();
+        if (key == Qt::Key_Escape || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void SurfaceView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape && m_tool->escape())
+        return;
+    if (event->key() == Qt::Key_Home)
+        fitAll();
+    else if (!m_tool->keyPress(*event))
+        QWidget::keyPressEvent(event);
+}
+
+void SurfaceView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!m_tool->keyRelease(*event))
+        QWidget::keyReleaseEvent(event);
+}
+
+void SurfaceView::leaveEvent(QEvent*)
+{
+    m_tool->leave();
+    emit pointerMoved(std::nullopt);
+}
+
+void SurfaceView::focusOutEvent(QFocusEvent* event)
+{
+    m_tool->leave();
+    QWidget::focusOutEvent(event);
+}
+
+void SurfaceView::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept(); // the right button turns
+}
+
+} // namespace bolster

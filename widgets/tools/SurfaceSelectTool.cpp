@@ -1,0 +1,324 @@
+#include "SurfaceSelectTool.h"
+
+#include "CurveEdits.h"
+#include "Document.h"
+#include "Selection.h"
+#include "SelectionEdits.h"
+
+#include <QKeyEvent>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double dragDistance = 4; ///< pixels
+
+/// The world's axis that runs most along a direction, with its sign.
+Vec3 nearestAxis(const Vec3& direction)
+{
+    Eigen::Index axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    Vec3 result = Vec3::Zero();
+    result[axis] = direction[axis] < 0 ? -1 : 1;
+    return result;
+}
+
+/// Keys move along the axes as the eye sees them: right and up in the picture, the third one into it.
+std::optional<Vec3> keyDirection(int key, const Camera& camera)
+{
+    const Vec3 right = nearestAxis(camera.rightward());
+    const Vec3 seenUp = camera.upward();
+    const Vec3 up = nearestAxis(seenUp - seenUp.cwiseProduct(right.cwiseAbs()));
+    const Vec3 away = nearestAxis(-camera.backward().cwiseProduct(right.cross(up).cwiseAbs()));
+    switch (key) {
+    case Qt::Key_Left:
+        return -right;
+    case Qt::Key_Right:
+        return right;
+    case Qt::Key_Up:
+        return up;
+    case Qt::Key_Down:
+        return -up;
+    case Qt::Key_PageUp:
+        return away;
+    case Qt::Key_PageDown:
+        return -away;
+    default:
+        return {};
+    }
+}
+
+std::optional<SurfacePointDrag::Axis> axisOf(int key)
+{
+    switch (key) {
+    case Qt::Key_X:
+        return SurfacePointDrag::Axis::X;
+    case Qt::Key_Y:
+        return SurfacePointDrag::Axis::Y;
+    case Qt::Key_Z:
+        return SurfacePointDrag::Axis::Z;
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void SurfaceSelectTool::press(const SurfacePointer& pointer)
+{
+    endNudge();
+    m_pressed = pointer;
+    m_pressedHit = m_context.hit(pointer.pixel);
+    // Only points are dragged; other things are selected on release, because a drag on them turns the view.
+    m_alreadySelected = false;
+    if (m_pressedHit.kind == SurfaceHit::Kind::Point)
+        select(pointer);
+    m_context.refresh();
+}
+
+void SurfaceSelectTool::select(const SurfacePointer& pointer)
+{
+    Selection& selection = m_context.selection();
+    const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
+    const SurfaceHit& hit = m_pressedHit;
+    if (hit.kind == SurfaceHit::Kind::Point) {
+        const Selection::Point point{hit.element, hit.point};
+        m_alreadySelected = selection.contains(point) && !add;
+        if (add)
+            selection.toggle(point);
+        else if (!m_alreadySelected)
+            selection.set({hit.element}, {point});
+    } else if (hit && add) {
+        selection.toggle(hit.element);
+    } else if (hit) {
+        selection.set({hit.element});
+    } else if (!add) {
+        selection.clear();
+    }
+}
+
+bool SurfaceSelectTool::drag(const SurfacePointer& pointer)
+{
+    if (!m_drag) {
+        const QPointF way = pointer.pixel - m_pressed->pixel;
+        if (std::hypot(way.x(), way.y()) < dragDistance)
+            return true;
+        const Selection::Point point{m_pressedHit.element, m_pressedHit.point};
+        if (m_pressedHit.kind != SurfaceHit::Kind::Point || !m_context.selection().contains(point)) {
+            m_pressed.reset();
+            return false;
+        }
+        m_drag = std::make_unique<SurfacePointDrag>(m_context, *m_pressed, m_pressedHit.position);
+    }
+    m_drag->update(pointer);
+    return true;
+}
+
+bool SurfaceSelectTool::move(const SurfacePointer& pointer)
+{
+    if (m_drag && !m_drag->active()) {
+        m_drag.reset(); // undone or replaced meanwhile
+        m_pressed.reset();
+    }
+    bool mine = true;
+    if (m_pressed) {
+        mine = drag(pointer);
+    } else {
+        m_hover = m_context.hit(pointer.pixel);
+        m_context.selection().hover(m_hover.element);
+    }
+    m_context.refresh();
+    return mine;
+}
+
+void SurfaceSelectTool::release(const SurfacePointer& pointer)
+{
+    if (m_drag) {
+        // What is finished must not be there any more when its edit is announced.
+        const std::unique_ptr<SurfacePointDrag> finished = std::move(m_drag);
+        m_pressed.reset();
+        if (finished->active()) {
+            finished->update(pointer);
+            finished->finish();
+        }
+    } else if (m_pressed) {
+        m_pressed.reset();
+        if (m_pressedHit.kind != SurfaceHit::Kind::Point)
+            select(pointer);
+        else if (m_alreadySelected)
+            m_context.selection().set({m_pressedHit.element}, {{m_pressedHit.element, m_pressedHit.point}});
+    }
+    move(pointer);
+}
+
+void SurfaceSelectTool::doubleClick(const SurfacePointer& pointer)
+{
+    m_drag.reset();
+    m_pressed.reset();
+    const SurfaceHit hit = m_context.hit(pointer.pixel);
+    if (hit.kind != SurfaceHit::Kind::Curve)
+        return;
+    Document& document = m_context.document();
+    const Edit edit = edits::insertCurvePoint(document.design(), hit.element, hit.parameter);
+    if (edit.empty()) {
+        m_context.report(tr("There is a control point already."));
+        return;
+    }
+    document.commit(edit);
+    const FixationCurve* changed = document.design().find<FixationCurve>(hit.element);
+    if (!changed)
+        return;
+    int inserted = 0;
+    double nearest = INFINITY;
+    for (int i = 0; i < changed->curve.pointCount(); ++i) {
+        const double away = std::abs(changed->curve.parameterOfPoint(i) - hit.parameter);
+        const double around = changed->curve.closed() ? std::min(away, changed->curve.period() - away) : away;
+        if (around < nearest) {
+            nearest = around;
+            inserted = i;
+        }
+    }
+    m_context.selection().set({hit.element}, {{hit.element, inserted}});
+    m_context.refresh();
+}
+
+bool SurfaceSelectTool::startNudge(const QKeyEvent& event)
+{
+    const std::optional<Vec3> direction = keyDirection(event.key(), m_context.toolCamera());
+    const std::set<std::pair<ElementId, int>>& points = m_context.selection().points();
+    if (!direction || points.empty())
+        return false;
+    Document& document = m_context.document();
+    if (!m_nudge || !m_nudge->active()) {
+        m_nudge = std::make_unique<Gesture>(document);
+        m_nudged.setZero();
+    }
+    m_nudged += *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
+    m_nudge->update(moveCurvePointsTogether(m_nudge->start(), points, m_nudged));
+    return true;
+}
+
+void SurfaceSelectTool::endNudge()
+{
+    if (const std::unique_ptr<Gesture> nudged = std::move(m_nudge))
+        nudged->commit();
+}
+
+void SurfaceSelectTool::removePoints()
+{
+    Document& document = m_context.document();
+    QString problem;
+    const Edit edit = removeSelected(document.design(), m_context.selection(), &problem);
+    if (edit.empty())
+        m_context.report(problem);
+    else
+        document.commit(edit);
+}
+
+bool SurfaceSelectTool::keyPress(const QKeyEvent& event)
+{
+    if (m_drag) {
+        const std::optional<SurfacePointDrag::Axis> axis = axisOf(event.key());
+        if (axis)
+            m_drag->constrain(*axis);
+        m_context.refresh();
+        return axis.has_value();
+    }
+    if (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace) {
+        if (m_context.selection().elements().empty())
+            return false;
+        removePoints();
+        return true;
+    }
+    return startNudge(event);
+}
+
+bool SurfaceSelectTool::keyRelease(const QKeyEvent& event)
+{
+    if (!m_nudge || event.isAutoRepeat() || !keyDirection(event.key(), m_context.toolCamera()))
+        return false;
+    endNudge();
+    return true;
+}
+
+bool SurfaceSelectTool::escape()
+{
+    Selection& selection = m_context.selection();
+    if (m_drag || m_nudge) {
+        m_drag.reset();
+        m_nudge.reset();
+        m_pressed.reset();
+    } else if (!selection.points().empty()) {
+        selection.set(selection.elements());
+    } else if (!selection.elements().empty()) {
+        selection.clear();
+    } else {
+        return false;
+    }
+    m_context.refresh();
+    return true;
+}
+
+void SurfaceSelectTool::leave()
+{
+    endNudge();
+    if (m_drag || m_pressed)
+        return;
+    m_hover = {};
+    m_context.selection().hover(settingsId);
+    m_context.refresh();
+}
+
+QString SurfaceSelectTool::prompt() const
+{
+    if (m_drag)
+        return m_drag->prompt();
+    switch (m_hover.kind) {
+    case SurfaceHit::Kind::Point:
+        return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
+    case SurfaceHit::Kind::Curve:
+        return tr("Click to select the fixation curve, double click to add a control point here");
+    case SurfaceHit::Kind::Seam:
+        return tr("Click to select the seam");
+    case SurfaceHit::Kind::Cover:
+        return tr("Click to select the patch, drag to turn the view");
+    case SurfaceHit::Kind::Frame:
+        return tr("Click to select the frame, drag to turn the view");
+    case SurfaceHit::Kind::Nothing:
+        break;
+    }
+    return tr("Click to select, drag to turn \u2013 Shift+middle button pans, wheel zooms");
+}
+
+QCursor SurfaceSelectTool::cursor() const
+{
+    if (m_drag)
+        return Qt::SizeAllCursor;
+    switch (m_hover.kind) {
+    case SurfaceHit::Kind::Point:
+        return Qt::SizeAllCursor;
+    case SurfaceHit::Kind::Curve:
+    case SurfaceHit::Kind::Seam:
+        return Qt::PointingHandCursor;
+    default:
+        return Qt::ArrowCursor;
+    }
+}
+
+std::optional<std::pair<ElementId, int>> SurfaceSelectTool::hoveredPoint() const
+{
+    if (m_drag)
+        return std::pair(m_pressedHit.element, m_pressedHit.point);
+    if (m_hover.kind == SurfaceHit::Kind::Point)
+        return std::pair(m_hover.element, m_hover.point);
+    return {};
+}
+
+std::vector<SurfaceLine> SurfaceSelectTool::guides() const
+{
+    return m_drag ? m_drag->guides() : std::vector<SurfaceLine>();
+}
+
+} // namespace bolster

@@ -1,0 +1,67 @@
+// A tool of the 3D view: turns pointer and key events into edits.
+#pragma once
+
+#include "SurfaceHit.h"
+
+#include <QCursor>
+#include <QString>
+
+class QKeyEvent;
+
+namespace bolster {
+
+class Document;
+
+/// What a tool may see of the view it works in.
+class SurfaceToolContext {
+public:
+    virtual ~SurfaceToolContext() = default;
+
+    virtual Document& document() = 0;
+    virtual Selection& selection() = 0;
+    virtual const Camera& toolCamera() const = 0;
+    virtual const ViewColors& colors() const = 0;
+    virtual SurfaceHit hit(QPointF pixel) const = 0;
+    /// Prompt, cursor or what the tool draws has changed.
+    virtual void refresh() = 0;
+    /// Something that could not be done, in the user's words.
+    virtual void report(const QString& problem) = 0;
+};
+
+/// The pointer of the left button.
+struct SurfacePointer {
+    QPointF pixel;
+    Qt::KeyboardModifiers modifiers;
+};
+
+class SurfaceTool {
+public:
+    explicit SurfaceTool(SurfaceToolContext& context)
+        : m_context(context)
+    {}
+    virtual ~SurfaceTool() = default;
+
+    virtual void press(const SurfacePointer& pointer) = 0;
+    /// With the button down or not. False: a drag that is none of the tool's, so it may turn the view.
+    virtual bool move(const SurfacePointer& pointer) = 0;
+    virtual void release(const SurfacePointer& pointer) = 0;
+    virtual void doubleClick(const SurfacePointer& pointer) = 0;
+    virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
+    virtual bool keyRelease(const QKeyEvent& event) = 0;
+    /// One step back; false when there was none.
+    virtual bool escape() = 0;
+    /// The pointer has left the view, or the view the keyboard.
+    virtual void leave() = 0;
+
+    virtual QString prompt() const = 0;
+    virtual QCursor cursor() const = 0;
+    /// The control point under the pointer.
+    virtual std::optional<std::pair<ElementId, int>> hoveredPoint() const = 0;
+    /// Drawn with the scene.
+    virtual std::vector<SurfaceLine> guides() const = 0;
+
+protected:
+    SurfaceToolContext& m_context;
+};
+
+} // namespace bolster
