@@ -51,7 +51,7 @@ def main():
                     "--comment", COMMENT], check=True)
     position, rotation = lying_frame(mesh)
 
-    width, height, pressure = 600, 385, 0.4
+    width, height, pressure = 600, 375, 0.35
     elements = [
         {"id": 1, "kind": "fabric", "name": "Linen", "poisson": 0.3, "stiffness": 1, "bending_length": 5,
          "color": "#b9a27c"},
