@@ -842,34 +842,166 @@
     </message>
     <message>
         <source>no file is named; write the name of a mesh beside the design</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist keine Datei genannt; schreiben Sie den Namen eines Netzes, das neben dem Entwurf liegt</translation>
     </message>
     <message>
         <source>this is no name of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist kein Dateiname</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must be relative to the design&apos;s folder and use &quot;/&quot; between folders</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ muss vom Ordner des Entwurfs ausgehen und „/“ zwischen Ordnern verwenden</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves the design&apos;s folder; copy the file into that folder</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ führt aus dem Ordner des Entwurfs hinaus; kopieren Sie die Datei in diesen Ordner</translation>
     </message>
     <message>
         <source>left out because of its errors</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen wegen seiner Fehler</translation>
     </message>
     <message>
         <source>left out because it needs %1, which is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>weggelassen, weil es %1 braucht, und das fehlt</translation>
     </message>
     <message>
         <source>an edge length of %1 mm is used instead</source>
-        <translation type="unfinished"></translation>
+        <translation>stattdessen wird eine Kantenlänge von %1 mm verwendet</translation>
     </message>
     <message>
         <source>Move points of %1 fixation curves</source>
+        <translation>Punkte von %1 Fixierkurven verschieben</translation>
+    </message>
+    <message>
+        <source>the file is not a design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the copy could not be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename the frame&apos;s file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mesh of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frame&apos;s file is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be copied to &quot;%2&quot;: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder &quot;%1&quot; could not be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, but must lie between %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no element %1; name a %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>element %1 cannot be read; repair it or name another %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no %2; name another element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, but must be a positive length; 12 mm is usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an outline must be a closed curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline needs at least three points in different places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points of the outline lie on one line, it encloses no area; move one of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline crosses or touches itself near %1; move its points apart there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outline encloses no area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is the end of the curve; write %2, its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, but must be larger than the start of the stretch, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stretch from %1 to %2 is empty or longer than the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stretch from %1 to %2 has no length; the outline&apos;s points coincide there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seam would sew a stretch of &quot;%1&quot; to itself: %2 to %3 and %4 to %5 overlap; choose two separate stretches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seam joins the right side of &quot;%1&quot; to the wrong side of &quot;%2&quot;; turn &quot;reversed&quot; round, or one patch wrong side out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve has no length; move its points apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curve from %1 to %2 has no length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, but must be positive: millimetres per unit of the file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -942,23 +1074,23 @@
     </message>
     <message>
         <source>Click to select the fixation curve, double click to add a control point here</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt die Fixierkurve aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
     <message>
         <source>Click to select the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt die Naht aus</translation>
     </message>
     <message>
         <source>Click to select the patch, drag to turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt das Schnittteil aus, Ziehen dreht die Ansicht</translation>
     </message>
     <message>
         <source>Click to select the frame, drag to turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt das Gestell aus, Ziehen dreht die Ansicht</translation>
     </message>
     <message>
         <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick wählt aus, Ziehen dreht – Umschalt+mittlere Taste verschiebt die Ansicht, das Rad zoomt</translation>
     </message>
 </context>
 <context>
@@ -981,10 +1113,427 @@
     </message>
 </context>
 <context>
+    <name>bolster::Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import frame …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export surface …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export &amp;picture …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select &amp;all patches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select n&amp;othing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three-&amp;quarter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Triangulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Checker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control &amp;points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Seams and fixations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fixation c&amp;urves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gr&amp;ound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn 90° to the &amp;left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn 90° to the &amp;right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Settle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Figures …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Bolster</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::Banner</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::DesignSession</name>
+    <message>
+        <source>New design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Restored design</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::DockTitle</name>
+    <message>
+        <source>Take out of the window, or put back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close; the Window menu brings it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsView</name>
     <message>
         <source>Find an element</source>
         <translation>Element suchen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FileFlow</name>
+    <message>
+        <source>Designs (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the changes in &quot;%1&quot;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise they are lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Open design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements cannot be used as they are; everything else works.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples are not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OBJ (*.obj);;PLY (*.ply)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface could not be exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture could not be exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a new design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bolster did not end properly. Unsaved work on %1 from %2 was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unsaved work could not be restored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FrameImportDialog</name>
+    <message>
+        <source> mm per unit</source>
+        <translation> mm je Einheit</translation>
+    </message>
+    <message>
+        <source>Place it on the floor, in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z points up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y points up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %3 triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width, depth, height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That is unusual for a piece of furniture: check the unit.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1010,6 +1559,17 @@
     </message>
 </context>
 <context>
+    <name>bolster::ProblemsView</name>
+    <message>
+        <source>Element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bolster::PropertyForm</name>
     <message>
         <source>Colour of the fabric</source>
@@ -1017,17 +1577,73 @@
     </message>
 </context>
 <context>
+    <name>bolster::StatusLine</name>
+    <message>
+        <source>Nothing to sew yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving, %1/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solved – %1 iterations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes the surface that follows from the design alone, whatever the way here was</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settle (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problems</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::SurfaceSelectTool</name>
     <message>
         <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Um x %1, y %2, z %3 mm verschoben</translation>
     </message>
     <message>
         <source>X, Y, Z or Shift keep to an axis, Escape cancels</source>
-        <translation type="unfinished"></translation>
+        <translation>X, Y, Z oder Umschalt halten eine Achse, Esc bricht ab</translation>
     </message>
     <message>
         <source>Kept to an axis; the same key frees it</source>
+        <translation>An eine Achse gebunden; dieselbe Taste löst sie</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SurfaceView</name>
+    <message>
+        <source>Drawn in software</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1035,31 +1651,31 @@
     <name>bolster::SurfaceViewCube</name>
     <message>
         <source>FRONT</source>
-        <translation type="unfinished"></translation>
+        <translation>VORN</translation>
     </message>
     <message>
         <source>BACK</source>
-        <translation type="unfinished"></translation>
+        <translation>HINTEN</translation>
     </message>
     <message>
         <source>LEFT</source>
-        <translation type="unfinished"></translation>
+        <translation>LINKS</translation>
     </message>
     <message>
         <source>RIGHT</source>
-        <translation type="unfinished"></translation>
+        <translation>RECHTS</translation>
     </message>
     <message>
         <source>TOP</source>
-        <translation type="unfinished"></translation>
+        <translation>OBEN</translation>
     </message>
     <message>
         <source>BOTTOM</source>
-        <translation type="unfinished"></translation>
+        <translation>UNTEN</translation>
     </message>
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf eine Fläche, Kante oder Ecke blickt von dort; Ziehen dreht</translation>
     </message>
 </context>
 </TS>
