@@ -874,135 +874,135 @@
     </message>
     <message>
         <source>the file is not a design</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei ist kein Entwurf</translation>
     </message>
     <message>
         <source>the copy could not be read</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kopie ließ sich nicht lesen</translation>
     </message>
     <message>
         <source>Rename the frame&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei des Gestells umbenennen</translation>
     </message>
     <message>
         <source>Change the mesh of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz von %1 ändern</translation>
     </message>
     <message>
         <source>the frame&apos;s file is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei des Gestells fehlt</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht schreiben</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be copied to &quot;%2&quot;: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ließ sich nicht nach „%2“ kopieren: %3</translation>
     </message>
     <message>
         <source>the folder &quot;%1&quot; could not be made</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner „%1“ ließ sich nicht anlegen</translation>
     </message>
     <message>
         <source>the patch is free in space: nothing fixes it to the frame; add a fixation seam</source>
-        <translation type="unfinished"></translation>
+        <translation>das Schnittteil ist frei im Raum: nichts hält es am Gestell; fügen Sie eine Fixierung hinzu</translation>
     </message>
     <message>
         <source>this patch and the %1 sewn to it are free in space: nothing fixes them to the frame; add a fixation seam</source>
-        <translation type="unfinished"></translation>
+        <translation>dieses Schnittteil und die %1 daran genähten sind frei im Raum: nichts hält sie am Gestell; fügen Sie eine Fixierung hinzu</translation>
     </message>
     <message>
         <source>is %1, but must lie between %2 and %3</source>
-        <translation type="unfinished"></translation>
+        <translation>ist %1, muss aber zwischen %2 und %3 liegen</translation>
     </message>
     <message>
         <source>there is no element %1; name a %2</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Element %1; nennen Sie eines der Art %2</translation>
     </message>
     <message>
         <source>element %1 cannot be read; repair it or name another %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Element %1 ist nicht lesbar; reparieren Sie es oder nennen Sie ein anderes der Art %2</translation>
     </message>
     <message>
         <source>%1 is no %2; name another element</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht von der Art %2; nennen Sie ein anderes Element</translation>
     </message>
     <message>
         <source>is %1, but must be a positive length; 12 mm is usual</source>
-        <translation type="unfinished"></translation>
+        <translation>ist %1, muss aber eine positive Länge sein; üblich sind 12 mm</translation>
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm ergäben mehr als 5 Millionen Dreiecke; nehmen Sie für diese Schnittteile mindestens %2 mm</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no colour; write it like #7a4a2b</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Farbe; schreiben Sie sie wie #7a4a2b</translation>
     </message>
     <message>
         <source>the mesh cannot resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take an edge length of at most %4 mm, or a longer bending length</source>
-        <translation type="unfinished"></translation>
+        <translation>das Netz kann so kleine Falten nicht auflösen, wie eine Biegelänge von %1 mm sie wirft: bei Kanten von %2 mm wirkt sie wie %3 mm; nehmen Sie eine Kantenlänge von höchstens %4 mm oder eine größere Biegelänge</translation>
     </message>
     <message>
         <source>an outline must be a closed curve</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Umriss muss eine geschlossene Kurve sein</translation>
     </message>
     <message>
         <source>the outline needs at least three points in different places</source>
-        <translation type="unfinished"></translation>
+        <translation>der Umriss braucht mindestens drei Punkte an verschiedenen Stellen</translation>
     </message>
     <message>
         <source>all points of the outline lie on one line, it encloses no area; move one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte des Umrisses liegen auf einer Geraden, er umschließt keine Fläche; verschieben Sie einen davon</translation>
     </message>
     <message>
         <source>the outline crosses or touches itself near %1; move its points apart there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Umriss kreuzt oder berührt sich selbst bei %1; rücken Sie seine Punkte dort auseinander</translation>
     </message>
     <message>
         <source>the outline encloses no area</source>
-        <translation type="unfinished"></translation>
+        <translation>der Umriss umschließt keine Fläche</translation>
     </message>
     <message>
         <source>%1 is the end of the curve; write %2, its start</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist das Ende der Kurve; schreiben Sie %2, ihren Anfang</translation>
     </message>
     <message>
         <source>is %1, but must be larger than the start of the stretch, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ist %1, muss aber größer sein als der Anfang des Abschnitts, %2</translation>
     </message>
     <message>
         <source>the stretch from %1 to %2 is empty or longer than the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abschnitt von %1 bis %2 ist leer oder länger als die Kurve</translation>
     </message>
     <message>
         <source>the stretch from %1 to %2 has no length; the outline&apos;s points coincide there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abschnitt von %1 bis %2 hat keine Länge; die Punkte des Umrisses fallen dort zusammen</translation>
     </message>
     <message>
         <source>the seam would sew a stretch of &quot;%1&quot; to itself: %2 to %3 and %4 to %5 overlap; choose two separate stretches</source>
-        <translation type="unfinished"></translation>
+        <translation>die Naht würde einen Abschnitt von „%1“ an sich selbst nähen: %2 bis %3 und %4 bis %5 überschneiden sich; wählen Sie zwei getrennte Abschnitte</translation>
     </message>
     <message>
         <source>the seam joins the right side of &quot;%1&quot; to the wrong side of &quot;%2&quot;; turn &quot;reversed&quot; round, or one patch wrong side out</source>
-        <translation type="unfinished"></translation>
+        <translation>die Naht verbindet die rechte Seite von „%1“ mit der linken Seite von „%2“; kehren Sie „reversed“ um oder wenden Sie eines der Schnittteile auf links</translation>
     </message>
     <message>
         <source>the sides of the seam are %1 mm (&quot;%2&quot;) and %3 mm (&quot;%4&quot;) long: %5 % ease, more than 5 % puckers; make them equal or check the ends of the stretches</source>
-        <translation type="unfinished"></translation>
+        <translation>die Seiten der Naht sind %1 mm („%2“) und %3 mm („%4“) lang: %5 % Mehrweite, über 5 % kräuselt es sich; gleichen Sie sie an oder prüfen Sie die Enden der Abschnitte</translation>
     </message>
     <message>
         <source>the curve has no length; move its points apart</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kurve hat keine Länge; rücken Sie ihre Punkte auseinander</translation>
     </message>
     <message>
         <source>the curve from %1 to %2 has no length</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kurve hat von %1 bis %2 keine Länge</translation>
     </message>
     <message>
         <source>is %1, but must be positive: millimetres per unit of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>ist %1, muss aber positiv sein: Millimeter je Einheit der Datei</translation>
     </message>
 </context>
 <context>
@@ -1116,193 +1116,193 @@
     <name>bolster::Actions</name>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save &amp;as …</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>&amp;Import frame …</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestell &amp;importieren …</translation>
     </message>
     <message>
         <source>&amp;Export surface …</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche &amp;exportieren …</translation>
     </message>
     <message>
         <source>Export &amp;picture …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild exportieren …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen</translation>
     </message>
     <message>
         <source>Select &amp;all patches</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle Schnittteile auswählen</translation>
     </message>
     <message>
         <source>Select n&amp;othing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts a&amp;uswählen</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles zeigen</translation>
     </message>
     <message>
         <source>Show &amp;selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;wahl zeigen</translation>
     </message>
     <message>
         <source>&amp;Front</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorn</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinten</translation>
     </message>
     <message>
         <source>&amp;Left</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Links</translation>
     </message>
     <message>
         <source>&amp;Right</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechts</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oben</translation>
     </message>
     <message>
         <source>B&amp;ottom</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unten</translation>
     </message>
     <message>
         <source>Three-&amp;quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dreiviertelansicht</translation>
     </message>
     <message>
         <source>&amp;Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Perspektive</translation>
     </message>
     <message>
         <source>&amp;Triangulation</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Triangulierung</translation>
     </message>
     <message>
         <source>&amp;Checker</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Karomuster</translation>
     </message>
     <message>
         <source>&amp;Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gestell</translation>
     </message>
     <message>
         <source>Control &amp;points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kontrollpunkte</translation>
     </message>
     <message>
         <source>&amp;Seams and fixations</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nähte und Fixierungen</translation>
     </message>
     <message>
         <source>Fixation c&amp;urves</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fixierkurven</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Raster</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beschriftungen</translation>
     </message>
     <message>
         <source>Gr&amp;ound</source>
-        <translation type="unfinished"></translation>
+        <translation>B&amp;oden</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das &amp;System</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>Turn 90° to the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Um 90° nach &amp;links drehen</translation>
     </message>
     <message>
         <source>Turn 90° to the &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>Um 90° nach &amp;rechts drehen</translation>
     </message>
     <message>
         <source>&amp;Settle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zur Ruhe bringen</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Figures …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zahlen …</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Anordnung &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten und Maus …</translation>
     </message>
     <message>
         <source>&amp;About Bolster</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber Bolster</translation>
     </message>
 </context>
 <context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
     <name>bolster::DesignSession</name>
     <message>
         <source>New design</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Entwurf</translation>
     </message>
     <message>
         <source>Fabric</source>
@@ -1310,18 +1310,18 @@
     </message>
     <message>
         <source>Restored design</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederhergestellter Entwurf</translation>
     </message>
 </context>
 <context>
     <name>bolster::DockTitle</name>
     <message>
         <source>Take out of the window, or put back</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem Fenster lösen oder zurücksetzen</translation>
     </message>
     <message>
         <source>Close; the Window menu brings it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen; das Menü „Fenster“ holt es zurück</translation>
     </message>
 </context>
 <context>
@@ -1335,27 +1335,27 @@
     <name>bolster::FileFlow</name>
     <message>
         <source>Designs (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwürfe (*.json)</translation>
     </message>
     <message>
         <source>Meshes (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze (%1)</translation>
     </message>
     <message>
         <source>Bolster</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster</translation>
     </message>
     <message>
         <source>Save the changes in &quot;%1&quot;?</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen in „%1“ speichern?</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>Save design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf speichern</translation>
     </message>
     <message>
         <source>Design</source>
@@ -1363,102 +1363,102 @@
     </message>
     <message>
         <source>Open design</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf öffnen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ließ sich nicht öffnen.</translation>
     </message>
     <message numerus="yes">
         <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Element ist so nicht brauchbar; alles andere geht.</numerusform>
+            <numerusform>%n Elemente sind so nicht brauchbar; alles andere geht.</numerusform>
         </translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ließ sich nicht speichern.</translation>
     </message>
     <message>
         <source>Saved as %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert als %1</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts</translation>
     </message>
     <message>
         <source>The samples are not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beispiele sind nicht installiert</translation>
     </message>
     <message>
         <source>Import frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestell importieren</translation>
     </message>
     <message>
         <source>Reading %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gelesen …</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ließ sich nicht importieren.</translation>
     </message>
     <message>
         <source>Export surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche exportieren</translation>
     </message>
     <message>
         <source>OBJ (*.obj);;PLY (*.ply)</source>
-        <translation type="unfinished"></translation>
+        <translation>OBJ (*.obj);;PLY (*.ply)</translation>
     </message>
     <message>
         <source>Exported to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportiert nach %1</translation>
     </message>
     <message>
         <source>The surface could not be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ließ sich nicht exportieren.</translation>
     </message>
     <message>
         <source>Export picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild exportieren</translation>
     </message>
     <message>
         <source>PNG (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG (*.png)</translation>
     </message>
     <message>
         <source>The picture could not be exported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ließ sich nicht exportieren.</translation>
     </message>
     <message>
         <source>a new design</source>
-        <translation type="unfinished"></translation>
+        <translation>einem neuen Entwurf</translation>
     </message>
     <message>
         <source>Bolster did not end properly. Unsaved work on %1 from %2 was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bolster wurde nicht ordentlich beendet. Ungespeicherte Arbeit an %1 vom %2 ist erhalten.</translation>
     </message>
     <message>
         <source>Restore</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>The unsaved work could not be restored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ungespeicherte Arbeit ließ sich nicht wiederherstellen.</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -1469,71 +1469,71 @@
     </message>
     <message>
         <source>Place it on the floor, in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>In die Mitte auf den Boden stellen</translation>
     </message>
     <message>
         <source>Import frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestell importieren</translation>
     </message>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>Centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoll</translation>
     </message>
     <message>
         <source>Another factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer Faktor</translation>
     </message>
     <message>
         <source>z points up</source>
-        <translation type="unfinished"></translation>
+        <translation>z zeigt nach oben</translation>
     </message>
     <message>
         <source>y points up</source>
-        <translation type="unfinished"></translation>
+        <translation>y zeigt nach oben</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %3 triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %3 Dreiecke</translation>
     </message>
     <message>
         <source>Unit of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Datei</translation>
     </message>
     <message>
         <source>Factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen</translation>
     </message>
     <message>
         <source>Width, depth, height</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite, Tiefe, Höhe</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 × %3 mm</translation>
     </message>
     <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ungewöhnlich für ein Möbelstück: prüfen Sie die Einheit.</translation>
     </message>
 </context>
 <context>
@@ -1562,11 +1562,11 @@
     <name>bolster::ProblemsView</name>
     <message>
         <source>Element</source>
-        <translation type="unfinished"></translation>
+        <translation>Element</translation>
     </message>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem</translation>
     </message>
 </context>
 <context>
@@ -1580,48 +1580,48 @@
     <name>bolster::StatusLine</name>
     <message>
         <source>Nothing to sew yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts zu nähen</translation>
     </message>
     <message>
         <source>Preparing …</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorbereitung …</translation>
     </message>
     <message>
         <source>Moving, %1/s</source>
-        <translation type="unfinished"></translation>
+        <translation>In Bewegung, %1/s</translation>
     </message>
     <message>
         <source>Solved – %1 iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelöst – %1 Schritte</translation>
     </message>
     <message>
         <source>Settle</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Ruhe bringen</translation>
     </message>
     <message>
         <source>Takes the surface that follows from the design alone, whatever the way here was</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt die Oberfläche, die allein aus dem Entwurf folgt, gleich auf welchem Weg er entstand</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten</translation>
     </message>
     <message>
         <source>Settle (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Ruhe bringen (%1)</translation>
     </message>
     <message numerus="yes">
         <source>%n problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n warnings</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Warnung</numerusform>
+            <numerusform>%n Warnungen</numerusform>
         </translation>
     </message>
 </context>
@@ -1644,7 +1644,7 @@
     <name>bolster::SurfaceView</name>
     <message>
         <source>Drawn in software</source>
-        <translation type="unfinished"></translation>
+        <translation>In Software gezeichnet</translation>
     </message>
 </context>
 <context>

@@ -15,9 +15,9 @@
     <name>bolster::FileFlow</name>
     <message numerus="yes">
         <source>%n elements cannot be used as they are; everything else works.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n element cannot be used as it is; everything else works.</numerusform>
+            <numerusform>%n elements cannot be used as they are; everything else works.</numerusform>
         </translation>
     </message>
 </context>
@@ -25,16 +25,16 @@
     <name>bolster::StatusLine</name>
     <message numerus="yes">
         <source>%n problems</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n warnings</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
         </translation>
     </message>
 </context>
