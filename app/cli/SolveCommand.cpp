@@ -56,14 +56,11 @@ SolveOptions solveOptions(const Arguments& arguments)
     return options;
 }
 
-std::string firstOf(const Problems& problems)
+/// The reason of the report: `bolster check` tells them all.
+std::string firstOf(const Problems& errors)
 {
-    const auto errors = std::count_if(problems.begin(), problems.end(),
-                                      [](const Problem& problem) { return problem.severity == Severity::Error; });
-    for (const Problem& problem : problems)
-        if (problem.severity == Severity::Error)
-            return problem.english() + (errors > 1 ? " (and " + std::to_string(errors - 1) + " more)" : "");
-    return {};
+    const std::string more = errors.size() > 1 ? " (and " + std::to_string(errors.size() - 1) + " more)" : "";
+    return errors.empty() ? "" : errors.front().english() + more;
 }
 
 Problems withSeverity(const Problems& problems, Severity severity)
@@ -81,22 +78,54 @@ void add(Problems& problems, const Problems& more)
             problems.push_back(problem);
 }
 
-/// Solves as strictly as asked; what reading and checking found goes into the result.
+Problems errorsOf(const OpenedDesign& opened)
+{
+    Problems errors = withSeverity(opened.problems, Severity::Error);
+    bool hasPatch = false;
+    opened.design.each<Patch>([&](ElementId, const Patch&) { hasPatch = true; });
+    if (errors.empty() && !hasPatch)
+        errors.push_back({settingsId, {}, "elements", {"the design has no patch", {}}});
+    return errors;
+}
+
+/// What was left out and why: the errors themselves, then what went because it refers to a bad element.
+Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
+{
+    Problems all = errors;
+    for (const Problem& problem : leftOutBySolver)
+        if (std::none_of(errors.begin(), errors.end(),
+                         [&](const Problem& error) { return error.element == problem.element; }))
+            all.push_back(problem);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Problem& a, const Problem& b) { return a.element < b.element; });
+    return all;
+}
+
+SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const SolveOptions& options,
+                           std::stop_token stop)
+{
+    SolveResult result = solveResting(opened.design, options, std::move(stop));
+    add(errors, result.errors);
+    result.leftOut = leftOut(errors, result.leftOut);
+    result.errors = result.surface ? Problems() : errors;
+    return result;
+}
+
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
 {
+    const Problems errors = errorsOf(opened);
     SolveResult result;
-    if (!opened.readable || (hasErrors(opened.problems) && !options.lenient)) {
-        result.reason = {firstOf(opened.problems), {}};
-        result.errors = withSeverity(opened.problems, Severity::Error);
-    } else {
+    if (opened.readable && options.lenient)
+        result = solveLeniently(opened, errors, options, std::move(stop));
+    else if (errors.empty())
         result = solveResting(opened.design, options, std::move(stop));
-        if (result.status == SolveResult::Status::Cancelled)
-            result.reason = {"interrupted", {}};
-        for (const Problem& problem : withSeverity(opened.problems, Severity::Error))
-            if (std::none_of(result.leftOut.begin(), result.leftOut.end(),
-                             [&](const Problem& known) { return known.element == problem.element; }))
-                result.leftOut.push_back(problem);
-    }
+    else
+        result.errors = errors;
+
+    if (result.status == SolveResult::Status::Cancelled)
+        result.reason = {"interrupted", {}};
+    else if (result.reason.empty() && !result.errors.empty())
+        result.reason = {firstOf(result.errors), {}};
     add(result.warnings, withSeverity(opened.problems, Severity::Warning));
     return result;
 }

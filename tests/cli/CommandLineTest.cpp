@@ -1,0 +1,378 @@
+#include "../model/TestFiles.h"
+#include "MeshImport.h"
+#include "ProgramRun.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <csignal>
+#include <set>
+#include <sstream>
+
+namespace bolster {
+namespace {
+
+using Json = nlohmann::json;
+using Strings = std::vector<std::string>;
+
+/// A square of cloth, fixed along two opposite edges to rails that are a little closer together.
+Json hammock()
+{
+    return Json::parse(R"({"format": "bolster-design", "version": 1, "unit": "mm",
+        "settings": {"edge_length": 25}, "elements": [
+        {"id": 1, "kind": "fabric", "name": "Leather", "bending_length": 30},
+        {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1,
+         "outline": {"degree": 1, "closed": true, "points": [[0,0],[300,0],[300,300],[0,300]]}},
+        {"id": 3, "kind": "fixation_curve", "name": "Front rail",
+         "curve": {"degree": 1, "closed": false, "points": [[0,0,0],[300,0,0]]}},
+        {"id": 4, "kind": "fixation_curve", "name": "Back rail",
+         "curve": {"degree": 1, "closed": false, "points": [[0,280,0],[300,280,0]]}},
+        {"id": 5, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 3},
+        {"id": 6, "kind": "fixation_seam", "patch": 2, "from": 2, "to": 3, "curve": 4, "reversed": true}]})");
+}
+
+/// With a side sewn to it.
+Json sewnHammock()
+{
+    Json design = hammock();
+    design["elements"].push_back(Json::parse(
+        R"({"id": 7, "kind": "patch", "name": "Side flap", "fabric": 1, "position": [400, 0],
+            "outline": {"degree": 1, "closed": true, "points": [[0,0],[60,0],[60,300],[0,300]]}})"));
+    design["elements"].push_back(Json::parse(
+        R"({"id": 8, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2},
+            "b": {"patch": 7, "from": 3, "to": 4}, "reversed": true})"));
+    return design;
+}
+
+Json badPatch()
+{
+    return Json::parse(R"({"id": 20, "kind": "patch", "name": "Bow tie", "fabric": 1,
+        "outline": {"degree": 1, "closed": true, "points": [[0,0],[100,100],[100,0],[0,100]]}})");
+}
+
+Json with(Json design, const Json& element)
+{
+    design["elements"].push_back(element);
+    return design;
+}
+
+Strings keysOf(const Json& object)
+{
+    Strings keys;
+    for (const auto& item : object.items())
+        keys.push_back(item.key());
+    std::sort(keys.begin(), keys.end());
+    return keys;
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+class CommandLine : public TestFiles {
+protected:
+    QString design(const QString& name, const Json& content) const { return write(name, content.dump()); }
+
+    Json report(const QString& name = "report.json") const
+    {
+        const Json parsed = Json::parse(read(name), nullptr, false);
+        EXPECT_FALSE(parsed.is_discarded());
+        return parsed;
+    }
+
+    static void expectUsageError(const QStringList& arguments, const std::string& why)
+    {
+        const ProgramRun run = runProgram(arguments);
+        EXPECT_EQ(run.exitCode, 2) << arguments.join(' ').toStdString();
+        EXPECT_TRUE(contains(run.err, why)) << run.err;
+        EXPECT_EQ(run.out, "");
+    }
+};
+
+TEST_F(CommandLine, ExplainsItself)
+{
+    const ProgramRun version = runProgram({"--version"});
+    EXPECT_EQ(version.exitCode, 0);
+    EXPECT_TRUE(version.out.starts_with("bolster ")) << version.out;
+    EXPECT_TRUE(contains(runProgram({"--help"}).out, "bolster solve"));
+    EXPECT_TRUE(contains(runProgram({"check", "--help"}).out, "bolster check DESIGN"));
+    const ProgramRun solve = runProgram({"solve", "--help"});
+    EXPECT_EQ(solve.exitCode, 0);
+    for (const char* option :
+         {"--obj", "--ply", "--image", "--report", "--tolerance", "--max-iterations", "--threads", "--lenient"})
+        EXPECT_TRUE(contains(solve.out, option)) << option;
+}
+
+TEST_F(CommandLine, RefusesWrongUsage)
+{
+    const QString file = design("a.json", hammock());
+    expectUsageError({"solv", file}, "unknown command \"solv\"");
+    expectUsageError({"solve"}, "DESIGN is missing");
+    expectUsageError({"check"}, "DESIGN is missing");
+    expectUsageError({"solve", file, "other.json"}, "unexpected argument \"other.json\"");
+    expectUsageError({"solve", file, "--fast"}, "unknown option \"--fast\"");
+    expectUsageError({"solve", file, "--lenient=yes"}, "unknown option");
+    expectUsageError({"check", file, "--lenient"}, "unknown option");
+    expectUsageError({"solve", file, "--obj"}, "--obj needs a value");
+    expectUsageError({"solve", file, "--obj="}, "--obj needs a value");
+    expectUsageError({"solve", file, "--lenient", "--lenient"}, "given twice");
+    for (const char* number : {"1,5", "abc", "1e-6x", "", " "})
+        expectUsageError({"solve", file, "--tolerance", number}, "--tolerance needs");
+    for (const char* number : {"0", "-1", "nan", "inf", "2"})
+        expectUsageError({"solve", file, "--tolerance", number}, "--tolerance cannot be");
+    expectUsageError({"solve", file, "--max-iterations", "2.5"}, "--max-iterations needs a number");
+    expectUsageError({"solve", file, "--max-iterations", "0"}, "--max-iterations cannot be");
+    expectUsageError({"solve", file, "--threads", "-1"}, "--threads cannot be");
+    expectUsageError({"solve", file, "--threads", "99999999999"}, "--threads needs");
+    expectUsageError({"solve", file, "--obj", path("x"), "--ply", path("x")}, "the same file");
+}
+
+TEST_F(CommandLine, NeverOverwritesWhatItReads)
+{
+    write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const QString file = design(
+        "chair.json", with(hammock(), {{"id", 9}, {"kind", "frame"}, {"name", "Chair"}, {"file", "chair.obj"}}));
+    expectUsageError({"solve", file, "--obj", path("chair.obj")}, "--obj would overwrite the frame \"chair.obj\"");
+    expectUsageError({"solve", file, "--report", path("chair.json")}, "--report would overwrite the design");
+    EXPECT_TRUE(importMesh(path("chair.obj")).mesh);
+}
+
+TEST_F(CommandLine, ChecksAGoodDesign)
+{
+    const ProgramRun run = runProgram({"check", design("a.json", sewnHammock())});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.out, "0 errors, 0 warnings\n");
+    EXPECT_EQ(run.err, "");
+}
+
+TEST_F(CommandLine, CheckTellsWarningsFromErrors)
+{
+    Json loose = sewnHammock();
+    loose["elements"][6]["outline"]["points"] = {{0, 0}, {60, 0}, {60, 340}, {0, 340}}; // 13 % longer
+    const ProgramRun run = runProgram({"check", design("a.json", loose)});
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.out, "0 errors, 1 warning\n");
+    EXPECT_TRUE(run.err.starts_with("warning: seam 8")) << run.err;
+}
+
+TEST_F(CommandLine, CheckNamesElementAndFieldOfEveryProblemInOneLine)
+{
+    Json bad = with(hammock(), badPatch());
+    bad["elements"].push_back({{"id", 21}, {"kind", "fabric"}, {"name", "Rub\nber"}, {"poisson", 0.9}});
+    bad["elements"].push_back({{"id", 22}, {"kind", "frame"}, {"name", "Chair"}, {"file", "none.obj"}});
+    const ProgramRun run = runProgram({"check", design("a.json", bad)});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_TRUE(run.out.starts_with("3 errors, ")) << run.out;
+    std::istringstream lines(run.err);
+    Strings found;
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_TRUE(line.starts_with("error: ") || line.starts_with("warning: ")) << line;
+        if (line.starts_with("error: "))
+            found.push_back(line);
+    }
+    ASSERT_EQ(found.size(), 3u) << run.err;
+    EXPECT_TRUE(found[0].starts_with("error: patch 20 \"Bow tie\", outline")) << found[0];
+    EXPECT_TRUE(found[1].starts_with("error: fabric 21 \"Rub ber\", poisson")) << found[1];
+    EXPECT_TRUE(found[2].starts_with("error: frame 22 \"Chair\", file")) << found[2];
+}
+
+TEST_F(CommandLine, RefusesWhatIsNoDesign)
+{
+    for (const QString& file :
+         {path("none.json"), m_folder.path(), write("empty.json", ""), write("text.json", "Seat"),
+          write("list.json", "[]"), write("newer.json", R"({"format": "bolster-design", "version": 99})"),
+          write("deep.json", std::string(200'000, '['))}) {
+        for (const QStringList& options : {QStringList{}, QStringList{"--lenient"}}) {
+            const ProgramRun run =
+                runProgram(QStringList{"solve", file, "--report", path("report.json")} + options);
+            EXPECT_EQ(run.exitCode, 2) << file.toStdString();
+            EXPECT_TRUE(run.err.starts_with("error: ")) << run.err;
+            EXPECT_EQ(report()["status"], "failed");
+            EXPECT_NE(report()["reason"], "");
+        }
+        EXPECT_EQ(runProgram({"check", file}).exitCode, 2);
+    }
+}
+
+TEST_F(CommandLine, SolvesAndWritesEverything)
+{
+    const ProgramRun run =
+        runProgram({"solve", design("a.json", sewnHammock()), "--obj", path("a.obj"), "--ply=" + path("a.ply"),
+                    "--image", path("a.png"), "--report", path("report.json"), "--threads", "2"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_TRUE(run.out.starts_with("solved in ")) << run.out;
+    EXPECT_EQ(read("a.png").substr(1, 3), "PNG");
+
+    const ImportedMesh obj = importMesh(path("a.obj"));
+    const ImportedMesh ply = importMesh(path("a.ply"));
+    ASSERT_TRUE(obj.mesh && ply.mesh) << obj.problem.english() << ply.problem.english();
+    EXPECT_EQ(obj.mesh->points, ply.mesh->points);
+    EXPECT_EQ(obj.mesh->triangles, ply.mesh->triangles);
+    ASSERT_EQ(obj.mesh->parts.size(), 2u);
+    EXPECT_EQ(obj.mesh->parts[0].name, "Seat");
+    EXPECT_EQ(obj.mesh->parts[1].name, "Side_flap");
+    EXPECT_NEAR(obj.mesh->boundingBox().max().y(), 280, 10); // between the rails
+
+    const Json numbers = report();
+    EXPECT_EQ(numbers["status"], "solved");
+    EXPECT_EQ(numbers["patches"], 2);
+    EXPECT_EQ(numbers["seams"], 1);
+    EXPECT_EQ(numbers["triangles"], obj.mesh->triangles.size());
+    // Every sewn pair is two vertices of the file in one place, and one vertex of the report.
+    std::set<std::array<double, 3>> places;
+    for (const Vec3& p : obj.mesh->points)
+        places.insert({p.x(), p.y(), p.z()});
+    EXPECT_EQ(numbers["vertices"], places.size());
+    EXPECT_EQ(numbers["constraints"]["sewn"], obj.mesh->points.size() - places.size());
+    EXPECT_EQ(numbers["seam_gap_mm"]["max"], 0.0);
+    EXPECT_LT(numbers["fixation_error_mm"]["max"], 1e-6);
+    EXPECT_DOUBLE_EQ(numbers["rest_area_mm2"], 300 * 360.0);
+}
+
+TEST_F(CommandLine, ReportsExactlyTheDocumentedKeys)
+{
+    const auto expectKeys = [&] {
+        const Json numbers = report();
+        EXPECT_EQ(keysOf(numbers), (Strings{"area_mm2", "constraints", "fixation_deviation_mm", "fixation_error_mm",
+                                            "flipped_triangles", "iterations", "left_out", "movement", "patches",
+                                            "reason", "rest_area_mm2", "seam_gap_mm", "seams", "status", "strain",
+                                            "time_ms", "triangles", "vertices", "warnings"}));
+        EXPECT_EQ(keysOf(numbers["constraints"]), (Strings{"fixed", "ghost", "orientation", "sewn"}));
+        EXPECT_EQ(keysOf(numbers["seam_gap_mm"]), (Strings{"max", "mean"}));
+        EXPECT_EQ(keysOf(numbers["fixation_error_mm"]), (Strings{"max", "mean"}));
+        EXPECT_EQ(keysOf(numbers["fixation_deviation_mm"]), (Strings{"max"}));
+        EXPECT_EQ(keysOf(numbers["strain"]), (Strings{"max", "p99", "rms"}));
+        EXPECT_EQ(keysOf(numbers["time_ms"]),
+                  (Strings{"assemble", "factor", "iterate", "per_iteration", "total", "triangulate"}));
+        EXPECT_TRUE(numbers["warnings"].is_array() && numbers["left_out"].is_array());
+    };
+    EXPECT_EQ(runProgram({"solve", design("a.json", hammock()), "--report", path("report.json")}).exitCode, 0);
+    expectKeys();
+    EXPECT_EQ(runProgram({"solve", path("none.json"), "--report", path("report.json")}).exitCode, 2);
+    expectKeys();
+}
+
+TEST_F(CommandLine, IsStrictUnlessAskedToBeLenient)
+{
+    const QString file = design("a.json", with(sewnHammock(), badPatch()));
+    const QStringList arguments = {"solve", file, "--obj", path("a.obj"), "--report", path("report.json")};
+    const ProgramRun strict = runProgram(arguments);
+    EXPECT_EQ(strict.exitCode, 2);
+    EXPECT_TRUE(contains(strict.err, "error: patch 20 \"Bow tie\", outline")) << strict.err;
+    EXPECT_FALSE(QFileInfo::exists(path("a.obj")));
+    EXPECT_EQ(report()["status"], "failed");
+    EXPECT_TRUE(contains(report()["reason"], "Bow tie"));
+
+    const ProgramRun lenient = runProgram(arguments + QStringList{"--lenient"});
+    EXPECT_EQ(lenient.exitCode, 0);
+    EXPECT_TRUE(contains(lenient.err, "left out: patch 20 \"Bow tie\"")) << lenient.err;
+    ASSERT_EQ(report()["left_out"].size(), 1u);
+    EXPECT_EQ(report()["left_out"][0]["element"], 20);
+    EXPECT_EQ(report()["patches"], 2);
+    EXPECT_TRUE(importMesh(path("a.obj")).mesh);
+}
+
+TEST_F(CommandLine, LenientLeavesOutWhatDependsOnBadElements)
+{
+    Json bad = sewnHammock();
+    bad["elements"][6]["colour"] = "red"; // the flap: its seam must go, too
+    bad["elements"].push_back({{"id", 9}, {"kind", "frame"}, {"name", "Chair"}, {"file", "none.obj"}});
+    const ProgramRun run =
+        runProgram({"solve", design("a.json", bad), "--lenient", "--report", path("report.json")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    std::set<int> leftOut;
+    const Json numbers = report();
+    for (const Json& item : numbers["left_out"])
+        leftOut.insert(item["element"].get<int>());
+    EXPECT_EQ(leftOut, (std::set<int>{7, 8, 9}));
+    EXPECT_EQ(numbers["left_out"][0]["field"], "colour");
+    EXPECT_EQ(numbers["patches"], 1);
+
+    Json nothing = hammock();
+    nothing["elements"][1]["colour"] = "red";
+    EXPECT_EQ(runProgram({"solve", design("b.json", nothing), "--lenient"}).exitCode, 2);
+}
+
+TEST_F(CommandLine, WritesWhatItHasWhenNotConverged)
+{
+    const ProgramRun run = runProgram({"solve", design("a.json", hammock()), "--max-iterations", "3", "--obj",
+                                       path("a.obj"), "--report", path("report.json")});
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_TRUE(contains(run.out, "not converged after 3 iterations")) << run.out;
+    EXPECT_TRUE(importMesh(path("a.obj")).mesh);
+    EXPECT_EQ(report()["status"], "not_converged");
+    EXPECT_EQ(report()["iterations"], 3);
+    EXPECT_NE(report()["reason"], "");
+}
+
+TEST_F(CommandLine, SaysWhatCannotBeWrittenAndWritesTheRest)
+{
+    const ProgramRun run =
+        runProgram({"solve", design("a.json", hammock()), "--obj", path("none/a.obj"), "--image",
+                    path("none/a.png"), "--ply", path("a.ply"), "--report", path("report.json")});
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_TRUE(contains(run.err, "none/a.obj\" cannot be written: there is no folder")) << run.err;
+    EXPECT_TRUE(contains(run.err, "none/a.png\" cannot be written")) << run.err;
+    EXPECT_TRUE(importMesh(path("a.ply")).mesh);
+    EXPECT_EQ(report()["status"], "solved");
+}
+
+TEST_F(CommandLine, IsTheSameOnEveryRunAndNumberOfThreads)
+{
+    const QString file = design("a.json", sewnHammock());
+    std::set<std::string> results;
+    for (const char* threads : {"1", "2", "7", "2"}) {
+        EXPECT_EQ(runProgram({"solve", file, "--threads", threads, "--obj", path("a.obj")}).exitCode, 0);
+        results.insert(read("a.obj"));
+    }
+    EXPECT_EQ(results.size(), 1u);
+}
+
+TEST_F(CommandLine, UsesPointsWhateverTheLocale)
+{
+    QProcessEnvironment german = bareEnvironment();
+    const QString localedef = QStandardPaths::findExecutable("localedef");
+    if (!localedef.isEmpty()) // else the C locale is what there is
+        QProcess::execute(localedef, {"-i", "de_DE", "-f", "UTF-8", path("de_DE.UTF-8")});
+    german.insert("LOCPATH", m_folder.path());
+    german.insert("LC_ALL", "de_DE.UTF-8");
+    german.insert("LANGUAGE", "de");
+    const QString file = design("a.json", hammock());
+    ASSERT_EQ(runProgram({"solve", file, "--obj", path("c.obj")}).exitCode, 0);
+    const ProgramRun run = runProgram(
+        {"solve", file, "--tolerance", "0.000001", "--obj", path("de.obj"), "--report", path("report.json")},
+        german);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(run.out.starts_with("solved in ")) << run.out;
+    EXPECT_EQ(read("de.obj"), read("c.obj"));
+    EXPECT_DOUBLE_EQ(report()["rest_area_mm2"], 90'000);
+    EXPECT_EQ(runProgram({"check", file}, german).exitCode, 0);
+}
+
+TEST_F(CommandLine, EndsCleanlyWhenInterrupted)
+{
+    Json large = hammock();
+    large["settings"]["edge_length"] = 2;
+    QProcess process;
+    process.setProcessEnvironment(bareEnvironment());
+    process.start(BOLSTER_PROGRAM, {"solve", design("a.json", large), "--tolerance", "1e-300", "--max-iterations",
+                                    "2000000000", "--obj", path("a.obj"), "--report", path("report.json")});
+    ASSERT_TRUE(process.waitForStarted());
+    EXPECT_FALSE(process.waitForFinished(2000)); // it is at work, or only getting there: both must end well
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(process.exitCode(), 1);
+    EXPECT_TRUE(contains(process.readAllStandardError().toStdString(), "interrupted"));
+    EXPECT_FALSE(QFileInfo::exists(path("a.obj")));
+    EXPECT_EQ(report()["reason"], "interrupted");
+}
+
+} // namespace
+} // namespace bolster

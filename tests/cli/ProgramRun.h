@@ -1,0 +1,22 @@
+// One run of the program, with what it printed.
+#pragma once
+
+#include <QProcess>
+#include <QString>
+
+#include <string>
+
+namespace bolster {
+
+struct ProgramRun {
+    int exitCode = -1; ///< -1: crashed, or did not end in time
+    std::string out;
+    std::string err;
+};
+
+/// Where there is no display.
+QProcessEnvironment bareEnvironment();
+
+ProgramRun runProgram(const QStringList& arguments, const QProcessEnvironment& environment = bareEnvironment());
+
+} // namespace bolster

@@ -1,0 +1,6 @@
+#include "FuzzMesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    return bolster::fuzzMesh(bolster::readOff, bytes, size);
+}
