@@ -2,6 +2,236 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name></name>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>click; Shift+click adds; drag a box</source>
+        <translation>Klick; Umschalt+Klick fügt hinzu; Rahmen aufziehen</translation>
+    </message>
+    <message>
+        <source>Move control points or patches</source>
+        <translation>Kontrollpunkte oder Schnittteile verschieben</translation>
+    </message>
+    <message>
+        <source>drag; Shift keeps to one axis; Esc takes it back</source>
+        <translation>ziehen; Umschalt hält eine Achse; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Turn patches</source>
+        <translation>Schnittteile drehen</translation>
+    </message>
+    <message>
+        <source>drag the round handle; Shift in steps of 15°</source>
+        <translation>am runden Griff ziehen; Umschalt in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>Add a control point</source>
+        <translation>Kontrollpunkt einfügen</translation>
+    </message>
+    <message>
+        <source>double click on an outline</source>
+        <translation>Doppelklick auf einen Umriss</translation>
+    </message>
+    <message>
+        <source>Move by 1 mm, by 10 mm</source>
+        <translation>Um 1 mm, um 10 mm verschieben</translation>
+    </message>
+    <message>
+        <source>arrow keys, Shift+arrow keys</source>
+        <translation>Pfeiltasten, Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>middle button, or Space and drag</source>
+        <translation>mittlere Taste oder mit Leertaste ziehen</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>middle button, or drag beside the cover</source>
+        <translation>mittlere Taste oder neben dem Bezug ziehen</translation>
+    </message>
+    <message>
+        <source>Shift and middle button, or Space and drag</source>
+        <translation>Umschalt und mittlere Taste oder mit Leertaste ziehen</translation>
+    </message>
+    <message>
+        <source>Move control points of fixation curves</source>
+        <translation>Kontrollpunkte von Fixierkurven verschieben</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
+        <translation>Eine Werkbank für alle, die Polstermöbel und Autositze entwerfen: aus dem Schnitt, seinen Nähten und der Fixierung am Gestell wird der Bezug, live.</translation>
+    </message>
+    <message>
+        <source>The surface is computed after the published method of sewing patterns on static constraints; docs/solver.md names the paper and what is different.</source>
+        <translation>Die Oberfläche wird nach dem veröffentlichten Verfahren berechnet; docs/solver.md nennt den Aufsatz und was hier anders ist.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty. Built with Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree and OpenImageIO.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer. Ohne jede Gewährleistung. Gebaut mit Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree und OpenImageIO.</translation>
+    </message>
+    <message>
+        <source>About Bolster</source>
+        <translation>Über Bolster</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>In der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Patches, seams</source>
+        <translation>Schnittteile, Nähte</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Vertices after sewing</source>
+        <translation>Netzpunkte nach dem Nähen</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Vertices held by fixations</source>
+        <translation>Fixierte Netzpunkte</translation>
+    </message>
+    <message>
+        <source>Sewn pairs</source>
+        <translation>Vernähte Paare</translation>
+    </message>
+    <message>
+        <source>Largest gap at seams</source>
+        <translation>Größte Lücke an Nähten</translation>
+    </message>
+    <message>
+        <source>Largest distance from fixations</source>
+        <translation>Größter Abstand von Fixierungen</translation>
+    </message>
+    <message>
+        <source>Curves to fixed outlines between vertices</source>
+        <translation>Kurven zu fixierten Umrissen zwischen Netzpunkten</translation>
+    </message>
+    <message>
+        <source>Strain: mean square, 99 %, largest</source>
+        <translation>Dehnung: quadratisches Mittel, 99 %, größte</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Area of the cover, of the pattern</source>
+        <translation>Fläche des Bezugs, des Schnitts</translation>
+    </message>
+    <message>
+        <source>%1 m², %2 m²</source>
+        <translation>%1 m², %2 m²</translation>
+    </message>
+    <message>
+        <source>Turned triangles</source>
+        <translation>Umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Triangulation</source>
+        <translation>Triangulierung</translation>
+    </message>
+    <message>
+        <source>Assembly and factorisation</source>
+        <translation>Aufstellen und Faktorisieren</translation>
+    </message>
+    <message>
+        <source>One iteration</source>
+        <translation>Ein Schritt</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Computation</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Figures of the surface</source>
+        <translation>Zahlen zur Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>Docks</name>
+    <message>
+        <source>Pattern</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cover</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+</context>
+<context>
     <name>ElementText</name>
     <message>
         <source>missing element %1</source>
@@ -248,6 +478,53 @@
     <message>
         <source>It keeps its text and is saved as it is.</source>
         <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>MainMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples</source>
+        <translation>Beis&amp;piele</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Look at the &amp;cover from</source>
+        <translation>&amp;Bezug ansehen von</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Pattern</source>
+        <translation>&amp;Schnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
     </message>
 </context>
 <context>
@@ -1556,6 +1833,53 @@
     <message>
         <source>Change</source>
         <translation>Ändern</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::MainWindow</name>
+    <message>
+        <source>There are no patches yet.
+
+Open a design, or a sample from the File menu, or drop a file here.</source>
+        <translation>Es gibt noch keine Schnittteile.
+
+Öffnen Sie einen Entwurf oder über das Menü „Datei“ ein Beispiel, oder ziehen Sie eine Datei hierher.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>x %1   y %2 mm</source>
+        <translation>x %1   y %2 mm</translation>
+    </message>
+    <message>
+        <source>x %1   y %2   z %3 mm</source>
+        <translation>x %1   y %2   z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1[*] – Bolster</source>
+        <translation>%1[*] – Bolster</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
     </message>
 </context>
 <context>
