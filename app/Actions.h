@@ -1,0 +1,68 @@
+// Everything the user can ask for, each with its text, icon and shortcut. What happens then, others decide.
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QObject>
+
+namespace bolster {
+
+class Actions : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Actions(QObject* parent = nullptr);
+
+    // File
+    QAction* newDesign;
+    QAction* open;
+    QAction* save;
+    QAction* saveAs;
+    QAction* importFrame;
+    QAction* exportSurface;
+    QAction* exportPicture;
+    QAction* quit;
+    // Edit
+    QAction* undo;
+    QAction* redo;
+    QAction* remove;
+    QAction* rename;
+    QAction* selectAll;
+    QAction* selectNone;
+    // View
+    QAction* fitAll;
+    QAction* fitSelection;
+    QList<QAction*> standardViews; ///< data: SurfaceView::StandardView
+    QAction* perspective;
+    QAction* showMesh;
+    QAction* showChecker;
+    QAction* showFrames;
+    QAction* showPoints;
+    QAction* showSeams;
+    QAction* showCurves;
+    QAction* showGrid;
+    QAction* showLabels;
+    QAction* showGround;
+    QList<QAction*> themes; ///< data: Theme
+    // Pattern
+    QAction* turnLeft;
+    QAction* turnRight;
+    // Surface
+    QAction* settle;
+    QAction* pause;
+    QAction* report;
+    // Window, Help
+    QAction* resetLayout;
+    QAction* shortcuts;
+    QAction* about;
+
+private:
+    QAction* add(const QString& text, const QString& iconName, const QKeySequence& shortcut = {});
+    QAction* addToggle(const QString& text, const QString& iconName, bool on, const QKeySequence& shortcut = {});
+    void addFile();
+    void addEdit();
+    void addView();
+    void addRest();
+};
+
+} // namespace bolster

@@ -1,0 +1,89 @@
+#include "Banner.h"
+
+#include "Icons.h"
+#include "ViewColors.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace bolster {
+
+namespace {
+
+QColor signColor(Banner::Kind kind, const QPalette& palette)
+{
+    const ViewColors colors = ViewColors::of(palette);
+    return kind == Banner::Kind::Problem ? colors.error : colors.accent;
+}
+
+} // namespace
+
+Banner::Banner(QWidget* parent)
+    : QWidget(parent)
+    , m_sign(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_buttons(new QHBoxLayout)
+{
+    auto* close = new QToolButton(this);
+    close->setIcon(icon(QStringLiteral("close")));
+    close->setIconSize({14, 14});
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close"));
+    connect(close, &QToolButton::clicked, this, &Banner::dismiss);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 6, 8, 6);
+    layout->setSpacing(8);
+    layout->addWidget(m_sign);
+    layout->addWidget(m_text, 1);
+    layout->addLayout(m_buttons);
+    layout->addWidget(close);
+    m_text->setWordWrap(true);
+    hide();
+}
+
+void Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
+{
+    m_kind = kind;
+    const QString name = kind == Kind::Problem ? QStringLiteral("error") : QStringLiteral("info");
+    m_sign->setPixmap(icon(name, signColor(kind, palette())).pixmap(QSize(18, 18), devicePixelRatioF()));
+    m_text->setText(text);
+    while (QLayoutItem* item = m_buttons->takeAt(0)) {
+        item->widget()->deleteLater();
+        delete item;
+    }
+    for (const Button& button : buttons) {
+        auto* push = new QPushButton(button.text, this);
+        connect(push, &QPushButton::clicked, this, [this, pressed = button.pressed] {
+            dismiss();
+            pressed();
+        });
+        m_buttons->addWidget(push);
+    }
+    setVisible(true);
+    emit toggled(true);
+}
+
+QString Banner::text() const
+{
+    return m_text->text();
+}
+
+void Banner::dismiss()
+{
+    hide();
+    emit toggled(false);
+}
+
+void Banner::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const QColor sign = signColor(m_kind, palette());
+    painter.fillRect(rect(), mixed(palette().color(QPalette::Base), sign, 0.14));
+    painter.fillRect(QRect(0, 0, 3, height()), sign);
+}
+
+} // namespace bolster

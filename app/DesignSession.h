@@ -1,0 +1,83 @@
+// The design that is open: the document, its file, the meshes of its frames, and the copy for the start after a
+// crash.
+#pragma once
+
+#include "DesignFile.h"
+#include "Document.h"
+#include "FrameFiles.h"
+#include "Recovery.h"
+
+#include <QSet>
+
+#include <functional>
+#include <optional>
+
+namespace bolster {
+
+/// Reading and writing happen off the GUI thread; a function that is handed in is called when they are done, unless
+/// the session is gone by then.
+class DesignSession : public QObject {
+    Q_OBJECT
+
+public:
+    using Done = std::function<void(const Message& problem)>; ///< empty: it worked
+
+    explicit DesignSession(QObject* parent = nullptr);
+    ~DesignSession() override;
+
+    Document& document() { return m_document; }
+    /// Where Save writes to; "" for a new design, a sample, a restored new design.
+    const QString& path() const { return m_path; }
+    /// For the window's title.
+    QString title() const;
+    const FrameMeshes& frames() const { return m_frames; }
+    /// Of elements that could not be read and of frame files: what only this class knows.
+    Problems problems() const;
+    /// Everything that was wrong when the file was opened.
+    const Problems& problemsOnOpening() const { return m_opened; }
+
+    void startNew();
+    /// A sample is opened without its path. On failure everything stays as it was.
+    void open(const QString& path, const Done& done);
+    void restore(const Recovery::Orphan& orphan, const Done& done);
+    void save(const QString& path, const Done& done);
+    /// Nothing of the unsaved work is to be kept.
+    void discardWork();
+    /// The window closes; unsaved work that was not discarded is found at the next start.
+    void end();
+
+    /// Brings the file to the design and adds a frame for it; `frame.file` is filled in. With `replaced` the mesh
+    /// of an existing frame is exchanged, its name kept.
+    Message addFrame(const QString& source, std::shared_ptr<const TriangleMesh> mesh, Frame frame,
+                     std::optional<ElementId> replaced = {});
+
+signals:
+    /// Another design is there now.
+    void opened();
+    void titleChanged();
+    void framesChanged();
+    void problemsChanged();
+    /// Unsaved work cannot be protected against a crash.
+    void recoveryFailed(const bolster::Message& why);
+
+private:
+    void take(OpenedDesign opened, const QString& path, const QString& folder, const QString& title);
+    void designChanged(const std::set<ElementId>& ids);
+    void updateFrames();
+    void readMissing(const QString& file);
+
+    Document m_document;
+    Recovery m_recovery;
+    FrameFiles m_files;
+    QString m_path;
+    QString m_title; ///< of a design without a path
+    Problems m_opened;
+    /// By file name as frames have it; null: could not be read, with the reason below.
+    std::map<QString, std::shared_ptr<const TriangleMesh>> m_meshes;
+    std::map<QString, Message> m_meshProblems;
+    QSet<QString> m_reading;
+    FrameMeshes m_frames;
+    int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
+};
+
+} // namespace bolster

@@ -1,0 +1,67 @@
+#include "Docks.h"
+
+#include "DockTitle.h"
+
+#include <QCoreApplication>
+#include <QMainWindow>
+
+namespace bolster {
+
+namespace {
+
+QDockWidget* newDock(QMainWindow& window, const QString& name, const QString& title, QWidget* part)
+{
+    auto* dock = new QDockWidget(title, &window);
+    dock->setObjectName(name); // under which the arrangement is kept
+    dock->setTitleBarWidget(new DockTitle(dock));
+    dock->setWidget(part);
+    return dock;
+}
+
+} // namespace
+
+Docks::Docks(QMainWindow& window, const Parts& parts)
+    : pattern(newDock(window, QStringLiteral("pattern"), QCoreApplication::translate("Docks", "Pattern"),
+                      parts.pattern))
+    , cover(newDock(window, QStringLiteral("cover"), QCoreApplication::translate("Docks", "Cover"), parts.cover))
+    , elements(newDock(window, QStringLiteral("elements"), QCoreApplication::translate("Docks", "Elements"),
+                       parts.elements))
+    , history(newDock(window, QStringLiteral("history"), QCoreApplication::translate("Docks", "History"),
+                      parts.history))
+    , inspector(newDock(window, QStringLiteral("inspector"), QCoreApplication::translate("Docks", "Properties"),
+                        parts.inspector))
+    , problems(newDock(window, QStringLiteral("problems"), QCoreApplication::translate("Docks", "Problems"),
+                       parts.problems))
+    , m_window(window)
+{
+    window.setDockNestingEnabled(true);
+    window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    reset();
+}
+
+void Docks::reset()
+{
+    for (QDockWidget* dock : all()) {
+        dock->setFloating(false);
+        m_window.removeDockWidget(dock);
+    }
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, pattern);
+    m_window.splitDockWidget(pattern, cover, Qt::Horizontal);
+    m_window.splitDockWidget(cover, elements, Qt::Horizontal);
+    m_window.splitDockWidget(elements, inspector, Qt::Vertical);
+    m_window.tabifyDockWidget(elements, history);
+    m_window.splitDockWidget(pattern, problems, Qt::Vertical);
+    for (QDockWidget* dock : all())
+        dock->setVisible(dock != problems);
+    elements->raise();
+    m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
+    m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);
+}
+
+void Docks::reveal(QDockWidget* dock)
+{
+    dock->show();
+    dock->raise();
+}
+
+} // namespace bolster

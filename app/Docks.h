@@ -1,0 +1,42 @@
+// The parts of the window and where they stand.
+#pragma once
+
+#include <QDockWidget>
+#include <QList>
+
+class QMainWindow;
+
+namespace bolster {
+
+/// All parts are docks: pattern and cover side by side, the lists beside them. The user may move them; the
+/// arrangement is kept, and reset() brings back the first one.
+class Docks {
+public:
+    struct Parts {
+        QWidget* pattern;
+        QWidget* cover;
+        QWidget* elements;
+        QWidget* history;
+        QWidget* inspector;
+        QWidget* problems;
+    };
+
+    Docks(QMainWindow& window, const Parts& parts);
+
+    QDockWidget* pattern;
+    QDockWidget* cover;
+    QDockWidget* elements;
+    QDockWidget* history;
+    QDockWidget* inspector;
+    QDockWidget* problems;
+    QList<QDockWidget*> all() const { return {pattern, cover, elements, history, inspector, problems}; }
+
+    void reset();
+    /// Shows a part and brings it to the front.
+    static void reveal(QDockWidget* dock);
+
+private:
+    QMainWindow& m_window;
+};
+
+} // namespace bolster

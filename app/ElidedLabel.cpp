@@ -1,0 +1,32 @@
+#include "ElidedLabel.h"
+
+namespace bolster {
+
+void ElidedLabel::setFullText(const QString& text)
+{
+    if (text == m_full)
+        return;
+    m_full = text;
+    updateGeometry();
+    elide();
+}
+
+QSize ElidedLabel::sizeHint() const
+{
+    return {fontMetrics().horizontalAdvance(m_full) + 4, QLabel::sizeHint().height()};
+}
+
+void ElidedLabel::resizeEvent(QResizeEvent* event)
+{
+    elide();
+    QLabel::resizeEvent(event);
+}
+
+void ElidedLabel::elide()
+{
+    const QString shown = fontMetrics().elidedText(m_full, Qt::ElideRight, width());
+    setText(shown);
+    setToolTip(shown == m_full ? QString() : m_full);
+}
+
+} // namespace bolster

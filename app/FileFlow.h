@@ -1,0 +1,65 @@
+// What the File menu does: the dialogs around opening, saving, importing and exporting.
+#pragma once
+
+#include "DesignSession.h"
+#include "SurfaceMesh.h"
+
+#include <QImage>
+
+class QMenu;
+class QWidget;
+
+namespace bolster {
+
+class Banner;
+
+class FileFlow : public QObject {
+    Q_OBJECT
+
+public:
+    using Then = std::function<void()>;
+
+    FileFlow(DesignSession& session, QWidget* window, Banner* banner);
+
+    void startNew();
+    /// Asks for a file when `path` is empty.
+    void open(const QString& path = {});
+    void save();
+    void saveAs();
+    /// Goes on when nothing unsaved is lost by it: saved, discarded on purpose, or nothing was unsaved.
+    void keepWork(const Then& then);
+
+    /// Asks for file, unit and axis; with `replaced` for an existing frame.
+    void importFrame(const QString& path = {}, std::optional<ElementId> replaced = {});
+    void exportSurface(const SurfaceMeshPtr& surface);
+    void exportPicture(const QImage& picture);
+
+    void fillRecent(QMenu& menu);
+    void fillSamples(QMenu& menu);
+    /// Offers what a crash has left, if anything.
+    void offerRecovery();
+    /// A design or a mesh that was dropped on the window, or nothing.
+    static bool takes(const QString& file);
+    void drop(const QString& file);
+
+signals:
+    /// Something has happened that is worth a line in the status bar.
+    void done(const QString& what);
+    /// The user wants to see what is wrong.
+    void problemsWanted();
+
+private:
+    void openNow(const QString& path);
+    void saveTo(const QString& path, const Then& then);
+    void remember(const QString& path);
+    void announceProblems();
+    void importMeshNow(const QString& path, std::optional<ElementId> replaced);
+    void fail(const QString& title, const Message& why);
+    QString startFolder() const;
+
+    DesignSession& m_session;
+    QWidget* m_window;
+    Banner* m_banner;
+};
+
+} // namespace bolster

@@ -1,0 +1,140 @@
+#include "FrameFiles.h"
+
+#include "ElementEdits.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUuid>
+
+namespace bolster {
+
+namespace {
+
+QString ownRoot()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/untitled");
+}
+
+bool sameContent(const QString& a, const QString& b)
+{
+    if (QFileInfo(a).canonicalFilePath() == QFileInfo(b).canonicalFilePath())
+        return true;
+    QFile first(a);
+    QFile second(b);
+    if (!first.open(QIODevice::ReadOnly) || !second.open(QIODevice::ReadOnly) || first.size() != second.size())
+        return false;
+    constexpr qint64 block = 1 << 20;
+    while (!first.atEnd())
+        if (first.read(block) != second.read(block))
+            return false;
+    return true;
+}
+
+/// `name`, or with a number behind it, such that the folder has no other file of that name.
+QString freeName(const QDir& folder, const QString& name, const QString& source)
+{
+    const QFileInfo info(name);
+    QString candidate = name;
+    for (int i = 2;
+         QFileInfo::exists(folder.filePath(candidate)) && !sameContent(folder.filePath(candidate), source); ++i)
+        candidate = QStringLiteral("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
+    return candidate;
+}
+
+Message copyInto(const QDir& folder, const QString& name, const QString& source)
+{
+    const QString target = folder.filePath(name);
+    if (QFileInfo::exists(target))
+        return {}; // freeName has seen that it is the same
+    folder.mkpath(QFileInfo(target).path());
+    QFile file(source);
+    if (file.copy(target))
+        return {};
+    return {QT_TRANSLATE_NOOP("Message", "\"%1\" could not be copied to \"%2\": %3"),
+            {source.toStdString(), target.toStdString(), file.errorString().toStdString()}};
+}
+
+} // namespace
+
+bool FrameFiles::isOwnFolder(const QString& folder)
+{
+    return !folder.isEmpty() && QFileInfo(folder).absolutePath() == QFileInfo(ownRoot()).absoluteFilePath();
+}
+
+QString FrameFiles::find(const QString& name) const
+{
+    const QString clean = QDir::cleanPath(name);
+    if (clean.isEmpty() || clean == QLatin1String(".") || QDir::isAbsolutePath(clean) ||
+        clean.startsWith(QLatin1String("..")))
+        return {};
+    for (const QString& folder : QStringList(m_folder) + m_earlier)
+        if (const QString file = QDir(folder).filePath(clean); !folder.isEmpty() && QFileInfo(file).isFile())
+            return file;
+    return {};
+}
+
+void FrameFiles::start(const QString& folder)
+{
+    for (const QString& old : QStringList(m_folder) + m_earlier)
+        if (old != folder && isOwnFolder(old))
+            QDir(old).removeRecursively();
+    m_earlier.clear();
+    m_folder = folder;
+}
+
+void FrameFiles::moved(const QString& folder)
+{
+    if (folder == m_folder)
+        return;
+    if (!m_folder.isEmpty())
+        m_earlier.prepend(m_folder);
+    m_folder = folder;
+}
+
+Message FrameFiles::makeOwnFolder(const Design& design)
+{
+    const QString folder = ownRoot() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces);
+    if (!QDir().mkpath(folder))
+        return {QT_TRANSLATE_NOOP("Message", "the folder \"%1\" could not be made"), {folder.toStdString()}};
+    Design copied;
+    Message problem = copyTo(folder, design, &copied);
+    moved(folder);
+    return problem;
+}
+
+Message FrameFiles::add(const QString& source, QString* name) const
+{
+    const QDir folder(m_folder);
+    const QString inside = folder.relativeFilePath(QFileInfo(source).absoluteFilePath());
+    if (!QDir::isAbsolutePath(inside) && !inside.startsWith(QLatin1String(".."))) {
+        *name = inside;
+        return {};
+    }
+    *name = freeName(folder, QFileInfo(source).fileName(), source);
+    return copyInto(folder, *name, source);
+}
+
+Message FrameFiles::copyTo(const QString& target, const Design& design, Design* moved) const
+{
+    *moved = design;
+    const QDir to(target);
+    Message problem;
+    design.each<Frame>([&](ElementId id, const Frame& frame) {
+        const QString name = QString::fromStdString(frame.file);
+        const QString source = find(name);
+        if (!problem.empty() || source.isEmpty())
+            return;
+        const QString free = freeName(to, name, source);
+        problem = copyInto(to, free, source);
+        if (free == name)
+            return;
+        Frame renamed = frame;
+        renamed.file = free.toStdString();
+        *moved = moved->with(edits::replaceElement(*moved, id, makeElement(std::move(renamed)), {}));
+    });
+    return problem;
+}
+
+} // namespace bolster

@@ -1,0 +1,57 @@
+#include "FrameGuess.h"
+
+#include <cmath>
+
+namespace bolster {
+
+double millimetresPer(FileUnit unit)
+{
+    switch (unit) {
+    case FileUnit::Millimetre:
+        return 1;
+    case FileUnit::Centimetre:
+        return 10;
+    case FileUnit::Metre:
+        return 1000;
+    case FileUnit::Inch:
+        return 25.4;
+    case FileUnit::Custom:
+        break;
+    }
+    return 0;
+}
+
+FileUnit guessUnit(const Box3& fileBox)
+{
+    if (fileBox.isEmpty())
+        return FileUnit::Custom;
+    const double largest = fileBox.sizes().maxCoeff();
+    // From a stool to a long sofa. The common units first: inches overlap with both centimetres and decimetres.
+    for (const FileUnit unit : {FileUnit::Millimetre, FileUnit::Centimetre, FileUnit::Metre, FileUnit::Inch}) {
+        const double size = largest * millimetresPer(unit);
+        if (size >= 300 && size <= 3500)
+            return unit;
+    }
+    return FileUnit::Custom;
+}
+
+UpAxis guessUpAxis(const QString& fileEnding)
+{
+    // OBJ comes mostly from programs for pictures, where y points up; the others from CAD and scanners.
+    return fileEnding.compare(QLatin1String("obj"), Qt::CaseInsensitive) == 0 ? UpAxis::Y : UpAxis::Z;
+}
+
+Quat rotationFor(UpAxis up)
+{
+    return up == UpAxis::Z ? Quat::Identity() : Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
+}
+
+Box3 placedBox(const TriangleMesh& mesh, const Frame& frame)
+{
+    Box3 box;
+    for (const Vec3& point : mesh.points)
+        box.extend(frame.placed(point));
+    return box;
+}
+
+} // namespace bolster

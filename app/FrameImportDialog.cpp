@@ -1,0 +1,119 @@
+#include "FrameImportDialog.h"
+
+#include "NumberBox.h"
+#include "Units.h"
+#include "ViewColors.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh, QWidget* parent)
+    : QDialog(parent)
+    , m_name(QFileInfo(file).completeBaseName())
+    , m_mesh(std::move(mesh))
+    , m_unit(new QComboBox(this))
+    , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
+    , m_up(new QComboBox(this))
+    , m_onFloor(new QCheckBox(tr("Place it on the floor, in the middle"), this))
+    , m_size(new QLabel(this))
+    , m_hint(new QLabel(this))
+{
+    setWindowTitle(tr("Import frame"));
+    m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Another factor")});
+    m_up->addItems({tr("z points up"), tr("y points up")});
+
+    const QLocale locale;
+    auto* about = new QLabel(tr("<b>%1</b><br>%2 points, %3 triangles")
+                                 .arg(QFileInfo(file).fileName().toHtmlEscaped(),
+                                      locale.toString(static_cast<qulonglong>(m_mesh->points.size())),
+                                      locale.toString(static_cast<qulonglong>(m_mesh->triangles.size()))),
+                             this);
+    QFont large = m_size->font();
+    large.setPointSizeF(large.pointSizeF() * 1.25);
+    large.setWeight(QFont::DemiBold);
+    m_size->setFont(large);
+    m_hint->setWordWrap(true);
+
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->addRow(tr("Unit of the file"), m_unit);
+    form->addRow(tr("Factor"), m_factor);
+    form->addRow(tr("Axes"), m_up);
+    form->addRow(QString(), m_onFloor);
+    form->addRow(tr("Width, depth, height"), m_size);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 18, 18, 14);
+    layout->setSpacing(14);
+    layout->addWidget(about);
+    layout->addLayout(form);
+    layout->addWidget(m_hint);
+    layout->addStretch();
+    layout->addWidget(buttons);
+    setMinimumWidth(420);
+
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
+    connect(m_up, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
+    connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FrameImportDialog::updateSize);
+    m_factor->setKeyboardTracking(true);
+    m_unit->setCurrentIndex(static_cast<int>(guessUnit(m_mesh->boundingBox())));
+    m_up->setCurrentIndex(static_cast<int>(guessUpAxis(QFileInfo(file).suffix())));
+    updateSize();
+}
+
+void FrameImportDialog::setUnit(FileUnit unit)
+{
+    m_unit->setCurrentIndex(static_cast<int>(unit));
+}
+
+void FrameImportDialog::setUpAxis(UpAxis up)
+{
+    m_up->setCurrentIndex(static_cast<int>(up));
+}
+
+Frame FrameImportDialog::frame() const
+{
+    Frame frame;
+    frame.name = m_name.toStdString();
+    frame.scale = m_factor->value();
+    frame.rotation = rotationFor(static_cast<UpAxis>(m_up->currentIndex()));
+    if (m_onFloor->isChecked()) {
+        const Box3 box = placedBox(*m_mesh, frame);
+        frame.position = -Vec3(box.center().x(), box.center().y(), box.min().z());
+    }
+    return frame;
+}
+
+void FrameImportDialog::updateSize()
+{
+    const auto unit = static_cast<FileUnit>(m_unit->currentIndex());
+    m_factor->setEnabled(unit == FileUnit::Custom);
+    if (unit != FileUnit::Custom)
+        m_factor->display(millimetresPer(unit));
+    const Vec3 size = placedBox(*m_mesh, frame()).sizes();
+    m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm")
+                        .arg(decimalText(size.x(), 0, false), decimalText(size.y(), 0, false),
+                             decimalText(size.z(), 0, false)));
+    const double largest = size.maxCoeff();
+    const bool odd = largest < 200 || largest > 5000;
+    m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, ViewColors::of(colors).error);
+    m_hint->setPalette(colors);
+}
+
+} // namespace bolster

@@ -1,0 +1,122 @@
+#include "MainMenu.h"
+
+#include "Actions.h"
+#include "Docks.h"
+#include "FileFlow.h"
+
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace bolster {
+
+namespace {
+
+class MenuBuilder {
+    Q_DECLARE_TR_FUNCTIONS(MainMenu)
+
+public:
+    MenuBuilder(QMainWindow& window, Actions& actions, FileFlow& files, Docks& docks)
+        : m_bar(*window.menuBar())
+        , m_actions(actions)
+        , m_files(files)
+        , m_docks(docks)
+    {}
+
+    void build()
+    {
+        addFile();
+        addEdit();
+        addView();
+        addPattern();
+        addSurface();
+        addWindow();
+        QMenu* help = m_bar.addMenu(tr("&Help"));
+        help->addAction(m_actions.shortcuts);
+        help->addSeparator();
+        help->addAction(m_actions.about);
+    }
+
+private:
+    void addFile()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&File"));
+        menu->addActions({m_actions.newDesign, m_actions.open});
+        QMenu* recent = menu->addMenu(tr("Open &recent"));
+        QObject::connect(recent, &QMenu::aboutToShow, recent,
+                         [recent, &files = m_files] { files.fillRecent(*recent); });
+        QMenu* samples = menu->addMenu(tr("Sa&mples"));
+        m_files.fillSamples(*samples);
+        menu->addSeparator();
+        menu->addActions({m_actions.save, m_actions.saveAs});
+        menu->addSeparator();
+        menu->addAction(m_actions.importFrame);
+        menu->addSeparator();
+        menu->addActions({m_actions.exportSurface, m_actions.exportPicture});
+        menu->addSeparator();
+        menu->addAction(m_actions.quit);
+    }
+
+    void addEdit()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Edit"));
+        menu->addActions({m_actions.undo, m_actions.redo});
+        menu->addSeparator();
+        menu->addActions({m_actions.rename, m_actions.remove});
+        menu->addSeparator();
+        menu->addActions({m_actions.selectAll, m_actions.selectNone});
+    }
+
+    void addView()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&View"));
+        menu->addActions({m_actions.fitAll, m_actions.fitSelection});
+        QMenu* views = menu->addMenu(tr("Look at the &cover from"));
+        views->addActions(m_actions.standardViews);
+        menu->addAction(m_actions.perspective);
+        menu->addSeparator();
+        menu->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
+                          m_actions.showSeams, m_actions.showCurves, m_actions.showGrid, m_actions.showLabels,
+                          m_actions.showGround});
+        menu->addSeparator();
+        menu->addMenu(tr("&Theme"))->addActions(m_actions.themes);
+    }
+
+    void addPattern()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Pattern"));
+        menu->addActions({m_actions.turnLeft, m_actions.turnRight});
+    }
+
+    void addSurface()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Surface"));
+        menu->addActions({m_actions.settle, m_actions.pause});
+        menu->addSeparator();
+        menu->addAction(m_actions.report);
+    }
+
+    void addWindow()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Window"));
+        for (QDockWidget* dock : m_docks.all())
+            menu->addAction(dock->toggleViewAction());
+        menu->addSeparator();
+        menu->addAction(m_actions.resetLayout);
+    }
+
+    QMenuBar& m_bar;
+    Actions& m_actions;
+    FileFlow& m_files;
+    Docks& m_docks;
+};
+
+} // namespace
+
+void buildMenus(QMainWindow& window, Actions& actions, FileFlow& files, Docks& docks)
+{
+    MenuBuilder(window, actions, files, docks).build();
+}
+
+} // namespace bolster

@@ -1,0 +1,302 @@
+#include "MainWindow.h"
+
+#include "Actions.h"
+#include "Banner.h"
+#include "Docks.h"
+#include "ElementsView.h"
+#include "FileFlow.h"
+#include "HistoryView.h"
+#include "Inspector.h"
+#include "MainMenu.h"
+#include "PatternView.h"
+#include "ProblemsView.h"
+#include "RayRenderer.h"
+#include "SelectionEdits.h"
+#include "StatusLine.h"
+#include "Translated.h"
+#include "Units.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMimeData>
+#include <QSettings>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+const QString geometryKey = QStringLiteral("window/geometry");
+const QString stateKey = QStringLiteral("window/state");
+constexpr int layoutVersion = 1; // larger when docks are added or renamed
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent)
+    , m_session(std::make_unique<DesignSession>())
+    , m_solver(std::make_unique<SolverLink>(m_session->document()))
+    , m_actions(new Actions(this))
+    , m_pattern(new PatternView(document(), m_selection, m_problems))
+    , m_surface(new SurfaceView(document(), m_selection))
+    , m_elements(new ElementsView(document(), m_selection, m_problems))
+    , m_history(new HistoryView(document()))
+    , m_inspector(new Inspector(document(), m_selection, m_problems))
+    , m_problemList(new ProblemsView(m_problems))
+    , m_status(new StatusLine(this))
+    , m_banner(new Banner)
+    , m_files(new FileFlow(*m_session, this, m_banner))
+{
+    setAcceptDrops(true);
+    setStatusBar(m_status);
+    m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
+    buildToolBars();
+    m_docks = std::make_unique<Docks>(
+        *this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector, m_problemList});
+    buildMenus(*this, *m_actions, *m_files, *m_docks);
+    connectDocument();
+    connectViews();
+    connectActions();
+    connectViewActions();
+    m_pattern->setEmptyHint(
+        tr("There are no patches yet.\n\nOpen a design, or a sample from the File menu, or drop a file here."));
+    m_session->startNew();
+    applyLayers();
+    restoreLayout();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::open(const QString& path)
+{
+    m_files->open(path);
+}
+
+void MainWindow::offerRecovery()
+{
+    m_files->offerRecovery();
+}
+
+void MainWindow::buildToolBars()
+{
+    auto* bar = addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setIconSize({20, 20});
+    bar->addActions({m_actions->newDesign, m_actions->open, m_actions->save});
+    bar->addSeparator();
+    bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
+    bar->addSeparator();
+    bar->addActions({m_actions->turnLeft, m_actions->turnRight});
+    bar->addSeparator();
+    bar->addActions({m_actions->fitAll, m_actions->fitSelection});
+    bar->addSeparator();
+    bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
+                     m_actions->showCurves, m_actions->showFrames, m_actions->showGrid});
+    bar->addSeparator();
+    bar->addActions({m_actions->perspective, m_actions->settle, m_actions->pause});
+
+    addToolBarBreak();
+    auto* messages = addToolBar(tr("Messages"));
+    messages->setObjectName(QStringLiteral("messages"));
+    messages->setMovable(false);
+    messages->setStyleSheet(QStringLiteral("QToolBar { padding: 0; border: none; }"));
+    messages->addWidget(m_banner);
+    messages->toggleViewAction()->setVisible(false);
+    messages->hide();
+    connect(m_banner, &Banner::toggled, messages, &QWidget::setVisible);
+    setContextMenuPolicy(Qt::NoContextMenu);
+}
+
+void MainWindow::connectDocument()
+{
+    connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
+    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
+    connect(m_session.get(), &DesignSession::framesChanged, this,
+            [this] { m_surface->setFrames(m_session->frames()); });
+    connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
+    connect(m_session.get(), &DesignSession::recoveryFailed, this,
+            [this](const Message& why) { m_status->flash(translated(why)); });
+    connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
+    connect(&document(), &Document::historyChanged, this, &MainWindow::updateEditActions);
+    connect(&document(), &Document::changed, this, [this] { pruneSelection(m_selection, document().design()); });
+    connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);
+
+    connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
+        m_surface->setSurface(surface);
+        m_pattern->setSurface(surface);
+        if (surface && std::exchange(m_fitCover, false))
+            m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+        m_actions->exportSurface->setEnabled(surface != nullptr);
+    });
+    connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
+    connect(&m_problems, &ProblemSet::changed, this, [this] {
+        m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));
+    });
+}
+
+void MainWindow::connectViews()
+{
+    connect(m_pattern, &PatternView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_surface, &SurfaceView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &SurfaceView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &SurfaceView::rendererNote, m_status, &StatusLine::setRendererNote);
+    connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
+        m_status->setCoordinates(
+            at ? tr("x %1   y %2 mm").arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true))
+               : QString());
+        m_status->setPrompt(m_pattern->prompt());
+    });
+    connect(m_surface, &SurfaceView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
+        m_status->setCoordinates(at ? tr("x %1   y %2   z %3 mm")
+                                          .arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true),
+                                               decimalText(at->z(), 1, true))
+                                    : QString());
+        m_status->setPrompt(m_surface->prompt());
+    });
+    connect(m_inspector, &Inspector::frameFileWanted, this, [this](ElementId id) { m_files->importFrame({}, id); });
+    connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
+    connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
+    connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+    connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
+    connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+    connect(m_status, &StatusLine::settleWanted, m_solver.get(), &SolverLink::settle);
+}
+
+void MainWindow::designOpened()
+{
+    m_selection.clear();
+    m_solver->forget();
+    m_fitCover = true;
+    m_surface->setFrames(m_session->frames());
+    m_pattern->fitAll();
+    m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+    updateTitle();
+    updateEditActions();
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(tr("%1[*] \u2013 Bolster").arg(m_session->title()));
+    setWindowModified(document().dirty());
+}
+
+void MainWindow::updateEditActions()
+{
+    const History& history = document().history();
+    const auto verb = [&](NodeId node) { return translated(history.node(node).edit.verb); };
+    const NodeId current = history.current();
+    m_actions->undo->setEnabled(history.canUndo());
+    m_actions->undo->setText(history.canUndo() ? tr("&Undo: %1").arg(verb(current)) : tr("&Undo"));
+    m_actions->redo->setEnabled(history.canRedo());
+    m_actions->redo->setText(history.canRedo() ? tr("&Redo: %1").arg(verb(history.node(current).lastVisitedChild))
+                                               : tr("&Redo"));
+
+    const bool any = !m_selection.elements().empty();
+    const bool patches = !selectedOf<Patch>(document().design(), m_selection.elements()).empty();
+    m_actions->remove->setEnabled(any);
+    m_actions->rename->setEnabled(m_selection.elements().size() == 1);
+    m_actions->selectNone->setEnabled(any);
+    m_actions->turnLeft->setEnabled(patches);
+    m_actions->turnRight->setEnabled(patches);
+}
+
+void MainWindow::updateProblems()
+{
+    Problems all = m_session->problems();
+    for (const Problem& problem : m_solver->status().problems)
+        if (std::ranges::find(all, problem) == all.end())
+            all.push_back(problem);
+    m_problems.set(std::move(all));
+}
+
+void MainWindow::updateSolverState()
+{
+    const SolverStatus& status = m_solver->status();
+    m_status->setSolver(status, m_solver->paused());
+    // What is wrong is known only once everything has been looked at: no flicker while a drag goes on.
+    if (status.state != SolverStatus::State::Preparing)
+        updateProblems();
+    const bool stale = m_solver->paused() && !m_solver->upToDate();
+    m_surface->setDimmed(status.state == SolverStatus::State::Failed || stale);
+    m_actions->settle->setEnabled(status.restingDistance.has_value());
+    m_actions->report->setEnabled(m_solver->report().vertices > 0);
+}
+
+void MainWindow::showProblem(ElementId element)
+{
+    if (element == settingsId || !document().design().element(element)) {
+        m_selection.clear();
+        return;
+    }
+    m_elements->reveal(element);
+    m_pattern->fitSelection();
+}
+
+void MainWindow::fitSelection()
+{
+    m_pattern->fitSelection();
+    m_surface->fitSelection();
+}
+
+void MainWindow::restoreLayout()
+{
+    const QSettings settings;
+    if (!restoreGeometry(settings.value(geometryKey).toByteArray()))
+        resize(1400, 900);
+    restoreState(settings.value(stateKey).toByteArray(), layoutVersion);
+    m_docks->problems->hide();
+    m_banner->parentWidget()->setVisible(!m_banner->isHidden());
+}
+
+void MainWindow::storeLayout()
+{
+    QSettings settings;
+    settings.setValue(geometryKey, saveGeometry());
+    settings.setValue(stateKey, saveState(layoutVersion));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_workKept && document().dirty()) {
+        event->ignore();
+        m_files->keepWork([this] {
+            m_workKept = true;
+            close();
+        });
+        return;
+    }
+    storeLayout();
+    m_session->end();
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    // The icons are drawn in the colours of the palette.
+    if (event->type() == QEvent::PaletteChange)
+        for (QWidget* widget : findChildren<QWidget*>())
+            widget->update();
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && FileFlow::takes(urls.front().toLocalFile()))
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    event->acceptProposedAction();
+    // After the drop is over for the program it came from: what follows may ask questions.
+    QMetaObject::invokeMethod(
+        this, [this, file = event->mimeData()->urls().value(0).toLocalFile()] { m_files->drop(file); },
+        Qt::QueuedConnection);
+}
+
+} // namespace bolster

@@ -1,0 +1,95 @@
+// The workbench: where all parts are wired.
+#pragma once
+
+#include "DesignSession.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "SolverLink.h"
+#include "SurfaceView.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+namespace bolster {
+
+class Actions;
+class Banner;
+class Docks;
+class ElementsView;
+class FileFlow;
+class HistoryView;
+class Inspector;
+class PatternView;
+class ProblemsView;
+class StatusLine;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// Opens a file as if it had been chosen in the dialog.
+    void open(const QString& path);
+    /// Offers what a crash has left.
+    void offerRecovery();
+
+    DesignSession& session() { return *m_session; }
+    Document& document() { return m_session->document(); }
+    Selection& selection() { return m_selection; }
+    SolverLink& solver() { return *m_solver; }
+    PatternView& patternView() { return *m_pattern; }
+    SurfaceView& surfaceView() { return *m_surface; }
+    Actions& actions() { return *m_actions; }
+    Docks& docks() { return *m_docks; }
+    Banner& banner() { return *m_banner; }
+    StatusLine& statusLine() { return *m_status; }
+    FileFlow& files() { return *m_files; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildToolBars();
+    void connectDocument();
+    void connectViews();
+    void connectActions();
+    void connectViewActions();
+    void designOpened();
+    void updateTitle();
+    void updateEditActions();
+    void updateProblems();
+    void updateSolverState();
+    void applyLayers();
+    void removeSelection();
+    void turnSelection(double degrees);
+    void showProblem(ElementId element);
+    void fitSelection();
+    void restoreLayout();
+    void storeLayout();
+
+    std::unique_ptr<DesignSession> m_session;
+    Selection m_selection;
+    ProblemSet m_problems;
+    std::unique_ptr<SolverLink> m_solver;
+    Actions* m_actions;
+    PatternView* m_pattern;
+    SurfaceView* m_surface;
+    ElementsView* m_elements;
+    HistoryView* m_history;
+    Inspector* m_inspector;
+    ProblemsView* m_problemList;
+    StatusLine* m_status;
+    Banner* m_banner;
+    FileFlow* m_files;
+    std::unique_ptr<Docks> m_docks;
+    bool m_fitCover = false; ///< the next surface is the first of its design
+    bool m_workKept = false; ///< closing was agreed to
+};
+
+} // namespace bolster

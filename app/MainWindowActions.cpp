@@ -1,0 +1,129 @@
+// What the window does when an action is triggered.
+#include "MainWindow.h"
+
+#include "Actions.h"
+#include "Docks.h"
+#include "ElementsView.h"
+#include "FileFlow.h"
+#include "HelpDialogs.h"
+#include "PatchEdits.h"
+#include "PatternView.h"
+#include "SelectionEdits.h"
+#include "StatusLine.h"
+#include "Theme.h"
+
+#include <QApplication>
+
+namespace bolster {
+
+void MainWindow::connectActions()
+{
+    const auto on = [this](QAction* action, auto function) {
+        connect(action, &QAction::triggered, this, function);
+    };
+    on(m_actions->newDesign, [this] { m_files->startNew(); });
+    on(m_actions->open, [this] { m_files->open(); });
+    on(m_actions->save, [this] { m_files->save(); });
+    on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->importFrame, [this] { m_files->importFrame(); });
+    on(m_actions->exportSurface, [this] { m_files->exportSurface(m_solver->surface()); });
+    on(m_actions->exportPicture, [this] { m_files->exportPicture(m_surface->grabPicture()); });
+    on(m_actions->quit, [this] { close(); });
+
+    on(m_actions->undo, [this] { document().undo(); });
+    on(m_actions->redo, [this] { document().redo(); });
+    on(m_actions->remove, [this] { removeSelection(); });
+    on(m_actions->rename, [this] {
+        Docks::reveal(m_docks->elements);
+        m_elements->rename(*m_selection.elements().begin());
+    });
+    on(m_actions->selectAll, [this] {
+        Selection::Elements all;
+        document().design().each<Patch>([&](ElementId id, const Patch&) { all.insert(id); });
+        m_selection.set(std::move(all));
+    });
+    on(m_actions->selectNone, [this] { m_selection.clear(); });
+    on(m_actions->turnLeft, [this] { turnSelection(90); });
+    on(m_actions->turnRight, [this] { turnSelection(-90); });
+
+    on(m_actions->settle, [this] { m_solver->settle(); });
+    on(m_actions->pause, [this](bool paused) {
+        m_solver->setPaused(paused);
+        updateSolverState();
+    });
+    on(m_actions->report, [this] { showFigures(this, m_solver->report()); });
+    on(m_actions->resetLayout, [this] { m_docks->reset(); });
+    on(m_actions->shortcuts, [this] { showShortcuts(this, *m_actions); });
+    on(m_actions->about, [this] { showAbout(this); });
+}
+
+void MainWindow::connectViewActions()
+{
+    connect(m_actions->fitAll, &QAction::triggered, this, [this] {
+        m_pattern->fitAll();
+        m_surface->fitAll();
+    });
+    connect(m_actions->fitSelection, &QAction::triggered, this, &MainWindow::fitSelection);
+    for (QAction* action : m_actions->standardViews)
+        connect(action, &QAction::triggered, this, [this, action] {
+            m_surface->setStandardView(static_cast<SurfaceView::StandardView>(action->data().toInt()));
+        });
+    connect(m_actions->perspective, &QAction::toggled, m_surface, &SurfaceView::setPerspective);
+    connect(m_surface, &SurfaceView::perspectiveChanged, m_actions->perspective, &QAction::setChecked);
+    for (QAction* toggle : {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames,
+                            m_actions->showPoints, m_actions->showSeams, m_actions->showCurves, m_actions->showGrid,
+                            m_actions->showLabels, m_actions->showGround})
+        connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
+    for (QAction* action : m_actions->themes)
+        connect(action, &QAction::triggered, this, [action] {
+            const auto theme = static_cast<Theme>(action->data().toInt());
+            storeTheme(theme);
+            applyTheme(*qApp, theme);
+        });
+}
+
+void MainWindow::applyLayers()
+{
+    PatternLayers layers;
+    layers.grid = m_actions->showGrid->isChecked();
+    layers.mesh = m_actions->showMesh->isChecked();
+    layers.seams = m_actions->showSeams->isChecked();
+    layers.points = m_actions->showPoints->isChecked();
+    layers.labels = m_actions->showLabels->isChecked();
+    m_pattern->setLayers(layers);
+
+    using Layer = SurfaceView::Layer;
+    m_surface->setLayerVisible(Layer::Checker, m_actions->showChecker->isChecked());
+    m_surface->setLayerVisible(Layer::MeshEdges, m_actions->showMesh->isChecked());
+    m_surface->setLayerVisible(Layer::Seams, m_actions->showSeams->isChecked());
+    m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
+    m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
+    m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
+}
+
+void MainWindow::removeSelection()
+{
+    document().cancelGesture();
+    QString problem;
+    const Edit edit = removeSelected(document().design(), m_selection, &problem);
+    if (edit.empty())
+        m_status->flash(problem);
+    else
+        document().commit(edit);
+}
+
+void MainWindow::turnSelection(double degrees)
+{
+    document().cancelGesture();
+    const std::vector<ElementId> patches = selectedOf<Patch>(document().design(), m_selection.elements());
+    Box2 box;
+    for (const ElementId id : patches) {
+        const Patch& patch = *document().design().find<Patch>(id);
+        for (const Vec2& point : patch.outline.points())
+            box.extend(toLayout(patch, point));
+    }
+    if (!box.isEmpty())
+        document().commit(edits::turnPatches(document().design(), patches, box.center(), degrees));
+}
+
+} // namespace bolster

@@ -1,0 +1,27 @@
+// The list of everything that is wrong; a click shows the element.
+#pragma once
+
+#include "ElementId.h"
+
+#include <QTreeWidget>
+
+namespace bolster {
+
+class ProblemSet;
+
+class ProblemsView : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    explicit ProblemsView(const ProblemSet& problems, QWidget* parent = nullptr);
+
+signals:
+    void chosen(bolster::ElementId element);
+
+private:
+    void fill();
+
+    const ProblemSet& m_problems;
+};
+
+} // namespace bolster

@@ -1,0 +1,73 @@
+#include "RayRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+PreviewScene sceneOf(const SoftwareRenderer::Request& request)
+{
+    PreviewScene scene;
+    scene.surface = request.surface;
+    for (const auto& look : request.looks)
+        scene.looks.push_back({look.patch, look.color.name().toStdString()});
+    for (const auto& look : request.frames)
+        scene.frames.push_back({look.mesh, look.placement.scale, look.placement.position, look.placement.rotation});
+    scene.checker = request.checker;
+    scene.ground = request.ground;
+    scene.backgroundTop = request.backgroundTop.name().toStdString();
+    scene.backgroundBottom = request.backgroundBottom.name().toStdString();
+    return scene;
+}
+
+PreviewView viewOf(const Camera& camera)
+{
+    PreviewView view;
+    view.target = camera.target;
+    view.distance = camera.distance;
+    view.azimuth = camera.azimuth;
+    view.elevation = camera.elevation;
+    view.fieldOfView = camera.fieldOfView;
+    view.perspective = camera.perspective;
+    return view;
+}
+
+} // namespace
+
+bool RayRenderer::prepared(const Request& request) const
+{
+    const auto sameLook = [](const Request::PatchLook& a, const Request::PatchLook& b) {
+        return a.patch == b.patch && a.color == b.color;
+    };
+    const auto sameFrame = [](const Request::FrameLook& a, const Request::FrameLook& b) {
+        return a.mesh == b.mesh && a.placement == b.placement;
+    };
+    return m_last && m_renderer && m_last->surface == request.surface && m_last->checker == request.checker &&
+           m_last->ground == request.ground && m_last->backgroundTop == request.backgroundTop &&
+           m_last->backgroundBottom == request.backgroundBottom &&
+           std::ranges::equal(m_last->looks, request.looks, sameLook) &&
+           std::ranges::equal(m_last->frames, request.frames, sameFrame);
+}
+
+SoftwareRenderer::Picture RayRenderer::render(const Request& request, std::stop_token stop)
+{
+    if (!prepared(request)) {
+        m_renderer.emplace(sceneOf(request));
+        m_last = request;
+    }
+    PreviewOptions options;
+    options.width = static_cast<int>(std::lround(request.camera.size.x()));
+    options.height = static_cast<int>(std::lround(request.camera.size.y()));
+    options.samples = request.moving ? 1 : 4;
+    options.quick = request.moving;
+    options.depth = true;
+    PreviewImage drawn = m_renderer->render(viewOf(request.camera), options, stop);
+    if (drawn.empty())
+        return {};
+    const QImage view(drawn.rgba.data(), drawn.width, drawn.height, 4 * drawn.width, QImage::Format_RGBA8888);
+    return {view.copy(), std::move(drawn.depth)};
+}
+
+} // namespace bolster

@@ -1,0 +1,72 @@
+#include "Samples.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+#include <QSet>
+
+namespace bolster {
+
+namespace {
+
+const QString indexName = QStringLiteral("samples.json");
+
+QList<Sample> fromIndex(const QDir& folder)
+{
+    QFile file(folder.filePath(indexName));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QString language = QLocale().name().section(u'_', 0, 0);
+    QList<Sample> found;
+    for (const QJsonValue& value : QJsonDocument::fromJson(file.readAll()).array()) {
+        const QJsonObject entry = value.toObject();
+        const QJsonObject words = entry.value(language).toObject(entry);
+        const QString path = folder.filePath(entry.value(QStringLiteral("file")).toString());
+        if (QFileInfo(path).isFile())
+            found.append({path, words.value(QStringLiteral("title")).toString(),
+                          words.value(QStringLiteral("description")).toString()});
+    }
+    return found;
+}
+
+} // namespace
+
+QString samplesFolder()
+{
+    const QDir program(QCoreApplication::applicationDirPath());
+    for (const QString& folder :
+         {program.filePath(QStringLiteral("../share/bolster/samples")), QStringLiteral(BOLSTER_SAMPLES_SOURCE)})
+        if (QDir(folder).exists())
+            return QDir(folder).canonicalPath();
+    return {};
+}
+
+QList<Sample> samples(const QString& folder)
+{
+    if (folder.isEmpty())
+        return {};
+    const QDir dir(folder);
+    QList<Sample> found = fromIndex(dir);
+    QSet<QString> known;
+    for (const Sample& sample : found)
+        known.insert(QFileInfo(sample.path).canonicalFilePath());
+    QFileInfoList files = dir.entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Name);
+    for (const QFileInfo& sub : dir.entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
+        files.append(QFileInfo(QDir(sub.filePath()).filePath(sub.fileName() + QStringLiteral(".json"))));
+    for (const QFileInfo& file : files)
+        if (file.isFile() && file.fileName() != indexName && !known.contains(file.canonicalFilePath()))
+            found.append({file.filePath(), file.completeBaseName(), {}});
+    return found;
+}
+
+bool isSample(const QString& path)
+{
+    const QString folder = samplesFolder();
+    const QString file = QFileInfo(path).canonicalFilePath();
+    return !folder.isEmpty() && file.startsWith(folder + u'/');
+}
+
+} // namespace bolster

@@ -1,0 +1,22 @@
+// The designs that come with the program.
+#pragma once
+
+#include <QList>
+#include <QString>
+
+namespace bolster {
+
+struct Sample {
+    QString path;
+    QString title;
+    QString description; ///< may be empty
+};
+
+/// Where they are: beside an installed program, or in the source tree it was built from. "" when nowhere.
+QString samplesFolder();
+/// NAME.json and NAME/NAME.json of the folder, in the order and with the titles of samples.json if there is one.
+QList<Sample> samples(const QString& folder = samplesFolder());
+/// A design of the program itself is never written to.
+bool isSample(const QString& path);
+
+} // namespace bolster

@@ -1,0 +1,70 @@
+#include "SolverLink.h"
+
+#include "Document.h"
+
+namespace bolster {
+
+SolverLink::SolverLink(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_thread(std::make_unique<SolverThread>(
+          [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }))
+{
+    connect(&document, &Document::changed, this, &SolverLink::send);
+}
+
+SolverLink::~SolverLink() = default;
+
+bool SolverLink::upToDate() const
+{
+    return m_answered == m_document.revision();
+}
+
+void SolverLink::send()
+{
+    if (!m_paused)
+        m_thread->request(m_document.design(), m_document.revision());
+}
+
+void SolverLink::setPaused(bool paused)
+{
+    m_paused = paused;
+    if (!paused && !upToDate())
+        send();
+}
+
+void SolverLink::settle()
+{
+    m_thread->settle();
+}
+
+void SolverLink::forget()
+{
+    m_firstOfDesign = m_document.revision();
+    m_surface = nullptr;
+    m_status = {};
+    m_report = {};
+    emit surfaceChanged(m_surface);
+    emit statusChanged(m_status);
+}
+
+void SolverLink::receive()
+{
+    std::optional<SolverOutput> output = m_thread->take();
+    if (!output || output->designRevision < m_firstOfDesign)
+        return;
+    m_answered = output->designRevision;
+    m_status = std::move(output->status);
+    if (m_status.state == SolverStatus::State::Settled)
+        m_report = output->report;
+    if (m_status.state == SolverStatus::State::Idle && m_surface) {
+        m_surface = nullptr;
+        emit surfaceChanged(m_surface);
+    } else if (output->surface) {
+        m_surface = std::move(output->surface);
+        emit surfaceChanged(m_surface);
+    }
+    emit statusChanged(m_status);
+}
+
+} // namespace bolster

@@ -1,0 +1,54 @@
+// The status bar: what to do next, where the pointer is, and how the surface is doing.
+#pragma once
+
+#include "SolverThread.h"
+
+#include <QStatusBar>
+#include <QTimer>
+
+class QLabel;
+class QToolButton;
+
+namespace bolster {
+
+class ElidedLabel;
+class StateDot;
+
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// What the present tool expects next.
+    void setPrompt(const QString& prompt);
+    /// Takes the prompt's place for some seconds.
+    void flash(const QString& message);
+    void setCoordinates(const QString& text);
+    void setSolver(const SolverStatus& status, bool paused);
+    void setProblems(int errors, int warnings);
+    /// What draws the 3D view, when that is worth a word; "" for none.
+    void setRendererNote(const QString& note);
+
+    QString solverText() const;
+
+signals:
+    void problemsWanted();
+    void settleWanted();
+
+private:
+    void showPrompt();
+
+    ElidedLabel* m_promptLabel;
+    QLabel* m_coordinates;
+    QLabel* m_note;
+    QToolButton* m_problems;
+    StateDot* m_dot;
+    ElidedLabel* m_solver;
+    QToolButton* m_settle;
+    QString m_prompt;
+    QString m_flash;
+    QTimer m_flashTime;
+};
+
+} // namespace bolster

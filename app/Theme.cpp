@@ -1,0 +1,91 @@
+#include "Theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QSettings>
+#include <QStyle>
+#include <QStyleFactory>
+
+namespace bolster {
+
+namespace {
+
+const char* const key = "window/theme";
+
+struct Shades {
+    QRgb window, base, alternate, button, text, muted, highlight, highlighted, link, line;
+};
+
+constexpr Shades light{0xfff2f3f5, 0xffffffff, 0xfff7f8fa, 0xfff7f8f9, 0xff1d2127,
+                       0xff8b929c, 0xff2a6fb5, 0xffffffff, 0xff1f63a8, 0xffd3d7dd};
+constexpr Shades dark{0xff26292e, 0xff1d2024, 0xff23262b, 0xff31353b, 0xffe4e7eb,
+                      0xff7d848e, 0xff4a90d9, 0xffffffff, 0xff7ab5f0, 0xff3c4148};
+
+QPalette paletteOf(const Shades& shades)
+{
+    QPalette p;
+    const auto set = [&p](QPalette::ColorRole role, QRgb color) { p.setColor(role, QColor::fromRgba(color)); };
+    set(QPalette::Window, shades.window);
+    set(QPalette::Base, shades.base);
+    set(QPalette::AlternateBase, shades.alternate);
+    set(QPalette::Button, shades.button);
+    set(QPalette::ToolTipBase, shades.base);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                           QPalette::ToolTipText, QPalette::BrightText}) {
+        set(role, shades.text);
+        p.setColor(QPalette::Disabled, role, QColor::fromRgba(shades.muted));
+    }
+    set(QPalette::PlaceholderText, shades.muted);
+    set(QPalette::Highlight, shades.highlight);
+    set(QPalette::HighlightedText, shades.highlighted);
+    p.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgba(shades.line));
+    set(QPalette::Link, shades.link);
+    const QColor line = QColor::fromRgba(shades.line);
+    p.setColor(QPalette::Mid, line);
+    p.setColor(QPalette::Midlight, QColor::fromRgba(shades.button));
+    p.setColor(QPalette::Light, QColor::fromRgba(shades.base));
+    p.setColor(QPalette::Dark, line.darker(135));
+    p.setColor(QPalette::Shadow, line.darker(200));
+    return p;
+}
+
+// Fusion draws most of it well; these are its old-fashioned spots.
+const char* const style = R"(
+QMainWindow::separator { background: palette(window); width: 5px; height: 5px; }
+QMainWindow::separator:hover { background: palette(highlight); }
+QToolBar { border: none; border-bottom: 1px solid palette(mid); padding: 4px 6px; spacing: 3px; }
+QToolBar::separator { background: palette(mid); width: 1px; margin: 5px 5px; }
+QToolBar QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
+QToolBar QToolButton:hover { background: palette(button); border-color: palette(mid); }
+QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: palette(mid); border-color: palette(mid); }
+QToolBar QToolButton[popupMode="2"] { padding-right: 14px; }
+QStatusBar { border-top: 1px solid palette(mid); }
+QStatusBar::item { border: none; }
+QToolTip { border: 1px solid palette(mid); padding: 4px; background: palette(base); color: palette(text); }
+)";
+
+} // namespace
+
+void applyTheme(QApplication& application, Theme theme)
+{
+    static const QPalette system = QApplication::palette();
+    if (!application.style()->objectName().startsWith(QLatin1String("fusion")))
+        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    const bool darkSystem = system.color(QPalette::Window).lightness() < 128;
+    const bool isDark = theme == Theme::Dark || (theme == Theme::System && darkSystem);
+    QApplication::setPalette(paletteOf(isDark ? dark : light));
+    application.setStyleSheet(QString::fromLatin1(style));
+}
+
+Theme storedTheme()
+{
+    const int value = QSettings().value(QLatin1String(key), 0).toInt();
+    return value >= 0 && value <= 2 ? static_cast<Theme>(value) : Theme::System;
+}
+
+void storeTheme(Theme theme)
+{
+    QSettings().setValue(QLatin1String(key), static_cast<int>(theme));
+}
+
+} // namespace bolster

@@ -1,0 +1,131 @@
+// Opens a design in the real window, waits for its surface, and writes a picture of the window:
+//   bolster_screenshot DESIGN PICTURE.png [options]
+#include "Actions.h"
+#include "Docks.h"
+#include "MainWindow.h"
+#include "PatchEdits.h"
+#include "PatternView.h"
+#include "Theme.h"
+#include "Translations.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QScreen>
+#include <QStandardPaths>
+
+#include <array>
+
+namespace bolster {
+namespace {
+
+template <class Condition>
+bool waitFor(Condition condition, int mostMs)
+{
+    QElapsedTimer time;
+    time.start();
+    while (!condition() && time.elapsed() < mostMs)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    return condition();
+}
+
+struct Options {
+    QCommandLineOption size{"size", "Of the window.", "WxH", "1400x900"};
+    QCommandLineOption dark{"dark", "Dark theme."};
+    QCommandLineOption mesh{"mesh", "Show the triangulation."};
+    QCommandLineOption select{"select", "Select these elements.", "ID,..."};
+    QCommandLineOption close{"close-up", "Show the selection alone."};
+    QCommandLineOption history{"history", "Make some edits, with a branch, and show the history."};
+    QCommandLineOption language{"language", "Of the window.", "CODE", "C"};
+    QCommandLineOption action{"action", "Trigger the action with this text.", "TEXT"};
+};
+
+/// A few edits with one branch, as a designer leaves them behind.
+void makeHistory(Document& document)
+{
+    ElementId patch{};
+    document.design().each<Patch>([&](ElementId id, const Patch&) { patch = patch == ElementId{} ? id : patch; });
+    const auto move = [&](int point, double x) {
+        document.commit(edits::movePatchPoints(document.design(), patch, std::array{point}, Vec2(x, 0)));
+    };
+    move(1, 3);
+    move(2, 4);
+    document.commit(edits::movePatches(document.design(), std::array{patch}, Vec2(0, 20)));
+    document.undo();
+    document.undo();
+    move(3, 2);
+    document.commit(edits::turnPatches(document.design(), std::array{patch}, Vec2(0, 0), 2));
+    move(4, 1);
+    document.undo();
+}
+
+void arrange(MainWindow& window, const QCommandLineParser& parser, const Options& options)
+{
+    const QStringList size = parser.value(options.size).split('x');
+    window.resize(size.value(0).toInt(), size.value(1).toInt());
+    window.docks().reset();
+    window.actions().showMesh->setChecked(parser.isSet(options.mesh));
+    Selection::Elements selected;
+    for (const QString& id : parser.value(options.select).split(',', Qt::SkipEmptyParts))
+        selected.insert(ElementId{id.toInt()});
+    window.selection().set(selected);
+    if (parser.isSet(options.close))
+        window.patternView().fitSelection();
+    if (parser.isSet(options.history)) {
+        makeHistory(window.document());
+        Docks::reveal(window.docks().history);
+    }
+    for (QAction* action : window.actions().findChildren<QAction*>())
+        if (parser.isSet(options.action) && action->text().remove('&') == parser.value(options.action))
+            action->trigger();
+}
+
+int run(QApplication& application)
+{
+    const Options options;
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    parser.addPositionalArgument("DESIGN", "What to open.");
+    parser.addPositionalArgument("PICTURE", "Where to write.");
+    parser.addOptions({options.size, options.dark, options.mesh, options.select, options.close, options.history,
+                       options.language, options.action});
+    parser.process(application);
+    if (parser.positionalArguments().size() != 2)
+        parser.showHelp(2);
+    QLocale::setDefault(QLocale(parser.value(options.language)));
+    installTranslations(application, QLocale());
+    applyTheme(application, parser.isSet(options.dark) ? Theme::Dark : Theme::Light);
+
+    MainWindow window;
+    window.show();
+    bool opened = false;
+    QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
+    window.open(parser.positionalArguments().at(0));
+    if (!waitFor([&] { return opened; }, 30000))
+        return 1;
+    arrange(window, parser, options);
+    waitFor([&] { return window.solver().upToDate() && window.solver().status().state == SolverStatus::State::Settled; },
+            60000);
+    waitFor([&] { return window.solver().status().resting; }, 20000);
+    window.patternView().fitAll();
+    if (parser.isSet(options.close))
+        window.patternView().fitSelection();
+    waitFor([] { return false; }, 2500); // the fine picture comes when nothing moves any more
+    QWidget* shown = QApplication::activeModalWidget() ? QApplication::activeModalWidget() : &window;
+    const QPixmap picture = window.screen()->grabWindow(window.winId());
+    window.document().markSaved();
+    Q_UNUSED(shown);
+    return picture.save(parser.positionalArguments().at(1)) ? 0 : 1;
+}
+
+} // namespace
+} // namespace bolster
+
+int main(int argc, char* argv[])
+{
+    QStandardPaths::setTestModeEnabled(true); // the user's own settings and unsaved work are none of ours
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName("BolsterScreenshots");
+    QCoreApplication::setApplicationName("Bolster");
+    return bolster::run(application);
+}
