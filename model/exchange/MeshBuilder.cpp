@@ -125,7 +125,7 @@ void MeshBuilder::addFace(std::span<const std::int64_t> corners, MeshPlace place
         for (const std::uint32_t index : m_face)
             m_corners.push_back(m_points[index]);
         m_split.clear();
-        splitPolygon(m_corners, m_split);
+        splitPolygon(m_corners, m_split, m_effort);
         for (const auto& [a, b, c] : m_split)
             addTriangle({m_face[a], m_face[b], m_face[c]}, place);
     }

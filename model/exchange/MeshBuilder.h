@@ -55,6 +55,7 @@ private:
     std::vector<std::uint32_t> m_face; // scratch of addFace
     std::vector<Vec3> m_corners;
     std::vector<std::array<std::uint32_t, 3>> m_split;
+    std::int64_t m_effort = 1'000'000'000; // a few seconds of splitting concave faces
 
     std::vector<std::uint32_t> m_welded; // open addressing: index of a point + 1, or 0
     std::uint64_t m_weldingSeed;         // random, so that no file can be made to collide

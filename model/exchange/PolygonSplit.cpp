@@ -5,8 +5,6 @@
 namespace bolster {
 namespace {
 
-constexpr std::size_t largestClipped = 256; // clipping takes the cube of it at worst
-
 using Indices = std::vector<std::uint32_t>;
 
 double cross(const Vec2& a, const Vec2& b, const Vec2& c)
@@ -62,26 +60,37 @@ bool isEar(const std::vector<Vec2>& flat, const Indices& rest, std::size_t at)
     return true;
 }
 
+/// Takes corners off until three are left, no ear is found, or the effort is used up.
+void clipEars(const std::vector<Vec2>& flat, Indices& rest, std::vector<std::array<std::uint32_t, 3>>& triangles,
+              std::int64_t& effort)
+{
+    std::size_t missed = 0;
+    for (std::size_t at = 0; rest.size() > 3 && missed < rest.size() && effort > 0;) {
+        const std::size_t n = rest.size();
+        effort -= static_cast<std::int64_t>(n);
+        if (isEar(flat, rest, at)) {
+            triangles.push_back({rest[(at + n - 1) % n], rest[at], rest[(at + 1) % n]});
+            rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
+            missed = 0;
+        } else {
+            ++missed;
+            ++at;
+        }
+        at %= rest.size();
+    }
+}
+
 } // namespace
 
-void splitPolygon(std::span<const Vec3> corners, std::vector<std::array<std::uint32_t, 3>>& triangles)
+void splitPolygon(std::span<const Vec3> corners, std::vector<std::array<std::uint32_t, 3>>& triangles,
+                  std::int64_t& effort)
 {
     Indices rest(corners.size());
     std::iota(rest.begin(), rest.end(), 0u);
-    if (corners.size() > 3 && corners.size() <= largestClipped) {
+    if (corners.size() > 3 && effort > 0) {
         const std::vector<Vec2> flat = flattened(corners);
-        bool clipping = !flat.empty() && !isConvex(flat);
-        while (clipping && rest.size() > 3) {
-            clipping = false;
-            for (std::size_t at = 0; at < rest.size() && !clipping; ++at) {
-                if (!isEar(flat, rest, at))
-                    continue;
-                const std::size_t n = rest.size();
-                triangles.push_back({rest[(at + n - 1) % n], rest[at], rest[(at + 1) % n]});
-                rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(at));
-                clipping = true;
-            }
-        }
+        if (!flat.empty() && !isConvex(flat))
+            clipEars(flat, rest, triangles, effort);
     }
     for (std::size_t i = 2; i < rest.size(); ++i)
         triangles.push_back({rest[0], rest[i - 1], rest[i]});

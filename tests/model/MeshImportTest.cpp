@@ -246,7 +246,8 @@ TEST(PolygonSplit, KeepsTheAreaOfConcavePolygons)
         TriangleMesh mesh;
         for (std::size_t i = 0; i < corners.size(); ++i)
             mesh.points.push_back(corners[(i + shift) % corners.size()]);
-        splitPolygon(mesh.points, mesh.triangles);
+        std::int64_t effort = 1000;
+        splitPolygon(mesh.points, mesh.triangles, effort);
         EXPECT_EQ(mesh.triangles.size(), 4u);
         EXPECT_NEAR(area(mesh), 3, 1e-12) << shift;
         for (const auto& [a, b, c] : mesh.triangles)
@@ -261,12 +262,14 @@ TEST(PolygonSplit, SurvivesPolygonsThatAreNone)
         {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},                       // a line
         {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                       // crosses itself
         {{0, 0, 0}, {1, 0, 5}, {1, 1, -5}, {0, 1, 5}, {-1, 0.5, -5}},       // far from flat
-        std::vector<Vec3>(1000, Vec3(1, 2, 3)),                             // too many corners
+        std::vector<Vec3>(1000, Vec3(1, 2, 3)),                             // many points in one
         {{1e7, 1e7, 1e7}, {-1e7, 1e7, 0}, {1e-300, 0, 0}, {0, 1e7, -1e7}}}; // extremes
     for (const auto& polygon : polygons) {
-        std::vector<Triangle> triangles;
-        splitPolygon(polygon, triangles);
-        EXPECT_EQ(triangles.size(), polygon.size() - 2);
+        for (std::int64_t allowed : {0, 10, 1'000'000}) {
+            std::vector<Triangle> triangles;
+            splitPolygon(polygon, triangles, allowed);
+            EXPECT_EQ(triangles.size(), polygon.size() - 2);
+        }
     }
 }
 

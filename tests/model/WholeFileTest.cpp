@@ -4,7 +4,10 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <csignal>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace bolster {
@@ -50,6 +53,23 @@ TEST_F(WholeFileTest, SaysWhatPreventsWriting)
         EXPECT_NE(replaceWholeFile(path("locked.txt"), "x").english().find("write-protected"), std::string::npos);
         EXPECT_EQ(read("locked.txt"), "old");
     }
+}
+
+TEST_F(WholeFileTest, AFailureInTheMiddleKeepsTheOldFile)
+{
+    write("a.txt", "old");
+    const pid_t child = ::fork();
+    if (child == 0) { // only there, files may not grow beyond 4096 bytes
+        const rlimit limit = {4096, 4096};
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::_exit(replaceWholeFile(path("a.txt"), std::string(10'000, 'x')).empty() ? 1 : 0);
+    }
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read("a.txt"), "old");
+    EXPECT_EQ(fileCount(), 1);
 }
 
 TEST_F(WholeFileTest, KeepsPermissionsAndLinks)

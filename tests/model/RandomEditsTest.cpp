@@ -1,0 +1,154 @@
+// The editing rules on a real design: whatever the user does, and undoes, the design equals its replay.
+#include "CurveEdits.h"
+#include "DesignFile.h"
+#include "DesignJson.h"
+#include "Document.h"
+#include "ElementEdits.h"
+#include "Gesture.h"
+#include "PatchEdits.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+namespace bolster {
+namespace {
+
+class Designer {
+public:
+    explicit Designer(unsigned seed)
+        : m_random(seed)
+    {}
+
+    int pick(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
+    double somewhere(double size) { return std::uniform_real_distribution<double>(-size, size)(m_random); }
+
+    /// One of everything that can be done; empty when it does not apply to the element that was chosen.
+    Edit edit(const Design& design)
+    {
+        const ElementId id = anyElement(design);
+        if (const Patch* patch = design.find<Patch>(id))
+            return patchEdit(design, id, *patch);
+        if (const FixationCurve* curve = design.find<FixationCurve>(id))
+            return curveEdit(design, id, *curve);
+        switch (pick(4)) {
+        case 0:
+            return edits::changeSettings(design, {10.0 + pick(5)});
+        case 1:
+            return edits::renameElement(design, id, "Name " + std::to_string(pick(3)));
+        case 2:
+            return edits::addElement(design, design.element(id));
+        default:
+            return pick(20) == 0 ? edits::removeElements(design, std::vector{id}) : Edit{};
+        }
+    }
+
+private:
+    ElementId anyElement(const Design& design)
+    {
+        auto element = design.elements().begin();
+        if (element == design.elements().end())
+            return settingsId;
+        std::advance(element, pick(static_cast<int>(design.elements().size())));
+        return element->first;
+    }
+
+    Edit patchEdit(const Design& design, ElementId id, const Patch& patch)
+    {
+        const std::vector point = {pick(patch.outline.pointCount())};
+        const std::vector ids = {id};
+        switch (pick(7)) {
+        case 0:
+        case 1:
+            return edits::movePatchPoints(design, id, point, {somewhere(20), somewhere(20)});
+        case 2:
+            return edits::insertPatchPoint(design, id, somewhere(10));
+        case 3:
+            return edits::removePatchPoint(design, id, point[0]);
+        case 4:
+            return edits::movePatches(design, ids, {somewhere(100), 0});
+        case 5:
+            return edits::turnPatches(design, ids, {0, 0}, somewhere(180));
+        default:
+            return pick(20) == 0 ? edits::removeElements(design, ids) : Edit{};
+        }
+    }
+
+    Edit curveEdit(const Design& design, ElementId id, const FixationCurve& curve)
+    {
+        const std::vector point = {pick(curve.curve.pointCount())};
+        switch (pick(4)) {
+        case 0:
+        case 1:
+            return edits::moveCurvePoints(design, id, point, {somewhere(20), 0, somewhere(20)});
+        case 2:
+            return edits::insertCurvePoint(design, id, curve.curve.domainEnd() * 0.1 * pick(11));
+        default:
+            return edits::removeCurvePoint(design, id, point[0]);
+        }
+    }
+
+    std::mt19937 m_random;
+};
+
+void step(Document& document, Designer& designer)
+{
+    switch (designer.pick(8)) {
+    case 0:
+        document.undo();
+        break;
+    case 1:
+        document.redo();
+        break;
+    case 2:
+        document.jumpTo(static_cast<NodeId>(designer.pick(document.history().count())));
+        break;
+    case 3: {
+        Gesture gesture(document);
+        for (int move = designer.pick(4); move > 0; --move)
+            gesture.update(designer.edit(gesture.start()));
+        if (designer.pick(3) > 0)
+            gesture.commit();
+        break;
+    }
+    default:
+        document.commit(designer.edit(document.design()));
+    }
+}
+
+TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
+{
+    const OpenedDesign opened = openDesign(BOLSTER_SAMPLES "/box-cushion/box-cushion.json");
+    ASSERT_TRUE(opened.readable && !hasErrors(opened.problems));
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        SCOPED_TRACE(seed);
+        Document document;
+        document.reset(opened.design);
+        Designer designer(seed);
+        Design seen = document.design();
+        QObject::connect(&document, &Document::changed, [&](const ChangeSet& ids) {
+            EXPECT_EQ(ids, differences(seen, document.design()));
+            seen = document.design();
+        });
+        for (int i = 0; i < 100; ++i) {
+            step(document, designer);
+            Design replay = opened.design;
+            for (const NodeId node : document.history().pathTo(document.history().current()))
+                replay = replay.with(document.history().node(node).edit);
+            ASSERT_EQ(writeDesign(document.design()), writeDesign(replay)) << i;
+            ASSERT_TRUE(seen == document.design()) << i;
+        }
+        EXPECT_GT(document.history().count(), 20);
+
+        // What is on screen can be saved and comes back to the last bit.
+        const ReadDesign again = readDesign(writeDesign(document.design()));
+        EXPECT_TRUE(again.readable);
+        EXPECT_TRUE(again.design == document.design());
+        document.jumpTo(0);
+        EXPECT_EQ(writeDesign(document.design()), writeDesign(opened.design));
+    }
+}
+
+} // namespace
+} // namespace bolster
