@@ -23,6 +23,10 @@ double smallestEdgeLength(const Design& design);
 /// Length of the longer stretch over that of the shorter one, minus 1. 0 when an end is missing.
 double seamEase(const Design& design, const Seam& seam);
 
+/// What is wrong with the shape of an outline, if anything: it must be closed, enclose an area and not meet itself.
+/// Fast enough for every step of a drag.
+std::optional<Message> outlineProblem(const BSpline2& outline);
+
 /// Where a closed 2D curve crosses or touches itself, if it does (a point of the curve).
 std::optional<Vec2> selfIntersection(const BSpline2& outline);
 

@@ -2,6 +2,8 @@
 
 #include "ElementReader.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
@@ -13,8 +15,9 @@ Problem designProblem(std::string field, Message message)
     return {settingsId, "design", std::move(field), std::move(message), Severity::Error};
 }
 
-// Numbers the elements that have no valid number of their own: the first free one above that of the element before.
-// So they keep their places, and with them their numbers, through writing and reading.
+// Numbers the elements that have no valid number of their own: the first free one above that of the element before,
+// and above one that an earlier element took. So they keep their places, and with them their numbers, through
+// writing and reading.
 class Numbering {
 public:
     explicit Numbering(std::set<ElementId> taken)
@@ -23,8 +26,7 @@ public:
 
     ElementId freshAfter(ElementId before)
     {
-        std::int32_t candidate = number(before) < largestElementId ? number(before) + 1 : 1;
-        // The next one above, or above a gapless run: a set is ordered, so the run is walked once.
+        std::int32_t candidate = number(before) + 1; // may pass the largest one that a file may use
         for (auto next = m_taken.lower_bound(ElementId{candidate});
              next != m_taken.end() && *next == ElementId{candidate}; ++next)
             ++candidate;
@@ -61,7 +63,7 @@ void readElements(const json::Value& list, ReadDesign& result)
     list.eachItem([&](std::size_t i, const json::Value& item) {
         const json::Heading& heading = headings[i];
         const bool unique = heading.id != ElementId{} && met.insert(heading.id).second;
-        const ElementId id = unique ? heading.id : numbering.freshAfter(before);
+        const ElementId id = unique ? heading.id : numbering.freshAfter(std::max(before, heading.id));
         before = id;
         json::Report report(id, heading.label);
         ElementPtr element = json::readElement(item, report);

@@ -78,10 +78,11 @@ BSpline<Dim> readCurve(Fields& parent, std::string_view key)
                                                  "and points")});
         return {};
     }
-    Report own(ElementId{}, {});
-    Fields fields(*object, parent.fieldOf(key) + ".", own);
+    const std::size_t before = report.count();
+    const auto sound = [&] { return report.count() == before; };
+    Fields fields(*object, parent.fieldOf(key) + ".", report);
     const Value* degreeValue = fields.required("degree");
-    const int degree = degreeValue ? integerIn(*degreeValue, fields.fieldOf("degree"), own, 1, 3) : 1;
+    const int degree = degreeValue ? integerIn(*degreeValue, fields.fieldOf("degree"), report, 1, 3) : 1;
     const bool closed = fields.flag("closed");
     const auto points = pointsIn<Dim>(fields);
     const std::vector<double> knots = knotsIn(fields);
@@ -89,24 +90,22 @@ BSpline<Dim> readCurve(Fields& parent, std::string_view key)
     refuseEmpty(fields, "knots");
     refuseEmpty(fields, "corners");
     if (fields.has("knots") && fields.has("corners"))
-        own.add(fields.fieldOf("corners"),
-                {QT_TRANSLATE_NOOP("Message", "a curve has either corners or knots; remove "
-                                              "one of them")});
+        report.add(fields.fieldOf("corners"), {QT_TRANSLATE_NOOP("Message", "a curve has either corners or knots; "
+                                                                            "remove one of them")});
     fields.finish();
 
     using Curve = BSpline<Dim>;
-    const auto check = [&](std::string_view field, const std::optional<Message>& wrong) {
-        if (wrong && own.clean())
-            own.add(fields.fieldOf(field), *wrong);
+    const auto require = [&](std::string_view field, const std::optional<Message>& wrong) {
+        if (wrong)
+            report.add(fields.fieldOf(field), *wrong);
     };
-    check("points", Curve::problem(degree, closed, points));
-    if (own.clean() && !knots.empty())
-        check("knots", Curve::problem(degree, closed, points, knots));
-    if (!corners.empty())
-        check("corners", Curve::cornerProblem(degree, closed, static_cast<int>(points.size()), corners));
-    for (const Problem& problem : own.problems())
-        report.add(problem.field, problem.message);
-    if (!own.clean())
+    if (sound())
+        require("points", Curve::problem(degree, closed, points));
+    if (sound() && !knots.empty())
+        require("knots", Curve::problem(degree, closed, points, knots));
+    if (sound() && !corners.empty())
+        require("corners", Curve::cornerProblem(degree, closed, static_cast<int>(points.size()), corners));
+    if (!sound())
         return {};
     return corners.empty() ? Curve(degree, closed, points, knots) : Curve::withCorners(points, corners);
 }
@@ -262,10 +261,10 @@ Settings readSettings(const Value& object, Report& report)
 {
     Settings settings;
     if (!object.isObject()) {
-        report.add("settings", {QT_TRANSLATE_NOOP("Message", "must be an object in braces")});
+        report.add("", {QT_TRANSLATE_NOOP("Message", "must be an object in braces")});
         return settings;
     }
-    Fields fields(object, "settings.", report);
+    Fields fields(object, "", report);
     const double edgeLength = fields.number("edge_length", settings.edgeLength);
     fields.finish();
     if (report.clean())

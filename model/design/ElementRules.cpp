@@ -22,33 +22,9 @@ bool isColor(const std::string& text)
     return text.size() == 7 && text[0] == '#' && std::all_of(text.begin() + 1, text.end(), isHex);
 }
 
-int distinctPoints(const BSpline2& outline)
+bool isEdgeLength(double length)
 {
-    std::vector<std::pair<double, double>> points;
-    for (const Vec2& point : outline.points())
-        points.emplace_back(point.x(), point.y());
-    std::sort(points.begin(), points.end());
-    return static_cast<int>(std::unique(points.begin(), points.end()) - points.begin());
-}
-
-// Whether all points lie on one line.
-bool flat(const BSpline2& outline)
-{
-    const Vec2 origin = outline.points().front();
-    Vec2 farthest = origin;
-    for (const Vec2& point : outline.points())
-        if ((point - origin).norm() > (farthest - origin).norm())
-            farthest = point;
-    const Vec2 line = farthest - origin;
-    return std::all_of(outline.points().begin(), outline.points().end(), [&](const Vec2& point) {
-        return std::abs(line.x() * (point - origin).y() - line.y() * (point - origin).x()) <=
-               1e-9 * line.squaredNorm();
-    });
-}
-
-std::string coordinates(const Vec2& point)
-{
-    return std::string("(").append(numberText(point.x())).append(", ").append(numberText(point.y())).append(")");
+    return length > 0 && length <= largestNumber;
 }
 
 } // namespace
@@ -109,7 +85,7 @@ const T* ElementRules::reference(std::string field, ElementId id)
 void ElementRules::rules(const Settings& settings)
 {
     const double smallest = smallestEdgeLength(m_design);
-    if (!(settings.edgeLength > 0 && settings.edgeLength <= largestNumber))
+    if (!isEdgeLength(settings.edgeLength))
         error("edge_length", {QT_TRANSLATE_NOOP("Message", "is %1, but must be a positive length; 12 mm is usual"),
                               {numberText(settings.edgeLength)}});
     else if (settings.edgeLength < smallest)
@@ -130,14 +106,15 @@ void ElementRules::rules(const Fabric& fabric)
         return;
     bool used = false;
     m_design.each<Patch>([&](ElementId, const Patch& patch) { used = used || patch.fabric == m_id; });
-    const double resolved = resolvedShare * m_design.settings().edgeLength;
-    if (used && fabric.bendingLength < resolved)
+    const double edgeLength = m_design.settings().edgeLength;
+    const double resolved = resolvedShare * edgeLength;
+    if (used && isEdgeLength(edgeLength) && fabric.bendingLength < resolved)
         warn("bending_length",
              {QT_TRANSLATE_NOOP("Message",
                                 "the mesh cannot resolve folds as small as a bending length of %1 mm makes "
                                 "them: with edges of %2 mm it acts like %3 mm; take an edge length of at most "
                                 "%4 mm, or a longer bending length"),
-              {numberText(fabric.bendingLength), numberText(m_design.settings().edgeLength), numberText(resolved),
+              {numberText(fabric.bendingLength), numberText(edgeLength), numberText(resolved),
                numberText(fabric.bendingLength / resolvedShare)}});
 }
 
@@ -150,31 +127,8 @@ void ElementRules::rules(const Patch& patch)
     inRange("rotation", patch.rotation, -largestNumber, largestNumber);
     inRange("grain", patch.grain, -largestNumber, largestNumber);
     inRange("pressure", patch.pressure, leastPressure, mostPressure);
-    outlineShape(patch.outline);
-}
-
-void ElementRules::outlineShape(const BSpline2& outline)
-{
-    if (outline.empty() || !outline.closed()) {
-        error("outline", {QT_TRANSLATE_NOOP("Message", "an outline must be a closed curve")});
-        return;
-    }
-    const double size = outline.boundingBox().diagonal().norm();
-    if (distinctPoints(outline) < 3 || !(size >= shortestLength)) {
-        error("outline.points",
-              {QT_TRANSLATE_NOOP("Message", "the outline needs at least three points in different places")});
-    } else if (flat(outline)) {
-        error("outline.points",
-              {QT_TRANSLATE_NOOP("Message", "all points of the outline lie on one line, it encloses no "
-                                            "area; move one of them")});
-    } else if (const auto crossing = selfIntersection(outline)) {
-        error("outline.points",
-              {QT_TRANSLATE_NOOP("Message", "the outline crosses or touches itself near %1; move its "
-                                            "points apart there"),
-               {coordinates(*crossing)}});
-    } else if (!(std::abs(outline.signedArea()) > 1e-9 * size * size)) {
-        error("outline.points", {QT_TRANSLATE_NOOP("Message", "the outline encloses no area")});
-    }
+    if (const std::optional<Message>& wrong = outlineProblemOf(m_id, patch.outline))
+        error("outline.points", *wrong);
 }
 
 template <int Dim>
@@ -210,8 +164,9 @@ const Patch* ElementRules::stretch(const std::string& prefix, const Stretch& str
 {
     const auto* patch = reference<Patch>(prefix + "patch", stretch.patch);
     if (!patch || patch->outline.empty() ||
-        !range(prefix + "from", prefix + "to", patch->outline, stretch.from, stretch.to))
-        return nullptr;
+        !range(prefix + "from", prefix + "to", patch->outline, stretch.from, stretch.to) ||
+        outlineProblemOf(stretch.patch, patch->outline))
+        return nullptr; // a bad outline is reported with its patch
     if (lengthOf(stretch, patch->outline) >= shortestLength)
         return patch;
     error(prefix + "to",
@@ -219,6 +174,13 @@ const Patch* ElementRules::stretch(const std::string& prefix, const Stretch& str
                                         "coincide there"),
            {numberText(stretch.from), numberText(stretch.to)}});
     return nullptr;
+}
+
+const std::optional<Message>& ElementRules::outlineProblemOf(ElementId id, const BSpline2& outline)
+{
+    const auto found = m_outlines.find(id);
+    return found != m_outlines.end() ? found->second
+                                     : m_outlines.emplace(id, outlineProblem(outline)).first->second;
 }
 
 double ElementRules::lengthOf(const Stretch& stretch, const BSpline2& outline)

@@ -37,8 +37,7 @@ private:
     bool inRange(std::string field, double value, double low, double high);
     template <class T>
     const T* reference(std::string field, ElementId id);
-    void outlineShape(const BSpline2& outline);
-    /// The patch, if the stretch is sound; `prefix` is "a." or "b." or nothing.
+    /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.
     const Patch* stretch(const std::string& prefix, const Stretch& stretch);
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
@@ -46,12 +45,14 @@ private:
     bool overlapsItself(const Seam& seam, const BSpline2& outline) const;
     bool joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const;
     double lengthOf(const Stretch& stretch, const BSpline2& outline);
+    const std::optional<Message>& outlineProblemOf(ElementId id, const BSpline2& outline);
 
     const Design& m_design;
     Problems& m_problems;
     ElementId m_id{};
     std::string m_label;
-    std::map<ElementId, ArcLength2> m_lengths; // by patch
+    std::map<ElementId, ArcLength2> m_lengths;              // by patch
+    std::map<ElementId, std::optional<Message>> m_outlines; // by patch: what is wrong
 };
 
 } // namespace bolster

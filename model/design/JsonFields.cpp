@@ -44,10 +44,12 @@ void Report::add(std::string field, Message message)
         m_problems.push_back({m_element, m_label, std::move(field), std::move(message), Severity::Error});
         return;
     }
-    if (m_more++ == 0)
+    if (m_problems.size() == mostProblems)
         m_problems.push_back({m_element, m_label, "", {}, Severity::Error});
+    else
+        ++m_unlisted;
     m_problems.back().message = {QT_TRANSLATE_NOOP("Message", "and %1 more problems of this element"),
-                                 {std::to_string(m_more)}};
+                                 {std::to_string(m_unlisted + 1)}};
 }
 
 double numberIn(const Value& value, const std::string& field, Report& report, double limit)
@@ -179,7 +181,11 @@ template <int Dim>
 Eigen::Matrix<double, Dim, 1> Fields::vector(std::string_view key, const Eigen::Matrix<double, Dim, 1>& fallback)
 {
     const Value* value = optional(key);
-    return value ? vectorIn<Dim>(*value, fieldOf(key), m_report) : fallback;
+    if (!value)
+        return fallback;
+    const std::size_t before = m_report.count();
+    const auto vector = vectorIn<Dim>(*value, fieldOf(key), m_report);
+    return m_report.count() == before ? vector : fallback;
 }
 
 template Vec2 Fields::vector<2>(std::string_view, const Vec2&);

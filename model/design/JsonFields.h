@@ -21,13 +21,15 @@ public:
 
     void add(std::string field, Message message);
     bool clean() const { return m_problems.empty(); }
+    /// Of all that were added.
+    std::size_t count() const { return m_problems.size() + m_unlisted; }
     const Problems& problems() const { return m_problems; }
 
 private:
     ElementId m_element;
     std::string m_label;
     Problems m_problems;
-    std::size_t m_more = 0;
+    std::size_t m_unlisted = 0;
 };
 
 /// A value that must be a number; reports under `field` if it is none or beyond +-limit.

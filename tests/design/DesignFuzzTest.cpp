@@ -1,0 +1,86 @@
+// Thousands of damaged designs: none may crash or hang, and what can be read is written and read back equal.
+#include "DesignCheck.h"
+#include "DesignJson.h"
+
+#include "DesignFuzz.h"
+#include "Random.h"
+#include "TestData.h"
+
+namespace bolster {
+namespace {
+
+std::string damaged(std::string text, test::Random& random)
+{
+    static constexpr const char* fragments[] = {"1e999", "-0",
+                                                "null",  "\"id\": 2",
+                                                "[]",    "{}",
+                                                "[[[[",  "1e7",
+                                                "\\u00", "true",
+                                                "\xC3",  "-1e-400",
+                                                "2",     "\"knots\": [0,1,2,3,4], ",
+                                                "0.5,",  "}",
+                                                ", ",    "\"",
+                                                "1e308", "9007199254740993"};
+    const auto place = [&] { return static_cast<std::size_t>(random.whole(0, static_cast<int>(text.size()))); };
+    for (int count = random.whole(1, 3); count > 0; --count) {
+        switch (random.whole(0, 5)) {
+        case 0:
+            text.erase(place(), static_cast<std::size_t>(random.whole(1, 30)));
+            break;
+        case 1:
+            text.insert(place(), fragments[random.whole(0, std::size(fragments) - 1)]);
+            break;
+        case 2: {
+            // A digit for a digit leaves the text readable and its numbers wrong.
+            const std::size_t digit = text.find_first_of("0123456789", place());
+            if (digit != std::string::npos)
+                text[digit] = static_cast<char>('0' + random.whole(0, 9));
+            break;
+        }
+        case 3:
+            text.insert(place(), text.substr(place(), static_cast<std::size_t>(random.whole(1, 60))));
+            break;
+        case 4: {
+            const std::size_t value = text.find(": ", place());
+            const std::size_t end = value == std::string::npos ? value : text.find_first_of(",}", value);
+            if (end != std::string::npos)
+                text.replace(value + 2, end - value - 2, fragments[random.whole(0, std::size(fragments) - 1)]);
+            break;
+        }
+        default:
+            if (const std::size_t byte = place(); byte < text.size())
+                text[byte] = static_cast<char>(random.whole(0, 255));
+        }
+    }
+    return text;
+}
+
+TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
+{
+    test::Random random(2024);
+    const std::string small = writeDesign(readDesign(R"({"format": "bolster-design", "version": 1, "elements": [
+      {"id": 1, "kind": "fabric", "name": "Leather", "poisson": 0.2, "color": "#123456"},
+      {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1, "position": [10, 20], "grain": 45,
+       "outline": {"degree": 3, "closed": true, "corners": [0, 3], "points": [[0,0],[50,-9],[99,0],[99,60],[50,70],[0,60]]}},
+      {"id": 3, "kind": "fixation_curve", "name": "Rail", "curve": {"degree": 2, "closed": false,
+       "knots": [0, 0, 0, 1.5, 3, 3, 3], "points": [[0,0,0],[50,0,20],[80,0,20],[99,0,0]]}},
+      {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 3, "curve": 3, "curve_from": 0.5, "curve_to": 2},
+      {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 4}, "b": {"patch": 2, "from": 5, "to": 0},
+       "continuity": "G1", "reversed": false},
+      {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0]}]})")
+                                              .design);
+    const std::string large = test::designText("car-seat-tied");
+    int readable = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const std::string text = damaged(i % 20 == 0 ? large : small, random);
+        SCOPED_TRACE(testing::Message() << "text " << i << ": " << text);
+        readable += test::fuzzDesign(text);
+        if (testing::Test::HasFailure())
+            return;
+    }
+    EXPECT_GT(readable, 400);
+    EXPECT_LT(readable, 3800);
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,222 @@
+#include "CurveEdits.h"
+#include "DesignCheck.h"
+#include "ElementEdits.h"
+#include "PatchEdits.h"
+
+#include "Random.h"
+#include "TestData.h"
+
+namespace bolster {
+namespace {
+
+using namespace edits;
+
+constexpr const char* smallDesign = R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [
+  {"id": 1, "kind": "fabric", "name": "Leather"},
+  {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1, "position": [10, 20],
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[500,0],[500,480],[0,480]]}},
+  {"id": 6, "kind": "patch", "name": "Side", "fabric": 1, "position": [600, 0],
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[120,0],[120,480],[0,480]]}},
+  {"id": 3, "kind": "fixation_curve", "name": "Front rail",
+   "curve": {"degree": 3, "closed": false, "points": [[0,0,0],[150,0,20],[300,0,20],[500,0,0]]}},
+  {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 3},
+  {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 6, "from": 3, "to": 4}},
+  {"id": 8, "kind": "nonsense"}]})";
+
+constexpr ElementId leather{1}, seat{2}, rail{3}, fixation{4}, seam{5}, side{6}, unreadable{8};
+
+class Edits : public testing::Test {
+protected:
+    const Design design = readDesign(smallDesign).design;
+};
+
+TEST_F(Edits, MovesOutlinePoints)
+{
+    const std::vector<int> points = {1, 2, 2};
+    const Edit edit = movePatchPoints(design, seat, points, Vec2(5, -3));
+    const auto& moved = design.with(edit).find<Patch>(seat)->outline;
+    EXPECT_EQ(moved.points(), (std::vector<Vec2>{{0, 0}, {505, -3}, {505, 477}, {0, 480}}));
+    EXPECT_EQ(edit.verb.english(), "Move 3 points of Seat");
+    EXPECT_EQ(movePatchPoints(design, seat, std::vector<int>{1}, Vec2(5, 0)).verb.english(),
+              "Move a point of Seat");
+    EXPECT_EQ(design.with(edit).with(edit.inverse()), design);
+}
+
+TEST_F(Edits, ImpossibleMovesAreEmpty)
+{
+    const std::vector<int> point = {0};
+    EXPECT_TRUE(movePatchPoints(design, seat, point, Vec2(0, 0)).empty());
+    EXPECT_TRUE(movePatchPoints(design, seat, std::vector<int>{17, -1}, Vec2(1, 0)).empty());
+    EXPECT_TRUE(movePatchPoints(design, leather, point, Vec2(1, 0)).empty());
+    EXPECT_TRUE(movePatchPoints(design, ElementId{99}, point, Vec2(1, 0)).empty());
+    EXPECT_TRUE(movePatchPoints(design, seat, point, Vec2(2e7, 0)).empty()) << "out of the sensible range";
+    EXPECT_TRUE(movePatchPoints(design, seat, point, Vec2(std::nan(""), 0)).empty());
+    EXPECT_TRUE(moveCurvePoints(design, rail, point, Vec3(0, std::nan(""), 0)).empty());
+    EXPECT_TRUE(movePatches(design, std::vector{seat}, Vec2(std::nan(""), 0)).empty());
+    EXPECT_TRUE(turnPatches(design, std::vector{seat}, Vec2(0, 0), std::nan("")).empty());
+    EXPECT_TRUE(insertPatchPoint(design, seat, std::nan("")).empty());
+    EXPECT_TRUE(insertPatchPoint(design, seat, 1).empty()) << "there is a corner already";
+    EXPECT_TRUE(removePatchPoint(design, seat, 4).empty());
+    EXPECT_TRUE(removeCurvePoint(design, rail, 1).empty()) << "a cubic needs its four points";
+}
+
+TEST_F(Edits, MovesPointsOfFixationCurves)
+{
+    const Edit edit = moveCurvePoints(design, rail, std::vector<int>{1, 2}, Vec3(0, 0, 10));
+    EXPECT_EQ(design.with(edit).find<FixationCurve>(rail)->curve.points()[2], Vec3(300, 0, 30));
+    EXPECT_EQ(edit.verb.english(), "Move 2 points of Front rail");
+}
+
+TEST_F(Edits, InsertingAPointChangesNoShapeAndNoSeam)
+{
+    const Edit edit = insertPatchPoint(design, seat, 1.25);
+    const Design after = design.with(edit);
+    const BSpline2& before = design.find<Patch>(seat)->outline;
+    const BSpline2& finer = after.find<Patch>(seat)->outline;
+    EXPECT_EQ(finer.pointCount(), 5);
+    for (double t = 0; t < 4; t += 0.05)
+        EXPECT_LT((finer.at(t) - before.at(t)).norm(), 1e-10);
+    EXPECT_EQ(checkDesign(after), checkDesign(design));
+    EXPECT_EQ(edit.changes.size(), 1u);
+    const Edit curve = insertCurvePoint(design, rail, 0.5);
+    EXPECT_EQ(design.with(curve).find<FixationCurve>(rail)->curve.pointCount(), 5);
+}
+
+TEST_F(Edits, RemovingAnyPointKeepsStretchesValid)
+{
+    for (int i = 0; i < 4; ++i) {
+        const Design after = design.with(removePatchPoint(design, seat, i));
+        EXPECT_EQ(after.find<Patch>(seat)->outline.pointCount(), 3);
+        EXPECT_EQ(after.find<Patch>(seat)->outline.period(), 4);
+        for (const Problem& problem : checkDesign(after))
+            EXPECT_TRUE(problem.severity == Severity::Warning || problem.element == unreadable)
+                << problem.english();
+        const ReadDesign read = readDesign(writeDesign(after));
+        EXPECT_EQ(read.design, after);
+    }
+}
+
+TEST_F(Edits, MovesAndTurnsPatchesInTheLayout)
+{
+    const std::vector<ElementId> both = {seat, side, leather};
+    const Design moved = design.with(movePatches(design, both, Vec2(1, 2)));
+    EXPECT_EQ(moved.find<Patch>(seat)->position, Vec2(11, 22));
+    EXPECT_EQ(moved.find<Patch>(side)->position, Vec2(601, 2));
+    const Vec2 corner = toLayout(*design.find<Patch>(seat), Vec2(500, 0));
+    const Design turned = design.with(turnPatches(design, both, Vec2(10, 20), 90));
+    EXPECT_LT((toLayout(*turned.find<Patch>(seat), Vec2(500, 0)) - Vec2(10, 520)).norm(), 1e-9);
+    EXPECT_EQ(corner, Vec2(510, 20));
+    EXPECT_EQ(turned.find<Patch>(seat)->outline, design.find<Patch>(seat)->outline);
+    EXPECT_TRUE(movePatches(design, both, Vec2(0, 0)).empty());
+    EXPECT_TRUE(turnPatches(design, both, Vec2(0, 0), 0).empty());
+    EXPECT_EQ(movePatches(design, std::vector{seat}, Vec2(1, 0)).verb.english(), "Move Seat");
+}
+
+TEST_F(Edits, AddsUnderAFreshId)
+{
+    Fabric wool;
+    wool.name = "Wool";
+    const Edit edit = addElement(design, makeElement(wool));
+    ASSERT_EQ(edit.changes.size(), 1u);
+    EXPECT_EQ(edit.changes[0].id, ElementId{9});
+    EXPECT_EQ(edit.changes[0].before, nullptr);
+    EXPECT_EQ(edit.verb.english(), "Add fabric Wool");
+    EXPECT_TRUE(addElement(design, nullptr).empty());
+    EXPECT_TRUE(addElement(design, makeElement(Settings{})).empty());
+}
+
+TEST_F(Edits, ReplacesAndRenames)
+{
+    const Edit edit = renameElement(design, seat, "Cushion");
+    EXPECT_EQ(design.with(edit).find<Patch>(seat)->name, "Cushion");
+    EXPECT_EQ(edit.verb.english(), "Rename Seat to Cushion");
+    EXPECT_TRUE(renameElement(design, seat, "Seat").empty());
+    EXPECT_TRUE(renameElement(design, seam, "A seam has no name").empty());
+    EXPECT_TRUE(replaceElement(design, seat, design.element(seat), {"Replace"}).empty());
+    EXPECT_TRUE(replaceElement(design, ElementId{99}, design.element(seat), {"Replace"}).empty());
+    EXPECT_TRUE(replaceElement(design, settingsId, design.element(seat), {"Replace"}).empty());
+    Settings settings;
+    settings.edgeLength = 8;
+    EXPECT_EQ(design.with(changeSettings(design, settings)).settings().edgeLength, 8);
+    EXPECT_TRUE(changeSettings(design, design.settings()).empty());
+}
+
+TEST_F(Edits, RemovesWhatRefersToTheRemoved)
+{
+    const auto removed = [&](std::vector<ElementId> ids) {
+        std::set<ElementId> gone;
+        for (const Change& change : removeElements(design, ids).changes)
+            gone.insert(change.id);
+        return gone;
+    };
+    EXPECT_EQ(removed({side}), (std::set{side, seam}));
+    EXPECT_EQ(removed({seat}), (std::set{seat, seam, fixation}));
+    EXPECT_EQ(removed({rail}), (std::set{rail, fixation}));
+    EXPECT_EQ(removed({seam}), (std::set{seam}));
+    EXPECT_EQ(removed({unreadable}), (std::set{unreadable}));
+    EXPECT_EQ(removed({leather}), std::set<ElementId>{}) << "in use";
+    EXPECT_EQ(removed({leather, side}), (std::set{side, seam})) << "still in use";
+    EXPECT_EQ(removed({leather, side, seat}), (std::set{leather, seat, side, seam, fixation}));
+    EXPECT_EQ(removed({settingsId, ElementId{77}}), std::set<ElementId>{});
+    EXPECT_EQ(removeElements(design, std::vector{seat}).verb.english(), "Remove Seat");
+}
+
+// Any edit at all, valid or not.
+Edit randomEdit(test::Random& random, const Design& design)
+{
+    const ElementId id{random.whole(0, number(design.nextId()))};
+    const std::vector<ElementId> ids = {id, ElementId{random.whole(1, 20)}};
+    const std::vector<int> points = {random.whole(-1, 40), random.whole(0, 5)};
+    switch (random.whole(0, 9)) {
+    case 0:
+        return movePatchPoints(design, id, points, test::randomPoint<2>(random, 30));
+    case 1:
+        return insertPatchPoint(design, id, random.real(-5, 50));
+    case 2:
+        return removePatchPoint(design, id, points[0]);
+    case 3:
+        return moveCurvePoints(design, id, points, test::randomPoint<3>(random, 30));
+    case 4:
+        return insertCurvePoint(design, id, random.real(-1, 10));
+    case 5:
+        return removeCurvePoint(design, id, points[1]);
+    case 6:
+        return movePatches(design, ids, test::randomPoint<2>(random, 30));
+    case 7:
+        return turnPatches(design, ids, test::randomPoint<2>(random, 30), random.real(-90, 90));
+    case 8:
+        return random.chance(0.1) ? removeElements(design, ids) : renameElement(design, id, "%1 renamed");
+    default: {
+        const ElementPtr element = design.element(id);
+        return addElement(design, element ? element : makeElement(Fabric{}));
+    }
+    }
+}
+
+TEST(RandomEdits, AreUndoneByTheirInverseAndSurviveTheTextForm)
+{
+    test::Random random(11);
+    const Design start = test::soundDesign(test::designText("car-seat-tied"));
+    Design design = start;
+    std::vector<std::pair<Design, Edit>> history;
+    for (int i = 0; i < 1500; ++i) {
+        const Edit edit = randomEdit(random, design);
+        if (edit.empty())
+            continue;
+        for (const Change& change : edit.changes)
+            EXPECT_EQ(change.before, change.id == settingsId ? change.before : design.element(change.id));
+        EXPECT_FALSE(edit.verb.empty());
+        history.emplace_back(design, edit);
+        design = design.with(edit);
+        EXPECT_TRUE(i % 50 != 0 || readDesign(writeDesign(design)).design == design);
+    }
+    EXPECT_GT(history.size(), 300u);
+    for (auto step = history.rbegin(); step != history.rend(); ++step) {
+        design = design.with(step->second.inverse());
+        ASSERT_EQ(design, step->first);
+    }
+    EXPECT_EQ(writeDesign(design), writeDesign(start));
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,9 @@
+#include "DesignFuzz.h"
+
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    bolster::test::fuzzDesign({reinterpret_cast<const char*>(bytes), size});
+    return 0;
+}
