@@ -87,24 +87,22 @@ class Cover:
 
 
 def arrange(cover):
-    """Seat and back in the middle, unfolded from the outside back down to the underside; an arm on either side."""
-    middle = [[("Outside back", 0)], [("Top of back", 180)],
-              [("Back side left", -90), ("Inside back", 180), ("Back side right", 90)],
-              [("Seat", 180)], [("Front band", 0)], [("Underside", 0)]]
+    """Unfolded from the outside back down to the underside, with an arm on either side of the seat."""
+    back = [[("Outside back", 0)], [("Top of back", 180)],
+            [("Back side left", -90), ("Inside back", 180), ("Back side right", 90)]]
+    seat = [[("Seat", 180)], [("Front band", 0)], [("Underside", 0)]]
     layout = Layout(cover.elements.values())
-    bottom = layout.stack(middle, 0, 0)
+    seat_top = layout.stack(back, 0, 0) - GAP
+    layout.stack(seat, 0, seat_top)
 
     def arm(side, outwards):
         front_and_rear = [(f"Arm {side} front", 0), (f"Arm {side} rear", 0)]
         return [[(f"Arm {side} top", outwards)], [(f"Arm {side} outer", outwards)], [(f"Arm {side} underside", outwards)],
                 [(f"Arm {side} inner", -outwards)], front_and_rear if side == "right" else front_and_rear[::-1]]
 
-    half = layout.size("Inside back", 180)[0] / 2 + GAP + layout.size("Back side right", 90)[0]
-    width = layout.size("Arm right outer", 90)[0]
-    for side, sign in (("right", 1), ("left", -1)):
-        rows = arm(side, 90 * sign)
-        height = -layout.stack(rows, 0, 0)
-        layout.stack(rows, sign * (half + 2 * GAP + width / 2), (bottom + height) / 2)
+    beside = layout.size("Front band", 0)[0] / 2 + 2 * GAP + layout.size("Arm right outer", 90)[0] / 2
+    layout.stack(arm("right", 90), beside, seat_top)
+    layout.stack(arm("left", -90), -beside, seat_top)
 
 
 def report_ease(cover):
