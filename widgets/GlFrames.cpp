@@ -6,6 +6,13 @@
 
 namespace bolster {
 
+namespace {
+
+/// The cover presses into the foam here and there. What lies less than that before it is not drawn, mm.
+constexpr float foam = 120;
+
+} // namespace
+
 GlFrames::GlFrames(GlFunctions& gl)
     : m_gl(gl)
     , m_program("frame.vert", "frame.frag")
@@ -45,7 +52,8 @@ void GlFrames::draw(const SurfaceScene& scene, const GlView& view)
     view.setTransforms(m_program);
     view.setLights(m_program);
     m_program.set("material", Eigen::Vector3f(0.42F, 0.43F, 0.45F));
-    m_program.set("opacity", solid ? 1.F : 0.3F);
+    m_program.set("opacity", solid ? 1.F : 0.45F);
+    m_program.set("push", solid ? 0.F : foam);
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     if (!solid) { // curves and seams behind it stay visible
         m_gl.glDepthMask(GL_FALSE);

@@ -62,20 +62,23 @@ void GlMarks::draw(const GlView& view, bool hiddenPart)
     m_gl.glEnable(GL_BLEND);
     m_gl.glDepthMask(GL_FALSE);
     m_gl.glDepthFunc(hiddenPart ? GL_GREATER : GL_LEQUAL);
-    const auto draw = [&](GlProgram& program, QOpenGLVertexArrayObject& array, float lift, GLsizei count) {
+    const auto draw = [&](GlProgram& program, QOpenGLVertexArrayObject& array, float lift, GLsizei count,
+                          bool casing) {
         if (count == 0)
             return;
         program.use();
         view.setTransforms(program);
         view.setPixels(program);
-        program.set("pixelRatio", view.pixelRatio);
         program.set("lift", lift * view.pixelRatio);
         program.set("hiddenPart", hiddenPart);
+        program.set("casingPart", casing);
         const QOpenGLVertexArrayObject::Binder bound(&array);
         m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     };
-    draw(m_lineProgram, m_lineArray, lineLift, m_segmentCount);
-    draw(m_dotProgram, m_dotArray, dotLift, m_dotCount);
+    if (!hiddenPart)
+        draw(m_lineProgram, m_lineArray, lineLift, m_segmentCount, true);
+    draw(m_lineProgram, m_lineArray, lineLift, m_segmentCount, false);
+    draw(m_dotProgram, m_dotArray, dotLift, m_dotCount, false);
     m_gl.glDepthFunc(GL_LEQUAL);
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDisable(GL_BLEND);

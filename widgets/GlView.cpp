@@ -61,6 +61,7 @@ void GlView::setLights(GlProgram& program) const
 void GlView::setPixels(GlProgram& program) const
 {
     program.set("viewport", viewport);
+    program.set("pixelRatio", pixelRatio);
     program.set("pixelAtOne", pixelAtOne);
     program.set("perspectiveView", perspective);
 }

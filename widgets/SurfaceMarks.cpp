@@ -65,7 +65,7 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
     for (const SurfaceTopology::Chain& chain : mesh.topology->seams) {
-        SurfaceLine line{pointsOf(mesh, chain.a), QColor(18, 14, 12, 200), 1.5F};
+        SurfaceLine line{pointsOf(mesh, chain.a), QColor(18, 14, 12, 190), 1.3F};
         if (m_selection.contains(chain.seam))
             line = {line.points, scene.colors.accent, 3, 0.35F, 1};
         else if (m_selection.hovered() == chain.seam)
@@ -83,7 +83,7 @@ void SurfaceMarks::addBorders(SurfaceScene& scene) const
             scene.lines.push_back({pointsOf(mesh, run), color, width, hidden});
     };
     if (m_shown.seams)
-        add(m_borders.free(), QColor(18, 14, 12, 150), 1.2F, 0);
+        add(m_borders.free(), QColor(18, 14, 12, 140), 1.0F, 0);
     for (const SurfaceTopology::PatchRange& range : mesh.topology->patches) {
         if (m_selection.contains(range.patch))
             add(m_borders.ofPatch(range.patch), scene.colors.accent, 2.4F, 0.25F);

@@ -108,6 +108,27 @@ bool shadeCover(const SurfaceOcclusion::Input& input, float reach, std::stop_tok
     return true;
 }
 
+/// The same for the ground: the shadow of few rays is blotchy.
+void smooth(SurfaceOcclusion::Ground& ground)
+{
+    const auto blur = [&](int step, int line) {
+        for (int row = 0; row < ground.count; ++row) {
+            std::vector<float> values(static_cast<std::size_t>(ground.count));
+            const auto at = [&](int i) -> float& {
+                return ground
+                    .open[static_cast<std::size_t>(row * line + std::clamp(i, 0, ground.count - 1) * step)];
+            };
+            for (int i = 0; i < ground.count; ++i)
+                values[static_cast<std::size_t>(i)] =
+                    (at(i - 2) + 2 * at(i - 1) + 3 * at(i) + 2 * at(i + 1) + at(i + 2)) / 9;
+            for (int i = 0; i < ground.count; ++i)
+                at(i) = values[static_cast<std::size_t>(i)];
+        }
+    };
+    blur(1, ground.count);
+    blur(ground.count, 1);
+}
+
 bool shadeGround(const SurfaceRays& rays, const Eigen::AlignedBox3f& box, float floor, float reach,
                  std::stop_token stop, SurfaceOcclusion::Ground& ground)
 {
@@ -126,6 +147,7 @@ bool shadeGround(const SurfaceRays& rays, const Eigen::AlignedBox3f& box, float 
             const Vec3f from(at.x(), at.y(), floor - 1e-3f * reach);
             ground.open.push_back(openness(rays, from, Vec3f::UnitZ(), 1.5f * reach, ground.open.size()));
         }
+    smooth(ground);
     return true;
 }
 

@@ -206,8 +206,8 @@ void SurfaceView::updateLooks()
     for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
         const Fabric* fabric = m_document.design().find<Fabric>(range.fabric);
         QColor tint = m_scene.colors.accent;
-        tint.setAlphaF(m_selection.contains(range.patch)      ? 0.22F
-                       : m_selection.hovered() == range.patch ? 0.10F
+        tint.setAlphaF(m_selection.contains(range.patch)      ? 0.14F
+                       : m_selection.hovered() == range.patch ? 0.07F
                                                               : 0);
         const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
         m_scene.patches.push_back({range.patch, color, tint});

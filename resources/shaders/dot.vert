@@ -8,6 +8,7 @@ uniform mat4 projection;
 uniform vec2 viewport;
 uniform float pixelAtOne;
 uniform bool perspectiveView;
+uniform float pixelRatio; // pixels of the picture per pixel in which widths are given
 uniform float lift;
 uniform bool hiddenPart;
 noperspective out vec2 local;
@@ -25,7 +26,7 @@ void main()
     float pixel = pixelAtOne * (perspectiveView ? -p.z : 1.0);
     vec3 toEye = perspectiveView ? normalize(-p) : vec3(0.0, 0.0, 1.0);
     vec4 clip = projection * vec4(p + (lift * pixel + 0.4) * toEye, 1.0);
-    radius = style.x;
+    radius = pixelRatio * style.x;
     local = (vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1)) * (radius + 1.5);
     float opacity = hiddenPart ? style.y : 1.0;
     fillColor = vec4(fill.rgb, fill.a * opacity);

@@ -3,6 +3,8 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 uniform mat4 view;
 uniform mat4 projection;
+uniform bool perspectiveView;
+uniform float push; // mm away from the eye
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 worldNormal;
@@ -13,5 +15,6 @@ void main()
     eyePosition = p.xyz;
     eyeNormal = mat3(view) * normal;
     worldNormal = normal;
+    p.xyz -= push * (perspectiveView ? normalize(-p.xyz) : vec3(0.0, 0.0, 1.0));
     gl_Position = projection * p;
 }

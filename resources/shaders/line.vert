@@ -9,11 +9,13 @@ uniform mat4 projection;
 uniform vec2 viewport;    // pixels
 uniform float pixelAtOne; // mm per pixel at depth 1, or everywhere without perspective
 uniform bool perspectiveView;
+uniform float pixelRatio; // pixels of the picture per pixel in which widths are given
 uniform float lift;       // towards the eye, pixels
 uniform bool hiddenPart;
+uniform bool casingPart; // the dark borders of all lines come first, so that none lies on another line
 noperspective out vec2 local; // along and across the segment, pixels
 flat out float along;
-flat out vec2 widths;         // half of the core, of core and casing
+flat out float halfWidth;
 flat out vec4 tone;
 
 vec3 lifted(vec3 p)
@@ -27,7 +29,7 @@ void main()
 {
     vec3 a = (view * vec4(from, 1.0)).xyz, b = (view * vec4(to, 1.0)).xyz;
     float near = perspectiveView ? -1.0 : 1e9;
-    if ((a.z > near && b.z > near) || (hiddenPart && style.y <= 0.0)) {
+    if ((a.z > near && b.z > near) || (hiddenPart && style.y <= 0.0) || (casingPart && style.z <= 0.0)) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // outside
         return;
     }
@@ -43,11 +45,11 @@ void main()
 
     bool atEnd = (gl_VertexID & 1) == 1;
     float across = (gl_VertexID >> 1) == 1 ? 1.0 : -1.0;
-    widths = 0.5 * vec2(style.x, style.x + 2.0 * style.z);
-    float reach = widths.y + 1.0;
+    halfWidth = pixelRatio * (0.5 * style.x + (casingPart ? style.z : 0.0));
+    float reach = halfWidth + 1.0;
     float cap = hiddenPart ? 0.0 : reach; // see-through segments must not overlap
     local = vec2(atEnd ? along + cap : -cap, across * reach);
-    tone = vec4(lineColor.rgb, lineColor.a * (hiddenPart ? style.y : 1.0));
+    tone = vec4((casingPart ? 0.25 : 1.0) * lineColor.rgb, lineColor.a * (hiddenPart ? style.y : 1.0));
     vec4 clip = atEnd ? clipB : clipA;
     vec2 moved = (atEnd ? pixelB : pixelA) + (atEnd ? cap : -cap) * forward + across * reach * aside;
     gl_Position = vec4(moved / (0.5 * viewport) * clip.w, clip.z, clip.w);

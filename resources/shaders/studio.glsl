@@ -24,7 +24,7 @@ vec3 studio(vec3 color, vec3 n, float up, vec3 toEye, float gloss, float open)
     float sky = 0.5 + 0.5 * up;
     vec3 direct = (color * facing + gloss * highlight) * keyColor;
     vec3 ambient = color * mix(floorColor, skyColor, sky) + (color * facingRim + 3.0 * gloss * grazing * sky) * rimColor;
-    return direct * smoothstep(0.0, 0.75, open) + ambient * open;
+    return direct * (0.4 + 0.6 * smoothstep(0.0, 0.7, open)) + ambient * open;
 }
 
 vec3 displayed(vec3 light)
