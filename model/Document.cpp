@@ -75,9 +75,9 @@ bool Document::dirty() const
     return m_history.current() != m_saved;
 }
 
-void Document::markSaved()
+void Document::markSaved(NodeId node)
 {
-    m_saved = m_history.current();
+    m_saved = node;
     announceDirty();
 }
 

@@ -39,8 +39,10 @@ public:
 
     /// The current node is not the saved one.
     bool dirty() const;
-    /// The current node is the saved one from now on.
-    void markSaved();
+    /// The current node is the saved one from now on, or the one that was current when a save in the background
+    /// began.
+    void markSaved() { markSaved(m_history.current()); }
+    void markSaved(NodeId node);
     /// No node is the saved one (a restored design, a file that could not be written).
     void markUnsaved();
 

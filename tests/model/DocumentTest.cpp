@@ -169,9 +169,13 @@ TEST(Document, IsDirtyWhenTheCurrentNodeIsNotTheSavedOne)
     EXPECT_TRUE(document.dirty());
     document.redo();
     EXPECT_FALSE(document.dirty());
-    document.markUnsaved();
+    document.markSaved(0); // a save that took a while
     EXPECT_TRUE(document.dirty());
     document.undo();
+    EXPECT_FALSE(document.dirty());
+    document.markUnsaved();
+    EXPECT_TRUE(document.dirty());
+    document.redo();
     EXPECT_TRUE(document.dirty());
     document.reset(Design());
     EXPECT_FALSE(document.dirty());
