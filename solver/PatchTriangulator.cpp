@@ -154,7 +154,7 @@ Kernel::Point_2 toCgal(const Vec2& p)
     return {p.x(), p.y()};
 }
 
-/// False when edges of the boundary cross: then CGAL has made vertices of its own.
+/// False when edges of the boundary cross or touch: CGAL makes vertices of its own then, or splits edges.
 bool triangulate(PatchMesh& mesh)
 {
     std::vector<std::pair<Kernel::Point_2, int>> points;
@@ -172,6 +172,9 @@ bool triangulate(PatchMesh& mesh)
         triangulation.insert_constraint(vertices[i], vertices[(i + 1) % mesh.boundaryCount]);
     if (triangulation.number_of_vertices() != mesh.points.size())
         return false;
+    for (int i = 0; i < mesh.boundaryCount; ++i) // an edge through another vertex has been split there
+        if (!triangulation.is_edge(vertices[i], vertices[(i + 1) % mesh.boundaryCount]))
+            return false;
     markSides(triangulation);
     mesh.triangles.clear();
     for (auto face : triangulation.finite_face_handles())

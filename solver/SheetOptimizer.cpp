@@ -102,6 +102,8 @@ void SheetOptimizer::precomputeRings()
         for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
             m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
 
+    m_selfSeams.emplace(m_mesh, m_rest);
+
     m_cornersStart.assign(m_mesh.freeCount + 1, 0);
     const auto& unknown = m_mesh.topology->unknown;
     for (int v = 0; v < vertices; ++v)
@@ -182,22 +184,31 @@ void SheetOptimizer::extrapolate()
 
 void SheetOptimizer::fitFrames()
 {
-    const auto& unknown = m_mesh.topology->unknown;
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
-            const Eigen::Vector3d here = m_ahead.positions.col(unknown[v]);
-            Matrix32 covariance = Matrix32::Zero();
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                const SewnMesh::RingEdge& edge = m_mesh.ring[k];
-                covariance.noalias() +=
-                    (m_ahead.positions.col(unknown[edge.vertex]) - here) * (edge.weight * edge.rest.transpose());
-            }
             const double poisson = m_mesh.parts[m_partOf[v]].material.poisson;
-            const LocalFit fit = fitVertex(covariance, m_rest[v], m_mesh.area[v], m_ahead.frames.col(v), poisson);
+            const LocalFit fit =
+                fitVertex(covariance(v), m_rest[v], m_mesh.area[v], m_ahead.frames.col(v), poisson);
             m_stretch[v] = fit.stretch;
             m_frameRight.row(v) = m_mesh.area[v] * fit.frame.transpose();
         }
     });
+    m_selfSeams->correct(
+        m_ahead.frames, [this](int v) { return covariance(v); },
+        [this](int part) { return bendingSquared(m_mesh.parts[part]); }, m_frameRight);
+}
+
+SheetOptimizer::Matrix32 SheetOptimizer::covariance(int vertex) const
+{
+    const auto& unknown = m_mesh.topology->unknown;
+    const Eigen::Vector3d here = m_ahead.positions.col(unknown[vertex]);
+    Matrix32 sum = Matrix32::Zero();
+    for (int k = m_mesh.ringStart[vertex]; k < m_mesh.ringStart[vertex + 1]; ++k) {
+        const SewnMesh::RingEdge& edge = m_mesh.ring[k];
+        sum.noalias() +=
+            (m_ahead.positions.col(unknown[edge.vertex]) - here) * (edge.weight * edge.rest.transpose());
+    }
+    return sum;
 }
 
 void SheetOptimizer::solveFrames()

@@ -3,6 +3,7 @@
 
 #include "FactoredSystem.h"
 #include "FreeBody.h"
+#include "SelfSeams.h"
 #include "SewnMesh.h"
 #include "SheetState.h"
 #include "WorkerPool.h"
@@ -46,6 +47,7 @@ private:
     Eigen::SparseMatrix<double> positionMatrix() const;
     Eigen::SparseMatrix<double> frameMatrix() const;
     void precomputeRings();
+    Matrix32 covariance(int vertex) const;
     void extrapolate();
     void fitFrames();
     void solveFrames();
@@ -62,6 +64,7 @@ private:
     std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
     std::vector<int> m_corners;
 
+    std::optional<SelfSeams> m_selfSeams;
     std::vector<FreeBody> m_freeBodies; // components that nothing holds
 
     SheetState m_state;

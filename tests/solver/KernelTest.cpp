@@ -1,0 +1,155 @@
+// The parts of one iteration.
+#include "Convergence.h"
+#include "FactoredSystem.h"
+#include "LocalStep.h"
+#include "UnionFind.h"
+#include "WorkerPool.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace bolster {
+namespace {
+
+Eigen::Vector4d randomQuaternion(std::mt19937& random)
+{
+    std::normal_distribution<double> normal;
+    return Eigen::Vector4d(normal(random), normal(random), normal(random), normal(random)).normalized();
+}
+
+TEST(LocalStep, FindsTheRotationInTheHemisphereOfThePreviousFrame)
+{
+    std::mt19937 random(1);
+    for (int i = 0; i < 200; ++i) {
+        const Eigen::Vector4d q = randomQuaternion(random);
+        Eigen::Vector4d previous = randomQuaternion(random);
+        const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() * 50;
+        const LocalFit fit = fitVertex(rotationOf(q).leftCols<2>() * rest, rest, 0.01, previous, 0);
+        EXPECT_GE(fit.frame.dot(previous), 0);
+        EXPECT_NEAR(std::abs(fit.frame.dot(q)), 1, 1e-6);
+    }
+}
+
+TEST(LocalStep, TargetStretchIsThatOfPlaneStress)
+{
+    const Eigen::Vector4d identity(1, 0, 0, 0);
+    Eigen::Matrix<double, 3, 2> gradient;
+    gradient << 1.1, 0, 0, 1.02, 0, 0;
+    const LocalFit fit = fitVertex(gradient * 50, Eigen::Matrix2d::Identity() * 50, 0, identity, 0.3);
+    EXPECT_NEAR(fit.stretch(0, 0), 1 - 0.3 * 0.02, 1e-9);
+    EXPECT_NEAR(fit.stretch(1, 1), 1 - 0.3 * 0.1, 1e-9);
+}
+
+TEST(LocalStep, CollapsedRingKeepsItsFrame)
+{
+    std::mt19937 random(2);
+    const Eigen::Vector4d q = randomQuaternion(random);
+    const LocalFit fit = fitVertex(Eigen::Matrix<double, 3, 2>::Zero(), Eigen::Matrix2d::Identity(), 1, q, 0.3);
+    EXPECT_NEAR(fit.frame.dot(q), 1, 1e-12);
+}
+
+TEST(LocalStep, HalfTurnsAreFoundToo)
+{
+    const Eigen::Vector4d previous(1, 0, 0, 0);
+    const Eigen::Matrix3d halfTurn = rotationOf(Eigen::Vector4d(0, 1, 0, 0));
+    const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
+    const LocalFit fit = fitVertex(halfTurn.leftCols<2>(), rest, 0, previous, 0);
+    EXPECT_TRUE(rotationOf(fit.frame).isApprox(halfTurn, 1e-9));
+}
+
+Eigen::SparseMatrix<double> chain(int n, double diagonal)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) {
+        entries.emplace_back(i, i, diagonal);
+        if (i > 0)
+            entries.emplace_back(i, i - 1, -1);
+    }
+    Eigen::SparseMatrix<double> matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+TEST(FactoredSystem, SolvesAllColumns)
+{
+    const Eigen::SparseMatrix<double> matrix = chain(300, 2.1);
+    FactoredSystem system(matrix);
+    ASSERT_TRUE(system.ok());
+    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(300, 4);
+    Eigen::MatrixXd x;
+    system.solve(b, x);
+    const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * x;
+    EXPECT_TRUE(product.isApprox(b, 1e-10));
+    ASSERT_TRUE(system.refactor(chain(300, 3)));
+    system.solve(b, x);
+    EXPECT_FALSE((matrix.selfadjointView<Eigen::Lower>() * x).eval().isApprox(b, 1e-3));
+}
+
+TEST(FactoredSystem, NoticesWhatCannotBeSolved)
+{
+    EXPECT_FALSE(FactoredSystem(chain(50, std::numeric_limits<double>::quiet_NaN())).ok());
+    EXPECT_FALSE(FactoredSystem(chain(50, -1)).ok());
+    EXPECT_FALSE(FactoredSystem(chain(50, 0)).ok());
+    FactoredSystem system(chain(50, 3));
+    EXPECT_TRUE(system.ok());
+    EXPECT_FALSE(system.refactor(chain(50, std::numeric_limits<double>::infinity())));
+    EXPECT_TRUE(system.refactor(chain(50, 3)));
+}
+
+TEST(Convergence, IsNotDeceivedBySlowMoves)
+{
+    Convergence slow(1e-5);
+    double move = 1e-5;
+    for (int i = 0; i < 300; ++i)
+        EXPECT_FALSE(slow.add(move *= 0.999)) << i; // a hundred times the move is still ahead
+    Convergence quick(1e-5);
+    move = 1e-2;
+    int count = 0;
+    while (!quick.add(move *= 0.7))
+        ASSERT_LT(++count, 100);
+    EXPECT_LT(move, 1e-5);
+}
+
+TEST(Convergence, NoticesCircling)
+{
+    Convergence circling(1e-5);
+    bool stalled = false;
+    for (int i = 0; i < 1000; ++i) {
+        circling.add(1e-3);
+        stalled = stalled || circling.stalled();
+    }
+    EXPECT_TRUE(stalled);
+}
+
+TEST(WorkerPool, RunsEveryChunkOnceOnAnyNumberOfThreads)
+{
+    for (int threads : {1, 2, 5}) {
+        WorkerPool pool(threads);
+        for (int round = 0; round < 200; ++round) {
+            std::vector<int> hits(3 * WorkerPool::chunkSize + 7, 0);
+            pool.forChunks(static_cast<int>(hits.size()), [&](int, int begin, int end) {
+                for (int i = begin; i < end; ++i)
+                    ++hits[i];
+            });
+            EXPECT_EQ(std::count(hits.begin(), hits.end(), 1), std::ssize(hits));
+        }
+        pool.forChunks(0, [](int, int, int) { FAIL(); });
+    }
+}
+
+TEST(UnionFind, LabelsByFirstAppearance)
+{
+    UnionFind sets(6);
+    sets.join(4, 1);
+    sets.join(5, 4);
+    sets.join(0, 3);
+    int count = 0;
+    EXPECT_EQ(sets.labels(&count), (std::vector<int>{0, 1, 2, 0, 1, 1}));
+    EXPECT_EQ(count, 3);
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,282 @@
+#include "TestDesigns.h"
+
+#include "CurveEdits.h"
+#include "PatchEdits.h"
+#include "SolvePlan.h"
+#include "SolverThread.h"
+#include "StateTransfer.h"
+
+#include "PreparedSheet.h"
+#include "Relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <random>
+
+namespace bolster::test {
+namespace {
+
+using namespace std::chrono_literals;
+using State = SolverStatus::State;
+
+/// A solver thread whose outputs can be waited for, as an event loop would.
+class Listener {
+public:
+    void request(const Design& design, std::uint64_t revision) { m_solver.request(design, revision); }
+    void settle() { m_solver.settle(); }
+
+    /// Outputs until one satisfies the condition; nothing if that takes longer than a minute.
+    template <class Condition>
+    std::optional<SolverOutput> waitFor(Condition condition)
+    {
+        const auto deadline = std::chrono::steady_clock::now() + 60s;
+        while (std::chrono::steady_clock::now() < deadline) {
+            {
+                std::unique_lock lock(m_mutex);
+                m_wake.wait_for(lock, 1s, [this] { return m_woken; });
+                m_woken = false;
+            }
+            if (std::optional<SolverOutput> output = m_solver.take(); output && condition(*output))
+                return output;
+        }
+        return std::nullopt;
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    bool m_woken = false;
+    SolverThread m_solver{[this] {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_woken = true;
+        }
+        m_wake.notify_one();
+    }};
+};
+
+ElementId firstCurve(const Design& design)
+{
+    ElementId result{};
+    design.each<FixationCurve>([&](ElementId id, const FixationCurve&) {
+        if (result == ElementId{})
+            result = id;
+    });
+    return result;
+}
+
+ElementId firstPatch(const Design& design)
+{
+    ElementId result{};
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        if (result == ElementId{})
+            result = id;
+    });
+    return result;
+}
+
+Design withCurveMoved(const Design& design, const Vec3& delta)
+{
+    const int points[] = {1};
+    return design.with(edits::moveCurvePoints(design, firstCurve(design), points, delta));
+}
+
+Design withOutlineMoved(const Design& design, const Vec2& delta)
+{
+    const int points[] = {0};
+    return design.with(edits::movePatchPoints(design, firstPatch(design), points, delta));
+}
+
+template <class T, class Change>
+Design changed(const Design& design, ElementId id, Change change)
+{
+    T value = *design.find<T>(id);
+    change(value);
+    return design.with({{}, {{id, design.element(id), makeElement(value)}}});
+}
+
+TEST(SolvePlan, AsksForAsLittleAsPossible)
+{
+    const Design design = box(200, 60, 20, 10, 0.3);
+    ElementId fabric{};
+    design.each<Fabric>([&](ElementId id, const Fabric&) { fabric = id; });
+    const ElementId patch = firstPatch(design);
+    EXPECT_EQ(planSolve(design, design), SolvePlan::Nothing);
+    EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.color = "#000000"; })),
+              SolvePlan::Nothing);
+    EXPECT_EQ(planSolve(design, changed<Patch>(design, patch, [](Patch& p) { p.rotation = 30; })),
+              SolvePlan::Nothing);
+    EXPECT_EQ(planSolve(design, changed<Patch>(design, patch, [](Patch& p) { p.pressure = 1; })),
+              SolvePlan::Retarget);
+    EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.poisson = 0; })),
+              SolvePlan::Retarget);
+    EXPECT_EQ(planSolve(design, withCurveMoved(design, Vec3(0, 0, 5))), SolvePlan::Retarget);
+    EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.bendingLength = 3; })),
+              SolvePlan::Refactor);
+    EXPECT_EQ(planSolve(design, withOutlineMoved(design, Vec2(3, 0))), SolvePlan::Rebuild);
+    ElementId seam{};
+    design.each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+    EXPECT_EQ(planSolve(design, design.with({{}, {{seam, design.element(seam), nullptr}}})), SolvePlan::Resew);
+}
+
+TEST(StateTransfer, KeepsTheSurface)
+{
+    const Design design = tube(400, 200, 14, 8);
+    TriangulationCache cache;
+    const auto coarse = prepareSheet(design, cache);
+    Settings finer;
+    finer.edgeLength = 9;
+    const Design refined = design.with({{}, {{settingsId, design.element(settingsId), makeElement(finer)}}});
+    const auto fine = prepareSheet(refined, cache);
+    WorkerPool pool(1);
+    Relaxation relaxation(coarse->mesh, pool, 1e-5);
+    relaxation.startCanonically();
+    while (relaxation.phase() == Relaxation::Phase::Running)
+        relaxation.iterate();
+    const SheetState carried = transferState(coarse->mesh, relaxation.state(), fine->mesh);
+    // A chord of 14 mm in a circle of this radius lies 0.4 mm inside.
+    EXPECT_LT(surfaceDistance(fine->mesh, carried, coarse->mesh, relaxation.state()), 1.0);
+    for (Eigen::Index v = 0; v < carried.frames.cols(); ++v)
+        EXPECT_NEAR(carried.frames.col(v).norm(), 1, 1e-9);
+}
+
+TEST(SolverThread, ReachesTheRestingSurface)
+{
+    const Design design = box(200, 60, 15, 10, 0.3);
+    Listener solver;
+    solver.request(design, 7);
+    const auto output =
+        solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Settled && o.status.resting; });
+    ASSERT_TRUE(output);
+    EXPECT_EQ(output->designRevision, 7u);
+    EXPECT_EQ(output->surface->positions, solveResting(design, {}).surface->positions);
+    EXPECT_GT(output->report.vertices, 0);
+}
+
+TEST(SolverThread, ComesBackToTheRestingSurfaceAfterADrag)
+{
+    Design design = box(200, 60, 15, 10, 0.3);
+    Listener solver;
+    std::uint64_t revision = 0;
+    for (int step = 0; step < 12; ++step) {
+        solver.request(withCurveMoved(design, Vec3(0, -step, 0.5 * step)), ++revision);
+        const auto output =
+            solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.surface; });
+        ASSERT_TRUE(output);
+    }
+    design = withCurveMoved(design, Vec3(0, -11, 5.5));
+    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(resting);
+    EXPECT_EQ(resting->surface->positions, solveResting(design, {}).surface->positions);
+}
+
+TEST(SolverThread, EachTakenRequestIsAnsweredWithASurface)
+{
+    const Design design = tube(400, 200, 20, 8);
+    Listener solver;
+    std::mt19937 random(5);
+    SurfaceMeshPtr last;
+    for (std::uint64_t revision = 1; revision <= 40; ++revision) {
+        const double amount = std::uniform_real_distribution<double>(-6, 6)(random);
+        solver.request(revision % 3 == 0 ? withOutlineMoved(design, Vec2(amount, 0))
+                                         : withCurveMoved(design, Vec3(0, 0, amount)),
+                       revision);
+        if (revision % 4 != 0)
+            continue; // the others may be skipped: latest wins
+        const auto output =
+            solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.surface; });
+        ASSERT_TRUE(output) << revision;
+        if (last) {
+            EXPECT_GT(output->surface->revision, last->revision);
+        }
+        last = output->surface;
+        for (const Vec3& p : last->positions)
+            ASSERT_TRUE(p.allFinite());
+    }
+}
+
+TEST(SolverThread, LayoutChangesKeepTheSurface)
+{
+    const Design design = box(200, 60, 20, 10, 0);
+    Listener solver;
+    solver.request(design, 1);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    solver.request(changed<Patch>(design, firstPatch(design), [](Patch& p) { p.position = Vec2(50, 50); }), 2);
+    const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; });
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->surface->revision, before->surface->revision);
+}
+
+TEST(SolverThread, ABadPatchIsLeftOutAndComesBackWhereItWas)
+{
+    const Design good = box(200, 60, 15, 10, 0);
+    const ElementId top = firstPatch(good);
+    Listener solver;
+    solver.request(good, 1);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    const Design bad = changed<Patch>(good, top, [](Patch& p) {
+        p.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {0, 200}, {200, 200}});
+    });
+    solver.request(bad, 2);
+    const auto during = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; });
+    ASSERT_TRUE(during);
+    EXPECT_TRUE(hasErrors(during->status.problems));
+    EXPECT_EQ(during->surface->topology->patches.size(), before->surface->topology->patches.size() - 1);
+    solver.request(good, 3);
+    const auto after =
+        solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3 && o.status.resting; });
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->surface->positions, before->surface->positions);
+}
+
+TEST(SolverThread, AnEmptyDesignClearsTheSurface)
+{
+    Listener solver;
+    solver.request(box(200, 60, 20, 10, 0), 1);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.surface != nullptr; }));
+    solver.request(Design(), 2);
+    const auto output = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; });
+    ASSERT_TRUE(output);
+    EXPECT_EQ(output->status.state, State::Idle);
+    EXPECT_TRUE(output->surface->positions.empty());
+}
+
+TEST(SolverThread, OffersToSettleFoldsThatDependOnTheWay)
+{
+    const Design design = sample("trapezoid");
+    Listener solver;
+    solver.request(design, 1);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.resting; }));
+    // Lift a corner far out and put it back: other folds remain.
+    solver.request(withCurveMoved(design, Vec3(0, 250, 0)), 2);
+    ASSERT_TRUE(solver.waitFor(
+        [](const SolverOutput& o) { return o.designRevision == 2 && o.status.state == State::Settled; }));
+    solver.request(design, 3);
+    auto output = solver.waitFor([](const SolverOutput& o) {
+        return o.designRevision == 3 && (o.status.resting || o.status.restingDistance);
+    });
+    ASSERT_TRUE(output);
+    if (output->status.restingDistance) {
+        EXPECT_GE(*output->status.restingDistance, 0.5);
+        solver.settle();
+        output = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+        ASSERT_TRUE(output);
+    }
+    EXPECT_EQ(output->surface->positions, solveResting(design, {}).surface->positions);
+}
+
+TEST(SolverThread, StopsInTheMiddleOfWork)
+{
+    for (int i = 0; i < 10; ++i) {
+        Listener solver;
+        solver.request(box(200, 60, 8, 10, 0.3), 1);
+        std::this_thread::sleep_for(std::chrono::milliseconds(7 * i));
+    }
+}
+
+} // namespace
+} // namespace bolster::test
