@@ -63,48 +63,45 @@ void showText(QWidget* parent, const QString& title, const QString& html, const 
 
 Rows mouseInPattern()
 {
-    using T = HelpDialogs;
-    return {{T::tr("Select"), T::tr("click; Shift+click adds; drag a box")},
-            {T::tr("Move control points or patches"), T::tr("drag; Shift keeps to one axis; Esc takes it back")},
-            {T::tr("Turn patches"), T::tr("drag the round handle; Shift in steps of 15\u00b0")},
-            {T::tr("Add a control point"), T::tr("double click on an outline")},
-            {T::tr("Move by 1 mm, by 10 mm"), T::tr("arrow keys, Shift+arrow keys")},
-            {T::tr("Pan"), T::tr("middle button, or Space and drag")},
-            {T::tr("Zoom"), T::tr("wheel")}};
+    return {{HelpDialogs::tr("Select"), HelpDialogs::tr("click; Shift+click adds; drag a box")},
+            {HelpDialogs::tr("Move control points or patches"),
+             HelpDialogs::tr("drag; Shift keeps to one axis; Esc takes it back")},
+            {HelpDialogs::tr("Turn patches"), HelpDialogs::tr("drag the round handle; Shift in steps of 15\u00b0")},
+            {HelpDialogs::tr("Add a control point"), HelpDialogs::tr("double click on an outline")},
+            {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
+            {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
+            {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
 }
 
 Rows mouseInCover()
 {
-    using T = HelpDialogs;
-    return {{T::tr("Turn"), T::tr("middle button, or drag beside the cover")},
-            {T::tr("Pan"), T::tr("Shift and middle button, or Space and drag")},
-            {T::tr("Zoom"), T::tr("wheel")},
-            {T::tr("Move control points of fixation curves"), T::tr("drag")}};
+    return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
+            {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button, or Space and drag")},
+            {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
+            {HelpDialogs::tr("Move control points of fixation curves"), HelpDialogs::tr("drag")}};
 }
 
 } // namespace
 
 void showAbout(QWidget* parent)
 {
-    using T = HelpDialogs;
     const QString html =
         QStringLiteral("<h2>Bolster %1</h2>").arg(QCoreApplication::applicationVersion()) +
         QStringLiteral("<p>%1</p><p>%2</p><p>%3</p>")
-            .arg(T::tr(
+            .arg(HelpDialogs::tr(
                      "A workbench for people who design upholstered furniture and car seats: a sewing pattern, its "
                      "seams and its fixation on the frame become the cover, live."),
-                 T::tr(
+                 HelpDialogs::tr(
                      "The surface is computed after the published method of sewing patterns on static constraints; "
                      "docs/solver.md names the paper and what is different."),
-                 T::tr(
+                 HelpDialogs::tr(
                      "Free software under the GNU General Public License, version 3 or later. It comes without any "
                      "warranty. Built with Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree and OpenImageIO."));
-    showText(parent, T::tr("About Bolster"), html, {460, 340});
+    showText(parent, HelpDialogs::tr("About Bolster"), html, {460, 340});
 }
 
 void showShortcuts(QWidget* parent, const Actions& actions)
 {
-    using T = HelpDialogs;
     Rows keys;
     for (const QAction* action : actions.findChildren<QAction*>()) {
         if (action->shortcut().isEmpty())
@@ -113,41 +110,42 @@ void showShortcuts(QWidget* parent, const Actions& actions)
         keys.append({name.remove(u'&').remove(QStringLiteral(" \u2026")),
                      action->shortcut().toString(QKeySequence::NativeText)});
     }
-    const QString html = heading(T::tr("In the pattern")) + table(mouseInPattern()) +
-                         heading(T::tr("In the 3D view")) + table(mouseInCover()) + heading(T::tr("Keys")) +
-                         table(keys);
-    showText(parent, T::tr("Keys and mouse"), html, {560, 620});
+    const QString html = heading(HelpDialogs::tr("In the pattern")) + table(mouseInPattern()) +
+                         heading(HelpDialogs::tr("In the 3D view")) + table(mouseInCover()) +
+                         heading(HelpDialogs::tr("Keys")) + table(keys);
+    showText(parent, HelpDialogs::tr("Keys and mouse"), html, {560, 620});
 }
 
 void showFigures(QWidget* parent, const SolveReport& report)
 {
-    using T = HelpDialogs;
     const QLocale locale;
     const auto count = [&](auto n) { return locale.toString(static_cast<qlonglong>(n)); };
-    const auto time = [](double ms) { return T::tr("%1 ms").arg(decimalText(ms, 1, false)); };
-    const Rows mesh{{T::tr("Patches, seams"), T::tr("%1, %2").arg(count(report.patches), count(report.seams))},
-                    {T::tr("Vertices after sewing"), count(report.vertices)},
-                    {T::tr("Triangles"), count(report.triangles)},
-                    {T::tr("Vertices held by fixations"), count(report.constraints.fixed)},
-                    {T::tr("Sewn pairs"), count(report.constraints.sewn)}};
+    const auto time = [](double ms) { return HelpDialogs::tr("%1 ms").arg(decimalText(ms, 1, false)); };
+    const Rows mesh{{HelpDialogs::tr("Patches, seams"),
+                     HelpDialogs::tr("%1, %2").arg(count(report.patches), count(report.seams))},
+                    {HelpDialogs::tr("Vertices after sewing"), count(report.vertices)},
+                    {HelpDialogs::tr("Triangles"), count(report.triangles)},
+                    {HelpDialogs::tr("Vertices held by fixations"), count(report.constraints.fixed)},
+                    {HelpDialogs::tr("Sewn pairs"), count(report.constraints.sewn)}};
     const Rows quality{
-        {T::tr("Largest gap at seams"), lengthText(report.seamGap.max, 4)},
-        {T::tr("Largest distance from fixations"), lengthText(report.fixationError.max, 4)},
-        {T::tr("Curves to fixed outlines between vertices"), lengthText(report.fixationDeviation, 2)},
-        {T::tr("Strain: mean square, 99 %, largest"),
-         T::tr("%1, %2, %3")
+        {HelpDialogs::tr("Largest gap at seams"), lengthText(report.seamGap.max, 4)},
+        {HelpDialogs::tr("Largest distance from fixations"), lengthText(report.fixationError.max, 4)},
+        {HelpDialogs::tr("Curves to fixed outlines between vertices"), lengthText(report.fixationDeviation, 2)},
+        {HelpDialogs::tr("Strain: mean square, 99 %, largest"),
+         HelpDialogs::tr("%1, %2, %3")
              .arg(percentText(report.strain.rms), percentText(report.strain.p99), percentText(report.strain.max))},
-        {T::tr("Area of the cover, of the pattern"),
-         T::tr("%1 m\u00b2, %2 m\u00b2")
+        {HelpDialogs::tr("Area of the cover, of the pattern"),
+         HelpDialogs::tr("%1 m\u00b2, %2 m\u00b2")
              .arg(decimalText(report.area * 1e-6, 3, true), decimalText(report.restArea * 1e-6, 3, true))},
-        {T::tr("Turned triangles"), count(report.flippedTriangles)}};
-    const Rows times{{T::tr("Iterations"), count(report.iterations)},
-                     {T::tr("Triangulation"), time(report.time.triangulate)},
-                     {T::tr("Assembly and factorisation"), time(report.time.assemble + report.time.factor)},
-                     {T::tr("One iteration"), time(report.time.perIteration)}};
-    const QString html = heading(T::tr("Mesh")) + table(mesh) + heading(T::tr("Surface")) + table(quality) +
-                         heading(T::tr("Computation")) + table(times);
-    showText(parent, T::tr("Figures of the surface"), html, {520, 560});
+        {HelpDialogs::tr("Turned triangles"), count(report.flippedTriangles)}};
+    const Rows times{
+        {HelpDialogs::tr("Iterations"), count(report.iterations)},
+        {HelpDialogs::tr("Triangulation"), time(report.time.triangulate)},
+        {HelpDialogs::tr("Assembly and factorisation"), time(report.time.assemble + report.time.factor)},
+        {HelpDialogs::tr("One iteration"), time(report.time.perIteration)}};
+    const QString html = heading(HelpDialogs::tr("Mesh")) + table(mesh) + heading(HelpDialogs::tr("Surface")) +
+                         table(quality) + heading(HelpDialogs::tr("Computation")) + table(times);
+    showText(parent, HelpDialogs::tr("Figures of the surface"), html, {520, 560});
 }
 
 } // namespace bolster

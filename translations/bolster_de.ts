@@ -2,7 +2,105 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name></name>
+    <name>Docks</name>
+    <message>
+        <source>Pattern</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cover</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+</context>
+<context>
+    <name>ElementText</name>
+    <message>
+        <source>missing element %1</source>
+        <translation>fehlendes Element %1</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Fixation curve</source>
+        <translation>Fixierkurve</translation>
+    </message>
+    <message>
+        <source>Fixation curves</source>
+        <translation>Fixierkurven</translation>
+    </message>
+    <message>
+        <source>Fixation</source>
+        <translation>Fixierung</translation>
+    </message>
+    <message>
+        <source>Fixations</source>
+        <translation>Fixierungen</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Gestelle</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Unusable element</source>
+        <translation>Unbrauchbares Element</translation>
+    </message>
+    <message>
+        <source>Unusable elements</source>
+        <translation>Unbrauchbare Elemente</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>%1 and %2, ease %3</source>
+        <translation>%1 und %2, Mehrweite %3</translation>
+    </message>
+</context>
+<context>
+    <name>HelpDialogs</name>
     <message>
         <source>Select</source>
         <translation>Auswählen</translation>
@@ -202,104 +300,6 @@
     <message>
         <source>Figures of the surface</source>
         <translation>Zahlen zur Oberfläche</translation>
-    </message>
-</context>
-<context>
-    <name>Docks</name>
-    <message>
-        <source>Pattern</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cover</source>
-        <translation>Bezug</translation>
-    </message>
-    <message>
-        <source>Elements</source>
-        <translation>Elemente</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-</context>
-<context>
-    <name>ElementText</name>
-    <message>
-        <source>missing element %1</source>
-        <translation>fehlendes Element %1</translation>
-    </message>
-    <message>
-        <source>Patch</source>
-        <translation>Schnittteil</translation>
-    </message>
-    <message>
-        <source>Patches</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>Seam</source>
-        <translation>Naht</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>Fixation curve</source>
-        <translation>Fixierkurve</translation>
-    </message>
-    <message>
-        <source>Fixation curves</source>
-        <translation>Fixierkurven</translation>
-    </message>
-    <message>
-        <source>Fixation</source>
-        <translation>Fixierung</translation>
-    </message>
-    <message>
-        <source>Fixations</source>
-        <translation>Fixierungen</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>Gestell</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Gestelle</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>Fabrics</source>
-        <translation>Stoffe</translation>
-    </message>
-    <message>
-        <source>Unusable element</source>
-        <translation>Unbrauchbares Element</translation>
-    </message>
-    <message>
-        <source>Unusable elements</source>
-        <translation>Unbrauchbare Elemente</translation>
-    </message>
-    <message>
-        <source>Design</source>
-        <translation>Entwurf</translation>
-    </message>
-    <message>
-        <source>%1 and %2, ease %3</source>
-        <translation>%1 und %2, Mehrweite %3</translation>
     </message>
 </context>
 <context>
@@ -1280,6 +1280,14 @@
     <message>
         <source>is %1, but must be positive: millimetres per unit of the file</source>
         <translation>ist %1, muss aber positiv sein: Millimeter je Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>a design has at most %1 elements</source>
+        <translation>ein Entwurf hat höchstens %1 Elemente</translation>
+    </message>
+    <message>
+        <source>a curve has at most %1 points</source>
+        <translation>eine Kurve hat höchstens %1 Punkte</translation>
     </message>
 </context>
 <context>
