@@ -13,6 +13,9 @@ namespace bolster {
 template <int Dim>
 struct BezierPiece;
 
+/// More control points than anybody can handle; designs with more in one curve are refused.
+inline constexpr int mostCurvePoints = 10'000;
+
 /// An immutable curve, open or closed, with non-uniform knots. Points are millimetres.
 ///
 /// Open: n points, n + d + 1 clamped knots; the domain is [knots[d], knots[n]].

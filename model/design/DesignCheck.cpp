@@ -13,13 +13,17 @@ namespace {
 // Patches that hang together through seams.
 class Components {
 public:
-    void join(ElementId a, ElementId b) { m_parent[root(a)] = root(b); }
+    void join(ElementId a, ElementId b) { m_parent.at(root(a)) = root(b); }
 
     ElementId root(ElementId id)
     {
-        while (m_parent.contains(id) && m_parent[id] != id)
-            id = m_parent[id];
-        return id;
+        for (;;) {
+            ElementId& parent = m_parent.try_emplace(id, id).first->second;
+            if (parent == id)
+                return id;
+            parent = m_parent.at(parent); // halves the way for the next one
+            id = parent;
+        }
     }
 
 private:
@@ -76,10 +80,9 @@ Problems checkDesign(const Design& design)
 
 Problems allProblems(const ReadDesign& read)
 {
-    Problems problems = checkDesign(read.design);
-    for (const Problem& problem : read.problems)
-        if (std::find(problems.begin(), problems.end(), problem) == problems.end())
-            problems.push_back(problem);
+    Problems problems = checkDesign(read.design); // repeats those of the elements
+    std::copy_if(read.problems.begin(), read.problems.end(), std::back_inserter(problems),
+                 [](const Problem& problem) { return problem.element == settingsId; });
     sortByPlace(problems);
     return problems;
 }

@@ -9,6 +9,7 @@ namespace bolster {
 namespace {
 
 constexpr int formatVersion = 1;
+constexpr std::size_t mostElements = 100'000;
 
 Problem designProblem(std::string field, Message message)
 {
@@ -20,22 +21,31 @@ Problem designProblem(std::string field, Message message)
 // writing and reading.
 class Numbering {
 public:
-    explicit Numbering(std::set<ElementId> taken)
-        : m_taken(std::move(taken))
-    {}
-
-    ElementId freshAfter(ElementId before)
+    void take(ElementId id)
     {
-        std::int32_t candidate = number(before) + 1; // may pass the largest one that a file may use
-        for (auto next = m_taken.lower_bound(ElementId{candidate});
-             next != m_taken.end() && *next == ElementId{candidate}; ++next)
-            ++candidate;
-        m_taken.insert(ElementId{candidate});
-        return ElementId{candidate};
+        std::int32_t first = number(id);
+        std::int32_t last = first;
+        const auto after = m_runs.upper_bound(first);
+        if (after != m_runs.end() && after->first == last + 1)
+            last = after->second;
+        if (after != m_runs.begin() && std::prev(after)->second >= first - 1)
+            first = std::prev(after)->first;
+        m_runs.erase(m_runs.lower_bound(first), m_runs.upper_bound(last));
+        m_runs[first] = last;
+    }
+
+    ElementId takeFreshAfter(ElementId before)
+    {
+        const std::int32_t wanted = number(before) + 1; // may pass the largest one that a file may use
+        const auto after = m_runs.upper_bound(wanted);
+        const bool taken = after != m_runs.begin() && std::prev(after)->second >= wanted;
+        const ElementId fresh{taken ? std::prev(after)->second + 1 : wanted};
+        take(fresh);
+        return fresh;
     }
 
 private:
-    std::set<ElementId> m_taken;
+    std::map<std::int32_t, std::int32_t> m_runs; // first and last of each gapless run of numbers in use
 };
 
 std::string oneLine(std::string_view text)
@@ -49,21 +59,21 @@ std::string oneLine(std::string_view text)
 void readElements(const json::Value& list, ReadDesign& result)
 {
     std::vector<json::Heading> headings;
-    std::set<ElementId> ids;
+    std::set<ElementId> met;
+    Numbering numbering;
     list.eachItem([&](std::size_t i, const json::Value& item) {
         headings.push_back(json::headingOf(item, i));
-        if (headings.back().id != ElementId{})
-            ids.insert(headings.back().id);
+        if (headings.back().id != ElementId{} && met.insert(headings.back().id).second)
+            numbering.take(headings.back().id);
     });
 
-    Numbering numbering(ids);
-    std::set<ElementId> met;
+    met.clear();
     Edit edit;
     ElementId before{};
     list.eachItem([&](std::size_t i, const json::Value& item) {
         const json::Heading& heading = headings[i];
         const bool unique = heading.id != ElementId{} && met.insert(heading.id).second;
-        const ElementId id = unique ? heading.id : numbering.freshAfter(std::max(before, heading.id));
+        const ElementId id = unique ? heading.id : numbering.takeFreshAfter(std::max(before, heading.id));
         before = id;
         json::Report report(id, heading.label);
         ElementPtr element = json::readElement(item, report);
@@ -124,14 +134,20 @@ ReadDesign readDesign(std::string_view text)
         return result;
     }
 
-    result.readable = true;
     if (fields.text("unit", "mm") != "mm" && report.clean())
         report.add("unit", {QT_TRANSLATE_NOOP("Message", "must be \"mm\"; convert the design to millimetres")});
     const json::Value* settings = fields.optional("settings");
     const json::Value* elements = fields.required("elements");
     if (elements && !elements->isArray())
         report.add("elements", {QT_TRANSLATE_NOOP("Message", "must be a list of elements in square brackets")});
+    if (elements && elements->isArray() && elements->size() > mostElements) {
+        result.problems.push_back(designProblem("elements", {QT_TRANSLATE_NOOP("Message", "a design has at most %1 "
+                                                                                          "elements"),
+                                                             {std::to_string(mostElements)}}));
+        return result;
+    }
     fields.finish();
+    result.readable = true;
     result.problems = report.problems();
     if (settings) {
         json::Report own(settingsId, "settings");

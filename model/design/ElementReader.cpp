@@ -17,7 +17,10 @@ std::vector<Eigen::Matrix<double, Dim, 1>> pointsIn(Fields& fields)
     const std::string field = fields.fieldOf("points");
     if (list && !list->isArray())
         fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a list of points in square brackets")});
-    if (list && list->isArray())
+    else if (list && list->size() > mostCurvePoints)
+        fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "a curve has at most %1 points"),
+                                    {std::to_string(mostCurvePoints)}});
+    else if (list)
         list->eachItem([&](std::size_t i, const Value& item) {
             points.push_back(
                 vectorIn<Dim>(item, field + "[" + std::to_string(i) + "]", fields.report(), largestCoordinate));

@@ -35,6 +35,13 @@ double ease(double lengthA, double lengthB)
     return shorter > 0 ? longer / shorter - 1 : 0;
 }
 
+ElementRules::ElementRules(const Design& design, Problems& problems)
+    : m_design(design)
+    , m_problems(problems)
+{
+    design.each<Patch>([&](ElementId, const Patch& patch) { m_usedFabrics.insert(patch.fabric); });
+}
+
 void ElementRules::check(ElementId id, const Element& element)
 {
     m_id = id;
@@ -104,11 +111,9 @@ void ElementRules::rules(const Fabric& fabric)
               {QT_TRANSLATE_NOOP("Message", "\"%1\" is no colour; write it like #7a4a2b"), {fabric.color}});
     if (!inRange("bending_length", fabric.bendingLength, 0, largestNumber))
         return;
-    bool used = false;
-    m_design.each<Patch>([&](ElementId, const Patch& patch) { used = used || patch.fabric == m_id; });
     const double edgeLength = m_design.settings().edgeLength;
     const double resolved = resolvedShare * edgeLength;
-    if (used && isEdgeLength(edgeLength) && fabric.bendingLength < resolved)
+    if (m_usedFabrics.contains(m_id) && isEdgeLength(edgeLength) && fabric.bendingLength < resolved)
         warn("bending_length",
              {QT_TRANSLATE_NOOP("Message",
                                 "the mesh cannot resolve folds as small as a bending length of %1 mm makes "

@@ -14,10 +14,7 @@ double ease(double lengthA, double lengthB);
 class ElementRules {
 public:
     /// Reports into `problems`.
-    ElementRules(const Design& design, Problems& problems)
-        : m_design(design)
-        , m_problems(problems)
-    {}
+    ElementRules(const Design& design, Problems& problems);
 
     void check(ElementId id, const Element& element);
 
@@ -51,6 +48,7 @@ private:
     Problems& m_problems;
     ElementId m_id{};
     std::string m_label;
+    std::set<ElementId> m_usedFabrics;
     std::map<ElementId, ArcLength2> m_lengths;              // by patch
     std::map<ElementId, std::optional<Message>> m_outlines; // by patch: what is wrong
 };

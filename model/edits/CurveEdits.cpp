@@ -30,7 +30,7 @@ Edit moveCurvePoints(const Design& design, ElementId curve, std::span<const int>
 Edit insertCurvePoint(const Design& design, ElementId curve, double parameter)
 {
     const auto* fixation = design.find<FixationCurve>(curve);
-    if (!fixation || !std::isfinite(parameter))
+    if (!fixation || !std::isfinite(parameter) || fixation->curve.pointCount() >= mostCurvePoints)
         return {};
     return withCurve(design, curve, fixation->curve.withKnot(parameter), insertVerb(displayName(design, curve)));
 }

@@ -51,7 +51,7 @@ Edit movePatchPoints(const Design& design, ElementId patch, std::span<const int>
 Edit insertPatchPoint(const Design& design, ElementId patch, double parameter)
 {
     const auto* found = design.find<Patch>(patch);
-    if (!found || !std::isfinite(parameter))
+    if (!found || !std::isfinite(parameter) || found->outline.pointCount() >= mostCurvePoints)
         return {};
     return withOutline(design, patch, found->outline.withKnot(parameter), insertVerb(displayName(design, patch)));
 }

@@ -452,13 +452,39 @@ TEST(DesignJson, KeepsTheNumbersOfOthersWhenItNumbersBadElements)
     EXPECT_EQ(writeDesign(again.design), writeDesign(read.design));
 }
 
+std::string repeated(const std::string& item, int count)
+{
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += i == 0 ? item : ", " + item;
+    return text;
+}
+
+TEST(DesignJson, RefusesMoreThanAnybodyCanUse)
+{
+    EXPECT_FALSE(readDesign(wholeText(repeated("7", 100'001))).readable);
+    const ReadDesign read = readDesign(wholeText(
+        patchText(R"("outline": {"degree": 1, "closed": true, "points": [)" + repeated("[0, 1]", 10'001) + "]}")));
+    ASSERT_EQ(read.problems.size(), 1u);
+    EXPECT_EQ(read.problems[0].field, "outline.points");
+}
+
+TEST(DesignJson, CopesWithThousandsOfBadElements)
+{
+    std::string elements;
+    for (int i = 1; i <= 20'000; ++i)
+        elements += R"({"id": )" + std::to_string(i) + R"(, "kind": "fabric", "name": ""}, 7, )";
+    const ReadDesign read = readDesign(wholeText(elements + "7"));
+    EXPECT_EQ(read.design.elements().size(), 40'001u);
+    EXPECT_EQ(read.problems.size(), 20'001u);
+    EXPECT_EQ(allProblems(read).size(), 20'001u);
+    EXPECT_EQ(readDesign(writeDesign(read.design)).design, read.design);
+}
+
 TEST(DesignJson, GivesUpCountingAfterAHundredProblems)
 {
-    std::string points;
-    for (int i = 0; i < 5000; ++i)
-        points += i == 0 ? "[0]" : ", [0]";
-    const ReadDesign read =
-        readDesign(wholeText(patchText(R"("outline": {"degree": 1, "closed": true, "points": [)" + points + "]}")));
+    const ReadDesign read = readDesign(wholeText(
+        patchText(R"("outline": {"degree": 1, "closed": true, "points": [)" + repeated("[0]", 5000) + "]}")));
     ASSERT_EQ(read.problems.size(), 101u);
     EXPECT_NE(read.problems.back().english().find("4900 more"), std::string::npos)
         << read.problems.back().english();
