@@ -87,7 +87,7 @@ protected:
 
     static void expectUsageError(const QStringList& arguments, const std::string& why)
     {
-        const ProgramRun run = runProgram(arguments);
+        const ProgramRun run = callCommandLine(arguments);
         EXPECT_EQ(run.exitCode, 2) << arguments.join(' ').toStdString();
         EXPECT_TRUE(contains(run.err, why)) << run.err;
         EXPECT_EQ(run.out, "");
@@ -111,6 +111,9 @@ TEST_F(CommandLine, ExplainsItself)
 TEST_F(CommandLine, RefusesWrongUsage)
 {
     const QString file = design("a.json", hammock());
+    EXPECT_EQ(runProgram({"solve", file, "--fast"}).exitCode, 2);
+    EXPECT_EQ(callCommandLine({file}).exitCode, -1); // a design: the window's business
+    EXPECT_EQ(callCommandLine({}).exitCode, -1);
     expectUsageError({"solv", file}, "unknown command \"solv\"");
     expectUsageError({"solve"}, "DESIGN is missing");
     expectUsageError({"check"}, "DESIGN is missing");
@@ -189,13 +192,13 @@ TEST_F(CommandLine, RefusesWhatIsNoDesign)
           write("deep.json", std::string(200'000, '['))}) {
         for (const QStringList& options : {QStringList{}, QStringList{"--lenient"}}) {
             const ProgramRun run =
-                runProgram(QStringList{"solve", file, "--report", path("report.json")} + options);
+                callCommandLine(QStringList{"solve", file, "--report", path("report.json")} + options);
             EXPECT_EQ(run.exitCode, 2) << file.toStdString();
             EXPECT_TRUE(run.err.starts_with("error: ")) << run.err;
             EXPECT_EQ(report()["status"], "failed");
             EXPECT_NE(report()["reason"], "");
         }
-        EXPECT_EQ(runProgram({"check", file}).exitCode, 2);
+        EXPECT_EQ(callCommandLine({"check", file}).exitCode, 2);
     }
 }
 
@@ -328,9 +331,11 @@ TEST_F(CommandLine, IsTheSameOnEveryRunAndNumberOfThreads)
     const QString file = design("a.json", sewnHammock());
     std::set<std::string> results;
     for (const char* threads : {"1", "2", "7", "2"}) {
-        EXPECT_EQ(runProgram({"solve", file, "--threads", threads, "--obj", path("a.obj")}).exitCode, 0);
+        EXPECT_EQ(callCommandLine({"solve", file, "--threads", threads, "--obj", path("a.obj")}).exitCode, 0);
         results.insert(read("a.obj"));
     }
+    EXPECT_EQ(runProgram({"solve", file, "--obj", path("a.obj")}).exitCode, 0);
+    results.insert(read("a.obj"));
     EXPECT_EQ(results.size(), 1u);
 }
 

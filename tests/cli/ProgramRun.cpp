@@ -1,5 +1,11 @@
 #include "ProgramRun.h"
 
+#include "CommandLine.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
 namespace bolster {
 
 QProcessEnvironment bareEnvironment()
@@ -19,6 +25,21 @@ ProgramRun runProgram(const QStringList& arguments, const QProcessEnvironment& e
     const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, process.readAllStandardOutput().toStdString(),
             process.readAllStandardError().toStdString()};
+}
+
+ProgramRun callCommandLine(const QStringList& arguments)
+{
+    std::vector<std::string> words = {"bolster"};
+    for (const QString& argument : arguments)
+        words.push_back(argument.toStdString());
+    std::vector<char*> argv;
+    for (std::string& word : words)
+        argv.push_back(word.data());
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    const std::optional<int> code = runCommandLine(static_cast<int>(argv.size()), argv.data());
+    const std::string out = ::testing::internal::GetCapturedStdout();
+    return {code.value_or(-1), out, ::testing::internal::GetCapturedStderr()};
 }
 
 } // namespace bolster

@@ -19,4 +19,7 @@ QProcessEnvironment bareEnvironment();
 
 ProgramRun runProgram(const QStringList& arguments, const QProcessEnvironment& environment = bareEnvironment());
 
+/// The same within this process, for tests of many short runs: loading the program takes longer than they do.
+ProgramRun callCommandLine(const QStringList& arguments);
+
 } // namespace bolster
