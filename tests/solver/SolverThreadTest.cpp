@@ -151,13 +151,13 @@ TEST(SolverThread, ReachesTheRestingSurface)
         solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Settled && o.status.resting; });
     ASSERT_TRUE(output);
     EXPECT_EQ(output->designRevision, 7u);
-    EXPECT_EQ(output->surface->positions, solveResting(design, {}).surface->positions);
+    EXPECT_EQ(output->surface->positions, solved(design, 1e-6).surface->positions);
     EXPECT_GT(output->report.vertices, 0);
 }
 
 TEST(SolverThread, ComesBackToTheRestingSurfaceAfterADrag)
 {
-    Design design = box(200, 60, 15, 10, 0.3);
+    Design design = tube(400, 200, 14, 8);
     Listener solver;
     std::uint64_t revision = 0;
     for (int step = 0; step < 12; ++step) {
@@ -169,7 +169,7 @@ TEST(SolverThread, ComesBackToTheRestingSurfaceAfterADrag)
     design = withCurveMoved(design, Vec3(0, -11, 5.5));
     const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(resting);
-    EXPECT_EQ(resting->surface->positions, solveResting(design, {}).surface->positions);
+    EXPECT_EQ(resting->surface->positions, solved(design, 1e-6).surface->positions);
 }
 
 TEST(SolverThread, EachTakenRequestIsAnsweredWithASurface)
@@ -266,7 +266,7 @@ TEST(SolverThread, OffersToSettleFoldsThatDependOnTheWay)
         output = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
         ASSERT_TRUE(output);
     }
-    EXPECT_EQ(output->surface->positions, solveResting(design, {}).surface->positions);
+    EXPECT_EQ(output->surface->positions, solved(design, 1e-6).surface->positions);
 }
 
 TEST(SolverThread, StopsInTheMiddleOfWork)
