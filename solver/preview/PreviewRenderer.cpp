@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace bolster {
@@ -18,7 +19,9 @@ namespace bolster {
 namespace {
 
 constexpr int largestSide = 16384;
-constexpr double farthest = 1e8; ///< mm: points beyond are not drawn
+constexpr float foam = 120;          ///< mm: the cover presses into a frame; what lies less before it is not drawn
+constexpr float ghostOpacity = 0.4f; ///< of a frame that faces the eye; its silhouette is denser
+constexpr double farthest = 1e8;     ///< mm: points beyond are not drawn
 
 bool drawable(const Vec3& p)
 {
@@ -127,6 +130,7 @@ private:
 
     void drawTile(const Job& job, int x, int y, PreviewImage& image) const;
     void drawPixel(const Job& job, int x, int y, PicturePixel& pixel) const;
+    void addGhost(const Job& job, const Lens::Ray& ray, float behind, Shade& shade, Vec3f& constant) const;
     void addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const;
     void addGround(const Lens::Ray& ray, const Vec3f& behind, SurfacePoint& point, Shade& shade,
                    Vec3f& constant) const;
@@ -137,7 +141,8 @@ private:
     Vec3 m_origin;
     CoverLook m_cover;
     std::vector<FrameLook> m_frames;
-    RayScene m_rays;
+    RayScene m_rays;   ///< the cover; without one, the frames after it
+    RayScene m_ghosts; ///< the frames beside a cover
     bool m_ground;
     float m_floor = 0; ///< height of the ground, shifted
     float m_reach = 1; ///< half the diagonal of the box
@@ -153,11 +158,13 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     , m_bottom(lightDisplayedAs(scene.backgroundBottom))
 {
     m_rays.add(m_cover.points(), m_cover.triangles());
+    RayScene& frameRays = m_cover.triangles().empty() ? m_rays : m_ghosts;
     for (const PreviewScene::FrameLook& frame : scene.frames) {
         m_frames.emplace_back(frame, m_origin);
-        m_rays.add(m_frames.back().points(), m_frames.back().triangles());
+        frameRays.add(m_frames.back().points(), m_frames.back().triangles());
     }
     m_rays.commit();
+    m_ghosts.commit();
     if (!m_box.isEmpty()) {
         m_reach = std::max(1.f, static_cast<float>(m_box.diagonal().norm() / 2));
         m_floor = static_cast<float>(m_box.min().z() - m_origin.z()) - 1e-3f * m_reach;
@@ -199,6 +206,22 @@ void PreviewRenderer::Prepared::addGround(const Lens::Ray& ray, const Vec3f& beh
     constant = behind - shade.direct - shade.ambient;
 }
 
+/// A frame in front of what is there already, at the distance `behind`.
+void PreviewRenderer::Prepared::addGhost(const Job& job, const Lens::Ray& ray, float behind, Shade& shade,
+                                         Vec3f& constant) const
+{
+    const std::optional<RayHit> hit = m_ghosts.first(ray.origin, ray.direction);
+    if (!hit || hit->distance + foam > behind)
+        return;
+    const SurfacePoint point = m_frames[hit->mesh].at(*hit, ray.direction);
+    const float facing = std::clamp(-point.normal.dot(ray.direction), 0.f, 1.f);
+    const float opacity = ghostOpacity + 0.35f * (1 - facing) * (1 - facing);
+    const Shade ghost = job.light.shade(point, -ray.direction);
+    shade.direct *= 1 - opacity;
+    shade.ambient *= 1 - opacity;
+    constant = (1 - opacity) * constant + opacity * (ghost.direct + ghost.ambient);
+}
+
 void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const
 {
     const float step = 1.f / static_cast<float>(job.grid);
@@ -209,7 +232,8 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
     SurfacePoint point;
     Shade shade;
     Vec3f constant = Vec3f::Zero();
-    if (const std::optional<RayHit> hit = m_rays.first(ray.origin, ray.direction)) {
+    const std::optional<RayHit> hit = m_rays.first(ray.origin, ray.direction);
+    if (hit) {
         const Vec3f position = ray.origin + hit->distance * ray.direction;
         point = pointAt(*hit, ray.direction, job.lens.footprint(position, step));
         shade = job.light.shade(point, -ray.direction);
@@ -217,6 +241,8 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
     } else {
         addGround(ray, background(job, py), point, shade, constant);
     }
+    if (!m_cover.triangles().empty() && !m_frames.empty())
+        addGhost(job, ray, hit ? hit->distance : std::numeric_limits<float>::infinity(), shade, constant);
     pixel.constant += constant;
     pixel.direct += shade.direct;
     pixel.ambient += shade.ambient;

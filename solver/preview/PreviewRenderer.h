@@ -41,7 +41,7 @@ struct PreviewScene {
         Vec3 position = Vec3::Zero();
         Quat rotation = Quat::Identity();
     };
-    std::vector<FrameLook> frames; ///< drawn in grey
+    std::vector<FrameLook> frames; ///< drawn in grey, see-through where there is a cover
     bool checker = true;
     double checkerSize = 20; ///< mm
     bool ground = true;      ///< a shadow on the floor below everything

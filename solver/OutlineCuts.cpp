@@ -1,0 +1,254 @@
+#include "OutlineCuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Two cuts nearer than this fraction of the edge length count as one: a shorter edge would spoil the triangles.
+constexpr double snap = 0.25;
+// Two names for one place: differences of rounding, as a fraction of the edge length.
+constexpr double rounding = 1e-5;
+// Cuts that seams carry round for ever without closing stop here.
+constexpr std::ptrdiff_t largestCutCount = 20000;
+
+} // namespace
+
+double CutOutline::wrap(double s) const
+{
+    const double wrapped = s - std::floor(s / total()) * total();
+    return wrapped < total() ? wrapped : 0;
+}
+
+std::pair<double, double> CutOutline::pieceLengths(int piece) const
+{
+    const bool last = piece + 1 == pieceCount();
+    return {cuts[piece].s, last ? cuts[0].s + total() : cuts[piece + 1].s};
+}
+
+std::pair<double, double> CutOutline::pieceParameters(int piece) const
+{
+    const bool last = piece + 1 == pieceCount();
+    return {cuts[piece].t, last ? cuts[0].t + curve->period() : cuts[piece + 1].t};
+}
+
+int CutOutline::near(double s, double tolerance) const
+{
+    int best = -1;
+    for (int i = 0; i < pieceCount(); ++i) {
+        const double apart = std::abs(wrap(s) - cuts[i].s);
+        const double distance = std::min(apart, total() - apart);
+        if (distance <= tolerance) {
+            tolerance = distance;
+            best = i;
+        }
+    }
+    return best;
+}
+
+bool CutOutline::add(double t, double tolerance)
+{
+    t = curve->wrapped(t);
+    const double s = wrap(length.at(t));
+    if (near(s, tolerance) >= 0)
+        return false;
+    const auto at = std::lower_bound(cuts.begin(), cuts.end(), s, [](const Cut& c, double v) { return c.s < v; });
+    cuts.insert(at, {s, t});
+    return true;
+}
+
+CurveSpan::CurveSpan(const Design& design, const FixationSeam& fixation)
+    : curve(&design.find<FixationCurve>(fixation.curve)->curve)
+    , length(std::make_shared<const ArcLength3>(*curve))
+    , t0(curve->domainStart())
+    , t1(curve->domainEnd())
+{
+    if (fixation.curveRange) {
+        t0 = fixation.curveRange->first;
+        t1 = curve->closed()
+                 ? unwrappedEnd(t0, fixation.curveRange->second, curve->domainStart(), curve->domainEnd())
+                 : fixation.curveRange->second;
+    }
+}
+
+double CurveSpan::parameterAt(double fraction, Match match) const
+{
+    if (match == Match::Parameter)
+        return t0 + fraction * (t1 - t0);
+    return length->parameterAt(length->at(t0) + fraction * length->between(t0, t1));
+}
+
+double CurveSpan::fractionOf(double t, Match match) const
+{
+    if (match == Match::Parameter)
+        return (t - t0) / (t1 - t0);
+    const double whole = length->between(t0, t1);
+    return whole > 0 ? length->between(t0, t) / whole : 0.5;
+}
+
+OutlineCuts::OutlineCuts(const Design& design)
+    : m_design(design)
+    , m_edge(design.settings().edgeLength)
+{
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        m_index[id] = static_cast<int>(m_outlines.size());
+        m_outlines.emplace_back(id, patch.outline);
+    });
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        m_seams.push_back({id, &seam, span(seam.a), span(seam.b)});
+    });
+    design.each<FixationSeam>([&](ElementId id, const FixationSeam& fixation) {
+        m_fixations.push_back({id, &fixation, span(fixation.stretch)});
+    });
+}
+
+OutlineSpan OutlineCuts::span(const Stretch& stretch) const
+{
+    OutlineSpan span;
+    span.outline = m_index.at(stretch.patch);
+    const CutOutline& outline = m_outlines[span.outline];
+    span.t0 = stretch.from;
+    span.t1 = unwrappedEnd(stretch.from, stretch.to, outline.curve->domainStart(), outline.curve->domainEnd());
+    span.s0 = outline.length.at(span.t0);
+    span.s1 = outline.length.at(span.t1);
+    return span;
+}
+
+Problems OutlineCuts::cut()
+{
+    cutAtCornersAndEnds();
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const SeamSpans& seam : m_seams) {
+            changed |= carry(seam, true);
+            changed |= carry(seam, false);
+            if (std::ssize(m_outlines[seam.a.outline].cuts) > largestCutCount)
+                return {problem(
+                    seam.id, "a",
+                    QT_TRANSLATE_NOOP("Message", "this seam and its neighbours carry their ends round in a circle "
+                                                 "without ever meeting. Let the seams of this circle end at common "
+                                                 "points."))};
+        }
+    }
+    Problems problems;
+    for (const SeamSpans& seam : m_seams)
+        if (along(seam.a, seam.seam->match).size() != along(seam.b, seam.seam->match).size())
+            problems.push_back(
+                problem(seam.id, "b",
+                        QT_TRANSLATE_NOOP("Message", "the corners of the two stretches lie too close together to "
+                                                     "be matched. Move them apart or choose a smaller edge "
+                                                     "length.")));
+    return problems;
+}
+
+void OutlineCuts::cutAtCornersAndEnds()
+{
+    const double tiny = 0.1 * rounding * m_edge;
+    auto ends = [&](const OutlineSpan& span) {
+        m_outlines[span.outline].add(span.t0, tiny);
+        m_outlines[span.outline].add(span.t1, tiny);
+    };
+    for (const SeamSpans& seam : m_seams) {
+        ends(seam.a);
+        ends(seam.b);
+    }
+    for (const FixationSpan& fixation : m_fixations)
+        ends(fixation.span);
+    for (CutOutline& outline : m_outlines) {
+        for (double t : outline.curve->corners())
+            outline.add(t, tiny);
+        if (outline.cuts.empty())
+            outline.add(outline.curve->domainStart(), tiny);
+    }
+    for (const FixationSpan& fixation : m_fixations)
+        cutAtCurveCorners(fixation);
+}
+
+/// A corner of a fixation curve wants a vertex, or the cover would cut it off.
+void OutlineCuts::cutAtCurveCorners(const FixationSpan& fixation)
+{
+    const Match match = fixation.fixation->match;
+    const CurveSpan curve(m_design, *fixation.fixation);
+    for (double corner : curve.curve->corners()) {
+        while (curve.curve->closed() && corner < curve.t0)
+            corner += curve.curve->period();
+        if (corner <= curve.t0 || corner >= curve.t1)
+            continue;
+        double fraction = curve.fractionOf(corner, match);
+        if (fixation.fixation->reversed)
+            fraction = 1 - fraction;
+        m_outlines[fixation.span.outline].add(parameterAt(fixation.span, fraction, match), snap * m_edge);
+    }
+}
+
+double OutlineCuts::parameterAt(const OutlineSpan& span, double fraction, Match match) const
+{
+    if (match == Match::Parameter)
+        return span.t0 + fraction * (span.t1 - span.t0);
+    return m_outlines[span.outline].length.parameterAt(span.s0 + fraction * (span.s1 - span.s0));
+}
+
+std::vector<OutlineCuts::Along> OutlineCuts::along(const OutlineSpan& span, Match match, bool backwards) const
+{
+    const CutOutline& outline = m_outlines[span.outline];
+    const double same = rounding * m_edge;
+    const int first = outline.near(span.s0, same);
+    const int n = outline.pieceCount();
+    std::vector<Along> result{{first, 0.0}};
+    for (int k = 1; k <= n; ++k) {
+        const Cut& cut = outline.cuts[(first + k) % n];
+        double s = cut.s, t = cut.t;
+        while (s <= span.s0 + same) {
+            s += outline.total();
+            t += outline.curve->period();
+        }
+        if (s >= span.s1 - same)
+            break;
+        const double fraction =
+            match == Match::Parameter ? (t - span.t0) / (span.t1 - span.t0) : (s - span.s0) / (span.s1 - span.s0);
+        result.push_back({(first + k) % n, fraction});
+    }
+    result.push_back({outline.near(span.s1, same), 1.0});
+    if (backwards) {
+        std::reverse(result.begin(), result.end());
+        for (Along& a : result)
+            a.fraction = 1 - a.fraction;
+    }
+    return result;
+}
+
+/// Adds to the other side the cuts that only this side has. Cuts that lie close together are a pair already.
+bool OutlineCuts::carry(const SeamSpans& seam, bool forward)
+{
+    const Match match = seam.seam->match;
+    const bool reversed = seam.seam->reversed;
+    const std::vector<Along> a = along(seam.a, match), b = along(seam.b, match, reversed);
+    const std::vector<Along>&from = forward ? a : b, &to = forward ? b : a;
+    const OutlineSpan& target = forward ? seam.b : seam.a;
+    const double near = snap * m_edge / (target.s1 - target.s0); // as a fraction
+    std::vector<double> missing;
+    std::size_t next = 1; // each cut of `to` pairs with one of `from` only
+    for (std::size_t k = 1; k + 1 < from.size(); ++k) {
+        while (next + 1 < to.size() && to[next].fraction < from[k].fraction - near)
+            ++next;
+        if (next + 1 < to.size() && to[next].fraction <= from[k].fraction + near)
+            ++next;
+        else
+            missing.push_back(from[k].fraction);
+    }
+    bool added = false;
+    for (double fraction : missing) {
+        const double onTarget = forward && reversed ? 1 - fraction : fraction;
+        added |= m_outlines[target.outline].add(parameterAt(target, onTarget, match), rounding * m_edge);
+    }
+    return added;
+}
+
+Problem OutlineCuts::problem(ElementId id, const char* field, const char* sentence) const
+{
+    return {id, elementLabel(id, *m_design.element(id)), field, {sentence, {}}, Severity::Error};
+}
+
+} // namespace bolster
