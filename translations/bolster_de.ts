@@ -1846,14 +1846,6 @@
 <context>
     <name>bolster::MainWindow</name>
     <message>
-        <source>There are no patches yet.
-
-Open a design, or a sample from the File menu, or drop a file here.</source>
-        <translation>Es gibt noch keine Schnittteile.
-
-Öffnen Sie einen Entwurf oder über das Menü „Datei“ ein Beispiel, oder ziehen Sie eine Datei hierher.</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
@@ -1906,6 +1898,21 @@ Open a design, or a sample from the File menu, or drop a file here.</source>
     <message>
         <source>Colour of the fabric</source>
         <translation>Farbe des Stoffs</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::StartHint</name>
+    <message>
+        <source>Nothing here yet</source>
+        <translation>Hier ist noch nichts</translation>
+    </message>
+    <message>
+        <source>Drop a design here, open one, or look at a sample:</source>
+        <translation>Ziehen Sie einen Entwurf hierher, öffnen Sie einen oder sehen Sie sich ein Beispiel an:</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
     </message>
 </context>
 <context>
