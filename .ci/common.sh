@@ -95,18 +95,17 @@ warningsAsErrors() {
     fi
 }
 
-# build PRESET TARGET...: says so only when there is something to do; on a terminal with progress.
+# build PRESET TARGET...: with ninja's progress on a terminal; else into a log, and a word about it if it takes long.
 build() {
-    local preset=$1 folder=$bolster_root/build/$1
+    local preset=$1 folder=$bolster_root/build/$1 watcher status=0
     shift
-    if ninja -C "$folder" -n "$@" 2>/dev/null | grep --quiet 'no work to do'; then
+    if [ -t 2 ]; then
+        ninja -C "$folder" "$@" >&2
         return
     fi
-    if [ -t 2 ]; then
-        say "Building $* in build/$preset"
-        ninja -C "$folder" "$@" >&2
-    else
-        say "Building $* in build/$preset (log: build/$preset/build.log)"
-        quietly "$folder/build.log" ninja -C "$folder" "$@"
-    fi
+    (sleep 2 >/dev/null 2>&1 && say "Building $* in build/$preset (log: build/$preset/build.log)") &
+    watcher=$!
+    quietly "$folder/build.log" ninja -C "$folder" "$@" || status=$?
+    kill "$watcher" 2>/dev/null || true
+    return "$status"
 }
