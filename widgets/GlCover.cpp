@@ -94,7 +94,7 @@ void GlCover::draw(const SurfaceScene& scene, const GlView& view)
     for (const SurfaceTopology::PatchRange& range : m_topology->patches) {
         const SurfaceScene::PatchLook* look = scene.look(range.patch);
         const Eigen::Vector3f color = linearLight(look ? look->fabric : QColor(0x7a, 0x4a, 0x2b));
-        m_program.set("lightTone", Eigen::Vector3f(color + 0.16F * (Eigen::Vector3f(1, 0.97F, 0.92F) - color)));
+        m_program.set("lightTone", Eigen::Vector3f((1.6F * color.array() + 0.03F).min(1.F)));
         m_program.set("darkTone", Eigen::Vector3f(0.85F * color));
         m_program.set("tint", look ? look->tint : QColor(0, 0, 0, 0));
         m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * range.triangleCount), GL_UNSIGNED_INT,

@@ -50,8 +50,7 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
             color = mixed(color, veil, 0.5);
         request.looks.push_back({look.patch, color});
     }
-    if (!m_scene.surface) // an opaque frame would hide what lies in the cover
-        request.frames = m_scene.frames;
+    request.frames = m_scene.frames;
     request.camera = m_camera;
     const double scale = devicePixelRatioF() * (moving ? movingScale : 1);
     request.camera.size = Vec2((width() * scale), (height() * scale)).array().round().max(1.0);

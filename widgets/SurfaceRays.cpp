@@ -10,6 +10,7 @@ namespace bolster {
 namespace {
 
 constexpr std::uint32_t leafSize = 4;
+constexpr float padding = 1e-3F; ///< of boxes, mm: rays along their walls are inside
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Where the ray meets the triangle, in lengths of the direction; infinite if it does not (Moeller, Trumbore 1997).
@@ -94,6 +95,8 @@ void SurfaceRays::fitBox(Node& node) const
                 node.low = node.low.min(m_points[corner].array());
                 node.high = node.high.max(m_points[corner].array());
             }
+    node.low -= padding;
+    node.high += padding;
 }
 
 void SurfaceRays::fitBoxes()
@@ -115,7 +118,9 @@ void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach
 {
     if (m_nodes.empty())
         return;
-    const Eigen::Array3f inverse = direction.array().inverse();
+    // A ray along a wall of a box must not become 0 times infinity.
+    const Eigen::Array3f inverse =
+        direction.array().unaryExpr([](float d) { return 1 / (std::abs(d) > 1e-12F ? d : 1e-12F); });
     const auto entry = [&](const Node& node) {
         const Eigen::Array3f a = (node.low - origin.array()) * inverse, b = (node.high - origin.array()) * inverse;
         const float in = std::max(a.min(b).maxCoeff(), 0.f), out = a.max(b).minCoeff();
@@ -140,8 +145,22 @@ void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach
     }
 }
 
-std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& origin, const Vec3f& direction) const
+/// How far a ray that starts outside may go without meeting anything.
+float SurfaceRays::approach(const Vec3f& origin, const Vec3f& direction) const
 {
+    if (m_nodes.empty())
+        return 0;
+    const Eigen::Array3f middle = (m_nodes[0].low + m_nodes[0].high) / 2;
+    const float radius = (m_nodes[0].high - m_nodes[0].low).matrix().norm() / 2;
+    const float before = (middle.matrix() - origin).dot(direction.normalized()) - 1.01F * radius;
+    return std::isfinite(before) ? std::max(0.F, before / direction.norm()) : 0;
+}
+
+std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& farOrigin, const Vec3f& direction) const
+{
+    // From far away single precision misses triangles along their edges.
+    const float skipped = approach(farOrigin, direction);
+    const Vec3f origin = farOrigin + skipped * direction;
     std::optional<Hit> best;
     float reach = infinite;
     walk(origin, direction, reach, [&](const Node& node) {
@@ -150,7 +169,7 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& origin, const Ve
             const float at = meeting(origin, direction, m_points[t[0]], m_points[t[1]], m_points[t[2]]);
             if (at < reach) {
                 reach = at;
-                best = Hit{m_ids[i], at};
+                best = Hit{m_ids[i], skipped + at};
             }
         }
         return false;

@@ -41,6 +41,7 @@ private:
     std::uint32_t split(std::uint32_t first, std::uint32_t count, std::vector<Eigen::Array3f>& centres);
     void fitBox(Node& node) const;
     void fitBoxes();
+    float approach(const Vec3f& origin, const Vec3f& direction) const;
     template <class Visit>
     void walk(const Vec3f& origin, const Vec3f& direction, float& reach, const Visit& visit) const;
 

@@ -139,7 +139,7 @@ void SurfaceViewCube::paintFace(QPainter& painter, int index) const
     labelFont.setWeight(QFont::DemiBold);
     text.addText(0, 0, labelFont, tr(face.name));
     const QRectF box = text.boundingRect();
-    const double fit = std::min(1.0, 84 / std::max(box.width(), 1.0));
+    const double fit = std::min(1.0, 76 / std::max(box.width(), 1.0));
     painter.save();
     painter.setTransform(onFace, true);
     painter.translate(50, 50);

@@ -124,7 +124,7 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
             std::min<std::size_t>(m_triangles.size(), range.firstTriangle + range.triangleCount);
         for (std::size_t t = range.firstTriangle; t < end; ++t)
             m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_tones.size());
-        m_tones.push_back({color + 0.16f * (Vec3f(1.f, 0.97f, 0.92f) - color), 0.85f * color});
+        m_tones.push_back({(1.6f * color.array() + 0.03f).min(1.f), 0.85f * color});
     }
     if (m_tones.empty())
         m_tones.push_back({Vec3f::Constant(0.5f), Vec3f::Constant(0.4f)});

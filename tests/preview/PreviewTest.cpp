@@ -206,6 +206,27 @@ TEST(Preview, ShowsFramesInGrey)
     EXPECT_NEAR(image.rgba[middle], image.rgba[middle + 2], 25);
 }
 
+TEST(Preview, FramesBesideACoverAreSeenThrough)
+{
+    auto frame = std::make_shared<TriangleMesh>();
+    frame->points = {{0, 0, 0}, {400, 0, 0}, {400, 400, 0}, {0, 400, 0}};
+    frame->triangles = {{0, 1, 2}, {0, 2, 3}};
+    PreviewScene scene = sceneOf(flatPatch(400, 400));
+    scene.ground = scene.checker = false;
+    const PreviewView view = fromAbove({200, 200, 0}, 1, 120);
+    const auto redness = [&] {
+        const PreviewImage image = renderPreview(scene, view, small());
+        const std::size_t middle = 4 * (60 * 160 + 80);
+        return image.rgba[middle] - image.rgba[middle + 2];
+    };
+    const int alone = redness();
+    scene.frames = {{frame, 1, {0, 0, 20}, Quat::Identity()}}; // pressed in by the cover
+    EXPECT_EQ(redness(), alone);
+    scene.frames[0].position.z() = 300;
+    EXPECT_LT(redness(), alone - 10);
+    EXPECT_GT(redness(), 10);
+}
+
 TEST(Preview, ThreeQuarterViewShowsTheWholeBox)
 {
     const Box3 box(Vec3(-400, 100, 30), Vec3(500, 700, 1200));

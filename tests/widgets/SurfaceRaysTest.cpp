@@ -1,0 +1,141 @@
+#include "SurfaceRays.h"
+#include "SurfaceOcclusion.h"
+#include "SurfaceSetup.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace bolster::test {
+namespace {
+
+using Vec3f = Eigen::Vector3f;
+
+struct Soup {
+    std::vector<Vec3f> points;
+    std::vector<SurfaceRays::Triangle> triangles;
+};
+
+Soup randomSoup(int count)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-100, 100), size(-12, 12);
+    Soup soup;
+    for (int i = 0; i < count; ++i) {
+        const Vec3f center(place(random), place(random), place(random));
+        for (int corner = 0; corner < 3; ++corner)
+            soup.points.push_back(center + Vec3f(size(random), size(random), size(random)));
+        const auto first = static_cast<std::uint32_t>(3 * i);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return soup;
+}
+
+/// Each triangle alone.
+std::optional<SurfaceRays::Hit> slowly(const Soup& soup, const Vec3f& origin, const Vec3f& direction)
+{
+    std::optional<SurfaceRays::Hit> best;
+    for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+        SurfaceRays one;
+        one.build(soup.points, {soup.triangles[t]});
+        const auto hit = one.first(origin, direction);
+        if (hit && (!best || hit->distance < best->distance))
+            best = SurfaceRays::Hit{t, hit->distance};
+    }
+    return best;
+}
+
+TEST(SurfaceRays, FindsWhatASlowSearchFinds)
+{
+    const Soup soup = randomSoup(200);
+    SurfaceRays rays;
+    rays.build(soup.points, soup.triangles);
+    std::mt19937 random(8);
+    std::normal_distribution<float> normal;
+    int hits = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3f origin = 150 * Vec3f(normal(random), normal(random), normal(random));
+        const Vec3f direction = (Vec3f(normal(random), normal(random), normal(random)) * 30 - origin).normalized();
+        const auto fast = rays.first(origin, direction), slow = slowly(soup, origin, direction);
+        ASSERT_EQ(fast.has_value(), slow.has_value());
+        if (!fast)
+            continue;
+        ++hits;
+        EXPECT_EQ(fast->triangle, slow->triangle);
+        EXPECT_TRUE(rays.blocked(origin, direction, fast->distance + 0.01F));
+        EXPECT_FALSE(rays.blocked(origin, direction, fast->distance - 0.01F));
+    }
+    EXPECT_GT(hits, 30);
+}
+
+TEST(SurfaceRays, FollowsMovedPoints)
+{
+    Soup soup = randomSoup(50);
+    SurfaceRays rays;
+    rays.build(soup.points, soup.triangles);
+    for (Vec3f& p : soup.points)
+        p = Vec3f(-p.y(), p.x() + 500, p.z());
+    rays.move(soup.points);
+    const Vec3f target = (soup.points[30] + soup.points[31] + soup.points[32]) / 3;
+    EXPECT_TRUE(rays.first(target + Vec3f(0, 0, 1000), {0, 0, -1}));
+}
+
+TEST(SurfaceRays, HitsEdgesThatLieAlongTheRay)
+{
+    const SurfaceMeshPtr cover = twoSquaresCover();
+    std::vector<Vec3f> points;
+    for (const Vec3& p : cover->positions)
+        points.push_back(p.cast<float>());
+    SurfaceRays rays;
+    rays.build(points, cover->topology->triangles);
+    for (const float away : {10.F, 1e3F, 1e5F})
+        for (const Vec3f& p : points) {
+            const auto hit = rays.first(p + Vec3f(0, 0, away), {-0.F, 0, -1});
+            ASSERT_TRUE(hit);
+            EXPECT_NEAR(hit->distance, away, 1e-6F * away);
+        }
+}
+
+TEST(SurfaceRays, LivesWithBrokenInput)
+{
+    SurfaceRays rays;
+    EXPECT_FALSE(rays.first({0, 0, 0}, {0, 0, 1}));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    rays.build({{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {1, 2, 3}, {1, 2, 99}});
+    EXPECT_TRUE(rays.first({0, 0, 5}, {0, 0, -1}));
+    EXPECT_FALSE(rays.blocked({0, 0, 5}, {0, 0, -1}, 2));
+}
+
+TEST(SurfaceOcclusion, CoversShadeTheGroundBelow)
+{
+    SurfaceOcclusion::Input input;
+    input.surface = twoSquaresCover();
+    input.floor = -30;
+    const auto result = SurfaceOcclusion::of(input, {});
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->topology, 77u);
+    ASSERT_EQ(result->outside.size(), input.surface->positions.size());
+    EXPECT_FLOAT_EQ(result->outside[40], 1);
+    const SurfaceOcclusion::Ground& ground = result->ground;
+    const auto openAt = [&](double x, double y) {
+        const Vec2 cell = (Vec2(x, y) - ground.corner) / ground.side * ground.count;
+        return ground.open[static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(ground.count) +
+                           static_cast<std::size_t>(cell.x())];
+    };
+    EXPECT_LT(openAt(200, 100), 0.3);
+    EXPECT_GT(openAt(-200, 100), 0.9);
+}
+
+TEST(SurfaceOcclusion, StopsAndLivesWithNothing)
+{
+    EXPECT_TRUE(SurfaceOcclusion::of({}, {}));
+    std::stop_source stop;
+    stop.request_stop();
+    SurfaceOcclusion::Input input;
+    input.surface = twoSquaresCover();
+    EXPECT_FALSE(SurfaceOcclusion::of(input, stop.get_token()));
+}
+
+} // namespace
+} // namespace bolster::test

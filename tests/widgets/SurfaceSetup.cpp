@@ -1,0 +1,152 @@
+#include "SurfaceSetup.h"
+
+#include <QApplication>
+#include <QWheelEvent>
+
+namespace bolster::test {
+
+namespace {
+
+constexpr std::uint32_t cells = 8;
+
+void addSquare(SurfaceTopology& topology, SurfaceMesh& mesh, ElementId patch, double x)
+{
+    const std::uint32_t first = topology.vertexCount();
+    const auto firstTriangle = static_cast<std::uint32_t>(topology.triangles.size());
+    for (std::uint32_t j = 0; j <= cells; ++j)
+        for (std::uint32_t i = 0; i <= cells; ++i) {
+            const Vec2 p(200.0 * i / cells, 200.0 * j / cells);
+            topology.pattern.push_back(p);
+            mesh.positions.push_back({x + p.x(), p.y(), 0});
+            mesh.normals.push_back({0, 0, 1});
+        }
+    for (std::uint32_t j = 0; j < cells; ++j)
+        for (std::uint32_t i = 0; i < cells; ++i) {
+            const std::uint32_t k = first + j * (cells + 1) + i;
+            topology.triangles.push_back({k, k + 1, k + cells + 2});
+            topology.triangles.push_back({k, k + cells + 2, k + cells + 1});
+        }
+    topology.patches.push_back(
+        {patch, fabricId, first, (cells + 1) * (cells + 1), firstTriangle, 2 * cells * cells});
+}
+
+ElementPtr square(const char* name)
+{
+    Patch patch;
+    patch.name = name;
+    patch.fabric = fabricId;
+    patch.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 200}, {0, 200}});
+    return makeElement(patch);
+}
+
+} // namespace
+
+Design twoSquares()
+{
+    Seam seam;
+    seam.a = {leftPatch, 1, 2};
+    seam.b = {rightPatch, 3, 4};
+    seam.reversed = true;
+    const FixationCurve curve{"Rail",
+                              BSpline3(3, false, {{0, 100, 50}, {130, 100, 50}, {270, 100, 50}, {400, 100, 50}})};
+    Edit edit;
+    edit.changes = {{fabricId, nullptr, makeElement(Fabric{})},
+                    {leftPatch, nullptr, square("Left")},
+                    {rightPatch, nullptr, square("Right")},
+                    {curveId, nullptr, makeElement(curve)},
+                    {seamId, nullptr, makeElement(seam)}};
+    return Design().with(edit);
+}
+
+SurfaceMeshPtr twoSquaresCover()
+{
+    auto topology = std::make_shared<SurfaceTopology>();
+    auto mesh = std::make_shared<SurfaceMesh>();
+    topology->serial = 77;
+    addSquare(*topology, *mesh, leftPatch, 0);
+    addSquare(*topology, *mesh, rightPatch, 200);
+    SurfaceTopology::Chain seam{seamId, {}, {}};
+    for (std::uint32_t j = 0; j <= cells; ++j) {
+        seam.a.push_back(j * (cells + 1) + cells);
+        seam.b.push_back((cells + 1) * (cells + 1) + j * (cells + 1));
+    }
+    topology->seams.push_back(seam);
+    mesh->topology = topology;
+    return mesh;
+}
+
+SoftwareRenderer::Picture StubRenderer::render(const Request& request, std::stop_token)
+{
+    {
+        const std::lock_guard lock(m_log->mutex);
+        m_log->requests.push_back(request);
+        m_log->thread = std::this_thread::get_id();
+    }
+    Picture picture;
+    picture.image = QImage(static_cast<int>(request.camera.size.x()), static_cast<int>(request.camera.size.y()),
+                           QImage::Format_RGBA8888);
+    picture.image.fill(Qt::gray);
+    picture.depth.assign(static_cast<std::size_t>(picture.image.width()) *
+                             static_cast<std::size_t>(picture.image.height()),
+                         std::numeric_limits<float>::infinity());
+    return picture;
+}
+
+void Mouse::send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+    Qt::MouseButtons buttons = m_pressed;
+    if (type == QEvent::MouseButtonRelease)
+        buttons = Qt::NoButton;
+    QMouseEvent event(type, at, m_widget.mapToGlobal(at), button, buttons, modifiers);
+    QApplication::sendEvent(&m_widget, &event);
+}
+
+void Mouse::move(QPointF at, Qt::KeyboardModifiers modifiers)
+{
+    send(QEvent::MouseMove, at, Qt::NoButton, modifiers);
+}
+
+void Mouse::press(QPointF at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+    m_pressed = button;
+    send(QEvent::MouseButtonPress, at, button, modifiers);
+}
+
+void Mouse::release(QPointF at, Qt::KeyboardModifiers modifiers)
+{
+    send(QEvent::MouseButtonRelease, at, m_pressed, modifiers);
+    m_pressed = Qt::NoButton;
+}
+
+void Mouse::click(QPointF at, Qt::KeyboardModifiers modifiers)
+{
+    move(at, modifiers);
+    press(at, Qt::LeftButton, modifiers);
+    release(at, modifiers);
+}
+
+void Mouse::doubleClick(QPointF at)
+{
+    click(at);
+    m_pressed = Qt::LeftButton;
+    send(QEvent::MouseButtonDblClick, at, Qt::LeftButton, {});
+    release(at);
+}
+
+void Mouse::drag(QPointF from, QPointF to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+    move(from, modifiers);
+    press(from, button, modifiers);
+    for (int step = 1; step <= 10; ++step)
+        move(from + (to - from) * step / 10, modifiers);
+    release(to, modifiers);
+}
+
+void Mouse::wheel(QPointF at, int notches)
+{
+    QWheelEvent event(at, m_widget.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&m_widget, &event);
+}
+
+} // namespace bolster::test

@@ -1,0 +1,456 @@
+#include "SurfaceView.h"
+#include "Document.h"
+#include "Picture.h"
+#include "Selection.h"
+#include "SurfaceSetup.h"
+#include "SurfaceViewCube.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+class SurfaceViewTest : public testing::Test {
+protected:
+    SurfaceViewTest()
+    {
+        document.reset(twoSquares());
+        view.setSoftwareRenderer(std::make_unique<StubRenderer>(log));
+        view.resize(800, 600);
+        view.show();
+        view.setSurface(twoSquaresCover());
+        lookFromAbove();
+    }
+
+    void lookFromAbove()
+    {
+        Camera camera = view.camera();
+        camera.azimuth = 0;
+        camera.elevation = 1.2;
+        camera.fit(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)));
+        view.setCamera(camera);
+    }
+
+    QPointF pixel(const Vec3& point) const
+    {
+        const Vec2 at = *view.camera().pixel(point);
+        return {at.x(), at.y()};
+    }
+    const BSpline3& curve() const { return document.design().find<FixationCurve>(curveId)->curve; }
+    Vec3 point(int i) const { return curve().points()[static_cast<std::size_t>(i)]; }
+    /// The point, selected with its curve.
+    QPointF selectPoint(int i)
+    {
+        selection.set({curveId}, {{curveId, i}});
+        return pixel(point(i));
+    }
+
+    std::shared_ptr<StubRenderer::Log> log = std::make_shared<StubRenderer::Log>();
+    Document document;
+    Selection selection;
+    SurfaceView view{document, selection};
+    Mouse mouse{view};
+};
+
+TEST_F(SurfaceViewTest, DrawsInSoftwareWithoutOpenGl)
+{
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().surface == view.surface(); }));
+    EXPECT_NE(log->thread, std::this_thread::get_id());
+    ASSERT_EQ(log->last().looks.size(), 2u);
+    EXPECT_EQ(log->last().looks[0].patch, leftPatch);
+    keepPicture(view, QStringLiteral("surface-software"));
+}
+
+TEST_F(SurfaceViewTest, SaysHowItDraws)
+{
+    SurfaceView other(document, selection);
+    QSignalSpy notes(&other, &SurfaceView::rendererNote);
+    other.resize(300, 200);
+    other.show(); // without a renderer, too
+    ASSERT_EQ(notes.count(), 1);
+    EXPECT_FALSE(notes[0][0].toString().isEmpty());
+    EXPECT_EQ(other.grabPicture().size(), QSize(300, 200));
+}
+
+TEST_F(SurfaceViewTest, IsCoarseWhileItMovesAndFineAtRest)
+{
+    mouse.drag({300, 300}, {340, 300}, Qt::MiddleButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().moving; }));
+    EXPECT_EQ(log->last().camera.size, Vec2(400, 300));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !log->last().moving; }));
+    EXPECT_EQ(log->last().camera.size, Vec2(800, 600));
+    EXPECT_EQ(log->last().camera.azimuth, view.camera().azimuth);
+}
+
+TEST_F(SurfaceViewTest, GrabsTheWholePicture)
+{
+    const QImage picture = view.grabPicture();
+    EXPECT_EQ(picture.size(), QSize(800, 600));
+    EXPECT_EQ(log->last().camera.size, Vec2(800, 600));
+    EXPECT_FALSE(log->last().moving);
+}
+
+TEST_F(SurfaceViewTest, MiddleAndRightButtonTurn)
+{
+    for (const Qt::MouseButton button : {Qt::MiddleButton, Qt::RightButton}) {
+        const Camera before = view.camera();
+        mouse.drag({400, 300}, {500, 340}, button);
+        EXPECT_LT(view.camera().azimuth, before.azimuth - 0.3);
+        EXPECT_GT(view.camera().elevation, before.elevation);
+        EXPECT_DOUBLE_EQ(view.camera().distance, before.distance);
+    }
+}
+
+TEST_F(SurfaceViewTest, TurningIsAboutThePlaceUnderThePointer)
+{
+    const Vec3 place(50, 40, 0);
+    const QPointF before = pixel(place);
+    mouse.drag(before, before + QPointF(80, -30), Qt::MiddleButton);
+    EXPECT_LT((pixel(place) - before).manhattanLength(), 0.05);
+}
+
+TEST_F(SurfaceViewTest, NeverTurnsUpsideDown)
+{
+    for (int i = 0; i < 5; ++i)
+        mouse.drag({400, 50}, {400, 550}, Qt::MiddleButton);
+    EXPECT_LE(view.camera().elevation, std::numbers::pi / 2 + 1e-9);
+    EXPECT_GE(view.camera().upward().z(), -1e-9);
+}
+
+TEST_F(SurfaceViewTest, ShiftPans)
+{
+    const Vec3 place(50, 40, 0);
+    const QPointF from = pixel(place), to = from + QPointF(120, -45);
+    mouse.drag(from, to, Qt::MiddleButton, Qt::ShiftModifier);
+    EXPECT_LT((pixel(place) - to).manhattanLength(), 0.05);
+}
+
+TEST_F(SurfaceViewTest, WheelZoomsAtThePointer)
+{
+    const Vec3 place(50, 40, 0);
+    const QPointF at = pixel(place);
+    const double before = view.camera().distance;
+    mouse.wheel(at, 3);
+    EXPECT_LT(view.camera().distance, 0.8 * before);
+    EXPECT_LT((pixel(place) - at).manhattanLength(), 0.05);
+    mouse.wheel(at, -3);
+    EXPECT_NEAR(view.camera().distance, before, 1e-6);
+}
+
+TEST_F(SurfaceViewTest, LeftDragOnTheCoverTurnsAndSelectsNothing)
+{
+    const double before = view.camera().azimuth;
+    mouse.drag(pixel({50, 40, 0}), pixel({50, 40, 0}) + QPointF(90, 0));
+    EXPECT_NE(view.camera().azimuth, before);
+    EXPECT_TRUE(selection.elements().empty());
+}
+
+TEST_F(SurfaceViewTest, ClickSelectsThePatch)
+{
+    mouse.click(pixel({50, 40, 0}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
+    mouse.click(pixel({350, 40, 0}), Qt::ShiftModifier);
+    EXPECT_EQ(selection.elements(), (Selection::Elements{leftPatch, rightPatch}));
+    mouse.click(pixel({350, 40, 0}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{rightPatch});
+    mouse.click({5, 5});
+    EXPECT_TRUE(selection.elements().empty());
+}
+
+TEST_F(SurfaceViewTest, ClickSelectsSeamsAndCurves)
+{
+    mouse.click(pixel({200, 30, 0}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{seamId});
+    mouse.click(pixel(curve().at(0.3)));
+    EXPECT_EQ(selection.elements(), Selection::Elements{curveId});
+}
+
+TEST_F(SurfaceViewTest, WhatIsHiddenIsNotHit)
+{
+    Camera camera = view.camera();
+    camera.elevation = -1.2; // the curve lies behind the cover now
+    view.setCamera(camera);
+    mouse.click(pixel(curve().at(0.3)));
+    EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
+    selection.set({curveId});
+    mouse.click(pixel(curve().at(0.3))); // but a selected one is
+    EXPECT_EQ(selection.elements(), Selection::Elements{curveId});
+}
+
+TEST_F(SurfaceViewTest, HoverIsShared)
+{
+    QSignalSpy places(&view, &SurfaceView::pointerMoved);
+    mouse.move(pixel({350, 40, 0}));
+    EXPECT_EQ(selection.hovered(), rightPatch);
+    ASSERT_EQ(places.count(), 1);
+    const auto place = places[0][0].value<std::optional<Vec3>>();
+    ASSERT_TRUE(place);
+    EXPECT_LT((*place - Vec3(350, 40, 0)).norm(), 0.1);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&view, &leave);
+    EXPECT_EQ(selection.hovered(), settingsId);
+    EXPECT_FALSE(places.last()[0].value<std::optional<Vec3>>());
+}
+
+TEST_F(SurfaceViewTest, PromptSaysWhatCanBeDone)
+{
+    QSignalSpy prompts(&view, &SurfaceView::promptChanged);
+    mouse.move(pixel({350, 40, 0}));
+    const QString overCover = view.prompt();
+    mouse.move(pixel(curve().at(0.3)));
+    EXPECT_NE(view.prompt(), overCover);
+    EXPECT_EQ(prompts.last()[0].toString(), view.prompt());
+}
+
+TEST_F(SurfaceViewTest, DraggingAControlPointChangesTheDesign)
+{
+    const Vec3 before = point(1);
+    const QPointF from = selectPoint(1);
+    const std::uint64_t revision = document.revision();
+    const NodeId node = document.history().current();
+    mouse.press(from);
+    mouse.move(from + QPointF(30, 20));
+    EXPECT_TRUE(document.gestureRunning());
+    EXPECT_GT(document.revision(), revision);
+    const Vec3 during = point(1);
+    EXPECT_GT((during - before).norm(), 5);
+    mouse.move(from + QPointF(60, 40));
+    EXPECT_GT((point(1) - before).norm(), (during - before).norm());
+    EXPECT_EQ(document.history().current(), node); // nothing is committed yet
+    mouse.release(from + QPointF(60, 40));
+    EXPECT_FALSE(document.gestureRunning());
+    EXPECT_EQ(document.history().count(), node + 2);
+    // Parallel to the screen, and under the pointer.
+    EXPECT_NEAR(view.camera().depth(point(1)), view.camera().depth(before), 1e-6);
+    EXPECT_LT((pixel(point(1)) - from - QPointF(60, 40)).manhattanLength(), 0.05);
+    document.undo();
+    EXPECT_EQ(point(1), before);
+}
+
+TEST_F(SurfaceViewTest, PointIsSelectedByPressingIt)
+{
+    selection.set({curveId});
+    const QPointF from = pixel(point(2));
+    mouse.drag(from, from + QPointF(20, 0));
+    EXPECT_EQ(selection.points(), (Selection::Points{{curveId, 2}}));
+    EXPECT_LT((pixel(point(2)) - from - QPointF(20, 0)).manhattanLength(), 0.05);
+}
+
+TEST_F(SurfaceViewTest, EscapeRestoresTheDesign)
+{
+    const Design before = document.design();
+    const QPointF from = selectPoint(1);
+    mouse.press(from);
+    mouse.move(from + QPointF(50, 0));
+    EXPECT_FALSE(document.design() == before);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(document.design() == before);
+    mouse.move(from + QPointF(70, 0));
+    mouse.release(from + QPointF(70, 0));
+    EXPECT_TRUE(document.design() == before);
+    EXPECT_FALSE(document.history().canUndo());
+}
+
+TEST_F(SurfaceViewTest, EscapeGoesBackStepByStep)
+{
+    selectPoint(1);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(selection.points().empty());
+    EXPECT_TRUE(selection.contains(curveId));
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(selection.elements().empty());
+}
+
+TEST_F(SurfaceViewTest, UndoDuringADragEndsIt)
+{
+    const Design before = document.design();
+    const QPointF from = selectPoint(1);
+    mouse.press(from);
+    mouse.move(from + QPointF(50, 0));
+    document.cancelGesture();
+    EXPECT_TRUE(document.design() == before);
+    mouse.move(from + QPointF(80, 0));
+    mouse.release(from + QPointF(80, 0));
+    EXPECT_TRUE(document.design() == before);
+}
+
+TEST_F(SurfaceViewTest, KeysKeepToAnAxis)
+{
+    const Vec3 before = point(1);
+    const QPointF from = selectPoint(1);
+    mouse.press(from);
+    mouse.move(from + QPointF(60, 35));
+    QTest::keyClick(&view, Qt::Key_X);
+    const Vec3 alongX = point(1) - before;
+    EXPECT_GT(alongX.x(), 5);
+    EXPECT_NEAR(alongX.y(), 0, 1e-9);
+    EXPECT_NEAR(alongX.z(), 0, 1e-9);
+    EXPECT_NEAR(pixel(point(1)).x(), from.x() + 60, 6);
+    QTest::keyClick(&view, Qt::Key_Y);
+    EXPECT_NEAR((point(1) - before).x(), 0, 1e-9);
+    EXPECT_LT((point(1) - before).y(), -5);
+    QTest::keyClick(&view, Qt::Key_Y); // free again
+    EXPECT_GT((point(1) - before).x(), 5);
+    mouse.release(from + QPointF(60, 35));
+}
+
+TEST_F(SurfaceViewTest, ShiftKeepsToTheDominantAxis)
+{
+    const Vec3 before = point(1);
+    const QPointF from = selectPoint(1);
+    mouse.press(from);
+    mouse.move(from + QPointF(60, 8), Qt::ShiftModifier);
+    const Vec3 moved = point(1) - before;
+    EXPECT_GT(moved.x(), 5);
+    EXPECT_NEAR(moved.tail<2>().norm(), 0, 1e-9);
+    mouse.release(from + QPointF(60, 8), Qt::ShiftModifier);
+}
+
+TEST_F(SurfaceViewTest, SelectedPointsMoveTogether)
+{
+    const Vec3 one = point(1), two = point(2), three = point(3);
+    selection.set({curveId}, {{curveId, 1}, {curveId, 2}});
+    const QPointF from = pixel(one);
+    mouse.drag(from, from + QPointF(40, -10));
+    const Vec3 moved = point(1) - one;
+    EXPECT_GT(moved.norm(), 5);
+    EXPECT_LT((point(2) - two - moved).norm(), 1e-9);
+    EXPECT_EQ(point(3), three);
+    EXPECT_EQ(document.history().count(), 2);
+}
+
+TEST_F(SurfaceViewTest, ArrowKeysNudge)
+{
+    const Vec3 before = point(1);
+    selectPoint(1);
+    QTest::keyPress(&view, Qt::Key_Right);
+    QTest::keyPress(&view, Qt::Key_Right);
+    QTest::keyPress(&view, Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_LT((point(1) - before - Vec3(12, 0, 0)).norm(), 1e-9);
+    QTest::keyRelease(&view, Qt::Key_Right);
+    EXPECT_EQ(document.history().count(), 2); // one edit
+    QTest::keyClick(&view, Qt::Key_Up);       // seen from above, up is +y and away is -z
+    QTest::keyClick(&view, Qt::Key_PageUp);
+    EXPECT_LT((point(1) - before - Vec3(12, 1, -1)).norm(), 1e-9);
+}
+
+TEST_F(SurfaceViewTest, DeleteRemovesPointsAndDoubleClickAddsThem)
+{
+    const double t = 0.31;
+    const Vec3 place = curve().at(t);
+    const int count = curve().pointCount();
+    mouse.doubleClick(pixel(place));
+    EXPECT_EQ(curve().pointCount(), count + 1);
+    EXPECT_LT((curve().at(t) - place).norm(), 1e-9); // the same shape
+    ASSERT_EQ(selection.points().size(), 1u);
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_EQ(curve().pointCount(), count);
+    EXPECT_LT((curve().at(t) - place).norm(), 1e-6);
+}
+
+TEST_F(SurfaceViewTest, WhatCannotBeRemovedIsReported)
+{
+    QSignalSpy problems(&view, &SurfaceView::failed);
+    selectPoint(1);
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_EQ(curve().pointCount(), 4);
+    ASSERT_EQ(problems.count(), 1);
+    EXPECT_FALSE(problems[0][0].toString().isEmpty());
+}
+
+TEST_F(SurfaceViewTest, StandardViewsFlyThere)
+{
+    view.setStandardView(SurfaceView::StandardView::Right);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(1, 0, 0), 1e-6); }));
+    view.setStandardView(SurfaceView::StandardView::Top);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
+    const QRectF seen(0, 0, 800, 600);
+    EXPECT_TRUE(seen.contains(pixel({0, 0, 0})));
+    EXPECT_TRUE(seen.contains(pixel({400, 200, 0})));
+}
+
+TEST_F(SurfaceViewTest, CubeTurnsTheView)
+{
+    Camera camera = view.camera();
+    camera.azimuth = 0.2;
+    camera.elevation = 0.2;
+    view.setCamera(camera);
+    auto* cube = view.findChild<SurfaceViewCube*>();
+    ASSERT_TRUE(cube);
+    Mouse onCube(*cube);
+    onCube.click(QPointF(cube->rect().center()));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, -1, 0), 1e-6); }));
+    onCube.drag({50, 50}, {70, 40});
+    EXPECT_LT(view.camera().azimuth, -0.1);
+}
+
+TEST_F(SurfaceViewTest, FitSelectionComesCloser)
+{
+    view.fitAll();
+    QTest::qWait(400);
+    const double whole = view.camera().distance;
+    selection.set({leftPatch});
+    view.fitSelection();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().distance < 0.8 * whole; }));
+}
+
+TEST_F(SurfaceViewTest, OrthographicIsAnnounced)
+{
+    QSignalSpy changes(&view, &SurfaceView::perspectiveChanged);
+    view.setPerspective(false);
+    EXPECT_FALSE(view.perspective());
+    EXPECT_EQ(changes.count(), 1);
+    mouse.click(pixel({50, 40, 0}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
+}
+
+TEST_F(SurfaceViewTest, HiddenLayersAreNotHit)
+{
+    view.setLayerVisible(SurfaceView::Layer::FixationCurves, false);
+    mouse.click(pixel(curve().at(0.3)));
+    EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
+    view.setLayerVisible(SurfaceView::Layer::Cover, false);
+    mouse.click(pixel({50, 40, 0}));
+    EXPECT_TRUE(selection.elements().empty());
+    EXPECT_TRUE(view.surface()); // only hidden
+}
+
+TEST_F(SurfaceViewTest, LivesWithBrokenSurfaces)
+{
+    auto broken = std::make_shared<SurfaceMesh>(*twoSquaresCover());
+    for (Vec3& p : broken->positions)
+        p.setConstant(std::numeric_limits<double>::quiet_NaN());
+    view.setSurface(broken);
+    mouse.move({400, 300});
+    QTest::qWait(50);
+    auto short_ = std::make_shared<SurfaceMesh>(*twoSquaresCover());
+    short_->positions.pop_back();
+    view.setSurface(short_);
+    EXPECT_FALSE(view.surface());
+    view.setSurface(nullptr);
+    mouse.move({400, 300});
+    EXPECT_FALSE(view.grabPicture().isNull());
+}
+
+TEST_F(SurfaceViewTest, FollowsTheSurfaceWhenItMoves)
+{
+    auto moved = std::make_shared<SurfaceMesh>(*view.surface());
+    for (Vec3& p : moved->positions)
+        p.x() += 1000;
+    mouse.move(pixel({50, 40, 0}));
+    EXPECT_EQ(selection.hovered(), leftPatch);
+    view.setSurface(moved);
+    mouse.move(pixel({50, 40, 0}));
+    EXPECT_EQ(selection.hovered(), settingsId);
+    EXPECT_EQ(view.hit(pixel({1050, 40, 0})).element, leftPatch);
+}
+
+} // namespace
+} // namespace bolster::test
