@@ -42,7 +42,7 @@ Banner::Banner(QWidget* parent)
     layout->addLayout(m_buttons);
     layout->addWidget(close);
     m_text->setWordWrap(true);
-    hide();
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
 }
 
 void Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
@@ -63,7 +63,7 @@ void Banner::announce(Kind kind, const QString& text, const QList<Button>& butto
         });
         m_buttons->addWidget(push);
     }
-    setVisible(true);
+    m_shown = true;
     emit toggled(true);
 }
 
@@ -74,7 +74,7 @@ QString Banner::text() const
 
 void Banner::dismiss()
 {
-    hide();
+    m_shown = false;
     emit toggled(false);
 }
 

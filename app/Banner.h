@@ -24,19 +24,20 @@ public:
 
     /// Replaces what is shown.
     void announce(Kind kind, const QString& text, const QList<Button>& buttons);
+    void dismiss();
     QString text() const;
+    bool shown() const { return m_shown; }
 
 signals:
-    /// It appeared or was closed.
-    void toggled(bool visible);
+    /// It has something to say, or was closed. Whoever placed it shows and hides it: a tool bar wants that itself.
+    void toggled(bool shown);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void dismiss();
-
     Kind m_kind = Kind::Information;
+    bool m_shown = false;
     QLabel* m_sign;
     QLabel* m_text;
     QHBoxLayout* m_buttons;

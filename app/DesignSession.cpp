@@ -75,6 +75,14 @@ void DesignSession::restore(const Recovery::Orphan& orphan, const Done& done)
     });
 }
 
+void DesignSession::discard(const Recovery::Orphan& orphan)
+{
+    Recovery::discard(orphan);
+    FrameFiles leftOver;
+    leftOver.moved(orphan.frameFolder());
+    leftOver.start({});
+}
+
 void DesignSession::take(OpenedDesign opened, const QString& path, const QString& folder, const QString& title)
 {
     ++m_generation;
@@ -83,6 +91,7 @@ void DesignSession::take(OpenedDesign opened, const QString& path, const QString
     m_recovery.setOriginal(path.isEmpty() && !folder.isEmpty() ? folder + QStringLiteral("/untitled.json") : path);
     m_path = path;
     m_title = title;
+    m_workDiscarded = false;
     m_opened = std::move(opened.problems);
     m_meshes.clear();
     m_meshProblems.clear();
@@ -138,11 +147,12 @@ void DesignSession::save(const QString& path, const Done& done)
 void DesignSession::discardWork()
 {
     m_recovery.discard();
+    m_workDiscarded = true;
 }
 
 void DesignSession::end()
 {
-    if (!m_document.dirty())
+    if (!m_document.dirty() || m_workDiscarded)
         m_files.start({});
 }
 

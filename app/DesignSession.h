@@ -40,6 +40,8 @@ public:
     /// A sample is opened without its path. On failure everything stays as it was.
     void open(const QString& path, const Done& done);
     void restore(const Recovery::Orphan& orphan, const Done& done);
+    /// Removes what a crash has left, with the frames that lay beside it alone.
+    static void discard(const Recovery::Orphan& orphan);
     void save(const QString& path, const Done& done);
     /// Nothing of the unsaved work is to be kept.
     void discardWork();
@@ -77,6 +79,7 @@ private:
     std::map<QString, Message> m_meshProblems;
     QSet<QString> m_reading;
     FrameMeshes m_frames;
+    bool m_workDiscarded = false;
     int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
 };
 

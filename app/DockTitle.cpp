@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QPainter>
 #include <QToolButton>
 
@@ -13,6 +14,7 @@ namespace bolster {
 
 DockTitle::DockTitle(QDockWidget* dock)
     : QWidget(dock)
+    , m_dock(dock)
     , m_label(new QLabel(dock->windowTitle(), this))
 {
     QFont font = m_label->font();
@@ -33,6 +35,9 @@ DockTitle::DockTitle(QDockWidget* dock)
     connect(floating, &QToolButton::clicked, dock, [dock] { dock->setFloating(!dock->isFloating()); });
     connect(close, &QToolButton::clicked, dock, &QWidget::close);
     connect(dock, &QWidget::windowTitleChanged, m_label, &QLabel::setText);
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockTitle::updateTabbed);
+    connect(dock, &QDockWidget::topLevelChanged, this, &DockTitle::updateTabbed);
+    connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitle::updateTabbed);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 3, 4, 3);
@@ -42,8 +47,34 @@ DockTitle::DockTitle(QDockWidget* dock)
     layout->addWidget(close);
 }
 
+void DockTitle::updateTabbed()
+{
+    const auto* window = qobject_cast<QMainWindow*>(m_dock->parentWidget());
+    const bool tabbed = window && !m_dock->isFloating() && !window->tabifiedDockWidgets(m_dock).isEmpty();
+    if (tabbed == m_tabbed)
+        return;
+    m_tabbed = tabbed;
+    for (QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        child->setVisible(!tabbed);
+    updateGeometry();
+    if (QLayout* outer = m_dock->layout())
+        outer->invalidate();
+}
+
+QSize DockTitle::sizeHint() const
+{
+    return m_tabbed ? QSize(0, 0) : QWidget::sizeHint();
+}
+
+QSize DockTitle::minimumSizeHint() const
+{
+    return m_tabbed ? QSize(0, 0) : QWidget::minimumSizeHint();
+}
+
 void DockTitle::paintEvent(QPaintEvent*)
 {
+    if (m_tabbed)
+        return;
     QPainter painter(this);
     const QColor line = mixed(palette().color(QPalette::Window), palette().color(QPalette::Text), 0.13);
     painter.setPen(line);

@@ -8,17 +8,25 @@ class QLabel;
 
 namespace bolster {
 
+/// Behind a tab that says the same there is no title.
 class DockTitle : public QWidget {
     Q_OBJECT
 
 public:
     explicit DockTitle(QDockWidget* dock);
 
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void updateTabbed();
+
+    QDockWidget* m_dock;
     QLabel* m_label;
+    bool m_tabbed = false;
 };
 
 } // namespace bolster

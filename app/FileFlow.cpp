@@ -318,7 +318,7 @@ void FileFlow::offerRecovery()
                                  });
                              });
                          }},
-                        {tr("Discard"), [newest] { Recovery::discard(newest); }}});
+                        {tr("Discard"), [newest] { DesignSession::discard(newest); }}});
 }
 
 } // namespace bolster

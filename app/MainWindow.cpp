@@ -12,6 +12,7 @@
 #include "ProblemsView.h"
 #include "RayRenderer.h"
 #include "SelectionEdits.h"
+#include "StartHint.h"
 #include "StatusLine.h"
 #include "Translated.h"
 #include "Units.h"
@@ -60,8 +61,9 @@ MainWindow::MainWindow(QWidget* parent)
     connectViews();
     connectActions();
     connectViewActions();
-    m_pattern->setEmptyHint(
-        tr("There are no patches yet.\n\nOpen a design, or a sample from the File menu, or drop a file here."));
+    auto* hint = new StartHint(document(), m_pattern);
+    connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
+    connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);
     m_session->startNew();
     applyLayers();
     restoreLayout();
@@ -168,6 +170,7 @@ void MainWindow::connectViews()
 
 void MainWindow::designOpened()
 {
+    m_banner->dismiss(); // it spoke about the last one
     m_selection.clear();
     m_solver->forget();
     m_fitCover = true;
@@ -249,7 +252,7 @@ void MainWindow::restoreLayout()
         resize(1400, 900);
     restoreState(settings.value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
-    m_banner->parentWidget()->setVisible(!m_banner->isHidden());
+    m_banner->parentWidget()->setVisible(m_banner->shown());
 }
 
 void MainWindow::storeLayout()

@@ -6,6 +6,8 @@
 #include <QStyle>
 #include <QStyleFactory>
 
+#include <utility>
+
 namespace bolster {
 
 namespace {
@@ -49,20 +51,50 @@ QPalette paletteOf(const Shades& shades)
     return p;
 }
 
-// Fusion draws most of it well; these are its old-fashioned spots.
-const char* const style = R"(
+QString mixedName(QRgb a, QRgb b, int percentOfB)
+{
+    const auto mix = [percentOfB](int x, int y) { return x + (y - x) * percentOfB / 100; };
+    return QColor(mix(qRed(a), qRed(b)), mix(qGreen(a), qGreen(b)), mix(qBlue(a), qBlue(b))).name();
+}
+
+/// Fusion draws most of it well; these are its old-fashioned spots.
+QString styleOf(const Shades& shades)
+{
+    QString style = QStringLiteral(R"(
 QMainWindow::separator { background: palette(window); width: 5px; height: 5px; }
-QMainWindow::separator:hover { background: palette(highlight); }
-QToolBar { border: none; border-bottom: 1px solid palette(mid); padding: 4px 6px; spacing: 3px; }
-QToolBar::separator { background: palette(mid); width: 1px; margin: 5px 5px; }
-QToolBar QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
-QToolBar QToolButton:hover { background: palette(button); border-color: palette(mid); }
-QToolBar QToolButton:pressed, QToolBar QToolButton:checked { background: palette(mid); border-color: palette(mid); }
-QToolBar QToolButton[popupMode="2"] { padding-right: 14px; }
-QStatusBar { border-top: 1px solid palette(mid); }
+QMainWindow::separator:hover { background: $tint; }
+QToolBar { border: none; border-bottom: 1px solid $line; padding: 4px 6px; spacing: 3px; }
+QToolBar::separator { background: $line; width: 1px; margin: 6px 6px; }
+QToolBar QToolButton { border: none; border-radius: 5px; padding: 5px; }
+QToolBar QToolButton:hover { background: $hover; }
+QToolBar QToolButton:pressed { background: $line; }
+QToolBar QToolButton:checked { background: $tint; }
+QToolBar QToolButton:checked:hover { background: $tintHover; }
+QStatusBar { border-top: 1px solid $line; }
 QStatusBar::item { border: none; }
-QToolTip { border: 1px solid palette(mid); padding: 4px; background: palette(base); color: palette(text); }
-)";
+QToolTip { border: 1px solid $line; padding: 4px; background: palette(base); color: palette(text); }
+QScrollBar { background: transparent; border: none; }
+QScrollBar:vertical { width: 11px; }
+QScrollBar:horizontal { height: 11px; }
+QScrollBar::handle { background: $handle; border-radius: 3px; margin: 2px 3px; }
+QScrollBar::handle:vertical { min-height: 28px; }
+QScrollBar::handle:horizontal { min-width: 28px; margin: 3px 2px; }
+QScrollBar::handle:hover { background: $handleHover; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+)");
+    const std::pair<const char*, QString> colors[] = {
+        {"$handleHover", mixedName(shades.window, shades.text, 45)},
+        {"$handle", mixedName(shades.window, shades.text, 24)},
+        {"$tintHover", mixedName(shades.window, shades.highlight, 34)},
+        {"$tint", mixedName(shades.window, shades.highlight, 22)},
+        {"$hover", mixedName(shades.window, shades.text, 8)},
+        {"$line", mixedName(shades.window, shades.text, 14)},
+    };
+    for (const auto& [name, color] : colors)
+        style.replace(QLatin1String(name), color);
+    return style;
+}
 
 } // namespace
 
@@ -73,8 +105,9 @@ void applyTheme(QApplication& application, Theme theme)
         QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     const bool darkSystem = system.color(QPalette::Window).lightness() < 128;
     const bool isDark = theme == Theme::Dark || (theme == Theme::System && darkSystem);
-    QApplication::setPalette(paletteOf(isDark ? dark : light));
-    application.setStyleSheet(QString::fromLatin1(style));
+    const Shades& shades = isDark ? dark : light;
+    QApplication::setPalette(paletteOf(shades));
+    application.setStyleSheet(styleOf(shades));
 }
 
 Theme storedTheme()

@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "CurveEdits.h"
+#include "FrameAngles.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "PatchEdits.h"
@@ -17,34 +18,9 @@ namespace bolster {
 
 namespace {
 
-constexpr double radiansPerDegree = M_PI / 180;
-
 // What the fields take; what is a good value, DesignCheck says.
 const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
 const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
-
-/// Turns about the fixed axes x, y, z, one after the other, in degrees.
-std::array<double, 3> anglesOf(const Quat& rotation)
-{
-    const Eigen::Matrix3d r = rotation.normalized().toRotationMatrix();
-    const double y = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
-    std::array<double, 3> angles{};
-    if (std::abs(r(2, 0)) < 1 - 1e-9)
-        angles = {std::atan2(r(2, 1), r(2, 2)), y, std::atan2(r(1, 0), r(0, 0))};
-    else
-        angles = {std::atan2(-r(1, 2), r(1, 1)), y, 0}; // x and z are the same axis then
-    for (double& angle : angles)
-        angle /= radiansPerDegree;
-    return angles;
-}
-
-Quat rotationOf(const std::array<double, 3>& degrees)
-{
-    const auto about = [&](std::size_t i) {
-        return Eigen::AngleAxisd(degrees[i] * radiansPerDegree, Vec3::Unit(static_cast<Eigen::Index>(i)));
-    };
-    return Quat(about(2) * about(1) * about(0)).normalized();
-}
 
 } // namespace
 
@@ -323,7 +299,7 @@ void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
         [frame](int i) { return anglesOf(frame.now().rotation)[static_cast<std::size_t>(i)]; },
         [frame](int i, double value) {
             frame.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](Frame& f) {
-                std::array<double, 3> angles = anglesOf(f.rotation);
+                FrameAngles angles = anglesOf(f.rotation);
                 angles[static_cast<std::size_t>(i)] = value;
                 f.rotation = rotationOf(angles);
             });

@@ -62,7 +62,8 @@ double scaleBarLength(double pixelsPerMillimetre, double mostPixels)
     return decade;
 }
 
-void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size, const ViewColors& colors)
+void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size,
+                   const ViewColors& colors)
 {
     const double length = scaleBarLength(transform.scale());
     const double width = std::round(length * transform.scale());
@@ -70,7 +71,8 @@ void paintScaleBar(QPainter& painter, const PatternTransform& transform, const Q
     const double bottom = size.height() - 14.5;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colors.mutedLabel, 1));
-    const QVector<QPointF> bar{{left, bottom - 5}, {left, bottom}, {left + width, bottom}, {left + width, bottom - 5}};
+    const QVector<QPointF> bar{
+        {left, bottom - 5}, {left, bottom}, {left + width, bottom}, {left + width, bottom - 5}};
     painter.drawPolyline(bar.data(), static_cast<int>(bar.size()));
     painter.setRenderHint(QPainter::Antialiasing, true);
     painter.drawText(QRectF(left, bottom - 22, width, 18), Qt::AlignCenter | Qt::TextDontClip, lengthText(length));

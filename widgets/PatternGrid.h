@@ -17,6 +17,7 @@ void paintGrid(QPainter& painter, const PatternTransform& transform, const QSize
 
 /// A round length (1, 2 or 5 times a power of ten, mm) that is at most `mostPixels` wide.
 double scaleBarLength(double pixelsPerMillimetre, double mostPixels = 130);
-void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size, const ViewColors& colors);
+void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size,
+                   const ViewColors& colors);
 
 } // namespace bolster

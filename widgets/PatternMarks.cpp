@@ -73,24 +73,29 @@ void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool cou
     painter.strokePath(stretch, QPen(color, strong ? 3.4 : 2.4, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
 }
 
-void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, bool leftIsInside, const QColor& color,
-                    bool strong)
+void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written)
 {
-    const Walk walk(stretch);
+    const Walk walk(arrow.stretch);
     if (walk.length() < 30)
         return;
-    // Not in the middle: there it would meet the label, and in narrow patches the arrow of the other side.
-    const Spot spot = walk.at(walk.length() / 3);
-    const double size = strong ? 6 : 4.5;
-    // Pixels run downwards: there the left of the layout is (y, -x).
-    const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (leftIsInside ? 1 : -1);
-    const QPointF centre = spot.at + inward * (strong ? 14 : 9);
-    QPainterPath arrow(centre + spot.along * size);
-    arrow.lineTo(centre - spot.along * size * 0.8 + inward * size * 0.8);
-    arrow.lineTo(centre - spot.along * size * 0.4);
-    arrow.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
-    arrow.closeSubpath();
-    painter.fillPath(arrow, color);
+    const double size = arrow.strong ? 6 : 4.5;
+    const QRectF taboo = written.adjusted(-size - 2, -size - 1, size + 2, size + 1);
+    // Not in the middle: in narrow patches it would meet the arrow of the other side.
+    for (const double share : {0.33, 0.2, 0.8, 0.66}) {
+        const Spot spot = walk.at(share * walk.length());
+        // Pixels run downwards: there the left of the layout is (y, -x).
+        const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (arrow.leftIsInside ? 1 : -1);
+        const QPointF centre = spot.at + inward * (arrow.strong ? 14 : 9.5);
+        if (!written.isEmpty() && taboo.contains(centre))
+            continue;
+        QPainterPath head(centre + spot.along * size);
+        head.lineTo(centre - spot.along * size * 0.8 + inward * size * 0.8);
+        head.lineTo(centre - spot.along * size * 0.4);
+        head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
+        head.closeSubpath();
+        painter.fillPath(head, color);
+        return;
+    }
 }
 
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color)

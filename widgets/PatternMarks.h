@@ -12,10 +12,14 @@ namespace bolster {
 /// layout.
 void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
                         bool strong);
-/// An arrow on the inner side that says which way the seam runs. `leftIsInside`: the patch lies to the left of the
-/// stretch as the seam walks it (in the layout, where y points up).
-void paintSeamArrow(QPainter& painter, const QPainterPath& stretch, bool leftIsInside, const QColor& color,
-                    bool strong);
+/// An arrow on the inner side that says which way the seam runs.
+struct SeamArrow {
+    QPainterPath stretch;      ///< as the seam walks it
+    bool leftIsInside = false; ///< the patch lies to the left of it (in the layout, where y points up)
+    bool strong = false;
+};
+/// Keeps off `written`; short stretches have no arrow.
+void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
 /// A double arrow along the warp.

@@ -32,7 +32,8 @@ void PatternMesh::setTopology(std::shared_ptr<const SurfaceTopology> topology)
         std::ranges::sort(patch.edges);
         patch.edges.erase(std::unique(patch.edges.begin(), patch.edges.end()), patch.edges.end());
         for (const auto& [a, b] : patch.edges)
-            length += (m_topology->pattern[range.firstVertex + a] - m_topology->pattern[range.firstVertex + b]).norm();
+            length +=
+                (m_topology->pattern[range.firstVertex + a] - m_topology->pattern[range.firstVertex + b]).norm();
         count += patch.edges.size();
     }
     m_edgeLength = count ? length / static_cast<double>(count) : 0;

@@ -2,12 +2,11 @@
 
 #include "CurvePath.h"
 #include "PatternGrid.h"
+#include "PatternLabel.h"
 #include "PatternMarks.h"
 #include "ProblemSet.h"
 #include "Selection.h"
-#include "Units.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
@@ -43,8 +42,8 @@ void PatternPainter::paint()
         if (visible(patch))
             paintPatch(patch);
     for (const auto& [id, patch] : m_in.scene.patches())
-        if (m_in.layers.labels && visible(patch))
-            paintLabel(patch);
+        if (visible(patch))
+            paintInside(patch);
     if (m_in.layers.seams)
         paintSeamLinks();
     for (const auto& [id, patch] : m_in.scene.patches())
@@ -81,7 +80,7 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     const QPainterPath outline = inPixels(patch.path);
     const ViewColors& colors = m_in.colors;
 
-    QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.42 : hovered(patch.id) ? 0.34 : 0.26);
+    QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.46 : hovered(patch.id) ? 0.38 : 0.30);
     if (bad)
         fill = mixed(colors.canvas, colors.error, 0.18);
     m_painter.fillPath(outline, fill);
@@ -99,8 +98,6 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (m_in.layers.seams)
-        paintSeamArrows(patch);
 }
 
 void PatternPainter::paintMesh(const PatternPatch& patch)
@@ -150,68 +147,31 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
     }
 }
 
-void PatternPainter::paintSeamArrows(const PatternPatch& patch)
+void PatternPainter::paintInside(const PatternPatch& patch)
+{
+    QRectF written;
+    if (m_in.layers.labels) {
+        const PatternLabel label(patch, m_in.transform, m_in.font);
+        label.paint(m_painter, m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label,
+                    m_in.colors.mutedLabel);
+        written = label.box();
+    }
+    if (m_in.layers.seams)
+        paintSeamArrows(patch, written);
+}
+
+void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& written)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
     for (const auto& [owner, stretch] : m_in.scene.stretches()) {
         const auto color = m_in.seamColors.find(owner);
         if (stretch.patch != patch.id || color == m_in.seamColors.end())
             continue;
-        const bool leftIsInside = counterClockwise != stretch.backwards;
-        paintSeamArrow(m_painter, inPixels(stretch.path), leftIsInside,
-                       m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
-                       selected(owner) || hovered(owner));
+        const SeamArrow arrow{inPixels(stretch.path), counterClockwise != stretch.backwards,
+                              selected(owner) || hovered(owner)};
+        paintSeamArrow(m_painter, arrow, m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
+                       written);
     }
-}
-
-void PatternPainter::paintLabel(const PatternPatch& patch)
-{
-    QFont nameFont = m_in.font;
-    nameFont.setWeight(QFont::DemiBold);
-    const QFontMetricsF metrics(nameFont);
-    const QString name = QString::fromStdString(patch.patch().name);
-    const double scale = m_in.transform.scale();
-    const QSizeF text(metrics.horizontalAdvance(name) / scale, metrics.height() / scale);
-    const bool lying = LabelPlace::fits(patch.label.lying, text);
-    if (name.isEmpty() || (!lying && !LabelPlace::fits(patch.label.upright, text)))
-        return;
-    const LabelPlace::Spot& spot = lying ? patch.label.lying : patch.label.upright;
-
-    m_painter.save();
-    m_painter.translate(m_in.transform.toPixels(spot.centre));
-    if (!lying)
-        m_painter.rotate(-90);
-    const double line = metrics.height();
-    const Vec2 extent = patch.patch().outline.boundingBox().sizes();
-    const QString size = sizeText(extent.x(), extent.y());
-    const QFontMetricsF small(m_in.font);
-    const QSizeF both(std::max(text.width(), small.horizontalAdvance(size) / scale), 3.2 * text.height());
-    const bool withSize = LabelPlace::fits(spot, both);
-    m_painter.setFont(nameFont);
-    m_painter.setPen(m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label);
-    const double top = withSize ? -line : -line / 2;
-    m_painter.drawText(QRectF(-500, top, 1000, line), Qt::AlignCenter, name);
-    if (withSize) {
-        m_painter.setFont(m_in.font);
-        m_painter.setPen(m_in.colors.mutedLabel);
-        m_painter.drawText(QRectF(-500, top + line, 1000, line), Qt::AlignCenter, size);
-    }
-    m_painter.restore();
-    if (lying)
-        paintGrain(patch, spot, withSize ? line : line / 2);
-}
-
-void PatternPainter::paintGrain(const PatternPatch& patch, const LabelPlace::Spot& spot, double below)
-{
-    const double room = spot.room * m_in.transform.scale();
-    const double length = std::min(0.62 * (room - below), 44.0);
-    if (length < 16)
-        return;
-    const QPointF centre = m_in.transform.toPixels(spot.centre) + QPointF(0, below + 10 + length / 2);
-    // Degrees counter-clockwise in the layout; pixels run downwards.
-    const double angle = -(patch.patch().grain + patch.patch().rotation) * M_PI / 180;
-    paintGrainArrow(m_painter, centre, QPointF(std::cos(angle), std::sin(angle)) * length / 2,
-                    m_in.colors.mutedLabel);
 }
 
 void PatternPainter::paintSeamLinks()

@@ -59,9 +59,8 @@ private:
     void paintMesh(const PatternPatch& patch);
     void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);
     void paintFixations(const PatternPatch& patch);
-    void paintSeamArrows(const PatternPatch& patch);
-    void paintLabel(const PatternPatch& patch);
-    void paintGrain(const PatternPatch& patch, const LabelPlace::Spot& spot, double below);
+    void paintInside(const PatternPatch& patch);
+    void paintSeamArrows(const PatternPatch& patch, const QRectF& written);
     void paintSeamLinks();
     void paintPoints(const PatternPatch& patch);
 

@@ -28,7 +28,8 @@ public:
     PatternTransform panned(QPointF pixels) const;
     /// The layout point in the middle of the widget stays in the middle.
     PatternTransform resized(QSizeF from, QSizeF to) const;
-    /// Shows the whole box with `margin` pixels around it, at most at `largest` pixels per mm. Default for an empty box.
+    /// Shows the whole box with `margin` pixels around it, at most at `largest` pixels per mm. Default for an empty
+    /// box.
     static PatternTransform fitting(const Box2& box, QSizeF size, double margin, double largest = 4);
 
 private:

@@ -68,12 +68,6 @@ void PatternView::setLayers(const PatternLayers& layers)
     update();
 }
 
-void PatternView::setEmptyHint(const QString& hint)
-{
-    m_emptyHint = hint;
-    update();
-}
-
 void PatternView::fitAll()
 {
     showBox(m_scene.boundingBox());
@@ -117,8 +111,8 @@ PatternHit PatternView::hit(QPointF pixel) const
 bool PatternView::pointsShown(ElementId id) const
 {
     const PatternPatch* patch = m_scene.patch(id);
-    return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id)
-           && PatternPainter::pointsReadable(*patch, m_transform);
+    return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id) &&
+           PatternPainter::pointsReadable(*patch, m_transform);
 }
 
 void PatternView::refresh()
@@ -191,15 +185,7 @@ void PatternView::paintEvent(QPaintEvent*)
     const PatternPainter::Input input{m_scene,     m_mesh,   m_selection, m_problems, m_seamColors,
                                       m_transform, m_layers, colors,      small,      size()};
     PatternPainter(painter, input).paint();
-    if (m_scene.patches().empty())
-        paintEmptyHint(painter, colors);
     m_tool->paint(painter, colors);
-}
-
-void PatternView::paintEmptyHint(QPainter& painter, const ViewColors& colors) const
-{
-    painter.setPen(colors.mutedLabel);
-    painter.drawText(QRectF(rect()).adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, m_emptyHint);
 }
 
 void PatternView::resizeEvent(QResizeEvent* event)

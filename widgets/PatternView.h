@@ -13,8 +13,7 @@
 namespace bolster {
 
 /// The wheel zooms at the pointer; the middle button, or Space with the left one, pans; Home shows everything.
-class PatternView : public QWidget, private PatternToolContext
-{
+class PatternView : public QWidget, private PatternToolContext {
     Q_OBJECT
 
 public:
@@ -25,8 +24,6 @@ public:
     void setSurface(const SurfaceMeshPtr& surface);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
-    /// What is written in the middle while there are no patches.
-    void setEmptyHint(const QString& hint);
 
     void fitAll();
     void fitSelection(); ///< everything when nothing in the layout is selected
@@ -71,7 +68,6 @@ private:
     void showBox(const Box2& box);
     QString toolTipAt(QPointF pixel) const;
     PatternPointer pointerOf(const QMouseEvent& event) const;
-    void paintEmptyHint(QPainter& painter, const ViewColors& colors) const;
 
     Document& m_document;
     Selection& m_selection;
@@ -81,7 +77,6 @@ private:
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;
-    QString m_emptyHint;
     std::unique_ptr<PatternTool> m_tool;
     QString m_prompt;
     bool m_fitPending = true; ///< until the widget has its first size

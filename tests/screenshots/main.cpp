@@ -104,8 +104,11 @@ int run(QApplication& application)
     if (!waitFor([&] { return opened; }, 30000))
         return 1;
     arrange(window, parser, options);
-    waitFor([&] { return window.solver().upToDate() && window.solver().status().state == SolverStatus::State::Settled; },
-            60000);
+    waitFor(
+        [&] {
+            return window.solver().upToDate() && window.solver().status().state == SolverStatus::State::Settled;
+        },
+        60000);
     waitFor([&] { return window.solver().status().resting; }, 20000);
     window.patternView().fitAll();
     if (parser.isSet(options.close))

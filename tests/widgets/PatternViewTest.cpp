@@ -1,44 +1,287 @@
+#include "PatternView.h"
 #include "DesignFile.h"
 #include "Document.h"
-#include "PatternView.h"
 #include "Picture.h"
 #include "ProblemSet.h"
 #include "Selection.h"
+#include "SelectionEdits.h"
+#include "TestDesigns.h"
 
+#include <QMouseEvent>
+#include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace bolster {
 namespace {
 
-class PatternViewTest : public testing::Test
-{
+class PatternViewTest : public testing::Test {
 protected:
     PatternViewTest()
     {
+        document.reset(twoSquares());
         view.resize(900, 700);
         view.show();
-    }
-
-    void open(const QString& sample)
-    {
-        const OpenedDesign opened =
-            openDesign(QStringLiteral(BOLSTER_SAMPLES "/%1/%1.json").arg(sample));
-        ASSERT_TRUE(opened.readable);
-        document.reset(opened.design);
         view.fitAll();
     }
+
+    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+
+    void move(QPoint to, Qt::KeyboardModifiers modifiers = {})
+    {
+        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, pressed, modifiers);
+        QApplication::sendEvent(&view, &event);
+    }
+
+    void press(QPoint at, Qt::KeyboardModifiers modifiers = {})
+    {
+        move(at);
+        pressed = Qt::LeftButton;
+        QTest::mousePress(&view, Qt::LeftButton, modifiers, at);
+    }
+
+    void release(QPoint at, Qt::KeyboardModifiers modifiers = {})
+    {
+        pressed = Qt::NoButton;
+        QTest::mouseRelease(&view, Qt::LeftButton, modifiers, at);
+    }
+
+    void click(QPoint at, Qt::KeyboardModifiers modifiers = {})
+    {
+        press(at, modifiers);
+        release(at, modifiers);
+    }
+
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {})
+    {
+        press(from, modifiers);
+        move((from + to) / 2, modifiers);
+        move(to, modifiers);
+        release(to, modifiers);
+    }
+
+    const Patch& patch(ElementId id) const { return *document.design().find<Patch>(id); }
+    Vec2 mm(QPoint pixels) const { return Vec2(pixels.x(), -pixels.y()) / view.transform().scale(); }
 
     Document document;
     Selection selection;
     ProblemSet problems;
     PatternView view{document, selection, problems};
+    Qt::MouseButtons pressed = Qt::NoButton;
 };
 
-TEST_F(PatternViewTest, ShowsTheArmchair)
+TEST_F(PatternViewTest, SelectsByClickAndAddsWithShift)
 {
-    open(QStringLiteral("armchair"));
+    click(pixel({50, 50}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{firstSquare});
+    click(pixel({250, 50}), Qt::ShiftModifier);
+    EXPECT_EQ(selection.elements(), (Selection::Elements{firstSquare, secondSquare}));
+    click(pixel({250, 50}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{secondSquare});
+    click(pixel({100, 50}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{squareSeam});
+    click(pixel({150, 50}));
+    EXPECT_TRUE(selection.elements().empty());
+}
+
+TEST_F(PatternViewTest, HoversInStepWithTheSelection)
+{
+    move(pixel({50, 50}));
+    EXPECT_EQ(selection.hovered(), firstSquare);
+    move(pixel({100, 50}));
+    EXPECT_EQ(selection.hovered(), squareSeam);
+    move(pixel({150, 50}));
+    EXPECT_EQ(selection.hovered(), settingsId);
+}
+
+TEST_F(PatternViewTest, DragsAControlPointAsOneEdit)
+{
+    selection.set({firstSquare});
+    const QPoint by(24, -30);
+    drag(pixel({0, 100}), pixel({0, 100}) + by);
+    EXPECT_EQ(document.history().count(), 2);
+    EXPECT_TRUE(patch(firstSquare).outline.points()[3].isApprox(Vec2(0, 100) + mm(by), 1e-9));
+    EXPECT_TRUE(selection.contains(Selection::Point{firstSquare, 3}));
+    document.undo();
+    EXPECT_TRUE(document.design() == twoSquares());
+}
+
+TEST_F(PatternViewTest, DragsSelectedPointsTogetherInTurnedPatches)
+{
+    Patch turned = patch(firstSquare);
+    turned.rotation = 90;
+    document.commit({{}, {{firstSquare, nullptr, makeElement(turned)}}});
+    const auto corner = [&](std::size_t i) {
+        return toLayout(patch(firstSquare), patch(firstSquare).outline.points()[i]);
+    };
+    const Vec2 first = corner(1);
+    const Vec2 second = corner(2);
+    selection.set({firstSquare}, {{firstSquare, 1}, {firstSquare, 2}});
+    const QPoint by(-20, 10);
+    drag(pixel(second), pixel(second) + by);
+    EXPECT_LT((corner(1) - first - mm(by)).norm(), 1e-9);
+    EXPECT_LT((corner(2) - second - mm(by)).norm(), 1e-9);
+}
+
+TEST_F(PatternViewTest, KeepsToOneAxisWithShift)
+{
+    selection.set({firstSquare}, {{firstSquare, 3}});
+    const QPoint from = pixel({0, 100});
+    press(from);
+    move(from + QPoint(40, 9), Qt::ShiftModifier);
+    release(from + QPoint(40, 9), Qt::ShiftModifier);
+    EXPECT_NEAR(patch(firstSquare).outline.points()[3].y(), 100, 1e-9);
+    EXPECT_NEAR(patch(firstSquare).outline.points()[3].x(), mm({40, 0}).x(), 1e-9);
+}
+
+TEST_F(PatternViewTest, MovesAndTurnsPatchesInTheLayout)
+{
+    const QPoint by(0, 60);
+    drag(pixel({50, 50}), pixel({50, 50}) + by);
+    EXPECT_TRUE(patch(firstSquare).position.isApprox(mm(by), 1e-9));
+    EXPECT_EQ(patch(firstSquare).outline, twoSquares().find<Patch>(firstSquare)->outline);
+
+    document.undo();
+    selection.set({firstSquare});
+    const QPoint handle = pixel({50, 100}) - QPoint(0, 26);
+    // To the right of the middle is a quarter turn clockwise.
+    drag(handle, pixel({50, 50}) + QPoint(200, 0), Qt::ShiftModifier);
+    EXPECT_EQ(document.history().count(), 3);
+    EXPECT_NEAR(std::remainder(patch(firstSquare).rotation + 90, 360), 0, 1e-9);
+    EXPECT_LT((toLayout(patch(firstSquare), {50, 50}) - Vec2(50, 50)).norm(), 1e-9);
+}
+
+TEST_F(PatternViewTest, SelectsWhatABoxHolds)
+{
+    drag(pixel({-20, 120}), pixel({320, -20}));
+    EXPECT_EQ(selection.elements(), (Selection::Elements{firstSquare, secondSquare}));
+    selection.set({firstSquare});
+    drag(pixel({-20, 120}), pixel({50, -20}));
+    EXPECT_EQ(selection.points(), (Selection::Points{{firstSquare, 0}, {firstSquare, 3}}));
+}
+
+TEST_F(PatternViewTest, AddsAPointWithADoubleClick)
+{
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, pixel({40, 0}));
+    EXPECT_EQ(patch(firstSquare).outline.pointCount(), 5);
+    ASSERT_EQ(selection.points().size(), 1U);
+    const Vec2 added =
+        patch(firstSquare).outline.points()[static_cast<std::size_t>(selection.points().begin()->second)];
+    EXPECT_LT((added - Vec2(40, 0)).norm(), 2);
+    document.undo();
+    EXPECT_TRUE(document.design() == twoSquares());
+}
+
+TEST_F(PatternViewTest, MovesWithTheArrowKeysAsOneEditPerPress)
+{
+    selection.set({firstSquare}, {{firstSquare, 0}});
+    QTest::keyPress(&view, Qt::Key_Right);
+    QTest::keyPress(&view, Qt::Key_Right, Qt::ShiftModifier);
+    QTest::keyRelease(&view, Qt::Key_Right);
+    EXPECT_EQ(document.history().count(), 2);
+    EXPECT_TRUE(patch(firstSquare).outline.points()[0].isApprox(Vec2(11, 0)));
+    selection.set({secondSquare});
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_TRUE(patch(secondSquare).position.isApprox(Vec2(200, 1)));
+}
+
+TEST_F(PatternViewTest, EscapeGoesBackStepByStep)
+{
+    selection.set({firstSquare}, {{firstSquare, 0}});
+    const QPoint from = pixel({0, 0});
+    press(from);
+    move(from + QPoint(30, 0));
+    EXPECT_FALSE(document.design() == twoSquares());
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(document.design() == twoSquares());
+    release(from + QPoint(30, 0));
+    EXPECT_EQ(document.history().count(), 1);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(selection.points().empty());
+    EXPECT_FALSE(selection.elements().empty());
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(selection.elements().empty());
+}
+
+TEST_F(PatternViewTest, ZoomsAtThePointerAndPans)
+{
+    const QPointF at(200, 300);
+    const Vec2 under = view.transform().toLayout(at);
+    const double scale = view.transform().scale();
+    QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&view, &wheel);
+    EXPECT_GT(view.transform().scale(), scale);
+    EXPECT_TRUE(view.transform().toLayout(at).isApprox(under, 1e-9));
+
+    for (const bool withSpace : {false, true}) {
+        const Vec2 before = view.transform().toLayout(at);
+        if (withSpace)
+            QTest::keyPress(&view, Qt::Key_Space);
+        const Qt::MouseButton button = withSpace ? Qt::LeftButton : Qt::MiddleButton;
+        QTest::mousePress(&view, button, {}, at.toPoint());
+        pressed = button;
+        move(at.toPoint() + QPoint(50, 20));
+        QTest::mouseRelease(&view, button, {}, at.toPoint() + QPoint(50, 20));
+        QTest::keyRelease(&view, Qt::Key_Space);
+        EXPECT_TRUE(view.transform().toLayout(at + QPointF(50, 20)).isApprox(before, 1e-9));
+    }
+    EXPECT_EQ(document.history().count(), 1);
+    QTest::keyClick(&view, Qt::Key_Home);
+    EXPECT_EQ(view.transform().scale(), scale);
+}
+
+TEST_F(PatternViewTest, TellsWhatCanBeDone)
+{
+    QSignalSpy prompts(&view, &PatternView::promptChanged);
+    move(pixel({150, 50}));
+    const QString outside = view.prompt();
+    move(pixel({50, 50}));
+    EXPECT_NE(view.prompt(), outside);
+    EXPECT_GE(prompts.count(), 1);
+}
+
+TEST_F(PatternViewTest, RemovesPointsOrElementsWithTheirSeams)
+{
+    selection.set({firstSquare}, {{firstSquare, 0}});
+    document.commit(removeSelected(document.design(), selection, nullptr));
+    EXPECT_EQ(patch(firstSquare).outline.pointCount(), 3);
+    document.undo();
+    selection.set({firstSquare});
+    document.commit(removeSelected(document.design(), selection, nullptr));
+    pruneSelection(selection, document.design());
+    EXPECT_FALSE(document.design().element(firstSquare));
+    EXPECT_FALSE(document.design().element(squareSeam));
+    EXPECT_TRUE(document.design().element(squareFixation));
+    EXPECT_TRUE(selection.elements().empty());
+
+    QString problem;
+    selection.set({testFabric});
+    EXPECT_TRUE(removeSelected(document.design(), selection, &problem).empty());
+    EXPECT_FALSE(problem.isEmpty());
+}
+
+TEST_F(PatternViewTest, ShowsProblemsInRed)
+{
+    const auto redness = [&] {
+        const QColor inside = view.grab().toImage().pixelColor(pixel({50, 20}));
+        return inside.red() - inside.blue();
+    };
+    const int before = redness();
+    problems.set({{firstSquare, "", "outline", {"the outline crosses itself", {}}, Severity::Error}});
+    EXPECT_GT(redness(), before);
+}
+
+TEST_F(PatternViewTest, DrawsTheArmchair)
+{
+    const OpenedDesign opened = openDesign(QStringLiteral(BOLSTER_SAMPLES "/armchair/armchair.json"));
+    ASSERT_TRUE(opened.readable);
+    document.reset(opened.design);
+    view.fitAll();
     keepPicture(view, QStringLiteral("armchair"));
     selection.set({ElementId{6}});
     view.fitSelection();

@@ -1,0 +1,32 @@
+// What a new design shows in place of a pattern: ways to begin.
+#pragma once
+
+#include <QWidget>
+
+namespace bolster {
+
+class Document;
+
+/// Lies over the pattern view as long as there are no patches.
+class StartHint : public QWidget {
+    Q_OBJECT
+
+public:
+    StartHint(Document& document, QWidget* over);
+
+signals:
+    void openWanted();
+    void sampleWanted(const QString& path);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void build();
+    void place();
+
+    Document& m_document;
+    QWidget* m_over;
+};
+
+} // namespace bolster

@@ -1,0 +1,174 @@
+// Opening, saving, closing: nothing is lost, nothing bad stops the rest.
+#include "WindowTest.h"
+
+#include "DesignFile.h"
+#include "ElementEdits.h"
+#include "FileFlow.h"
+#include "MeshImport.h"
+#include "Samples.h"
+#include "Theme.h"
+
+#include <QFile>
+#include <QSignalSpy>
+
+namespace bolster {
+namespace {
+
+class FilesTest : public WindowTest {
+protected:
+    bool save(const QString& path)
+    {
+        bool done = false;
+        Message problem;
+        window.session().save(path, [&](const Message& why) {
+            problem = why;
+            done = true;
+        });
+        return QTest::qWaitFor([&] { return done; }, 10000) && problem.empty();
+    }
+
+    void changeSomething()
+    {
+        Settings settings = window.document().design().settings();
+        settings.edgeLength += 1;
+        window.document().commit(edits::changeSettings(window.document().design(), settings));
+    }
+
+    QString write(const QString& name, const QByteArray& text)
+    {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        return file.fileName();
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(FilesTest, EverySampleOpensFromTheMenu)
+{
+    const QList<Sample> all = samples();
+    ASSERT_GE(all.size(), 6);
+    for (const Sample& sample : all) {
+        EXPECT_FALSE(sample.title.isEmpty());
+        EXPECT_TRUE(open(sample.path)) << qPrintable(sample.path);
+        EXPECT_TRUE(window.session().path().isEmpty()) << "a sample must not be written to";
+        EXPECT_FALSE(window.document().dirty());
+        EXPECT_FALSE(window.banner().shown()) << qPrintable(sample.path + ": " + window.banner().text());
+    }
+}
+
+TEST_F(FilesTest, SavedDesignsComeBackWithTheirFrames)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    changeSomething();
+    EXPECT_TRUE(window.isWindowModified());
+    const QString path = folder.filePath("kept.json");
+    ASSERT_TRUE(save(path));
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_EQ(window.session().path(), path);
+    const Design saved = window.document().design();
+
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(open(path));
+    EXPECT_TRUE(window.document().design() == saved);
+    EXPECT_EQ(window.session().frames().size(), 1U);
+    EXPECT_FALSE(window.banner().shown());
+}
+
+TEST_F(FilesTest, AnotherFileOfTheSameNameIsNotOverwritten)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    write("armchair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    ASSERT_TRUE(save(folder.filePath("design.json")));
+    QFile other(folder.filePath("armchair.obj"));
+    ASSERT_TRUE(other.open(QIODevice::ReadOnly));
+    EXPECT_LT(other.size(), 100);
+    const OpenedDesign opened = openDesign(folder.filePath("design.json"));
+    EXPECT_EQ(opened.frames.size(), 1U);
+    EXPECT_GT(opened.frames.begin()->second->points.size(), 100U);
+}
+
+TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(save(folder.filePath("box.json")));
+    changeSomething();
+
+    answer(QMessageBox::Cancel);
+    EXPECT_FALSE(window.close());
+    EXPECT_TRUE(window.isVisible());
+
+    answer(QMessageBox::Save);
+    window.close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isVisible(); }, 10000));
+    EXPECT_EQ(openDesign(folder.filePath("box.json")).design.settings().edgeLength,
+              window.document().design().settings().edgeLength);
+}
+
+TEST_F(FilesTest, DiscardingOpensTheOtherDesign)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    changeSomething();
+    answer(QMessageBox::Discard);
+    ASSERT_TRUE(open(sample("pillow")));
+    EXPECT_FALSE(window.document().dirty());
+}
+
+TEST_F(FilesTest, ABadElementIsShownAndTheRestIsUsable)
+{
+    QFile good(sample("box-cushion"));
+    ASSERT_TRUE(good.open(QIODevice::ReadOnly));
+    QByteArray text = good.readAll();
+    const QByteArray bad = R"({"id": 900, "kind": "patch", "name": "Bad", "fabric": 1,
+        "outline": {"degree": 7, "closed": true, "points": [[0,0],[1,0],[1,1]]}},)";
+    text.insert(text.indexOf('[', text.indexOf("\"elements\"")) + 1, bad);
+    ASSERT_TRUE(open(write("bad.json", text)));
+
+    EXPECT_TRUE(window.banner().shown());
+    EXPECT_TRUE(window.banner().text().contains('1'));
+    EXPECT_TRUE(window.document().design().find<Quarantined>(ElementId{900}));
+    EXPECT_TRUE(waitUntilSolved());
+    EXPECT_TRUE(window.solver().surface());
+
+    // Saving keeps what could not be read.
+    ASSERT_TRUE(save(folder.filePath("again.json")));
+    EXPECT_TRUE(openDesign(folder.filePath("again.json")).design.find<Quarantined>(ElementId{900}));
+}
+
+TEST_F(FilesTest, WhatIsNoDesignChangesNothing)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const Design before = window.document().design();
+    answer(QMessageBox::Ok);
+    window.open(write("broken.json", "{\"format\": \"bolster-design\", "));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
+    EXPECT_TRUE(window.document().design() == before);
+}
+
+TEST_F(FilesTest, AnImportedFrameIsKeptBeforeAndAfterSaving)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString mesh = write("elsewhere.obj", "v 0 0 0\nv 500 0 0\nv 0 500 0\nv 0 0 500\nf 1 2 3\nf 1 2 4\n");
+    const ImportedMesh imported = importMesh(mesh);
+    ASSERT_TRUE(imported.mesh);
+    Frame frame;
+    frame.name = "Block";
+    EXPECT_TRUE(window.session().addFrame(mesh, imported.mesh, frame).empty());
+    EXPECT_EQ(window.session().frames().size(), 1U);
+    QFile::remove(mesh); // the design has its own copy
+
+    ASSERT_TRUE(QDir(folder.path()).mkdir("home"));
+    const QString home = folder.filePath("home/design.json");
+    ASSERT_TRUE(save(home));
+    const OpenedDesign opened = openDesign(home);
+    EXPECT_EQ(opened.frames.size(), 1U);
+
+    window.actions().undo->trigger();
+    EXPECT_TRUE(window.session().frames().empty());
+    window.actions().redo->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().frames().size() == 1; }, 5000));
+}
+
+} // namespace
+} // namespace bolster

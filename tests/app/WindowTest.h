@@ -1,0 +1,104 @@
+// A main window with helpers for tests that use it like a person: by pointer and keys.
+#pragma once
+
+#include "Actions.h"
+#include "Banner.h"
+#include "Docks.h"
+#include "MainWindow.h"
+#include "PatternView.h"
+#include "WatchedApplication.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace bolster {
+
+class WindowTest : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        window.resize(1400, 900);
+        window.show();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+
+    void TearDown() override
+    {
+        window.document().markSaved(); // no question on the way out
+        window.close();
+    }
+
+    static QString sample(const QString& name) { return QStringLiteral(BOLSTER_SAMPLES "/%1/%1.json").arg(name); }
+
+    bool open(const QString& path)
+    {
+        bool opened = false;
+        const auto connection =
+            QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
+        window.open(path);
+        const bool done = QTest::qWaitFor([&] { return opened; }, 30000);
+        QObject::disconnect(connection);
+        return done;
+    }
+
+    /// The surface of the present design has settled.
+    bool waitUntilSolved(int mostMs = 120000)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                return window.solver().upToDate() && window.solver().surface() &&
+                       window.solver().status().state == SolverStatus::State::Settled;
+            },
+            mostMs);
+    }
+
+    std::uint64_t meshRevision() { return window.solver().surface() ? window.solver().surface()->revision : 0; }
+
+    /// Where a point of the layout is in the pattern view.
+    QPoint patternPixel(const Vec2& layout) { return window.patternView().transform().toPixels(layout).toPoint(); }
+
+    QPoint patternPixel(ElementId patch, int point)
+    {
+        const Patch& found = *window.document().design().find<Patch>(patch);
+        return patternPixel(toLayout(found, found.outline.points()[static_cast<std::size_t>(point)]));
+    }
+
+    static void move(QWidget& view, QPoint to, Qt::MouseButtons buttons)
+    {
+        // QTest::mouseMove sends no pressed buttons.
+        QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, buttons, Qt::NoModifier);
+        QApplication::sendEvent(&view, &event);
+    }
+
+    static void press(QWidget& view, QPoint at) { QTest::mousePress(&view, Qt::LeftButton, {}, at); }
+    static void release(QWidget& view, QPoint at) { QTest::mouseRelease(&view, Qt::LeftButton, {}, at); }
+
+    /// Presses the button of the next message box that appears.
+    void answer(QMessageBox::StandardButton button)
+    {
+        auto* timer = new QTimer(qApp);
+        QObject::connect(timer, &QTimer::timeout, timer, [this, timer, button] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                timer->deleteLater();
+                ++answered;
+                QTest::mouseClick(static_cast<QWidget*>(box->button(button)), Qt::LeftButton);
+            }
+        });
+        timer->start(20);
+    }
+
+    WatchedApplication& application() { return *static_cast<WatchedApplication*>(qApp); }
+
+    int answered = 0; ///< message boxes
+    MainWindow window;
+};
+
+} // namespace bolster

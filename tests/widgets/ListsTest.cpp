@@ -1,0 +1,176 @@
+#include "Document.h"
+#include "ElementEdits.h"
+#include "ElementsModel.h"
+#include "ElementsView.h"
+#include "HistoryModel.h"
+#include "HistoryView.h"
+#include "Inspector.h"
+#include "NumberBox.h"
+#include "Picture.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "TestDesigns.h"
+
+#include <QAbstractItemModelTester>
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QTest>
+#include <QTreeView>
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace bolster {
+namespace {
+
+class ListsTest : public testing::Test {
+protected:
+    ListsTest() { document.reset(twoSquares()); }
+
+    void rename(const char* name) { document.commit(edits::renameElement(document.design(), firstSquare, name)); }
+
+    QStringList lines(const HistoryModel& model) const
+    {
+        QStringList result;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QModelIndex index = model.index(row);
+            result << QString(index.data(HistoryModel::DepthRole).toInt() * 2, ' ') +
+                          QString::number(index.data(HistoryModel::NodeRole).toInt()) +
+                          (index.data(HistoryModel::CurrentRole).toBool() ? "*"
+                           : index.data(HistoryModel::DoneRole).toBool()  ? ""
+                                                                          : "-");
+        }
+        return result;
+    }
+
+    Document document;
+    Selection selection;
+    ProblemSet problems;
+};
+
+TEST_F(ListsTest, HistoryShowsBranchesWhereTheyBegan)
+{
+    HistoryModel model(document);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    rename("A"); // 1
+    rename("B"); // 2
+    rename("C"); // 3
+    document.undo();
+    document.undo();
+    rename("D"); // 4, beside 2
+    EXPECT_EQ(lines(model), (QStringList{"0", "1", "  2-", "  3-", "4*"}));
+    document.jumpTo(3);
+    EXPECT_EQ(lines(model), (QStringList{"0", "1", "  2", "  3*", "4-"})) << "nothing changes its place";
+    EXPECT_TRUE(model.index(2).data(HistoryModel::FirstOfBranchRole).toBool());
+    EXPECT_FALSE(model.index(3).data(HistoryModel::FirstOfBranchRole).toBool());
+}
+
+TEST_F(ListsTest, AClickInTheHistoryJumps)
+{
+    HistoryView view(document);
+    view.resize(260, 300);
+    view.show();
+    rename("A");
+    rename("B");
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, view.visualRect(view.model()->index(1, 0)).center());
+    EXPECT_EQ(document.history().current(), 1);
+    EXPECT_EQ(document.design().find<Patch>(firstSquare)->name, "A");
+    keepPicture(view, "history");
+}
+
+TEST_F(ListsTest, ElementsAreListedByKind)
+{
+    ElementsModel model(document, problems);
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    EXPECT_EQ(model.rowCount(), 5);
+    EXPECT_EQ(model.rowCount(model.index(0, 0)), 2);
+    EXPECT_EQ(model.indexOf(squareSeam).data().toString(), QString::fromUtf8("First \u2013 Second"));
+    document.commit(edits::renameElement(document.design(), secondSquare, "Back"));
+    EXPECT_EQ(model.indexOf(squareSeam).data().toString(), QString::fromUtf8("First \u2013 Back"));
+    document.commit(edits::removeElements(document.design(), std::array{firstSquare}));
+    EXPECT_FALSE(model.indexOf(squareSeam).isValid());
+    EXPECT_TRUE(model.setData(model.indexOf(secondSquare), "Rest", Qt::EditRole));
+    EXPECT_EQ(document.design().find<Patch>(secondSquare)->name, "Rest");
+    EXPECT_FALSE(model.setData(model.indexOf(secondSquare), "  ", Qt::EditRole));
+}
+
+TEST_F(ListsTest, ElementsSelectAndAreSelected)
+{
+    ElementsView view(document, selection, problems);
+    view.resize(260, 400);
+    view.show();
+    selection.set({secondSquare});
+    ASSERT_EQ(view.tree().selectionModel()->selectedIndexes().size(), 1);
+    EXPECT_EQ(view.tree().selectionModel()->selectedIndexes()[0].data().toString(), "Second");
+    const QModelIndex group = view.tree().model()->index(0, 0);
+    const QModelIndex first = view.tree().model()->index(0, 0, group);
+    QTest::mouseClick(view.tree().viewport(), Qt::LeftButton, {}, view.tree().visualRect(first).center());
+    EXPECT_EQ(selection.elements(), Selection::Elements{firstSquare});
+}
+
+TEST_F(ListsTest, AProblemIsMarked)
+{
+    ElementsModel model(document, problems);
+    problems.set({{firstSquare, "", "", {"too thin", {}}, Severity::Warning},
+                  {firstSquare, "", "", {"crosses itself", {}}, Severity::Error}});
+    EXPECT_EQ(model.indexOf(firstSquare).data(ElementsModel::ProblemRole).toInt(), 2);
+    EXPECT_TRUE(model.indexOf(firstSquare).data(Qt::ToolTipRole).toString().contains("crosses itself"));
+    EXPECT_EQ(model.indexOf(secondSquare).data(ElementsModel::ProblemRole).toInt(), 0);
+}
+
+TEST_F(ListsTest, EachChangeInTheInspectorIsOneEdit)
+{
+    Inspector inspector(document, selection, problems);
+    inspector.resize(280, 400);
+    inspector.show();
+    selection.set({firstSquare});
+    auto* name = inspector.findChild<QLineEdit*>(QString(), Qt::FindChildrenRecursively);
+    ASSERT_TRUE(name);
+    name->selectAll();
+    QTest::keyClicks(name, "Seat");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(document.design().find<Patch>(firstSquare)->name, "Seat");
+    EXPECT_EQ(document.history().count(), 2);
+
+    auto* check = inspector.findChild<QCheckBox*>();
+    ASSERT_TRUE(check);
+    check->click();
+    EXPECT_TRUE(document.design().find<Patch>(firstSquare)->wrongSideOut);
+    EXPECT_EQ(document.history().count(), 3);
+    document.undo();
+    EXPECT_FALSE(inspector.findChild<QCheckBox*>()->isChecked());
+    keepPicture(inspector, "inspector");
+}
+
+TEST(NumberBox, TakesPointAndCommaInAnyLanguage)
+{
+    for (const char* language : {"de", "en"}) {
+        NumberBox box({QStringLiteral(" mm")});
+        box.setLocale(QLocale(language));
+        for (const char* text : {"12.5", "12,5"}) {
+            box.display(0);
+            box.selectAll();
+            QTest::keyClicks(&box, text);
+            QTest::keyClick(&box, Qt::Key_Return);
+            EXPECT_DOUBLE_EQ(box.value(), 12.5) << language << ' ' << text;
+        }
+    }
+}
+
+TEST(NumberBox, ReportsOnlyWhatTheUserIsDoneWith)
+{
+    NumberBox box({QStringLiteral(" mm")});
+    int reports = 0;
+    QObject::connect(&box, &QDoubleSpinBox::valueChanged, &box, [&] { ++reports; });
+    box.selectAll();
+    QTest::keyClicks(&box, "123");
+    EXPECT_EQ(reports, 0);
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_EQ(reports, 1);
+    box.display(7);
+    EXPECT_EQ(reports, 1);
+}
+
+} // namespace
+} // namespace bolster

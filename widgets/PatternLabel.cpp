@@ -1,0 +1,93 @@
+#include "PatternLabel.h"
+
+#include "PatternMarks.h"
+#include "Units.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+// Pixels that stay free between text and outline, where seams have their colour.
+constexpr double marginAlong = 10;
+constexpr double marginAcross = 5;
+
+} // namespace
+
+PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& transform, const QFont& font)
+    : m_nameFont(font)
+    , m_sizeFont(font)
+{
+    m_nameFont.setWeight(QFont::DemiBold);
+    const QFontMetricsF nameMetrics(m_nameFont);
+    const QFontMetricsF sizeMetrics(m_sizeFont);
+    const double scale = transform.scale();
+    const auto fits = [&](const LabelPlace::Spot& spot, const QSizeF& pixels) {
+        return LabelPlace::fits(spot, QSizeF(pixels.width() + 2 * marginAlong, pixels.height() + 2 * marginAcross) /
+                                          scale);
+    };
+
+    const QString name = QString::fromStdString(patch.patch().name);
+    const QSizeF nameSize(nameMetrics.horizontalAdvance(name), nameMetrics.height());
+    m_upright = !fits(patch.label.lying, nameSize);
+    const LabelPlace::Spot& spot = m_upright ? patch.label.upright : patch.label.lying;
+    if (name.isEmpty() || !fits(spot, nameSize))
+        return;
+    m_name = name;
+    m_extent = nameSize;
+    m_centre = transform.toPixels(spot.centre);
+
+    const Vec2 size = patch.patch().outline.boundingBox().sizes();
+    const QString sizeLine = sizeText(size.x(), size.y());
+    const QSizeF both(std::max(nameSize.width(), sizeMetrics.horizontalAdvance(sizeLine)),
+                      nameSize.height() + sizeMetrics.height());
+    if (!fits(spot, both))
+        return;
+    m_size = sizeLine;
+    m_extent = both;
+
+    const double below = both.height() / 2;
+    const double length = std::min(0.55 * (spot.room * scale - below), 44.0);
+    if (m_upright || length < 16)
+        return;
+    m_grainCentre = m_centre + QPointF(0, below + 10 + length / 2);
+    // Degrees counter-clockwise in the layout; pixels run downwards.
+    const double angle = -(patch.patch().grain + patch.patch().rotation) * M_PI / 180;
+    m_grainHalf = QPointF(std::cos(angle), std::sin(angle)) * length / 2;
+}
+
+QRectF PatternLabel::box() const
+{
+    if (empty())
+        return {};
+    const QSizeF size = m_upright ? m_extent.transposed() : m_extent;
+    return {m_centre - QPointF(size.width(), size.height()) / 2, size};
+}
+
+void PatternLabel::paint(QPainter& painter, const QColor& name, const QColor& rest) const
+{
+    if (empty())
+        return;
+    painter.save();
+    painter.translate(m_centre);
+    if (m_upright)
+        painter.rotate(-90);
+    const double line = QFontMetricsF(m_nameFont).height();
+    const double top = -m_extent.height() / 2;
+    painter.setFont(m_nameFont);
+    painter.setPen(name);
+    painter.drawText(QRectF(-500, top, 1000, line), Qt::AlignCenter, m_name);
+    painter.setFont(m_sizeFont);
+    painter.setPen(rest);
+    painter.drawText(QRectF(-500, top + line, 1000, line), Qt::AlignCenter, m_size);
+    painter.restore();
+    if (!m_grainHalf.isNull())
+        paintGrainArrow(painter, m_grainCentre, m_grainHalf, rest);
+}
+
+} // namespace bolster

@@ -1,0 +1,39 @@
+// What is written inside a patch, as far as there is room.
+#pragma once
+
+#include "PatternScene.h"
+#include "PatternTransform.h"
+
+#include <QFont>
+#include <QRectF>
+
+class QPainter;
+
+namespace bolster {
+
+struct ViewColors;
+
+/// Name, size and grain, laid out for one zoom.
+class PatternLabel {
+public:
+    /// An empty one where there is no room even for the name.
+    PatternLabel(const PatternPatch& patch, const PatternTransform& transform, const QFont& font);
+
+    bool empty() const { return m_name.isEmpty(); }
+    /// Around the text, in pixels; empty when nothing is written.
+    QRectF box() const;
+    void paint(QPainter& painter, const QColor& name, const QColor& rest) const;
+
+private:
+    QString m_name;
+    QString m_size; ///< "" without room for it
+    QFont m_nameFont;
+    QFont m_sizeFont;
+    QPointF m_centre;
+    QSizeF m_extent; ///< of the text, along its lines first
+    bool m_upright = false;
+    QPointF m_grainCentre;
+    QPointF m_grainHalf; ///< zero without room for it
+};
+
+} // namespace bolster
