@@ -106,7 +106,7 @@ void GlCanvas::paintMoving(const QSize& size)
     m_picture->replace(reduced, [&](const Vec2& jitter) { m_renderer->draw(m_scene, m_camera, reduced, jitter); });
     glFunctions()->glFinish();
     const double time = 1e-9 * static_cast<double>(clock.nsecsElapsed()) / (scale * scale);
-    m_frameTime += 0.2 * (time - m_frameTime);
+    m_frameTime += 0.35 * (time - m_frameTime);
 }
 
 void GlCanvas::paintResting(const QSize& size)

@@ -22,6 +22,7 @@ public:
 
     QWidget& widget() override { return *this; }
     void refresh(bool moving) override;
+    bool drawsOcclusion() const override { return true; }
     QImage grab() override;
 
 signals:

@@ -2,8 +2,6 @@
 
 #include "MeshShape.h"
 
-#include <algorithm>
-
 namespace bolster {
 
 namespace {
@@ -25,10 +23,7 @@ GlFrames::GlFrames(GlFunctions& gl)
 
 void GlFrames::update(const SurfaceScene& scene)
 {
-    const auto same = [](const SurfaceScene::FrameLook& a, const SurfaceScene::FrameLook& b) {
-        return a.mesh == b.mesh && a.placement == b.placement;
-    };
-    if (std::equal(m_frames.begin(), m_frames.end(), scene.frames.begin(), scene.frames.end(), same))
+    if (m_frames == scene.frames)
         return;
     m_frames = scene.frames;
     std::vector<Vertex> vertices;

@@ -45,10 +45,8 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
     request.surface = m_scene.surface;
     const QColor veil = mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5);
     for (const SurfaceScene::PatchLook& look : m_scene.patches) {
-        QColor color = mixed(look.fabric, QColor(look.tint.rgb()), look.tint.alphaF());
-        if (m_scene.dimmed)
-            color = mixed(color, veil, 0.5);
-        request.looks.push_back({look.patch, color});
+        // Only outlines show what is selected: they need no new picture.
+        request.looks.push_back({look.patch, m_scene.dimmed ? mixed(look.fabric, veil, 0.5) : look.fabric});
     }
     request.frames = m_scene.frames;
     request.camera = m_camera;
@@ -62,35 +60,43 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
     return request;
 }
 
+bool SoftwareCanvas::fine() const
+{
+    return !m_picture.result.image.isNull() && m_picture.request == request(false);
+}
+
 void SoftwareCanvas::refresh(bool moving)
 {
-    m_fine = false;
-    if (moving)
-        m_rest.start(restAfter);
-    send(moving);
-    update();
+    update(); // lines may have changed
+    if (fine() || m_asked == request(false))
+        return;
+    m_rest.start(moving ? restAfter : 0ms);
+    send(true);
 }
 
 void SoftwareCanvas::send(bool moving)
 {
     if (!m_job || width() < 1 || height() < 1)
         return;
-    // A running quick picture may end: stopping it again and again would show none.
-    if (m_asked == Asked::Quick && moving) {
-        m_again = true;
+    if (m_asked && m_asked->moving) {
+        // Let it end: stopping it again and again would show none.
+        m_again = m_again || moving;
+        if (!moving)
+            m_rest.start(20ms);
         return;
     }
     m_again = false;
-    m_asked = moving ? Asked::Quick : Asked::Fine;
-    m_job->request(request(moving), true);
+    m_asked = request(moving);
+    m_job->request(*m_asked, true);
 }
 
 void SoftwareCanvas::received(Picture picture)
 {
-    m_asked = Asked::Nothing;
+    if (!m_asked)
+        return; // a picture was grabbed meanwhile
+    m_asked.reset();
     if (!picture.result.image.isNull()) {
         m_picture = std::move(picture);
-        m_fine = !m_picture.request.moving && !m_again;
         update();
     }
     if (m_again)
@@ -127,13 +133,12 @@ void SoftwareCanvas::resizeEvent(QResizeEvent*)
 
 QImage SoftwareCanvas::grab()
 {
-    if (m_renderer && !m_fine) {
+    if (m_renderer && !fine()) {
         m_job->cancel();
-        m_asked = Asked::Nothing;
+        m_asked.reset();
         const SoftwareRenderer::Request asked = request(false);
         const std::lock_guard lock(m_rendering);
         m_picture = {asked, m_renderer->render(asked, {})};
-        m_fine = true;
     }
     return QWidget::grab().toImage();
 }

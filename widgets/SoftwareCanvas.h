@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace bolster {
 
@@ -25,6 +26,7 @@ public:
 
     QWidget& widget() override { return *this; }
     void refresh(bool moving) override;
+    bool drawsOcclusion() const override { return false; } ///< the renderer finds its own
     QImage grab() override;
 
 protected:
@@ -40,13 +42,13 @@ private:
     SoftwareRenderer::Request request(bool moving) const;
     void send(bool moving);
     void received(Picture picture);
+    bool fine() const;
     void paintPicture(QPainter& painter, const Picture& picture, const Camera& camera) const;
 
     std::shared_ptr<SoftwareRenderer> m_renderer;
     Picture m_picture;
-    bool m_fine = false; ///< m_picture shows the present state finely
-    enum class Asked { Nothing, Quick, Fine } m_asked = Asked::Nothing; ///< the picture that is on its way
-    bool m_again = false; ///< something has changed since a quick one was asked for
+    std::optional<SoftwareRenderer::Request> m_asked; ///< the picture that is on its way
+    bool m_again = false;                             ///< something has changed since a quick one was asked for
     QTimer m_rest;
     std::mutex m_rendering; ///< the renderer takes one call at a time
     std::unique_ptr<SurfaceJob<SoftwareRenderer::Request, Picture>> m_job;

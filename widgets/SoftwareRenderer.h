@@ -21,10 +21,14 @@ public:
         struct PatchLook {
             ElementId patch{};
             QColor color;
+
+            friend bool operator==(const PatchLook&, const PatchLook&) = default;
         };
         struct FrameLook {
             std::shared_ptr<const TriangleMesh> mesh;
             Frame placement;
+
+            friend bool operator==(const FrameLook&, const FrameLook&) = default;
         };
 
         SurfaceMeshPtr surface; ///< may be null
@@ -36,6 +40,8 @@ public:
         bool checker = true;
         bool ground = true;
         bool moving = false; ///< something moves: quick before beautiful
+
+        friend bool operator==(const Request&, const Request&) = default;
     };
     struct Picture {
         QImage image; ///< null when stopped

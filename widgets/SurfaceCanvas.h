@@ -21,6 +21,8 @@ public:
     virtual QWidget& widget() = 0;
     /// Draws anew. `moving`: more of this comes soon, so quickly rather than finely.
     virtual void refresh(bool moving) = 0;
+    /// Whether it draws the shadows that the scene brings.
+    virtual bool drawsOcclusion() const = 0;
     /// The finest picture, now.
     virtual QImage grab() = 0;
 

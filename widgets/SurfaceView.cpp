@@ -188,10 +188,7 @@ void SurfaceView::updateFrames()
             frames.push_back({mesh->second, frame});
             ids.push_back(id);
         });
-    const auto same = [](const SurfaceScene::FrameLook& a, const SurfaceScene::FrameLook& b) {
-        return a.mesh == b.mesh && a.placement == b.placement;
-    };
-    if (std::equal(frames.begin(), frames.end(), m_scene.frames.begin(), m_scene.frames.end(), same))
+    if (frames == m_scene.frames)
         return;
     m_scene.frames = std::move(frames);
     m_hitTest.setFrames(m_scene.frames, ids);
@@ -251,6 +248,8 @@ void SurfaceView::updateBox()
 
 void SurfaceView::requestOcclusion()
 {
+    if (!m_canvas || !m_canvas->drawsOcclusion())
+        return;
     SurfaceOcclusion::Input input;
     input.surface = m_scene.surface;
     input.floor = static_cast<float>(m_scene.floor);
