@@ -264,7 +264,7 @@ std::optional<BSpline<Dim>> BSpline<Dim>::withoutPoint(int i) const
             continue;
         double change = 0;
         BSpline reduced = withoutKnot(place, i, change);
-        if (change < least) {
+        if (change < least && !problem(m_degree, m_closed, reduced.m_points, reduced.m_knots)) {
             least = change;
             best = std::move(reduced);
         }

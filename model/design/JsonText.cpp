@@ -61,7 +61,7 @@ std::size_t Value::size() const
 {
     std::size_t count = 0;
     eachItem([&](std::size_t, const Value&) { ++count; });
-    return kind() == Kind::Object ? count / 2 : count;
+    return count;
 }
 
 std::string quoted(std::string_view text)

@@ -36,21 +36,25 @@ public:
     std::optional<double> number() const;
     /// The decoded text of a string, UTF-8.
     std::string string() const;
-    /// Number of items, or of members.
+    /// Number of items of an array.
     std::size_t size() const;
 
-    /// Calls visit(index, Value) for each item of an array.
+    /// Calls visit(index, Value) for each item of an array; other values have none.
     template <class Visit>
     void eachItem(Visit visit) const
     {
+        if (!isArray())
+            return;
         std::size_t index = 0;
         for (std::uint32_t i = m_index + 1; i < next(m_index); i = next(i))
             visit(index++, Value(m_document, i));
     }
-    /// Calls visit(key, Value) for each member of an object, in the order of the text.
+    /// Calls visit(key, Value) for each member of an object, in the order of the text; other values have none.
     template <class Visit>
     void eachMember(Visit visit) const
     {
+        if (!isObject())
+            return;
         for (std::uint32_t i = m_index + 1; i < next(m_index); i = next(i + 1))
             visit(Value(m_document, i).string(), Value(m_document, i + 1));
     }

@@ -225,7 +225,7 @@ INSTANTIATE_TEST_SUITE_P(
         Unreadable{"Trailing", wholeText("") + " {}", "goes on after"},
         Unreadable{"Comment", "// a design\n{}", "Line 1"}, Unreadable{"Bomb", bomb, "nested"},
         Unreadable{"ObjectBomb", "{\"a\":" + bomb, "nested"}, Unreadable{"Number only", "17", "no Bolster design"},
-        Unreadable{"List", "[]", "no Bolster design"},
+        Unreadable{"List", "[1]", "no Bolster design"},
         Unreadable{"Other", R"({"format": "gltf", "version": 1, "elements": []})", "no Bolster design"},
         Unreadable{"Newer", R"({"format": "bolster-design", "version": 2, "unit": "mm", "elements": []})", "newer"},
         Unreadable{"Version", R"({"format": "bolster-design", "version": "1", "elements": []})", "version"},
