@@ -12,7 +12,7 @@ struct FixationSeam {
     Stretch stretch;
     ElementId curve{};
     std::optional<std::pair<double, double>> curveRange; ///< from, to on the curve; nothing: the whole curve
-    bool reversed = false; ///< the curve is walked backwards
+    bool reversed = false;                               ///< the curve is walked backwards
     Match match = Match::Length;
 
     friend bool operator==(const FixationSeam&, const FixationSeam&) = default;

@@ -16,9 +16,9 @@ struct Patch {
     Vec2 position = Vec2::Zero(); ///< of the outline's origin in the layout, mm
     double rotation = 0;          ///< in the layout, degrees, counter-clockwise
     double grain = 90;            ///< direction of the warp in outline coordinates, degrees, counter-clockwise
-    double pressure = 0;          ///< 1 is a membrane force per D in units of the stretch stiffness (docs/solver.md)
-    bool wrongSideOut = false;    ///< worn with -z of the pattern plane outside
-    BSpline2 outline;             ///< closed, mm
+    double pressure = 0;       ///< 1 is a membrane force per D in units of the stretch stiffness (docs/solver.md)
+    bool wrongSideOut = false; ///< worn with -z of the pattern plane outside
+    BSpline2 outline;          ///< closed, mm
 
     friend bool operator==(const Patch&, const Patch&) = default;
 };

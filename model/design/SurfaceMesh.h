@@ -32,10 +32,10 @@ struct SurfaceTopology {
 
     std::uint64_t serial = 0; ///< different for different topologies within one run of the program
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
-    std::vector<Vec2> pattern;            ///< outline coordinates of each vertex, mm: the texture coordinates
-    std::vector<std::uint32_t> unknown;   ///< merged vertex of each vertex: equal for sewn ones
+    std::vector<Vec2> pattern;          ///< outline coordinates of each vertex, mm: the texture coordinates
+    std::vector<std::uint32_t> unknown; ///< merged vertex of each vertex: equal for sewn ones
     std::uint32_t unknownCount = 0;
-    std::vector<PatchRange> patches;      ///< by increasing patch id
+    std::vector<PatchRange> patches; ///< by increasing patch id
     std::vector<Chain> seams;
     std::vector<Chain> fixations;
 
@@ -44,9 +44,9 @@ struct SurfaceTopology {
 
 struct SurfaceMesh {
     std::shared_ptr<const SurfaceTopology> topology;
-    std::vector<Vec3> positions;           ///< mm, per vertex; identical for sewn ones
-    std::vector<Eigen::Vector3f> normals;  ///< unit, per vertex, to the outside; smooth within a patch
-    std::uint64_t revision = 0;            ///< increases with each published mesh
+    std::vector<Vec3> positions;          ///< mm, per vertex; identical for sewn ones
+    std::vector<Eigen::Vector3f> normals; ///< unit, per vertex, to the outside; smooth within a patch
+    std::uint64_t revision = 0;           ///< increases with each published mesh
 
     Box3 boundingBox() const
     {
