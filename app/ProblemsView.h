@@ -3,13 +3,13 @@
 
 #include "ElementId.h"
 
-#include <QTreeWidget>
+#include <QListWidget>
 
 namespace bolster {
 
 class ProblemSet;
 
-class ProblemsView : public QTreeWidget {
+class ProblemsView : public QListWidget {
     Q_OBJECT
 
 public:

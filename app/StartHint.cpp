@@ -3,6 +3,7 @@
 #include "Document.h"
 #include "Icons.h"
 #include "Samples.h"
+#include "ViewColors.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -44,15 +45,16 @@ void StartHint::build()
     layout->addWidget(title);
     layout->addWidget(text);
     layout->addSpacing(6);
+    const QString muted = mixed(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.55).name();
     for (const Sample& sample : samples()) {
-        auto* button = new QPushButton(sample.title, this);
-        button->setToolTip(sample.description);
-        button->setFlat(true);
-        button->setStyleSheet(
-            QStringLiteral("QPushButton { text-align: left; padding: 4px 2px; color: palette(link); }"));
-        button->setCursor(Qt::PointingHandCursor);
-        connect(button, &QPushButton::clicked, this, [this, path = sample.path] { emit sampleWanted(path); });
-        layout->addWidget(button, 0, Qt::AlignLeft);
+        auto* link = new QLabel(QStringLiteral("<a href=\"%1\" style=\"text-decoration: none\">%2</a>"
+                                               "<br><span style=\"color: %3\">%4</span>")
+                                    .arg(sample.path.toHtmlEscaped(), sample.title.toHtmlEscaped(), muted,
+                                         sample.description.toHtmlEscaped()),
+                                this);
+        link->setWordWrap(true);
+        connect(link, &QLabel::linkActivated, this, &StartHint::sampleWanted);
+        layout->addWidget(link);
     }
     layout->addSpacing(6);
     layout->addWidget(open, 0, Qt::AlignLeft);

@@ -171,7 +171,7 @@ void StatusLine::setProblems(int errors, int warnings)
     m_problems->setVisible(errors + warnings > 0);
     const ViewColors colors = ViewColors::of(palette());
     m_problems->setIcon(errors > 0 ? icon(QStringLiteral("error"), colors.error)
-                                   : icon(QStringLiteral("warning"), QColor(0xd9, 0x8a, 0x00)));
+                                   : icon(QStringLiteral("warning"), colors.warning));
     QStringList parts;
     if (errors > 0)
         parts << tr("%n problems", nullptr, errors);

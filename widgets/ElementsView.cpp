@@ -53,7 +53,7 @@ public:
         if (problem == 0)
             return;
         const ViewColors colors = ViewColors::of(option.palette);
-        const QColor sign = problem == 2 ? colors.error : QColor(0xd9, 0x8a, 0x00);
+        const QColor sign = problem == 2 ? colors.error : colors.warning;
         if (selected)
             painter->fillRect(QRect(shortened.rect.right() + 1, option.rect.top(), 22, option.rect.height()),
                               option.palette.brush(QPalette::Highlight));

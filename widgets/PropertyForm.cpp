@@ -133,7 +133,7 @@ void PropertyForm::addCheck(const QString& label, const std::function<bool()>& r
 {
     auto* box = new QCheckBox(label, this);
     connect(box, &QCheckBox::clicked, this, write);
-    addField(QStringLiteral(" "), box, [box, read] { box->setChecked(read()); });
+    addField({}, box, [box, read] { box->setChecked(read()); });
 }
 
 void PropertyForm::addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
@@ -172,7 +172,7 @@ void PropertyForm::addButton(const QString& text, const std::function<void()>& p
 {
     auto* button = new QPushButton(text, this);
     connect(button, &QPushButton::clicked, this, pressed);
-    m_layout->addRow(QStringLiteral(" "), button);
+    m_layout->addRow(button);
 }
 
 } // namespace bolster

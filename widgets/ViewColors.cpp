@@ -15,7 +15,8 @@ ViewColors ViewColors::of(const QPalette& palette)
     const QColor base = palette.color(QPalette::Active, QPalette::Base);
     const QColor text = palette.color(QPalette::Active, QPalette::Text);
     c.dark = base.lightness() < 128;
-    c.canvas = c.dark ? mixed(base, palette.color(QPalette::Active, QPalette::Window), 0.35) : mixed(base, text, 0.02);
+    c.canvas =
+        c.dark ? mixed(base, palette.color(QPalette::Active, QPalette::Window), 0.35) : mixed(base, text, 0.02);
     c.gridMinor = mixed(c.canvas, text, c.dark ? 0.045 : 0.05);
     c.gridMajor = mixed(c.canvas, text, c.dark ? 0.10 : 0.11);
     c.outline = mixed(c.canvas, text, 0.82);
@@ -28,6 +29,7 @@ ViewColors ViewColors::of(const QPalette& palette)
     c.fixation = c.dark ? QColor(0xc9, 0xce, 0xd6) : QColor(0x4a, 0x50, 0x5c);
     c.pointFill = c.dark ? mixed(c.canvas, QColor(Qt::black), 0.3) : QColor(Qt::white);
     c.error = c.dark ? QColor(0xff, 0x6b, 0x5e) : QColor(0xc6, 0x28, 0x1c);
+    c.warning = c.dark ? QColor(0xf0, 0xa8, 0x30) : QColor(0xc9, 0x7a, 0x00);
     return c;
 }
 

@@ -20,6 +20,7 @@ struct ViewColors {
     QColor fixation; ///< stretches that are fixed to the frame
     QColor pointFill;
     QColor error;
+    QColor warning;
 
     static ViewColors of(const QPalette& palette);
     /// A soft tint of the fabric's colour on the canvas.

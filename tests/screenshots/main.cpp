@@ -37,7 +37,8 @@ struct Options {
     QCommandLineOption close{"close-up", "Show the selection alone."};
     QCommandLineOption history{"history", "Make some edits, with a branch, and show the history."};
     QCommandLineOption language{"language", "Of the window.", "CODE", "C"};
-    QCommandLineOption action{"action", "Trigger the action with this text.", "TEXT"};
+    QCommandLineOption problems{"problems", "Show the list of problems."};
+    QCommandLineOption dialog{"dialog", "Open one: figures, keys, about.", "NAME"};
 };
 
 /// A few edits with one branch, as a designer leaves them behind.
@@ -75,9 +76,6 @@ void arrange(MainWindow& window, const QCommandLineParser& parser, const Options
         makeHistory(window.document());
         Docks::reveal(window.docks().history);
     }
-    for (QAction* action : window.actions().findChildren<QAction*>())
-        if (parser.isSet(options.action) && action->text().remove('&') == parser.value(options.action))
-            action->trigger();
 }
 
 int run(QApplication& application)
@@ -88,7 +86,7 @@ int run(QApplication& application)
     parser.addPositionalArgument("DESIGN", "What to open.");
     parser.addPositionalArgument("PICTURE", "Where to write.");
     parser.addOptions({options.size, options.dark, options.mesh, options.select, options.close, options.history,
-                       options.language, options.action});
+                       options.language, options.problems, options.dialog});
     parser.process(application);
     if (parser.positionalArguments().size() != 2)
         parser.showHelp(2);
@@ -104,20 +102,29 @@ int run(QApplication& application)
     if (!waitFor([&] { return opened; }, 30000))
         return 1;
     arrange(window, parser, options);
-    waitFor(
-        [&] {
-            return window.solver().upToDate() && window.solver().status().state == SolverStatus::State::Settled;
-        },
-        60000);
-    waitFor([&] { return window.solver().status().resting; }, 20000);
-    window.patternView().fitAll();
+    const auto done = [&] {
+        using State = SolverStatus::State;
+        const State state = window.solver().status().state;
+        return window.solver().upToDate() && state != State::Preparing && state != State::Moving;
+    };
+    waitFor(done, 60000);
+    waitFor([&] { return window.solver().status().resting; }, window.solver().surface() ? 20000 : 0);
     if (parser.isSet(options.close))
         window.patternView().fitSelection();
+    else
+        window.patternView().fitAll();
+    const QString dialog = parser.value(options.dialog);
+    const Actions& actions = window.actions();
+    for (const auto& [name, action] : {std::pair("figures", actions.report), std::pair("keys", actions.shortcuts),
+                                       std::pair("about", actions.about)})
+        if (dialog == name)
+            action->trigger();
+    if (parser.isSet(options.problems))
+        Docks::reveal(window.docks().problems);
     waitFor([] { return false; }, 2500); // the fine picture comes when nothing moves any more
-    QWidget* shown = QApplication::activeModalWidget() ? QApplication::activeModalWidget() : &window;
-    const QPixmap picture = window.screen()->grabWindow(window.winId());
+    const QRect place = window.geometry();
+    const QPixmap picture = window.screen()->grabWindow(0, place.x(), place.y(), place.width(), place.height());
     window.document().markSaved();
-    Q_UNUSED(shown);
     return picture.save(parser.positionalArguments().at(1)) ? 0 : 1;
 }
 
