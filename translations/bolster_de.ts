@@ -1883,17 +1883,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::ProblemsView</name>
-    <message>
-        <source>Element</source>
-        <translation>Element</translation>
-    </message>
-    <message>
-        <source>Problem</source>
-        <translation>Problem</translation>
-    </message>
-</context>
-<context>
     <name>bolster::PropertyForm</name>
     <message>
         <source>Colour of the fabric</source>

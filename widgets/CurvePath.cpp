@@ -25,8 +25,7 @@ std::vector<double> breaksBetween(const BSpline2& curve, double from, double to)
 
 } // namespace
 
-QPainterPath curvePath(const BSpline2& curve, double from, double to,
-                       const std::function<Vec2(const Vec2&)>& place)
+QPainterPath curvePath(const BSpline2& curve, double from, double to, const std::function<Vec2(const Vec2&)>& place)
 {
     const auto placed = [&](const Vec2& p) { return toPoint(place(p)); };
     const std::vector<double> breaks = breaksBetween(curve, from, to);

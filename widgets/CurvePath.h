@@ -16,7 +16,13 @@ QPainterPath curvePath(const BSpline2& curve, double from, double to,
 /// The whole curve; closed curves give a closed path.
 QPainterPath curvePath(const BSpline2& curve, const std::function<Vec2(const Vec2&)>& place);
 
-inline QPointF toPoint(const Vec2& v) { return {v.x(), v.y()}; }
-inline Vec2 toVec(QPointF p) { return {p.x(), p.y()}; }
+inline QPointF toPoint(const Vec2& v)
+{
+    return {v.x(), v.y()};
+}
+inline Vec2 toVec(QPointF p)
+{
+    return {p.x(), p.y()};
+}
 
 } // namespace bolster

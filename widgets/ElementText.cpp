@@ -82,11 +82,11 @@ QString kindIcon(ElementKind kind)
 QString displayName(const Design& design, ElementId id)
 {
     if (const Seam* seam = design.find<Seam>(id))
-        return QStringLiteral("%1 \u2013 %2").arg(nameOrNumber(design, seam->a.patch),
-                                                  nameOrNumber(design, seam->b.patch));
+        return QStringLiteral("%1 \u2013 %2")
+            .arg(nameOrNumber(design, seam->a.patch), nameOrNumber(design, seam->b.patch));
     if (const FixationSeam* fixation = design.find<FixationSeam>(id))
-        return QStringLiteral("%1 \u2192 %2").arg(nameOrNumber(design, fixation->stretch.patch),
-                                                  nameOrNumber(design, fixation->curve));
+        return QStringLiteral("%1 \u2192 %2")
+            .arg(nameOrNumber(design, fixation->stretch.patch), nameOrNumber(design, fixation->curve));
     if (const Quarantined* bad = design.find<Quarantined>(id))
         if (!bad->problems.empty() && !bad->problems.front().label.empty())
             return QString::fromStdString(bad->problems.front().label);

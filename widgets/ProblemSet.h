@@ -11,8 +11,7 @@
 
 namespace bolster {
 
-class ProblemSet : public QObject
-{
+class ProblemSet : public QObject {
     Q_OBJECT
 
 public:

@@ -2,7 +2,9 @@
 
 namespace bolster {
 
-Selection::Selection(QObject* parent) : QObject(parent) {}
+Selection::Selection(QObject* parent)
+    : QObject(parent)
+{}
 
 void Selection::set(Elements elements, Points points)
 {

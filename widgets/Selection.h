@@ -10,8 +10,7 @@
 
 namespace bolster {
 
-class Selection : public QObject
-{
+class Selection : public QObject {
     Q_OBJECT
 
 public:

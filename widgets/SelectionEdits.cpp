@@ -36,7 +36,8 @@ Edit removePoints(const Design& design, const Selection::Points& points)
 {
     EditChain chain(design);
     for (const auto& [id, indices] : byElement(points))
-        for (auto index = indices.rbegin(); index != indices.rend(); ++index) // the last first: the others stay valid
+        for (auto index = indices.rbegin(); index != indices.rend();
+             ++index) // the last first: the others stay valid
             chain.add(design.find<Patch>(id) ? edits::removePatchPoint(chain.design(), id, *index)
                                              : edits::removeCurvePoint(chain.design(), id, *index));
     return chain.result({QT_TRANSLATE_NOOP("Message", "Remove %1 points"), {std::to_string(points.size())}});
@@ -83,8 +84,9 @@ Edit removeSelected(const Design& design, const Selection& selection, QString* p
     const std::vector<ElementId> ids(selection.elements().begin(), selection.elements().end());
     Edit edit = points ? removePoints(design, selection.points()) : edits::removeElements(design, ids);
     if (edit.empty() && !ids.empty() && problem)
-        *problem = points ? QCoreApplication::translate("SelectionEdits", "Not removed: the curve needs these points.")
-                          : QCoreApplication::translate("SelectionEdits", "Not removed: other elements need this fabric.");
+        *problem =
+            points ? QCoreApplication::translate("SelectionEdits", "Not removed: the curve needs these points.")
+                   : QCoreApplication::translate("SelectionEdits", "Not removed: other elements need this fabric.");
     return edit;
 }
 

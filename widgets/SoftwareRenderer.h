@@ -34,7 +34,7 @@ public:
         SurfaceMeshPtr surface; ///< may be null
         std::vector<PatchLook> looks;
         std::vector<FrameLook> frames; ///< see-through where there is a cover
-        Camera camera; ///< its size is the size of the picture
+        Camera camera;                 ///< its size is the size of the picture
         QColor backgroundTop;
         QColor backgroundBottom;
         bool checker = true;

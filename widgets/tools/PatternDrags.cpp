@@ -25,8 +25,7 @@ Vec2 PatternDrag::moved(const PatternPointer& pointer) const
 namespace {
 
 /// A drag that changes the design.
-class EditingDrag : public PatternDrag
-{
+class EditingDrag : public PatternDrag {
 public:
     EditingDrag(PatternToolContext& context, const PatternPointer& from)
         : PatternDrag(context, from)
@@ -39,15 +38,15 @@ public:
 protected:
     static QString shift(const Vec2& delta)
     {
-        return QCoreApplication::translate("PatternTool", "Moved by %1, %2 \u2013 Shift keeps to one axis, Esc takes it back")
+        return QCoreApplication::translate("PatternTool",
+                                           "Moved by %1, %2 \u2013 Shift keeps to one axis, Esc takes it back")
             .arg(lengthText(delta.x()), lengthText(delta.y()));
     }
 
     Gesture m_gesture;
 };
 
-class PointDrag : public EditingDrag
-{
+class PointDrag : public EditingDrag {
 public:
     PointDrag(PatternToolContext& context, const PatternPointer& from)
         : EditingDrag(context, from)
@@ -67,8 +66,7 @@ private:
     Vec2 m_delta = Vec2::Zero();
 };
 
-class PatchDrag : public EditingDrag
-{
+class PatchDrag : public EditingDrag {
 public:
     PatchDrag(PatternToolContext& context, const PatternPointer& from)
         : EditingDrag(context, from)
@@ -88,8 +86,7 @@ private:
     Vec2 m_delta = Vec2::Zero();
 };
 
-class TurnDrag : public EditingDrag
-{
+class TurnDrag : public EditingDrag {
 public:
     TurnDrag(PatternToolContext& context, const PatternPointer& from)
         : EditingDrag(context, from)
@@ -109,7 +106,8 @@ public:
     }
     QString prompt() const override
     {
-        return QCoreApplication::translate("PatternTool", "Turned by %1 \u2013 Shift turns in steps of 15\u00b0, Esc takes it back")
+        return QCoreApplication::translate(
+                   "PatternTool", "Turned by %1 \u2013 Shift turns in steps of 15\u00b0, Esc takes it back")
             .arg(angleText(m_degrees));
     }
     Qt::CursorShape cursor() const override { return Qt::ClosedHandCursor; }
@@ -129,8 +127,7 @@ private:
     QPointF m_pointer;
 };
 
-class BoxDrag : public PatternDrag
-{
+class BoxDrag : public PatternDrag {
 public:
     using PatternDrag::PatternDrag;
 
@@ -156,8 +153,8 @@ public:
     }
     QString prompt() const override
     {
-        return QCoreApplication::translate("PatternTool",
-                                           "Release to select what lies in the box \u2013 Shift adds, Esc takes it back");
+        return QCoreApplication::translate(
+            "PatternTool", "Release to select what lies in the box \u2013 Shift adds, Esc takes it back");
     }
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
     void paint(QPainter& painter, const ViewColors& colors) const override

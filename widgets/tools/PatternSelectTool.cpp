@@ -23,11 +23,16 @@ constexpr double handleRadius = 6;
 std::optional<Vec2> arrowDirection(int key)
 {
     switch (key) {
-    case Qt::Key_Left: return Vec2(-1, 0);
-    case Qt::Key_Right: return Vec2(1, 0);
-    case Qt::Key_Up: return Vec2(0, 1);
-    case Qt::Key_Down: return Vec2(0, -1);
-    default: return {};
+    case Qt::Key_Left:
+        return Vec2(-1, 0);
+    case Qt::Key_Right:
+        return Vec2(1, 0);
+    case Qt::Key_Up:
+        return Vec2(0, 1);
+    case Qt::Key_Down:
+        return Vec2(0, -1);
+    default:
+        return {};
     }
 }
 
@@ -73,13 +78,15 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
     if (m_pressedHandle)
         return turnPatches(m_context, *m_pressed);
     switch (m_pressedHit.kind) {
-    case PatternHit::Kind::Nothing: return selectBox(m_context, *m_pressed);
+    case PatternHit::Kind::Nothing:
+        return selectBox(m_context, *m_pressed);
     case PatternHit::Kind::Point:
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
                    ? dragPoints(m_context, *m_pressed)
                    : nullptr;
     case PatternHit::Kind::Outline:
-    case PatternHit::Kind::Inside: break;
+    case PatternHit::Kind::Inside:
+        break;
     }
     // A seam is not moved itself: who drags it means the patch under the pointer.
     if (!selection.contains(m_pressedHit.patch) && selection.contains(m_pressedHit.element()))
@@ -223,8 +230,7 @@ Box2 PatternSelectTool::selectedBox() const
     const Selection& selection = m_context.selection();
     if (!selection.points().empty())
         return {};
-    const std::vector<ElementId> patches =
-        selectedOf<Patch>(m_context.document().design(), selection.elements());
+    const std::vector<ElementId> patches = selectedOf<Patch>(m_context.document().design(), selection.elements());
     return m_context.scene().boundingBox({patches.begin(), patches.end()});
 }
 
@@ -250,12 +256,16 @@ QString PatternSelectTool::prompt() const
     if (m_overHandle)
         return tr("Drag to turn the selected patches in the layout");
     switch (m_hover.kind) {
-    case PatternHit::Kind::Point: return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
+    case PatternHit::Kind::Point:
+        return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
     case PatternHit::Kind::Outline:
-        return m_hover.seam == settingsId ? tr("Double click to add a control point here, drag to move the patch")
-                                          : tr("Click to select the seam, double click to add a control point here");
-    case PatternHit::Kind::Inside: return tr("Click to select the patch, drag to move it in the layout");
-    case PatternHit::Kind::Nothing: break;
+        return m_hover.seam == settingsId
+                   ? tr("Double click to add a control point here, drag to move the patch")
+                   : tr("Click to select the seam, double click to add a control point here");
+    case PatternHit::Kind::Inside:
+        return tr("Click to select the patch, drag to move it in the layout");
+    case PatternHit::Kind::Nothing:
+        break;
     }
     return tr("Click to select, drag a box to select several \u2013 middle button or Space pans, wheel zooms");
 }
@@ -267,10 +277,13 @@ QCursor PatternSelectTool::cursor() const
     if (m_overHandle)
         return Qt::OpenHandCursor;
     switch (m_hover.kind) {
-    case PatternHit::Kind::Point: return Qt::SizeAllCursor;
-    case PatternHit::Kind::Outline: return Qt::PointingHandCursor;
+    case PatternHit::Kind::Point:
+        return Qt::SizeAllCursor;
+    case PatternHit::Kind::Outline:
+        return Qt::PointingHandCursor;
     case PatternHit::Kind::Inside:
-    case PatternHit::Kind::Nothing: break;
+    case PatternHit::Kind::Nothing:
+        break;
     }
     return Qt::ArrowCursor;
 }

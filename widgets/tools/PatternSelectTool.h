@@ -12,8 +12,7 @@ namespace bolster {
 /// Click selects, Shift adds, a drag from nothing selects a box. Control points are dragged together, patches by
 /// their inside, turned by the handle above the selection. A double click on an outline inserts a control point,
 /// arrow keys move by 1 mm (Shift: 10 mm).
-class PatternSelectTool : public PatternTool
-{
+class PatternSelectTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(PatternSelectTool)
 
 public:
