@@ -172,7 +172,8 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
         topology->patches.push_back({id, patch.fabric, static_cast<std::uint32_t>(first[p]),
                                      static_cast<std::uint32_t>(part.vertexCount),
                                      static_cast<std::uint32_t>(topology->triangles.size()),
-                                     static_cast<std::uint32_t>(meshes[p].triangles.size())});
+                                     static_cast<std::uint32_t>(meshes[p].triangles.size()),
+                                     static_cast<std::uint32_t>(part.boundaryCount)});
         topology->pattern.insert(topology->pattern.end(), meshes[p].points.begin(), meshes[p].points.end());
         for (auto [a, b, c] : meshes[p].triangles) {
             if (patch.wrongSideOut)

@@ -1,6 +1,9 @@
 #include "GlCover.h"
 
-#include "SurfaceBorders.h"
+#include "SurfaceEdges.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace bolster {
 
@@ -47,10 +50,16 @@ void GlCover::putTopology(const SurfaceTopology& topology)
 
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_triangles.put(topology.triangles, QOpenGLBuffer::StaticDraw);
-    SurfaceBorders borders;
-    borders.setTopology(m_topology);
-    m_edges.put(borders.edges(), QOpenGLBuffer::StaticDraw);
-    m_edgeCount = static_cast<GLsizei>(2 * borders.edges().size());
+    m_edgeCount = 0;
+}
+
+void GlCover::putEdges()
+{
+    std::vector<SurfaceEdge> edges;
+    for (const SurfaceTopology::PatchRange& patch : m_topology->patches)
+        std::ranges::copy(edgesOf(*m_topology, patch), std::back_inserter(edges));
+    m_edges.put(edges, QOpenGLBuffer::StaticDraw);
+    m_edgeCount = static_cast<GLsizei>(2 * edges.size());
 }
 
 void GlCover::putPositions(const SurfaceMesh& mesh)
@@ -113,6 +122,8 @@ void GlCover::drawEdges(const GlView& view, const QColor& color)
     m_plain.set("flatColor",
                 QColor::fromRgbF(color.redF() * alpha, color.greenF() * alpha, color.blueF() * alpha, alpha));
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    if (m_edgeCount == 0)
+        putEdges();
     m_edges.bind();
     m_gl.glDrawElements(GL_LINES, m_edgeCount, GL_UNSIGNED_INT, nullptr);
 }

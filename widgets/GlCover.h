@@ -17,6 +17,7 @@ public:
 
 private:
     void putTopology(const SurfaceTopology& topology);
+    void putEdges();
     void putPositions(const SurfaceMesh& mesh);
     void putOpenness(const SurfaceScene& scene);
 

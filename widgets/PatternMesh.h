@@ -2,13 +2,12 @@
 #pragma once
 
 #include "PatternTransform.h"
-#include "SurfaceMesh.h"
+#include "SurfaceEdges.h"
 
 #include <QLineF>
 #include <QVector>
 
 #include <map>
-#include <utility>
 
 namespace bolster {
 
@@ -25,11 +24,9 @@ public:
     QVector<QLineF> lines(ElementId id, const Patch& patch, const PatternTransform& transform) const;
 
 private:
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
     struct PatchEdges {
-        std::uint32_t firstVertex = 0;
-        std::uint32_t vertexCount = 0;
-        std::vector<Edge> edges; ///< vertices counted from `firstVertex`
+        SurfaceTopology::PatchRange range;
+        std::vector<SurfaceEdge> edges;
     };
 
     std::shared_ptr<const SurfaceTopology> m_topology;

@@ -48,23 +48,6 @@ void SurfaceHitTest::setSurface(SurfaceMeshPtr surface)
     m_surface = std::move(surface);
 }
 
-void SurfaceHitTest::setFrames(const std::vector<SurfaceScene::FrameLook>& frames,
-                               const std::vector<ElementId>& ids)
-{
-    std::vector<Eigen::Vector3f> points;
-    std::vector<SurfaceRays::Triangle> triangles;
-    m_frameEnds.clear();
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const auto first = static_cast<std::uint32_t>(points.size());
-        for (const Vec3& p : placedPoints(frames[i]))
-            points.push_back(p.cast<float>());
-        for (const SurfaceRays::Triangle& t : frames[i].mesh->triangles)
-            triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-        m_frameEnds.emplace_back(static_cast<std::uint32_t>(triangles.size()), ids[i]);
-    }
-    m_frameRays.build(std::move(points), std::move(triangles));
-}
-
 const SurfaceRays& SurfaceHitTest::rays() const
 {
     if (m_raysOf == m_surface)
@@ -91,12 +74,10 @@ SurfaceHit SurfaceHitTest::hitSolid(const Camera& camera, QPointF pixel) const
                     result.element = range.patch;
             return result;
         }
-    if (const auto hit = m_frameRays.first(origin, direction)) {
+    if (const auto hit = m_frames.first(ray)) {
         result.kind = SurfaceHit::Kind::Frame;
-        result.position = ray.origin + static_cast<double>(hit->distance) * ray.direction;
-        const auto frame = std::find_if(m_frameEnds.begin(), m_frameEnds.end(),
-                                        [&](const auto& end) { return hit->triangle < end.first; });
-        result.element = frame != m_frameEnds.end() ? frame->second : settingsId;
+        result.position = hit->position;
+        result.element = hit->frame;
     }
     return result;
 }

@@ -1,8 +1,8 @@
 // What lies under the pointer in the 3D view.
 #pragma once
 
+#include "FrameRays.h"
 #include "SurfaceCurves.h"
-#include "SurfaceRays.h"
 #include "SurfaceScene.h"
 
 #include <QPointF>
@@ -30,7 +30,7 @@ class SurfaceHitTest {
 public:
     /// The cover that is shown now; cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
-    void setFrames(const std::vector<SurfaceScene::FrameLook>& frames, const std::vector<ElementId>& ids);
+    FrameRays& frames() { return m_frames; }
 
     struct Question {
         const Camera& camera;
@@ -52,8 +52,7 @@ private:
     SurfaceMeshPtr m_surface;
     mutable SurfaceRays m_rays; ///< built when the first question comes
     mutable SurfaceMeshPtr m_raysOf;
-    SurfaceRays m_frameRays;
-    std::vector<std::pair<std::uint32_t, ElementId>> m_frameEnds; ///< number of triangles up to the end of each
+    FrameRays m_frames;
 };
 
 } // namespace bolster

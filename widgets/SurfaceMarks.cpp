@@ -1,6 +1,7 @@
 #include "SurfaceMarks.h"
 
 #include "Selection.h"
+#include "SurfaceEdges.h"
 
 namespace bolster {
 
@@ -48,7 +49,7 @@ void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, 
     if (scene.surface) {
         if (m_shown.seams)
             addSeams(scene);
-        addBorders(scene);
+        addOutlines(scene);
     }
     if (m_shown.curves) {
         for (const auto& [id, curve] : m_curves.all())
@@ -74,21 +75,20 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
     }
 }
 
-void SurfaceMarks::addBorders(SurfaceScene& scene) const
+void SurfaceMarks::addOutlines(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
-    const auto add = [&](const std::vector<SurfaceBorders::Edge>& edges, const QColor& color, float width,
-                         float hidden) {
-        for (const std::vector<std::uint32_t>& run : chained(edges))
-            scene.lines.push_back({pointsOf(mesh, run), color, width, hidden});
+    const auto add = [&](const SurfaceRun& run, const QColor& color, float width, float hidden) {
+        scene.lines.push_back({pointsOf(mesh, run), color, width, hidden});
     };
     if (m_shown.seams)
-        add(m_borders.free(), QColor(18, 14, 12, 140), 1.0F, 0);
+        for (const SurfaceRun& run : unsewnOutlines(*mesh.topology))
+            add(run, QColor(18, 14, 12, 140), 1.0F, 0);
     for (const SurfaceTopology::PatchRange& range : mesh.topology->patches) {
         if (m_selection.contains(range.patch))
-            add(m_borders.ofPatch(range.patch), scene.colors.accent, 2.4F, 0.25F);
+            add(outlineOf(range), scene.colors.accent, 2.4F, 0.25F);
         else if (m_selection.hovered() == range.patch)
-            add(m_borders.ofPatch(range.patch), scene.colors.hover, 1.8F, 0);
+            add(outlineOf(range), scene.colors.hover, 1.8F, 0);
     }
 }
 

@@ -1,7 +1,6 @@
 // Everything on the cover that is drawn as a line or a handle: seams, borders, fixation curves, what is selected.
 #pragma once
 
-#include "SurfaceBorders.h"
 #include "SurfaceCurves.h"
 #include "SurfaceScene.h"
 
@@ -20,10 +19,8 @@ public:
         bool curves = true;
     };
 
-    SurfaceMarks(const SurfaceBorders& borders, const SurfaceCurves& curves, const Selection& selection,
-                 Shown shown)
-        : m_borders(borders)
-        , m_curves(curves)
+    SurfaceMarks(const SurfaceCurves& curves, const Selection& selection, Shown shown)
+        : m_curves(curves)
         , m_selection(selection)
         , m_shown(shown)
     {}
@@ -32,11 +29,10 @@ public:
 
 private:
     void addSeams(SurfaceScene& scene) const;
-    void addBorders(SurfaceScene& scene) const;
+    void addOutlines(SurfaceScene& scene) const;
     void addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve) const;
     void addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const;
 
-    const SurfaceBorders& m_borders;
     const SurfaceCurves& m_curves;
     const Selection& m_selection;
     Shown m_shown;

@@ -1,5 +1,7 @@
 #include "SurfaceOcclusion.h"
 
+#include "SurfaceRays.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,44 +54,56 @@ void smooth(std::vector<float>& values, const SurfaceTopology& topology)
     }
 }
 
-SurfaceRays raysOf(const SurfaceOcclusion::Input& input, bool withFrames)
-{
+/// Everything that stands in the light, placed, mm.
+struct Obstacles {
     std::vector<Vec3f> points;
     std::vector<SurfaceRays::Triangle> triangles;
-    if (withFrames) {
-        points = input.framePoints;
-        triangles = input.frameTriangles;
-    }
-    if (input.surface) {
+
+    void add(const TriangleMesh& mesh, const Frame& placement)
+    {
         const auto first = static_cast<std::uint32_t>(points.size());
-        for (const Vec3& p : input.surface->positions)
+        for (const Vec3& p : mesh.points)
+            points.push_back(placement.placed(p).cast<float>());
+        add(mesh.triangles, first);
+    }
+
+    void add(const SurfaceMesh& mesh)
+    {
+        const auto first = static_cast<std::uint32_t>(points.size());
+        for (const Vec3& p : mesh.positions)
             points.push_back(p.cast<float>());
-        for (const auto& t : input.surface->topology->triangles)
+        add(mesh.topology->triangles, first);
+    }
+
+    void add(const std::vector<SurfaceRays::Triangle>& of, std::uint32_t first)
+    {
+        for (const SurfaceRays::Triangle& t : of)
             triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     }
-    SurfaceRays rays;
-    rays.build(std::move(points), std::move(triangles));
-    return rays;
-}
 
-Eigen::AlignedBox3f boundingBox(const SurfaceOcclusion::Input& input)
-{
-    Eigen::AlignedBox3f box;
-    for (const Vec3f& p : input.framePoints)
-        if (p.allFinite())
-            box.extend(p);
-    if (input.surface)
-        for (const Vec3& p : input.surface->positions)
+    Eigen::AlignedBox3f boundingBox() const
+    {
+        Eigen::AlignedBox3f box;
+        for (const Vec3f& p : points)
             if (p.allFinite())
-                box.extend(p.cast<float>());
-    return box;
-}
+                box.extend(p);
+        return box;
+    }
+
+    SurfaceRays rays() &&
+    {
+        SurfaceRays rays;
+        rays.build(std::move(points), std::move(triangles));
+        return rays;
+    }
+};
 
 /// Without the frames: they touch the cover everywhere.
-bool shadeCover(const SurfaceOcclusion::Input& input, float reach, std::stop_token stop, SurfaceOcclusion& result)
+bool shadeCover(const SurfaceMesh& mesh, float reach, std::stop_token stop, SurfaceOcclusion& result)
 {
-    const SurfaceRays rays = raysOf(input, false);
-    const SurfaceMesh& mesh = *input.surface;
+    Obstacles cover;
+    cover.add(mesh);
+    const SurfaceRays rays = std::move(cover).rays();
     result.topology = mesh.topology->serial;
     result.outside.assign(mesh.positions.size(), 1.f);
     result.inside = result.outside;
@@ -156,13 +170,19 @@ bool shadeGround(const SurfaceRays& rays, const Eigen::AlignedBox3f& box, float 
 std::shared_ptr<const SurfaceOcclusion> SurfaceOcclusion::of(const Input& input, std::stop_token stop)
 {
     auto result = std::make_shared<SurfaceOcclusion>();
-    const Eigen::AlignedBox3f box = boundingBox(input);
+    Obstacles all;
+    for (const SoftwareRenderer::Request::FrameLook& frame : input.frames)
+        if (frame.mesh)
+            all.add(*frame.mesh, frame.placement);
+    if (input.surface)
+        all.add(*input.surface);
+    const Eigen::AlignedBox3f box = all.boundingBox();
     if (box.isEmpty())
         return result;
     const float reach = std::max(0.4f * box.diagonal().norm(), 1.f);
-    if (!shadeGround(raysOf(input, true), box, input.floor, reach, stop, result->ground))
+    if (!shadeGround(std::move(all).rays(), box, input.floor, reach, stop, result->ground))
         return nullptr;
-    if (input.surface && !shadeCover(input, reach, stop, *result))
+    if (input.surface && !shadeCover(*input.surface, reach, stop, *result))
         return nullptr;
     return result;
 }

@@ -1,8 +1,7 @@
 // How much of the sky each place sees: soft shadows that cost nothing while looking around.
 #pragma once
 
-#include "SurfaceMesh.h"
-#include "SurfaceRays.h"
+#include "SoftwareRenderer.h"
 
 #include <memory>
 #include <stop_token>
@@ -14,9 +13,8 @@ namespace bolster {
 struct SurfaceOcclusion {
     /// What stands in the light.
     struct Input {
-        SurfaceMeshPtr surface;                   ///< may be null
-        std::vector<Eigen::Vector3f> framePoints; ///< placed, mm
-        std::vector<SurfaceRays::Triangle> frameTriangles;
+        SurfaceMeshPtr surface; ///< may be null
+        std::vector<SoftwareRenderer::Request::FrameLook> frames;
         float floor = 0; ///< height of the ground
     };
     /// A square raster of the ground, row by row from the lowest y.

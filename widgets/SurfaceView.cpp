@@ -12,7 +12,10 @@
 #include <QEvent>
 #include <QResizeEvent>
 
+#include <algorithm>
 #include <chrono>
+#include <ranges>
+#include <utility>
 
 namespace bolster {
 
@@ -20,9 +23,20 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto occlusionDelay = 250ms; ///< the cover must rest that long before its shadows are found
+constexpr auto occlusionDelay = 450ms; ///< the cover must rest that long before its shadows are found
 constexpr int movingWithin = 250;      ///< ms between two surfaces that belong to one movement
 constexpr int cubeMargin = 8;          ///< pixels
+
+/// Whether the designs have the same curves, frames and fabrics: the rest of them is seen in the surface.
+bool looksTheSame(const Design& a, const Design& b)
+{
+    const auto seen = std::views::filter([](const auto& item) {
+        const Element& element = *item.second;
+        return std::holds_alternative<FixationCurve>(element) || std::holds_alternative<Frame>(element) ||
+               std::holds_alternative<Fabric>(element);
+    });
+    return std::ranges::equal(a.elements() | seen, b.elements() | seen);
+}
 
 } // namespace
 
@@ -123,10 +137,10 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
                         surface->normals.size() == surface->positions.size();
     m_surface = usable ? std::move(surface) : nullptr;
     m_scene.surface = layerVisible(Layer::Cover) ? m_surface : nullptr;
-    m_borders.setTopology(m_scene.surface ? m_scene.surface->topology : nullptr);
     m_hitTest.setSurface(m_scene.surface);
     const bool moving = m_sinceSurface.isValid() && m_sinceSurface.elapsed() < movingWithin;
     m_sinceSurface.start();
+    m_occlusionJob.cancel();
     updateLooks();
     updateMarks();
     updateBox();
@@ -168,6 +182,9 @@ void SurfaceView::setLayerVisible(Layer layer, bool visible)
 
 void SurfaceView::designChanged()
 {
+    const Design before = std::exchange(m_design, m_document.design());
+    if (looksTheSame(before, m_design))
+        return; // the surface brings what has changed
     m_curves.update(m_document.design());
     updateFrames();
     updateLooks();
@@ -191,7 +208,12 @@ void SurfaceView::updateFrames()
     if (frames == m_scene.frames)
         return;
     m_scene.frames = std::move(frames);
-    m_hitTest.setFrames(m_scene.frames, ids);
+    m_hitTest.frames().setFrames(m_scene.frames, ids);
+    m_frameBox.setEmpty();
+    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
+        for (const Vec3& p : placedPoints(frame))
+            if (p.allFinite())
+                m_frameBox.extend(p);
     m_occlusionDelay.start();
 }
 
@@ -214,7 +236,7 @@ void SurfaceView::updateLooks()
 void SurfaceView::updateMarks()
 {
     const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves)};
-    SurfaceMarks(m_borders, m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
+    SurfaceMarks(m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
 }
@@ -226,10 +248,7 @@ void SurfaceView::updateBox()
         for (const Vec3& p : m_scene.surface->positions)
             if (p.allFinite())
                 solid.extend(p);
-    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
-        for (const Vec3& p : placedPoints(frame))
-            if (p.allFinite())
-                solid.extend(p);
+    solid.extend(m_frameBox);
     Box3 box = solid;
     for (const auto& [id, curve] : m_curves.all())
         for (const Vec3& p : curve.points)
@@ -252,14 +271,8 @@ void SurfaceView::requestOcclusion()
         return;
     SurfaceOcclusion::Input input;
     input.surface = m_scene.surface;
+    input.frames = m_scene.frames;
     input.floor = static_cast<float>(m_scene.floor);
-    for (const SurfaceScene::FrameLook& frame : m_scene.frames) {
-        const auto first = static_cast<std::uint32_t>(input.framePoints.size());
-        for (const Vec3& p : placedPoints(frame))
-            input.framePoints.push_back(p.cast<float>());
-        for (const SurfaceRays::Triangle& t : frame.mesh->triangles)
-            input.frameTriangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-    }
     m_occlusionJob.request(std::move(input), true);
 }
 

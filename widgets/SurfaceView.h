@@ -4,7 +4,6 @@
 #include "Camera.h"
 #include "DesignFile.h"
 #include "SoftwareRenderer.h"
-#include "SurfaceBorders.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
 #include "SurfaceJob.h"
@@ -140,10 +139,11 @@ private:
 
     SurfaceMeshPtr m_surface;
     FrameMeshes m_frameMeshes;
+    Design m_design; ///< as shown
     SurfaceScene m_scene;
-    SurfaceBorders m_borders;
     SurfaceCurves m_curves;
     SurfaceHitTest m_hitTest;
+    Box3 m_frameBox; ///< mm
     Camera m_camera;
 
     std::unique_ptr<SurfaceCanvas> m_canvas;

@@ -19,6 +19,10 @@ struct Frame {
 
     Vec3 placed(const Vec3& filePoint) const { return rotation * (scale * filePoint) + position; }
 
+    /// The inverse.
+    Vec3 filePoint(const Vec3& placed) const { return fileDirection(placed - position); }
+    Vec3 fileDirection(const Vec3& direction) const { return rotation.conjugate() * direction / scale; }
+
     friend bool operator==(const Frame& a, const Frame& b)
     {
         return a.name == b.name && a.file == b.file && a.scale == b.scale && a.position == b.position &&

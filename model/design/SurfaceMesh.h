@@ -21,6 +21,7 @@ struct SurfaceTopology {
         std::uint32_t vertexCount = 0;
         std::uint32_t firstTriangle = 0;
         std::uint32_t triangleCount = 0;
+        std::uint32_t outlineCount = 0; ///< the first vertices are the outline, in its order
     };
     /// The vertices along a stretch, in the order of the stretch `a`; `b` is empty for fixation seams.
     /// Vertex a[k] is sewn to b[k].

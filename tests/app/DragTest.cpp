@@ -1,6 +1,7 @@
 // The surface follows a drag in either window, and the drag is one edit.
 #include "WindowTest.h"
 
+#include <QElapsedTimer>
 #include <QMouseEvent>
 
 #include <cmath>
@@ -18,6 +19,7 @@ protected:
         std::set<std::uint64_t> revisions; ///< of meshes that arrived while the button was down
         WatchedApplication::Longest block;
         WatchedApplication::Longest paint;
+        double seconds = 0;
     };
 
     /// Drags from `from` by `by` in steps, as a hand does, with the events of a real pointer.
@@ -32,6 +34,8 @@ protected:
         move(view, from, Qt::NoButton);
         QTest::qWait(50);
         application().startWatching();
+        QElapsedTimer clock;
+        clock.start();
         press(view, from);
         for (int i = 1; i <= steps; ++i) {
             move(view, from + by * i / steps, Qt::LeftButton);
@@ -39,6 +43,7 @@ protected:
         }
         // Slower machines than any designer's still show that it follows.
         (void)QTest::qWaitFor([&] { return seen.revisions.size() >= 3; }, 20000);
+        seen.seconds = 1e-3 * static_cast<double>(clock.elapsed());
         seen.block = application().longestBlock();
         seen.paint = application().longestPaint();
         QObject::disconnect(connection);
@@ -47,7 +52,7 @@ protected:
 
     void report(const char* what, const Seen& seen)
     {
-        std::printf("%s: %zu meshes during the drag\n", what, seen.revisions.size());
+        std::printf("%s: %zu meshes during the drag of %.2f s\n", what, seen.revisions.size(), seen.seconds);
         std::printf("    longest block other than painting: %.1f ms, computing for %.1f ms (%s)\n", seen.block.wall,
                     seen.block.cpu, seen.block.what.c_str());
         std::printf("    longest painting: %.1f ms, computing for %.1f ms (%s)\n", seen.paint.wall, seen.paint.cpu,

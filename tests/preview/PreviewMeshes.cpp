@@ -28,7 +28,7 @@ struct Builder {
                 topology->triangles.push_back({k, k + row + 1, k + row});
             }
         topology->patches.push_back({patch, ElementId{1}, first, row * row, firstTriangle,
-                                     static_cast<std::uint32_t>(topology->triangles.size()) - firstTriangle});
+                                     static_cast<std::uint32_t>(topology->triangles.size()) - firstTriangle, 0});
         return first;
     }
 

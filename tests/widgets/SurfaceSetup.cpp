@@ -9,25 +9,41 @@ namespace {
 
 constexpr std::uint32_t cells = 8;
 
+/// Where a node of the grid lies among the vertices: those of the outline come first, counter-clockwise.
+std::uint32_t index(std::uint32_t i, std::uint32_t j)
+{
+    if (j == 0)
+        return i;
+    if (i == cells)
+        return cells + j;
+    if (j == cells)
+        return 3 * cells - i;
+    if (i == 0)
+        return 4 * cells - j;
+    return 4 * cells + (j - 1) * (cells - 1) + i - 1;
+}
+
 void addSquare(SurfaceTopology& topology, SurfaceMesh& mesh, ElementId patch, double x)
 {
     const std::uint32_t first = topology.vertexCount();
     const auto firstTriangle = static_cast<std::uint32_t>(topology.triangles.size());
+    constexpr std::uint32_t count = (cells + 1) * (cells + 1);
+    topology.pattern.resize(first + count);
+    mesh.positions.resize(first + count);
+    mesh.normals.resize(first + count, {0, 0, 1});
     for (std::uint32_t j = 0; j <= cells; ++j)
         for (std::uint32_t i = 0; i <= cells; ++i) {
             const Vec2 p(200.0 * i / cells, 200.0 * j / cells);
-            topology.pattern.push_back(p);
-            mesh.positions.push_back({x + p.x(), p.y(), 0});
-            mesh.normals.push_back({0, 0, 1});
+            topology.pattern[first + index(i, j)] = p;
+            mesh.positions[first + index(i, j)] = {x + p.x(), p.y(), 0};
         }
     for (std::uint32_t j = 0; j < cells; ++j)
         for (std::uint32_t i = 0; i < cells; ++i) {
-            const std::uint32_t k = first + j * (cells + 1) + i;
-            topology.triangles.push_back({k, k + 1, k + cells + 2});
-            topology.triangles.push_back({k, k + cells + 2, k + cells + 1});
+            const auto at = [&](std::uint32_t di, std::uint32_t dj) { return first + index(i + di, j + dj); };
+            topology.triangles.push_back({at(0, 0), at(1, 0), at(1, 1)});
+            topology.triangles.push_back({at(0, 0), at(1, 1), at(0, 1)});
         }
-    topology.patches.push_back(
-        {patch, fabricId, first, (cells + 1) * (cells + 1), firstTriangle, 2 * cells * cells});
+    topology.patches.push_back({patch, fabricId, first, count, firstTriangle, 2 * cells * cells, 4 * cells});
 }
 
 ElementPtr square(const char* name)
@@ -67,8 +83,8 @@ SurfaceMeshPtr twoSquaresCover()
     addSquare(*topology, *mesh, rightPatch, 200);
     SurfaceTopology::Chain seam{seamId, {}, {}};
     for (std::uint32_t j = 0; j <= cells; ++j) {
-        seam.a.push_back(j * (cells + 1) + cells);
-        seam.b.push_back((cells + 1) * (cells + 1) + j * (cells + 1));
+        seam.a.push_back(index(cells, j));
+        seam.b.push_back((cells + 1) * (cells + 1) + index(0, j));
     }
     topology->seams.push_back(seam);
     mesh->topology = topology;
