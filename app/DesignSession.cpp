@@ -178,7 +178,9 @@ Message DesignSession::addFrame(const QString& source, std::shared_ptr<const Tri
             edits::replaceElement(design, *replaced, makeElement(frame),
                                   {QT_TRANSLATE_NOOP("Message", "Change the mesh of %1"), {frame.name}}));
     } else {
+        const ElementId id = design.nextId();
         m_document.commit(edits::addElement(design, makeElement(std::move(frame))));
+        emit frameImported(id);
     }
     return {};
 }

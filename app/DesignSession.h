@@ -58,6 +58,8 @@ signals:
     void opened();
     void titleChanged();
     void framesChanged();
+    /// By the user, just now.
+    void frameImported(bolster::ElementId id);
     void problemsChanged();
     /// Unsaved work cannot be protected against a crash.
     void recoveryFailed(const bolster::Message& why);

@@ -57,9 +57,11 @@ QString FileFlow::startFolder() const
 {
     if (!m_session.path().isEmpty())
         return QFileInfo(m_session.path()).absolutePath();
-    return QSettings()
-        .value(folderKey, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-        .toString();
+    const QString last = QSettings().value(folderKey).toString();
+    for (const QString& folder : {last, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+        if (!folder.isEmpty() && QFileInfo(folder).isDir())
+            return folder;
+    return QDir::homePath();
 }
 
 void FileFlow::fail(const QString& title, const Message& why)

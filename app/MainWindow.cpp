@@ -20,6 +20,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QToolBar>
 
@@ -118,6 +119,7 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::framesChanged, this,
             [this] { m_surface->setFrames(m_session->frames()); });
+    connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) { m_selection.set({id}); });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
     connect(m_session.get(), &DesignSession::recoveryFailed, this,
             [this](const Message& why) { m_status->flash(translated(why)); });
@@ -249,7 +251,7 @@ void MainWindow::restoreLayout()
 {
     const QSettings settings;
     if (!restoreGeometry(settings.value(geometryKey).toByteArray()))
-        resize(1400, 900);
+        resize(QSize(1400, 900).boundedTo(0.92 * screen()->availableSize()));
     restoreState(settings.value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());

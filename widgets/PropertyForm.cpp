@@ -114,15 +114,17 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     std::vector<NumberBox*> boxes;
+    NumberBox::Range bare = range; // the unit fits only once
+    bare.unit.clear();
     for (int i = 0; i < count; ++i) {
-        auto* box = new NumberBox(range, row);
+        auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(40);
         connect(box, &QDoubleSpinBox::valueChanged, this, [i, write](double value) { write(i, value); });
         layout->addWidget(box, 1);
         boxes.push_back(box);
     }
-    addField(label, row, [boxes, read] {
+    addField(QStringLiteral("%1, %2").arg(label, range.unit.trimmed()), row, [boxes, read] {
         for (std::size_t i = 0; i < boxes.size(); ++i)
             boxes[i]->display(read(static_cast<int>(i)));
     });

@@ -155,7 +155,8 @@ TEST_F(FilesTest, AnImportedFrameIsKeptBeforeAndAfterSaving)
     Frame frame;
     frame.name = "Block";
     EXPECT_TRUE(window.session().addFrame(mesh, imported.mesh, frame).empty());
-    EXPECT_EQ(window.session().frames().size(), 1U);
+    ASSERT_EQ(window.session().frames().size(), 1U);
+    EXPECT_TRUE(window.selection().contains(window.session().frames().begin()->first)); // to be placed
     QFile::remove(mesh); // the design has its own copy
 
     ASSERT_TRUE(QDir(folder.path()).mkdir("home"));
