@@ -96,7 +96,7 @@ void showAbout(QWidget* parent)
                      "docs/solver.md names the paper and what is different."),
                  HelpDialogs::tr(
                      "Free software under the GNU General Public License, version 3 or later. It comes without any "
-                     "warranty. Built with Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree and OpenImageIO."));
+                     "warranty. Built with Qt, Eigen, CGAL, SuiteSparse, Embree and OpenImageIO."));
     showText(parent, HelpDialogs::tr("About Bolster"), html, {460, 340});
 }
 

@@ -13,7 +13,6 @@ target_link_libraries(bolster_cholmod INTERFACE "${CHOLMOD_LIBRARY}")
 
 if(NOT BOLSTER_HEADLESS)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
-    find_package(OpenMesh REQUIRED CONFIG)
     find_package(embree 3 REQUIRED CONFIG)
     find_package(OpenImageIO 2.4 REQUIRED CONFIG)
 

@@ -186,8 +186,8 @@
         <translation>Die Oberfläche wird nach dem veröffentlichten Verfahren berechnet; docs/solver.md nennt den Aufsatz und was hier anders ist.</translation>
     </message>
     <message>
-        <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty. Built with Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree and OpenImageIO.</source>
-        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer. Ohne jede Gewährleistung. Gebaut mit Qt, Eigen, CGAL, SuiteSparse, OpenMesh, Embree und OpenImageIO.</translation>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty. Built with Qt, Eigen, CGAL, SuiteSparse, Embree and OpenImageIO.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer. Ohne jede Gewährleistung. Gebaut mit Qt, Eigen, CGAL, SuiteSparse, Embree und OpenImageIO.</translation>
     </message>
     <message>
         <source>About Bolster</source>
@@ -1288,6 +1288,10 @@
     <message>
         <source>a curve has at most %1 points</source>
         <translation>eine Kurve hat höchstens %1 Punkte</translation>
+    </message>
+    <message>
+        <source>this version of Bolster computes every seam as a sharp edge (&quot;C0&quot;); what is chosen here is kept for later ones</source>
+        <translation>diese Version von Bolster berechnet jede Naht als scharfe Kante (&quot;C0&quot;); was hier gewählt ist, bleibt für spätere erhalten</translation>
     </message>
 </context>
 <context>
