@@ -138,14 +138,11 @@ void showFigures(QWidget* parent, const SolveReport& report)
          HelpDialogs::tr("%1 m\u00b2, %2 m\u00b2")
              .arg(decimalText(report.area * 1e-6, 3, true), decimalText(report.restArea * 1e-6, 3, true))},
         {HelpDialogs::tr("Turned triangles"), count(report.flippedTriangles)}};
-    Rows times{{HelpDialogs::tr("Iterations"), count(report.iterations)}};
-    const std::pair<QString, double> measured[] = {
-        {HelpDialogs::tr("Triangulation"), report.time.triangulate},
-        {HelpDialogs::tr("Assembly and factorisation"), report.time.assemble + report.time.factor},
-        {HelpDialogs::tr("One iteration"), report.time.perIteration}};
-    for (const auto& [name, ms] : measured)
-        if (ms > 0) // not every surface had to be triangulated anew
-            times.append({name, time(ms)});
+    const Rows times{
+        {HelpDialogs::tr("Iterations"), count(report.iterations)},
+        {HelpDialogs::tr("Triangulation"), time(report.time.triangulate)},
+        {HelpDialogs::tr("Assembly and factorisation"), time(report.time.assemble + report.time.factor)},
+        {HelpDialogs::tr("One iteration"), time(report.time.perIteration)}};
     const QString html = heading(HelpDialogs::tr("Mesh")) + table(mesh) + heading(HelpDialogs::tr("Surface")) +
                          table(quality) + heading(HelpDialogs::tr("Computation")) + table(times);
     showText(parent, HelpDialogs::tr("Figures of the surface"), html, {520, 560});

@@ -8,6 +8,7 @@ Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance)
     : m_optimizer(mesh, pool)
     , m_tolerance(tolerance)
     , m_convergence(tolerance)
+    , m_factorTime(m_watch.elapsed())
 {
     checkFactors();
 }
@@ -43,7 +44,9 @@ void Relaxation::retarget()
 
 void Relaxation::refactor()
 {
+    m_watch.restart();
     m_optimizer.refactor();
+    m_factorTime = m_watch.elapsed();
     retarget();
 }
 
@@ -52,7 +55,9 @@ void Relaxation::iterate()
     if (m_phase != Phase::Running)
         return;
     m_optimizer.setAccelerated(!m_convergence.stalled());
+    m_watch.restart();
     const std::optional<double> move = m_optimizer.iterate();
+    m_iterateTime += m_watch.elapsed();
     if (!move) {
         fail({QT_TRANSLATE_NOOP("Message",
                                 "The surface ran away after %1 iterations. Lower the pressure or check the "
@@ -80,6 +85,7 @@ void Relaxation::begin()
 {
     m_phase = Phase::Running;
     m_iterations = 0;
+    m_iterateTime = 0;
     m_convergence = Convergence(m_tolerance);
 }
 

@@ -3,6 +3,7 @@
 
 #include "Convergence.h"
 #include "SheetOptimizer.h"
+#include "Stopwatch.h"
 
 namespace bolster {
 
@@ -33,6 +34,8 @@ public:
     int iterations() const { return m_iterations; }              ///< since the last start
     double movement() const { return m_movement; }               ///< of the last iteration, relative to D
     double estimate() const { return m_convergence.estimate(); } ///< distance to the limit, relative to D
+    double factorTime() const { return m_factorTime; }           ///< of the last factorisation, ms
+    double iterateTime() const { return m_iterateTime; }         ///< since the last start, ms
     const Message& reason() const { return m_reason; }           ///< when failed
     const SheetState& state() const { return m_optimizer.state(); }
 
@@ -41,12 +44,15 @@ private:
     void begin();
     void fail(Message reason);
 
+    Stopwatch m_watch; // before the optimizer, which factors
     SheetOptimizer m_optimizer;
     double m_tolerance;
     Convergence m_convergence;
     Phase m_phase = Phase::Running;
     int m_iterations = 0;
     double m_movement = 0;
+    double m_factorTime = 0;
+    double m_iterateTime = 0;
     Message m_reason;
 };
 

@@ -54,9 +54,7 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
     WorkerPool pool(options.threads);
-    Stopwatch stage;
     Relaxation solve(sheet->mesh, pool, options.tolerance);
-    const double factorTime = stage.restart();
     solve.startCanonically();
     while (solve.phase() == Relaxation::Phase::Running && solve.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
@@ -67,19 +65,11 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
         if (progress)
             progress(solve.iterations(), solve.movement());
     }
-    const double iterateTime = stage.elapsed();
     if (solve.phase() == Relaxation::Phase::Failed)
         return failed(std::move(result), solve.reason());
 
-    result.report = measureSurface(*sheet, solve.state());
-    result.report.iterations = solve.iterations();
-    result.report.movement = solve.movement();
-    result.report.time = {sheet->triangulateTime,
-                          sheet->assembleTime,
-                          factorTime,
-                          iterateTime,
-                          iterateTime / std::max(1, solve.iterations()),
-                          watch.elapsed()};
+    result.report = reportOn(*sheet, solve);
+    result.report.time.total = watch.elapsed(); // with what lies between the stages
     result.surface = makeSurface(sheet->mesh, solve.state(), 0);
     if (solve.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;

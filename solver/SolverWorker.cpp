@@ -207,9 +207,7 @@ void SolverWorker::endLive(std::stop_token stop)
         rebuildLive(m_design, false, stop);
         return;
     }
-    m_report = measureSurface(m_live->prepared, m_live->relaxation->state());
-    m_report.iterations = m_live->relaxation->iterations();
-    m_report.movement = m_live->relaxation->movement();
+    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     m_status.resting = m_live->canonical && converged;
     m_restingDone = m_live->canonical;
     publishSurface();
@@ -258,9 +256,7 @@ void SolverWorker::adoptResting()
     m_restingDone = true;
     m_status.restingDistance.reset();
     m_status.resting = true;
-    m_report = measureSurface(m_live->prepared, m_live->relaxation->state());
-    m_report.iterations = m_live->relaxation->iterations();
-    m_report.movement = m_live->relaxation->movement();
+    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     publishSurface();
     publish(SolverStatus::State::Settled);
 }

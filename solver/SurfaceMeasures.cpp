@@ -1,5 +1,7 @@
 #include "SurfaceMeasures.h"
 
+#include "Relaxation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -136,6 +138,21 @@ SolveReport measureSurface(const PreparedSheet& sheet, const SheetState& state)
     measureTriangles(mesh, state, report);
     measureSeams(mesh, state, report);
     measureFixations(sheet, state, report);
+    return report;
+}
+
+SolveReport reportOn(const PreparedSheet& sheet, const Relaxation& relaxation)
+{
+    SolveReport report = measureSurface(sheet, relaxation.state());
+    report.iterations = relaxation.iterations();
+    report.movement = relaxation.movement();
+    SolveReport::Times& time = report.time;
+    time.triangulate = sheet.triangulateTime;
+    time.assemble = sheet.assembleTime;
+    time.factor = relaxation.factorTime();
+    time.iterate = relaxation.iterateTime();
+    time.perIteration = time.iterate / std::max(1, report.iterations);
+    time.total = time.triangulate + time.assemble + time.factor + time.iterate;
     return report;
 }
 
