@@ -49,6 +49,12 @@ PatternView::~PatternView() = default;
 
 void PatternView::designChanged(const std::set<ElementId>& ids)
 {
+    const auto elsewhere = [this](ElementId id) {
+        const Design& design = m_document.design();
+        return design.find<FixationCurve>(id) || design.find<Frame>(id);
+    };
+    if (!ids.empty() && std::ranges::all_of(ids, elsewhere))
+        return; // the pattern stays as it is while a curve is dragged in 3D
     m_scene.update(m_document.design(), ids);
     m_seamColors = seamColors(m_document.design(), ViewColors::of(palette()).dark);
     refresh();
