@@ -1,6 +1,6 @@
 #include "GlFrames.h"
 
-#include "MeshShape.h"
+#include "FrameShapes.h"
 
 namespace bolster {
 
@@ -23,16 +23,21 @@ GlFrames::GlFrames(GlFunctions& gl)
 
 void GlFrames::update(const SurfaceScene& scene)
 {
-    if (m_frames == scene.frames)
+    if (m_frames == scene.frames && m_shapes == scene.frameShapes)
         return;
     m_frames = scene.frames;
+    m_shapes = scene.frameShapes;
     std::vector<Vertex> vertices;
-    for (const SurfaceScene::FrameLook& frame : m_frames) {
-        const std::vector<Vec3> points = placedPoints(frame);
-        const auto normals = cornerNormals(points, frame.mesh->triangles);
-        for (std::size_t t = 0; t < frame.mesh->triangles.size(); ++t)
+    for (std::size_t f = 0; f < m_frames.size(); ++f) {
+        if (!m_shapes[f])
+            continue;
+        const std::vector<Vec3> points = placedPoints(m_frames[f]);
+        const Eigen::Matrix3f turned = m_frames[f].placement.rotation.toRotationMatrix().cast<float>();
+        const auto& triangles = m_frames[f].mesh->triangles;
+        vertices.reserve(vertices.size() + 3 * triangles.size());
+        for (std::size_t t = 0; t < triangles.size(); ++t)
             for (std::size_t i = 0; i < 3; ++i)
-                vertices.push_back({points[frame.mesh->triangles[t][i]].cast<float>(), normals[t][i]});
+                vertices.push_back({points[triangles[t][i]].cast<float>(), turned * m_shapes[f]->normals[t][i]});
     }
     m_vertices.put(vertices, QOpenGLBuffer::StaticDraw);
     m_count = static_cast<GLsizei>(vertices.size());

@@ -24,7 +24,8 @@ private:
     QOpenGLVertexArrayObject m_array;
     GlBuffer m_vertices;
     GLsizei m_count = 0;
-    std::vector<SurfaceScene::FrameLook> m_frames; ///< that are uploaded
+    std::vector<SurfaceScene::FrameLook> m_frames; ///< that are uploaded, as far as their shapes are known
+    std::vector<std::shared_ptr<const FrameShape>> m_shapes;
 };
 
 } // namespace bolster

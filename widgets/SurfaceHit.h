@@ -1,7 +1,7 @@
 // What lies under the pointer in the 3D view.
 #pragma once
 
-#include "FrameRays.h"
+#include "FrameShapes.h"
 #include "SurfaceCurves.h"
 #include "SurfaceScene.h"
 
@@ -28,9 +28,12 @@ struct SurfaceHit {
 /// Asks with the scene as it was when the question is put.
 class SurfaceHitTest {
 public:
+    explicit SurfaceHitTest(const FrameShapes& frames)
+        : m_frames(frames)
+    {}
+
     /// The cover that is shown now; cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
-    FrameRays& frames() { return m_frames; }
 
     struct Question {
         const Camera& camera;
@@ -52,7 +55,7 @@ private:
     SurfaceMeshPtr m_surface;
     mutable SurfaceRays m_rays; ///< built when the first question comes
     mutable SurfaceMeshPtr m_raysOf;
-    FrameRays m_frames;
+    const FrameShapes& m_frames;
 };
 
 } // namespace bolster

@@ -28,6 +28,8 @@ struct SurfaceDot {
     float hidden = 0.5F;
 };
 
+struct FrameShape;
+
 struct SurfaceScene {
     struct PatchLook {
         ElementId patch{};
@@ -39,6 +41,7 @@ struct SurfaceScene {
     SurfaceMeshPtr surface; ///< null: no cover
     std::vector<PatchLook> patches;
     std::vector<FrameLook> frames;
+    std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it
     std::vector<SurfaceLine> lines;
     std::vector<SurfaceDot> dots;
     std::uint64_t marks = 0;                           ///< different when lines or dots are

@@ -45,6 +45,10 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_document(document)
     , m_selection(selection)
     , m_layers{Layer::Cover, Layer::Checker, Layer::Seams, Layer::Frames, Layer::FixationCurves, Layer::Ground}
+    , m_frameShapes([this] {
+        m_scene.frameShapes = m_frameShapes.shapes();
+        draw(false);
+    })
     , m_cube(new SurfaceViewCube(this))
     , m_tool(std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this)))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
@@ -208,7 +212,8 @@ void SurfaceView::updateFrames()
     if (frames == m_scene.frames)
         return;
     m_scene.frames = std::move(frames);
-    m_hitTest.frames().setFrames(m_scene.frames, ids);
+    m_frameShapes.setFrames(m_scene.frames, ids);
+    m_scene.frameShapes = m_frameShapes.shapes();
     m_frameBox.setEmpty();
     for (const SurfaceScene::FrameLook& frame : m_scene.frames)
         for (const Vec3& p : placedPoints(frame))

@@ -142,8 +142,9 @@ private:
     Design m_design; ///< as shown
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
-    SurfaceHitTest m_hitTest;
+    FrameShapes m_frameShapes;
     Box3 m_frameBox; ///< mm
+    SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
 
     std::unique_ptr<SurfaceCanvas> m_canvas;

@@ -1,8 +1,5 @@
 #include "SurfaceEdges.h"
-#include "FrameRays.h"
 #include "SurfaceSetup.h"
-
-#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -59,32 +56,6 @@ TEST(SurfaceEdges, LeaveOutWhatIsSewn)
     apart.seams.clear();
     ASSERT_EQ(unsewnOutlines(apart).size(), 2U);
     EXPECT_EQ(unsewnOutlines(apart)[0], outlineOf(apart.patches[0]));
-}
-
-TEST(FrameRays, HitAFrameWhereItStands)
-{
-    auto mesh = std::make_shared<TriangleMesh>();
-    mesh->points = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}; // in the file's plane y = 0
-    mesh->triangles = {{0, 1, 2}};
-    SurfaceScene::FrameLook look{mesh, {}};
-    look.placement.scale = 100;
-    look.placement.position = {0, 0, 50};
-    look.placement.rotation = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()); // the file's y points up
-    FrameRays rays;
-    rays.setFrames({look}, {ElementId{9}});
-    const Camera::Ray down{{20, -20, 500}, {0, 0, -2}};
-    ASSERT_TRUE(QTest::qWaitFor([&] { return rays.first(down).has_value(); }, 20000));
-    EXPECT_EQ(rays.first(down)->frame, ElementId{9});
-    EXPECT_TRUE(rays.first(down)->position.isApprox(Vec3(20, -20, 50), 1e-5));
-    EXPECT_FALSE(rays.first({{20, 20, 500}, {0, 0, -2}}));
-
-    look.placement.position.z() = 80; // at once: the tree is the same
-    rays.setFrames({look}, {ElementId{9}});
-    ASSERT_TRUE(rays.first(down));
-    EXPECT_NEAR(rays.first(down)->position.z(), 80, 1e-3);
-
-    rays.setFrames({}, {});
-    EXPECT_FALSE(rays.first(down));
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 #include "SurfaceRays.h"
+#include "FrameShapes.h"
 #include "SurfaceOcclusion.h"
 #include "SurfaceSetup.h"
+
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -135,6 +138,39 @@ TEST(SurfaceOcclusion, StopsAndLivesWithNothing)
     SurfaceOcclusion::Input input;
     input.surface = twoSquaresCover();
     EXPECT_FALSE(SurfaceOcclusion::of(input, stop.get_token()));
+}
+
+TEST(FrameShapes, AreHitWhereTheFrameStands)
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}; // in the file's plane y = 0
+    mesh->triangles = {{0, 1, 2}};
+    SurfaceScene::FrameLook look{mesh, {}};
+    look.placement.scale = 100;
+    look.placement.position = {0, 0, 50};
+    look.placement.rotation = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()); // the file's y points up
+    int calls = 0;
+    FrameShapes shapes([&] { ++calls; });
+    shapes.setFrames({look}, {ElementId{9}});
+    EXPECT_EQ(shapes.shapes(), std::vector<FrameShapes::ShapePtr>{nullptr});
+    const Camera::Ray down{{20, -20, 500}, {0, 0, -2}};
+    ASSERT_TRUE(QTest::qWaitFor([&] { return shapes.first(down).has_value(); }, 20000));
+    EXPECT_EQ(calls, 1);
+    EXPECT_EQ(shapes.first(down)->frame, ElementId{9});
+    EXPECT_TRUE(shapes.first(down)->position.isApprox(Vec3(20, -20, 50), 1e-5));
+    EXPECT_FALSE(shapes.first({{20, 20, 500}, {0, 0, -2}}));
+
+    look.placement.position.z() = 80; // at once: the tree is the same
+    shapes.setFrames({look}, {ElementId{9}});
+    ASSERT_TRUE(shapes.first(down));
+    EXPECT_NEAR(shapes.first(down)->position.z(), 80, 1e-3);
+
+    EXPECT_EQ(calls, 1);
+    ASSERT_TRUE(shapes.shapes().front());
+    EXPECT_TRUE(shapes.shapes().front()->normals[0][0].isApprox(Eigen::Vector3f(0, -1, 0), 1e-5F)); // the file's
+
+    shapes.setFrames({}, {});
+    EXPECT_FALSE(shapes.first(down));
 }
 
 } // namespace
