@@ -36,6 +36,14 @@ void Selection::toggle(Point point)
     set(m_elements, std::move(points));
 }
 
+bool Selection::narrow()
+{
+    if (m_elements.empty())
+        return false;
+    set(m_points.empty() ? Elements() : m_elements);
+    return true;
+}
+
 void Selection::hover(ElementId id)
 {
     if (id == m_hovered)

@@ -32,6 +32,8 @@ public:
     void toggle(ElementId id);
     void toggle(Point point);
     void clear() { set({}); }
+    /// One step back: points first, then elements. False when nothing was selected.
+    bool narrow();
     void hover(ElementId id);
 
 signals:

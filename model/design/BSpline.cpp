@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace bolster {
@@ -228,6 +229,22 @@ double BSpline<Dim>::parameterOfPoint(int i) const
     for (int k = 1; k <= m_degree; ++k)
         sum += knot(i - shift() + k);
     return wrapped(sum / m_degree);
+}
+
+template <int Dim>
+int BSpline<Dim>::pointAt(double t) const
+{
+    int best = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < pointCount(); ++i) {
+        const double straight = std::abs(parameterOfPoint(i) - t);
+        const double away = m_closed ? std::min(straight, period() - straight) : straight;
+        if (away < nearest) {
+            nearest = away;
+            best = i;
+        }
+    }
+    return best;
 }
 
 template <int Dim>

@@ -77,6 +77,8 @@ public:
     std::vector<double> corners() const;
     /// The parameter at which control point i has most influence (Greville abscissa), wrapped into the domain.
     double parameterOfPoint(int i) const;
+    /// The control point that has most influence next to a parameter of the domain; -1 for an empty curve.
+    int pointAt(double t) const;
 
     Box boundingBox() const;
     /// Signed area inside a closed 2D curve: positive when it runs counter-clockwise. 0 for open or 3D curves.

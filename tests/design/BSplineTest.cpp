@@ -67,6 +67,16 @@ TEST(BSpline, UniformClosedCubicIsTheMeanOfThreePointsAtItsKnots)
     EXPECT_TRUE(curve.corners().empty());
 }
 
+TEST(BSpline, FindsThePointThatRulesAParameter)
+{
+    const BSpline2 closed(1, true, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    EXPECT_EQ(closed.pointAt(1.2), 1);
+    EXPECT_EQ(closed.pointAt(3.8), 0); // round the start
+    const BSpline2 open(1, false, {{0, 0}, {10, 0}, {20, 0}});
+    EXPECT_EQ(open.pointAt(1.8), 2);
+    EXPECT_EQ(BSpline2().pointAt(0), -1);
+}
+
 TEST(BSpline, UniformClosedQuadraticPassesTheMiddlesOfItsEdges)
 {
     const BSpline2 curve(2, true, square);

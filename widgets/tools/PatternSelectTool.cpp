@@ -152,18 +152,8 @@ void PatternSelectTool::doubleClick(const PatternPointer& pointer)
         return;
     }
     document.commit(edit);
-    const Patch* patch = document.design().find<Patch>(hit.patch);
-    int inserted = 0;
-    double nearest = INFINITY;
-    for (int i = 0; patch && i < patch->outline.pointCount(); ++i) {
-        const double away = std::abs(patch->outline.parameterOfPoint(i) - hit.parameter);
-        const double around = std::min(away, patch->outline.period() - away);
-        if (around < nearest) {
-            nearest = around;
-            inserted = i;
-        }
-    }
-    m_context.selection().set({hit.patch}, {{hit.patch, inserted}});
+    if (const Patch* patch = document.design().find<Patch>(hit.patch))
+        m_context.selection().set({hit.patch}, {{hit.patch, patch->outline.pointAt(hit.parameter)}});
     m_context.refresh();
 }
 
@@ -198,16 +188,11 @@ void PatternSelectTool::endNudge()
 
 bool PatternSelectTool::escape()
 {
-    Selection& selection = m_context.selection();
     if (m_drag || m_nudge) {
         m_drag.reset();
         m_nudge.reset();
         m_pressed.reset();
-    } else if (!selection.points().empty()) {
-        selection.set(selection.elements());
-    } else if (!selection.elements().empty()) {
-        selection.clear();
-    } else {
+    } else if (!m_context.selection().narrow()) {
         return false;
     }
     m_context.refresh();

@@ -167,20 +167,8 @@ void SurfaceSelectTool::doubleClick(const SurfacePointer& pointer)
         return;
     }
     document.commit(edit);
-    const FixationCurve* changed = document.design().find<FixationCurve>(hit.element);
-    if (!changed)
-        return;
-    int inserted = 0;
-    double nearest = INFINITY;
-    for (int i = 0; i < changed->curve.pointCount(); ++i) {
-        const double away = std::abs(changed->curve.parameterOfPoint(i) - hit.parameter);
-        const double around = changed->curve.closed() ? std::min(away, changed->curve.period() - away) : away;
-        if (around < nearest) {
-            nearest = around;
-            inserted = i;
-        }
-    }
-    m_context.selection().set({hit.element}, {{hit.element, inserted}});
+    if (const FixationCurve* changed = document.design().find<FixationCurve>(hit.element))
+        m_context.selection().set({hit.element}, {{hit.element, changed->curve.pointAt(hit.parameter)}});
     m_context.refresh();
 }
 
@@ -245,16 +233,11 @@ bool SurfaceSelectTool::keyRelease(const QKeyEvent& event)
 
 bool SurfaceSelectTool::escape()
 {
-    Selection& selection = m_context.selection();
     if (m_drag || m_nudge) {
         m_drag.reset();
         m_nudge.reset();
         m_pressed.reset();
-    } else if (!selection.points().empty()) {
-        selection.set(selection.elements());
-    } else if (!selection.elements().empty()) {
-        selection.clear();
-    } else {
+    } else if (!m_context.selection().narrow()) {
         return false;
     }
     m_context.refresh();
