@@ -75,10 +75,11 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;
-        result.reason = {
-            QT_TRANSLATE_NOOP("Message", "After %1 iterations the surface still moves by an estimated %2 mm. "
-                                         "Allow more iterations."),
-            {std::to_string(solve.iterations()), numberText(solve.estimate() * sheet->mesh.largestDiameter(), 2)}};
+        result.reason = {QT_TRANSLATE_NOOP("Message",
+                                           "After %1 iterations the surface still moves by an estimated %2 mm. "
+                                           "Allow more iterations."),
+                         {std::to_string(solve.iterations()),
+                          numberText(std::min(solve.estimate(), 1.0) * sheet->mesh.largestDiameter(), 2)}};
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #include "SheetOptimizer.h"
 
+#include "FrameSigns.h"
 #include "LocalStep.h"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace {
 constexpr double proximity = 1e-2;
 // The mesh adds bending of its own: lambda_eff^2 = lambda^2 + meshBending h^2.
 constexpr double meshBending = 0.12;
+// Below 4/3, see stableStep().
+constexpr double stableGain = 1.3;
 // A vertex further out than this many D has been thrown away by an instability.
 constexpr double farthest = 1e4;
 
@@ -148,7 +151,7 @@ void SheetOptimizer::relaxPositions()
     m_next.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
         m_map[v] = rotationOf(m_state.frames.col(v)).leftCols<2>();
-    solvePositions();
+    solvePositions(1);
     m_state = m_next;
     m_before = m_state;
     m_momentum = 1;
@@ -156,10 +159,11 @@ void SheetOptimizer::relaxPositions()
 
 std::optional<double> SheetOptimizer::iterate()
 {
+    alignSigns(m_mesh, m_pool, m_state.frames);
     extrapolate();
     fitFrames();
     solveFrames();
-    solvePositions();
+    solvePositions(stableStep());
     return accept();
 }
 
@@ -225,8 +229,18 @@ void SheetOptimizer::solveFrames()
     });
 }
 
-/// L1 in delta form: the residual at the present positions, then the move that it asks for.
-void SheetOptimizer::solvePositions()
+/// Share of L1's move that may be made. The preferred stretch answers strain with up to 1 + |nu| times of it (pure
+/// shear for nu < 0, dilation for nu > 0), but an accelerated iteration diverges beyond 4/3.
+double SheetOptimizer::stableStep() const
+{
+    double poisson = 0;
+    for (const SewnMesh::Part& part : m_mesh.parts)
+        poisson = std::max(poisson, std::abs(part.material.poisson));
+    return std::min(1.0, stableGain / (1 + poisson));
+}
+
+/// L1 in delta form: the residual at the present positions, then `step` times the move that it asks for.
+void SheetOptimizer::solvePositions(double step)
 {
     const auto& unknown = m_mesh.topology->unknown;
     m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
@@ -258,7 +272,8 @@ void SheetOptimizer::solvePositions()
         m_positions.solve(m_residual, m_move);
     else
         m_move = m_residual;
-    m_next.positions.leftCols(m_mesh.freeCount) = m_ahead.positions.leftCols(m_mesh.freeCount) + m_move.transpose();
+    m_next.positions.leftCols(m_mesh.freeCount) =
+        m_ahead.positions.leftCols(m_mesh.freeCount) + step * m_move.transpose();
     const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;
     m_next.positions.rightCols(fixed) = m_state.positions.rightCols(fixed);
 }

@@ -51,7 +51,8 @@ private:
     void extrapolate();
     void fitFrames();
     void solveFrames();
-    void solvePositions();
+    void solvePositions(double step);
+    double stableStep() const;
     std::optional<double> accept();
 
     const SewnMesh& m_mesh;

@@ -1,7 +1,10 @@
 // The parts of one iteration.
 #include "Convergence.h"
 #include "FactoredSystem.h"
+#include "FrameSigns.h"
 #include "LocalStep.h"
+#include "PreparedSheet.h"
+#include "TestDesigns.h"
 #include "UnionFind.h"
 #include "WorkerPool.h"
 
@@ -71,6 +74,32 @@ Eigen::SparseMatrix<double> chain(int n, double diagonal)
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
+}
+
+TEST(FrameSigns, AgreeInEachPatchAndKeepTheirRotations)
+{
+    const Design design = test::tube(200, 100, 20, 10);
+    TriangulationCache cache;
+    const std::optional<PreparedSheet> sheet = prepareSheet(design, cache);
+    ASSERT_TRUE(sheet);
+    const SewnMesh& mesh = sheet->mesh;
+    std::mt19937 random(3);
+    Eigen::Matrix4Xd frames(4, mesh.vertexCount()); // bent by 300 degrees from side to side
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        const double half = mesh.rest()[v].x() / 200 * 300 * EIGEN_PI / 360;
+        frames.col(v) = Eigen::Vector4d(std::cos(half), 0, std::sin(half), 0) * (random() % 2 ? 1 : -1);
+    }
+    const Eigen::Matrix4Xd before = frames;
+    WorkerPool pool(2);
+    alignSigns(mesh, pool, frames);
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+        EXPECT_EQ(frames.col(v).cwiseAbs(), before.col(v).cwiseAbs());
+        for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k)
+            EXPECT_GT(frames.col(v).dot(frames.col(mesh.ring[k].vertex)), 0);
+    }
+    const Eigen::Matrix4Xd aligned = frames;
+    alignSigns(mesh, pool, frames);
+    EXPECT_EQ(frames, aligned);
 }
 
 TEST(FactoredSystem, SolvesAllColumns)

@@ -34,6 +34,38 @@ INSTANTIATE_TEST_SUITE_P(All, Samples,
                              return name;
                          });
 
+class PoissonRange : public testing::TestWithParam<double> {};
+
+TEST_P(PoissonRange, AFreeFlapComesToRest)
+{
+    DesignBuilder b(24);
+    const ElementId fabric = b.fabric(GetParam(), 12);
+    const ElementId seat = b.patch(rectangle(500, 480), fabric), flap = b.patch(rectangle(120, 480), fabric);
+    b.fix({seat, 0, 1}, BSpline3(3, false, {{0, 0, 0}, {150, 0, 20}, {300, 0, 20}, {500, 0, 0}}));
+    b.seam({seat, 1, 2}, {flap, 3, 4});
+    const SolveResult result = solved(b.design(), 1e-6);
+    EXPECT_EQ(result.status, SolveResult::Status::Solved);
+    EXPECT_LT(result.report.strain.max, 0.01);
+}
+
+TEST_P(PoissonRange, ATubeHasNoKnots)
+{
+    Design design = tube(600, 400, 16, 10);
+    Edit edit;
+    design.each<Fabric>([&](ElementId id, const Fabric& fabric) {
+        Fabric other = fabric;
+        other.poisson = GetParam();
+        edit.changes.push_back({id, design.element(id), makeElement(other)});
+    });
+    const SolveResult result = solved(design.with(edit), 1e-6);
+    EXPECT_EQ(result.status, SolveResult::Status::Solved);
+    EXPECT_LT(result.report.strain.max, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, PoissonRange, testing::Values(-0.5, 0.4, 0.5), [](const auto& chosen) {
+    return std::string(chosen.param < 0 ? "Minus" : "") + std::to_string(std::lround(100 * std::abs(chosen.param)));
+});
+
 TEST(RestingSolve, IsTheSameBitForBit)
 {
     const Design design = sample("trapezoid"); // folds amplify any difference
