@@ -66,8 +66,8 @@ void DesignSession::restore(const Recovery::Orphan& orphan, const Done& done)
             return;
         }
         const QString folder = orphan.frameFolder();
-        const bool hasFile =
-            !orphan.original.isEmpty() && !FrameFiles::isOwnFolder(folder) && !isSample(orphan.original);
+        const bool hasFile = !orphan.original.isEmpty() && !FrameFiles::isOwnFolder(folder) &&
+                             !isSample(orphan.original) && !orphan.fileIsNewer();
         take(std::move(opened), hasFile ? orphan.original : QString(), folder, tr("Restored design"));
         m_document.markUnsaved();
         m_recovery.adopt(orphan);

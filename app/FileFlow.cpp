@@ -83,8 +83,7 @@ void FileFlow::keepWork(const Then& then)
     box.setInformativeText(tr("Otherwise they are lost."));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
-    if (answer == QMessageBox::Discard) {
-        m_session.discardWork();
+    if (answer == QMessageBox::Discard) { // its copy goes when another design has taken its place
         then();
     } else if (answer == QMessageBox::Save) {
         if (!m_session.path().isEmpty())
@@ -104,13 +103,11 @@ void FileFlow::startNew()
 
 void FileFlow::open(const QString& path)
 {
-    keepWork([this, path] {
-        QString file = path;
-        if (file.isEmpty())
-            file = QFileDialog::getOpenFileName(m_window, tr("Open design"), startFolder(), designFilter());
-        if (!file.isEmpty())
-            openNow(file);
-    });
+    QString file = path;
+    if (file.isEmpty())
+        file = QFileDialog::getOpenFileName(m_window, tr("Open design"), startFolder(), designFilter());
+    if (!file.isEmpty())
+        keepWork([this, file] { openNow(file); });
 }
 
 void FileFlow::openNow(const QString& path)
@@ -308,19 +305,31 @@ void FileFlow::offerRecovery()
     const QString name = newest.original.isEmpty() || FrameFiles::isOwnFolder(newest.frameFolder())
                              ? tr("a new design")
                              : QFileInfo(newest.original).fileName();
-    m_banner->announce(Banner::Kind::Information,
-                       tr("Bolster did not end properly. Unsaved work on %1 from %2 was kept.")
-                           .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat)),
-                       {{tr("Restore"),
-                         [this, newest] {
-                             keepWork([this, newest] {
-                                 m_session.restore(newest, [this](const Message& problem) {
-                                     if (!problem.empty())
-                                         fail(tr("The unsaved work could not be restored."), problem);
-                                 });
-                             });
-                         }},
-                        {tr("Discard"), [newest] { DesignSession::discard(newest); }}});
+    m_recoveryOffer = tr("Bolster did not end properly. Unsaved work on %1 from %2 was kept.")
+                          .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat));
+    if (newest.fileIsNewer())
+        m_recoveryOffer += u' ' + tr("The file itself was saved later; the copy opens as a new design.");
+    m_banner->announce(Banner::Kind::Information, m_recoveryOffer,
+                       {{tr("Restore"), [this, newest] { keepWork([this, newest] { restore(newest); }); }},
+                        {tr("Discard"), [this, newest] {
+                             DesignSession::discard(newest);
+                             offerRecovery(); // the next one
+                         }}});
+}
+
+bool FileFlow::offersRecovery() const
+{
+    return m_banner->shown() && m_banner->text() == m_recoveryOffer;
+}
+
+void FileFlow::restore(const Recovery::Orphan& orphan)
+{
+    m_session.restore(orphan, [this](const Message& problem) {
+        if (!problem.empty())
+            fail(tr("The unsaved work could not be restored."), problem);
+        else
+            offerRecovery(); // the next one
+    });
 }
 
 } // namespace bolster

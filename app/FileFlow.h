@@ -38,6 +38,7 @@ public:
     void fillSamples(QMenu& menu);
     /// Offers what a crash has left, if anything.
     void offerRecovery();
+    bool offersRecovery() const;
     /// A design or a mesh that was dropped on the window, or nothing.
     static bool takes(const QString& file);
     void drop(const QString& file);
@@ -49,6 +50,7 @@ signals:
     void problemsWanted();
 
 private:
+    void restore(const Recovery::Orphan& orphan);
     void openNow(const QString& path);
     void saveTo(const QString& path, const Then& then);
     void remember(const QString& path);
@@ -60,6 +62,7 @@ private:
     DesignSession& m_session;
     QWidget* m_window;
     Banner* m_banner;
+    QString m_recoveryOffer; ///< what the banner says of a copy
 };
 
 } // namespace bolster

@@ -119,7 +119,11 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::framesChanged, this,
             [this] { m_surface->setFrames(m_session->frames()); });
-    connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) { m_selection.set({id}); });
+    connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) {
+        m_selection.set({id});
+        if (!m_solver->surface())
+            m_surface->fitAll();
+    });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
     connect(m_session.get(), &DesignSession::recoveryFailed, this,
             [this](const Message& why) { m_status->flash(translated(why)); });
@@ -172,7 +176,10 @@ void MainWindow::connectViews()
 
 void MainWindow::designOpened()
 {
+    const bool recoverable = m_files->offersRecovery();
     m_banner->dismiss(); // it spoke about the last one
+    if (recoverable)
+        m_files->offerRecovery();
     m_selection.clear();
     m_solver->forget();
     m_fitCover = true;
@@ -266,11 +273,12 @@ void MainWindow::storeLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!m_workKept && document().dirty()) {
+    if (!std::exchange(m_workKept, false) && document().dirty()) {
         event->ignore();
         m_files->keepWork([this] {
+            m_session->discardWork(); // what is left of it after a save, or all of it
             m_workKept = true;
-            close();
+            QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); // not inside its own event
         });
         return;
     }

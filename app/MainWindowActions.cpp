@@ -109,7 +109,7 @@ void MainWindow::removeSelection()
     if (edit.empty())
         m_status->flash(problem);
     else
-        document().commit(edit);
+        removeAndForget(document(), m_selection, edit);
 }
 
 void MainWindow::turnSelection(double degrees)

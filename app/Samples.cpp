@@ -65,8 +65,9 @@ QList<Sample> samples(const QString& folder)
 bool isSample(const QString& path)
 {
     const QString folder = samplesFolder();
-    const QString file = QFileInfo(path).canonicalFilePath();
-    return !folder.isEmpty() && file.startsWith(folder + u'/');
+    // The file itself need not be there: copies of unsaved work name one that never was.
+    const QString place = QDir(QFileInfo(path).absolutePath()).canonicalPath() + u'/';
+    return !folder.isEmpty() && place.startsWith(folder + u'/');
 }
 
 } // namespace bolster

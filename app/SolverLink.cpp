@@ -40,18 +40,19 @@ void SolverLink::settle()
 
 void SolverLink::forget()
 {
-    m_firstOfDesign = m_document.revision();
+    m_thread->startAnew();
     m_surface = nullptr;
     m_status = {};
     m_report = {};
     emit surfaceChanged(m_surface);
     emit statusChanged(m_status);
+    send(); // even if the design is the same as before
 }
 
 void SolverLink::receive()
 {
     std::optional<SolverOutput> output = m_thread->take();
-    if (!output || output->designRevision < m_firstOfDesign)
+    if (!output)
         return;
     m_answered = output->designRevision;
     m_status = std::move(output->status);
@@ -60,7 +61,7 @@ void SolverLink::receive()
     if (m_status.state == SolverStatus::State::Idle && m_surface) {
         m_surface = nullptr;
         emit surfaceChanged(m_surface);
-    } else if (output->surface) {
+    } else if (output->surface && output->surface != m_surface) {
         m_surface = std::move(output->surface);
         emit surfaceChanged(m_surface);
     }

@@ -46,8 +46,7 @@ private:
     SurfaceMeshPtr m_surface;
     SolverStatus m_status;
     SolveReport m_report;
-    std::uint64_t m_answered = 0;      ///< revision that the newest status answers
-    std::uint64_t m_firstOfDesign = 0; ///< answers to older revisions are about a design that is closed
+    std::uint64_t m_answered = 0; ///< revision that the newest status answers
     bool m_paused = false;
     std::unique_ptr<SolverThread> m_thread; ///< last: its wake-ups use the rest
 };

@@ -46,15 +46,17 @@ void Document::commit(Edit edit)
 
 void Document::undo()
 {
-    cancelGesture();
-    if (m_history.canUndo())
+    if (m_gesture)
+        cancelGesture(); // that was the last thing done
+    else if (m_history.canUndo())
         jumpTo(m_history.node(m_history.current()).parent);
 }
 
 void Document::redo()
 {
-    cancelGesture();
-    if (m_history.canRedo())
+    if (m_gesture)
+        cancelGesture();
+    else if (m_history.canRedo())
         jumpTo(m_history.node(m_history.current()).lastVisitedChild);
 }
 

@@ -33,6 +33,7 @@ public:
     void reset(Design design);
     /// Does nothing with an empty edit. Cancels a running gesture first.
     void commit(Edit edit);
+    /// A running gesture is what undo and redo take back first, and nothing else.
     void undo();
     void redo();
     void jumpTo(NodeId node);

@@ -15,17 +15,18 @@ void SolverThread::request(Design design, std::uint64_t designRevision)
 {
     m_design = design;
     m_revision = designRevision;
-    m_worker->in().put({std::move(design), designRevision, false});
+    m_worker->in().put({std::move(design), designRevision, false, m_opening});
 }
 
 void SolverThread::settle()
 {
-    m_worker->in().put({m_design, m_revision, true});
+    m_worker->in().put({m_design, m_revision, true, m_opening});
 }
 
 std::optional<SolverOutput> SolverThread::take()
 {
-    return m_worker->out().take();
+    std::optional<SolverOutput> output = m_worker->out().take();
+    return output && output->opening == m_opening ? std::move(output) : std::nullopt;
 }
 
 } // namespace bolster

@@ -35,6 +35,7 @@ struct SolverStatus {
 
 struct SolverOutput {
     std::uint64_t designRevision = 0; ///< of the request that this answers
+    int opening = 0;                  ///< how often startAnew() had been called then
     SurfaceMeshPtr surface;           ///< null: keep the last one
     SolverStatus status;
     SolveReport report; ///< of the surface, when it has settled
@@ -51,6 +52,9 @@ public:
     SolverThread(const SolverThread&) = delete;
     SolverThread& operator=(const SolverThread&) = delete;
 
+    /// Another design is opened: nothing of the surface before goes into the next one, and no answer about it
+    /// comes any more.
+    void startAnew() { ++m_opening; }
     /// Replaces a request that was not taken yet.
     void request(Design design, std::uint64_t designRevision);
     /// Makes the resting surface the live one as soon as it is known.
@@ -61,6 +65,7 @@ public:
 private:
     Design m_design; // of the last request
     std::uint64_t m_revision = 0;
+    int m_opening = 0;
     std::unique_ptr<SolverWorker> m_worker;
     std::jthread m_thread; // last, so that it ends first
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <utility>
 
 namespace bolster {
 
@@ -74,7 +75,17 @@ bool SolverWorker::step(std::stop_token stop)
 
 void SolverWorker::begin(Request request, std::stop_token stop)
 {
+    if (std::exchange(m_opening, request.opening) != request.opening) {
+        m_live.reset();
+        m_lastWhole.reset();
+        m_surface.reset();
+        m_report = {};
+    }
     const SolvePlan plan = m_live ? planSolve(m_design, request.design) : SolvePlan::Resew;
+    const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
+    // Still about the last design: its surface is there, but what follows may take its time.
+    if (m_live && !light && plan != SolvePlan::Nothing && m_status.state == SolverStatus::State::Settled)
+        publish(SolverStatus::State::Preparing);
     m_design = std::move(request.design);
     m_designRevision = request.revision;
     m_settleWanted = request.settle;
@@ -92,7 +103,6 @@ void SolverWorker::begin(Request request, std::stop_token stop)
     m_status.iterations = 0;
     m_rateWatch.restart();
     m_rateCount = 0;
-    const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
     if (!light || !retargetLive(m_design, plan)) {
         if (!m_live)
             publish(SolverStatus::State::Preparing);
@@ -279,7 +289,7 @@ void SolverWorker::publishSurface()
 void SolverWorker::publish(SolverStatus::State state)
 {
     m_status.state = state;
-    if (m_out.put({m_designRevision, m_surface, m_status, m_report}))
+    if (m_out.put({m_designRevision, m_opening, m_surface, m_status, m_report}))
         m_wake();
 }
 

@@ -19,6 +19,7 @@ public:
         Design design;
         std::uint64_t revision = 0;
         bool settle = false; ///< make the resting surface the live one as soon as it is known
+        int opening = 0;     ///< different for designs that have nothing to do with each other
     };
 
     /// `wake` is called when an output waits and none was waiting before.
@@ -62,6 +63,7 @@ private:
     Design m_design; // as requested, bad elements included
     std::uint64_t m_designRevision = 0;
     bool m_settleWanted = false;
+    int m_opening = 0;
     std::unique_ptr<Sheet> m_live;
     std::unique_ptr<Sheet> m_lastWhole; // before patches had to be left out: they come back to where they were
     std::unique_ptr<Sheet> m_resting;

@@ -1749,6 +1749,10 @@
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
+    <message>
+        <source>The file itself was saved later; the copy opens as a new design.</source>
+        <translation>Die Datei selbst wurde später gespeichert; die Kopie öffnet sich als neuer Entwurf.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FrameImportDialog</name>

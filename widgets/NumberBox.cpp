@@ -2,10 +2,20 @@
 
 #include "Units.h"
 
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QWheelEvent>
 
 namespace bolster {
+
+bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event)
+{
+    if (event.type() != QEvent::ShortcutOverride || edit.isModified())
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
 
 NumberBox::NumberBox(const Range& range, QWidget* parent)
     : QDoubleSpinBox(parent)
@@ -17,6 +27,16 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(72);
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { lineEdit()->setModified(false); });
+}
+
+bool NumberBox::event(QEvent* event)
+{
+    if (isUndoOfDesign(*lineEdit(), *event)) {
+        event->ignore();
+        return false;
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 void NumberBox::display(double value)

@@ -3,7 +3,12 @@
 
 #include <QDoubleSpinBox>
 
+class QLineEdit;
+
 namespace bolster {
+
+/// Whether an event asks for undo or redo while nothing has been typed: then the design's is meant.
+bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event);
 
 /// Shows no trailing zeros, takes point and comma as the decimal sign, and reports a value once: when the user is
 /// done with it, not with every key.
@@ -28,6 +33,7 @@ public:
     QValidator::State validate(QString& text, int& position) const override;
 
 protected:
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:

@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +15,25 @@
 #include <QToolButton>
 
 namespace bolster {
+
+namespace {
+
+/// Leaves undo to the design unless something has been typed.
+class TextBox : public QLineEdit {
+public:
+    using QLineEdit::QLineEdit;
+
+protected:
+    bool event(QEvent* event) override
+    {
+        if (!isUndoOfDesign(*this, *event))
+            return QLineEdit::event(event);
+        event->ignore();
+        return false;
+    }
+};
+
+} // namespace
 
 PropertyForm::PropertyForm(QWidget* parent)
     : QWidget(parent)
@@ -85,7 +105,7 @@ void PropertyForm::addNote(const std::function<QString()>& read, bool error)
 void PropertyForm::addText(const QString& label, const std::function<QString()>& read,
                            const std::function<void(const QString&)>& write)
 {
-    auto* edit = new QLineEdit(this);
+    auto* edit = new TextBox(this);
     connect(edit, &QLineEdit::editingFinished, this, [edit, write] {
         if (!edit->isModified())
             return;

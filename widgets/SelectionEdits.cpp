@@ -1,6 +1,7 @@
 #include "SelectionEdits.h"
 
 #include "CurveEdits.h"
+#include "Document.h"
 #include "ElementEdits.h"
 #include "PatchEdits.h"
 #include "Selection.h"
@@ -99,6 +100,12 @@ void pruneSelection(Selection& selection, const Design& design)
     selection.set(std::move(elements), std::move(points));
     if (selection.hovered() != settingsId && !design.element(selection.hovered()))
         selection.hover(settingsId);
+}
+
+void removeAndForget(Document& document, Selection& selection, const Edit& removal)
+{
+    selection.set(selection.elements());
+    document.commit(removal);
 }
 
 } // namespace bolster

@@ -54,4 +54,7 @@ Edit removeSelected(const Design& design, const Selection& selection, QString* p
 /// Forgets selected elements and points that are gone.
 void pruneSelection(Selection& selection, const Design& design);
 
+/// Commits a removal; no other point takes the place of a removed one in the selection.
+void removeAndForget(Document& document, Selection& selection, const Edit& removal);
+
 } // namespace bolster

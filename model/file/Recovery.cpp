@@ -56,6 +56,11 @@ QString Recovery::Orphan::frameFolder() const
     return original.isEmpty() ? QString() : QFileInfo(original).absolutePath();
 }
 
+bool Recovery::Orphan::fileIsNewer() const
+{
+    return !original.isEmpty() && QFileInfo(original).lastModified() > when;
+}
+
 QList<Recovery::Orphan> Recovery::orphans()
 {
     QList<Orphan> found;

@@ -26,6 +26,8 @@ public:
 
         /// Where the frames lie that the copy refers to.
         QString frameFolder() const;
+        /// The original was saved after the copy: whoever writes the copy over it loses that.
+        bool fileIsNewer() const;
     };
 
     /// The copies that no running program owns, newest first.

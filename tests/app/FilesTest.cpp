@@ -8,8 +8,10 @@
 #include "Samples.h"
 #include "Theme.h"
 
+#include <QDir>
 #include <QFile>
 #include <QSignalSpy>
+#include <QStandardPaths>
 
 namespace bolster {
 namespace {
@@ -104,6 +106,56 @@ TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isVisible(); }, 10000));
     EXPECT_EQ(openDesign(folder.filePath("box.json")).design.settings().edgeLength,
               window.document().design().settings().edgeLength);
+}
+
+TEST_F(FilesTest, DiscardingCloses)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    changeSomething();
+    answer(QMessageBox::Discard);
+    window.close();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isVisible(); }, 5000));
+    EXPECT_EQ(answered, 1);
+}
+
+TEST_F(FilesTest, WhatIsSolvedIsTheDesignThatIsOpen)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_TRUE(waitUntilSolved());
+    ASSERT_TRUE(open(sample("pillow"))); // its elements have the same numbers
+    ASSERT_TRUE(waitUntilSolved());
+    EXPECT_TRUE(window.solver().status().resting) << "nothing of the cushion is in it";
+    EXPECT_EQ(window.solver().surface()->topology->patches.size(), 2U);
+
+    ASSERT_TRUE(open(sample("pillow")));
+    EXPECT_TRUE(waitUntilSolved()) << "the same design once more";
+    EXPECT_TRUE(window.solver().status().resting);
+}
+
+TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheCopyOfUnsavedWork)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    changeSomething();
+    const auto copies = [] {
+        const QString state = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+        return QDir(state + QStringLiteral("/recovery")).entryList({"*.json"}, QDir::Files).size();
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return copies() > 0; }, 10000));
+    answer(QMessageBox::Discard);
+    window.open(write("broken.json", "{"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
+    answer(QMessageBox::Ok);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 2; }, 10000));
+    QTest::qWait(300);
+    EXPECT_GT(copies(), 0);
+    EXPECT_TRUE(window.document().dirty());
+}
+
+TEST_F(FilesTest, PlacesInTheSamplesAreSamples)
+{
+    EXPECT_TRUE(isSample(sample("armchair")));
+    EXPECT_TRUE(isSample(QFileInfo(sample("armchair")).absolutePath() + "/untitled.json")) << "not there yet";
+    EXPECT_FALSE(isSample(folder.filePath("own.json")));
 }
 
 TEST_F(FilesTest, DiscardingOpensTheOtherDesign)

@@ -202,7 +202,7 @@ void SurfaceSelectTool::removePoints()
     if (edit.empty())
         m_context.report(problem);
     else
-        document.commit(edit);
+        removeAndForget(document, m_context.selection(), edit);
 }
 
 bool SurfaceSelectTool::keyPress(const QKeyEvent& event)
