@@ -76,7 +76,7 @@ Rows mouseInPattern()
 Rows mouseInCover()
 {
     return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
-            {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button, or Space and drag")},
+            {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button")},
             {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
             {HelpDialogs::tr("Move control points of fixation curves"), HelpDialogs::tr("drag")}};
 }

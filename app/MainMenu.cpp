@@ -80,7 +80,7 @@ private:
                           m_actions.showSeams, m_actions.showCurves, m_actions.showGrid, m_actions.showLabels,
                           m_actions.showGround});
         menu->addSeparator();
-        menu->addMenu(tr("&Theme"))->addActions(m_actions.themes);
+        menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }
 
     void addPattern()

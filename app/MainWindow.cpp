@@ -92,8 +92,6 @@ void MainWindow::buildToolBars()
     bar->addSeparator();
     bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
     bar->addSeparator();
-    bar->addActions({m_actions->turnLeft, m_actions->turnRight});
-    bar->addSeparator();
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,

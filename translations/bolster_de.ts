@@ -166,8 +166,8 @@
         <translation>mittlere Taste oder neben dem Bezug ziehen</translation>
     </message>
     <message>
-        <source>Shift and middle button, or Space and drag</source>
-        <translation>Umschalt und mittlere Taste oder mit Leertaste ziehen</translation>
+        <source>Shift and middle button</source>
+        <translation>Umschalt und mittlere Taste</translation>
     </message>
     <message>
         <source>Move control points of fixation curves</source>
@@ -511,7 +511,7 @@
         <translation>&amp;Bezug ansehen von</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
+        <source>Th&amp;eme</source>
         <translation>&amp;Farbschema</translation>
     </message>
     <message>

@@ -5,6 +5,7 @@
 #include "Selection.h"
 
 #include <QApplication>
+#include <QEvent>
 
 namespace bolster {
 
@@ -45,6 +46,13 @@ void Inspector::showEvent(QShowEvent* event)
 {
     m_form->refresh();
     QScrollArea::showEvent(event);
+}
+
+void Inspector::changeEvent(QEvent* event)
+{
+    QScrollArea::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) // icons and notes have colours of their own
+        QMetaObject::invokeMethod(this, &Inspector::rebuild, Qt::QueuedConnection);
 }
 
 } // namespace bolster
