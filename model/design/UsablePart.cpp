@@ -48,9 +48,15 @@ Design usablePart(const Design& design, const Problems& problems, Problems* left
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
             bad.insert(problem.element);
-    for (const auto& [id, element] : design.elements())
-        if (bad.contains(id) || std::holds_alternative<Quarantined>(*element))
+    for (const auto& [id, element] : design.elements()) {
+        if (bad.contains(id) && std::holds_alternative<Fabric>(*element)) {
+            // Without it all its patches would be lost for one wrong number.
+            leave(id, {QT_TRANSLATE_NOOP("Message", "the usual values of a fabric are used instead")});
+            edit.changes.back().after = makeElement(Fabric{});
+        } else if (bad.contains(id) || std::holds_alternative<Quarantined>(*element)) {
             leave(id, {QT_TRANSLATE_NOOP("Message", "left out because of its errors")});
+        }
+    }
     Design usable = design.with(edit);
 
     for (bool settled = false; !settled;) { // a patch without its fabric takes its seams with it

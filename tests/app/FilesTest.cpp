@@ -142,9 +142,8 @@ TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheCopyOfUnsavedWork)
     };
     ASSERT_TRUE(QTest::qWaitFor([&] { return copies() > 0; }, 10000));
     answer(QMessageBox::Discard);
+    answer(QMessageBox::Ok); // it could not be opened
     window.open(write("broken.json", "{"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
-    answer(QMessageBox::Ok);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 2; }, 10000));
     QTest::qWait(300);
     EXPECT_GT(copies(), 0);

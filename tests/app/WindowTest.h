@@ -81,15 +81,17 @@ protected:
     static void press(QWidget& view, QPoint at) { QTest::mousePress(&view, Qt::LeftButton, {}, at); }
     static void release(QWidget& view, QPoint at) { QTest::mouseRelease(&view, Qt::LeftButton, {}, at); }
 
-    /// Presses the button of the next message box that appears.
+    /// Presses the button of the next message box that has it.
     void answer(QMessageBox::StandardButton button)
     {
         auto* timer = new QTimer(qApp);
         QObject::connect(timer, &QTimer::timeout, timer, [this, timer, button] {
-            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box && box->button(button)) {
+                timer->stop();
                 timer->deleteLater();
                 ++answered;
-                QTest::mouseClick(static_cast<QWidget*>(box->button(button)), Qt::LeftButton);
+                box->button(button)->click(); // the pointer would miss it before the box has its size
             }
         });
         timer->start(20);

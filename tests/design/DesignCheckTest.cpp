@@ -330,15 +330,16 @@ TEST(UsablePart, TakesDependantsAlong)
     EXPECT_EQ(usable.elements().size(), 4u);
 }
 
-TEST(UsablePart, LosesEverythingWithItsOnlyFabric)
+TEST(UsablePart, GivesABadFabricTheUsualValues)
 {
     Parts parts;
     parts.fabric.poisson = 3;
-    const Design usable = usablePart(parts.design(), checkDesign(parts.design()));
-    std::vector<ElementId> left;
-    for (const auto& entry : usable.elements())
-        left.push_back(entry.first);
-    EXPECT_EQ(left, (std::vector<ElementId>{ElementId{4}, ElementId{7}}));
+    Problems leftOut;
+    const Design usable = usablePart(parts.design(), checkDesign(parts.design()), &leftOut);
+    EXPECT_EQ(usable.elements().size(), parts.design().elements().size());
+    usable.each<Fabric>([](ElementId, const Fabric& fabric) { EXPECT_EQ(fabric.poisson, Fabric{}.poisson); });
+    ASSERT_EQ(leftOut.size(), 1U);
+    EXPECT_NE(leftOut.front().english().find("usual values"), std::string::npos);
 }
 
 TEST(UsablePart, FallsBackToAnEdgeLengthThatWorks)
