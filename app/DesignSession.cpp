@@ -50,8 +50,7 @@ void DesignSession::open(const QString& path, const Done& done)
             return;
         }
         const bool sample = isSample(file);
-        take(std::move(opened), sample ? QString() : file, QFileInfo(file).absolutePath(),
-             QFileInfo(file).completeBaseName());
+        take(std::move(opened), sample ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
         done({});
     });
 }

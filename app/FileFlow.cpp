@@ -86,13 +86,14 @@ void FileFlow::keepWork(const Then& then)
     if (answer == QMessageBox::Discard) { // its copy goes when another design has taken its place
         then();
     } else if (answer == QMessageBox::Save) {
+        const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
         if (!m_session.path().isEmpty())
-            saveTo(m_session.path(), then);
+            saveTo(m_session.path(), saved);
         else if (const QString path = QFileDialog::getSaveFileName(
                      m_window, tr("Save design"),
                      QDir(startFolder()).filePath(tr("Design") + QStringLiteral(".json")), designFilter());
                  !path.isEmpty())
-            saveTo(path, then);
+            saveTo(path, saved);
     }
 }
 
@@ -250,7 +251,10 @@ void FileFlow::importMeshNow(const QString& path, std::optional<ElementId> repla
             fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), imported.problem);
             return;
         }
-        FrameImportDialog dialog(path, imported.mesh, m_window);
+        std::optional<Frame> before;
+        if (const Frame* frame = replaced ? m_session.document().design().find<Frame>(*replaced) : nullptr)
+            before = *frame;
+        FrameImportDialog dialog(path, imported.mesh, before, m_window);
         if (dialog.exec() != QDialog::Accepted)
             return;
         if (const Message problem = m_session.addFrame(path, imported.mesh, dialog.frame(), replaced);

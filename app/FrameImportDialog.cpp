@@ -16,10 +16,13 @@
 
 namespace bolster {
 
-FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh, QWidget* parent)
+FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh,
+                                     std::optional<Frame> replaced, QWidget* parent)
     : QDialog(parent)
     , m_name(QFileInfo(file).completeBaseName())
     , m_mesh(std::move(mesh))
+    , m_replaced(std::move(replaced))
+    , m_keep(new QCheckBox(tr("Keep scale, position and rotation of the frame"), this))
     , m_unit(new QComboBox(this))
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
     , m_up(new QComboBox(this))
@@ -45,6 +48,10 @@ FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const 
 
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
+    m_keep->setVisible(m_replaced.has_value());
+    m_keep->setChecked(m_replaced.has_value());
+    if (m_replaced)
+        form->addRow(m_keep);
     form->addRow(tr("Unit of the file"), m_unit);
     form->addRow(tr("Factor"), m_factor);
     form->addRow(tr("Axes"), m_up);
@@ -66,6 +73,7 @@ FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const 
     layout->addWidget(buttons);
     setMinimumWidth(420);
 
+    connect(m_keep, &QCheckBox::toggled, this, &FrameImportDialog::updateSize);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
     connect(m_up, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FrameImportDialog::updateSize);
@@ -87,6 +95,8 @@ void FrameImportDialog::setUpAxis(UpAxis up)
 
 Frame FrameImportDialog::frame() const
 {
+    if (m_keep->isChecked())
+        return *m_replaced;
     Frame frame;
     frame.name = m_name.toStdString();
     frame.scale = m_factor->value();
@@ -101,7 +111,10 @@ Frame FrameImportDialog::frame() const
 void FrameImportDialog::updateSize()
 {
     const auto unit = static_cast<FileUnit>(m_unit->currentIndex());
-    m_factor->setEnabled(unit == FileUnit::Custom);
+    const bool keep = m_keep->isChecked();
+    for (QWidget* field : std::initializer_list<QWidget*>{m_unit, m_up, m_onFloor})
+        field->setEnabled(!keep);
+    m_factor->setEnabled(!keep && unit == FileUnit::Custom);
     if (unit != FileUnit::Custom)
         m_factor->display(millimetresPer(unit));
     const Vec3 size = placedBox(*m_mesh, frame()).sizes();

@@ -6,6 +6,7 @@
 #include <QDialog>
 
 #include <memory>
+#include <optional>
 
 class QCheckBox;
 class QComboBox;
@@ -19,7 +20,9 @@ class FrameImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh, QWidget* parent = nullptr);
+    /// `replaced`: the frame that gets this mesh; its placement is kept unless the user wants another one.
+    FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh,
+                      std::optional<Frame> replaced = {}, QWidget* parent = nullptr);
 
     /// Name, scale, position and rotation as chosen; no file.
     Frame frame() const;
@@ -31,6 +34,8 @@ private:
 
     QString m_name;
     std::shared_ptr<const TriangleMesh> m_mesh;
+    std::optional<Frame> m_replaced;
+    QCheckBox* m_keep;
     QComboBox* m_unit;
     NumberBox* m_factor;
     QComboBox* m_up;

@@ -131,7 +131,7 @@ void showFigures(QWidget* parent, const SolveReport& report)
         {HelpDialogs::tr("Largest gap at seams"), lengthText(report.seamGap.max, 4)},
         {HelpDialogs::tr("Largest distance from fixations"), lengthText(report.fixationError.max, 4)},
         {HelpDialogs::tr("Curves to fixed outlines between vertices"), lengthText(report.fixationDeviation, 2)},
-        {HelpDialogs::tr("Strain: mean square, 99 %, largest"),
+        {HelpDialogs::tr("Strain: root mean square, 99 %, largest"),
          HelpDialogs::tr("%1, %2, %3")
              .arg(percentText(report.strain.rms), percentText(report.strain.p99), percentText(report.strain.max))},
         {HelpDialogs::tr("Area of the cover, of the pattern"),

@@ -179,6 +179,7 @@ void MainWindow::designOpened()
     if (recoverable)
         m_files->offerRecovery();
     m_selection.clear();
+    m_elements->scrollToTop();
     m_solver->forget();
     m_fitCover = true;
     m_surface->setFrames(m_session->frames());

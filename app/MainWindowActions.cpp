@@ -11,6 +11,7 @@
 #include "SelectionEdits.h"
 #include "StatusLine.h"
 #include "Theme.h"
+#include "Translated.h"
 
 #include <QApplication>
 
@@ -105,11 +106,14 @@ void MainWindow::removeSelection()
 {
     document().cancelGesture();
     QString problem;
+    const std::size_t selected = m_selection.elements().size();
     const Edit edit = removeSelected(document().design(), m_selection, &problem);
     if (edit.empty())
         m_status->flash(problem);
     else
         removeAndForget(document(), m_selection, edit);
+    if (edit.changes.size() > selected)
+        m_status->flash(translated(edit.verb)); // more than was asked for
 }
 
 void MainWindow::turnSelection(double degrees)

@@ -62,6 +62,15 @@ QList<Sample> samples(const QString& folder)
     return found;
 }
 
+QString titleOf(const QString& path)
+{
+    const QString file = QFileInfo(path).canonicalFilePath();
+    for (const Sample& sample : samples())
+        if (QFileInfo(sample.path).canonicalFilePath() == file)
+            return sample.title;
+    return QFileInfo(path).completeBaseName();
+}
+
 bool isSample(const QString& path)
 {
     const QString folder = samplesFolder();

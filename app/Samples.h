@@ -16,6 +16,8 @@ struct Sample {
 QString samplesFolder();
 /// NAME.json and NAME/NAME.json of the folder, in the order and with the titles of samples.json if there is one.
 QList<Sample> samples(const QString& folder = samplesFolder());
+/// The title of a sample, or the file's name.
+QString titleOf(const QString& path);
 /// A design of the program itself is never written to.
 bool isSample(const QString& path);
 

@@ -63,9 +63,10 @@ void StartHint::build()
 
 void StartHint::place()
 {
-    bool patches = false;
-    m_document.design().each<Patch>([&](ElementId, const Patch&) { patches = true; });
-    setVisible(!patches);
+    bool begun = false;
+    m_document.design().each<Patch>([&](ElementId, const Patch&) { begun = true; });
+    m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
+    setVisible(!begun);
     const QSize room = m_over->size();
     const QSize size(std::min(room.width(), 420), std::min(room.height(), sizeHint().height()));
     setGeometry(QRect(QPoint((room.width() - size.width()) / 2, (room.height() - size.height()) / 2), size));

@@ -59,7 +59,8 @@ QString stateText(const SolverStatus& status)
     case SolverStatus::State::Moving:
         return StatusLine::tr("Moving, %1/s").arg(QLocale().toString(std::lround(status.iterationsPerSecond)));
     case SolverStatus::State::Settled:
-        return StatusLine::tr("Solved \u2013 %1 iterations").arg(iterations);
+        return hasErrors(status.problems) ? StatusLine::tr("Solved in part")
+                                          : StatusLine::tr("Solved \u2013 %1 iterations").arg(iterations);
     case SolverStatus::State::Failed:
         return translated(status.reason);
     }
@@ -75,7 +76,7 @@ QColor stateColor(const SolverStatus& status)
     case SolverStatus::State::Moving:
         return {0xe0, 0x9a, 0x1a};
     case SolverStatus::State::Settled:
-        return {0x2e, 0x9e, 0x5b};
+        return hasErrors(status.problems) ? QColor(0xe0, 0x9a, 0x1a) : QColor(0x2e, 0x9e, 0x5b);
     case SolverStatus::State::Failed:
         return {0xd0, 0x3a, 0x2d};
     }

@@ -84,7 +84,7 @@ void SolverWorker::begin(Request request, std::stop_token stop)
     const SolvePlan plan = m_live ? planSolve(m_design, request.design) : SolvePlan::Resew;
     const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
     // Still about the last design: its surface is there, but what follows may take its time.
-    if (m_live && !light && plan != SolvePlan::Nothing && m_status.state == SolverStatus::State::Settled)
+    if (!light && plan != SolvePlan::Nothing && m_status.state != SolverStatus::State::Moving)
         publish(SolverStatus::State::Preparing);
     m_design = std::move(request.design);
     m_designRevision = request.revision;
@@ -103,11 +103,8 @@ void SolverWorker::begin(Request request, std::stop_token stop)
     m_status.iterations = 0;
     m_rateWatch.restart();
     m_rateCount = 0;
-    if (!light || !retargetLive(m_design, plan)) {
-        if (!m_live)
-            publish(SolverStatus::State::Preparing);
+    if (!light || !retargetLive(m_design, plan))
         rebuildLive(m_design, plan == SolvePlan::Resew, stop);
-    }
     if (m_live)
         iterateLive();
 }

@@ -250,10 +250,6 @@
         <translation>Kurven zu fixierten Umrissen zwischen Netzpunkten</translation>
     </message>
     <message>
-        <source>Strain: mean square, 99 %, largest</source>
-        <translation>Dehnung: quadratisches Mittel, 99 %, größte</translation>
-    </message>
-    <message>
         <source>%1, %2, %3</source>
         <translation>%1, %2, %3</translation>
     </message>
@@ -300,6 +296,10 @@
     <message>
         <source>Figures of the surface</source>
         <translation>Zahlen zur Oberfläche</translation>
+    </message>
+    <message>
+        <source>Strain: root mean square, 99 %, largest</source>
+        <translation>Dehnung: quadratisches Mittel, 99 %, größte</translation>
     </message>
 </context>
 <context>
@@ -1297,6 +1297,14 @@
         <source>the usual values of a fabric are used instead</source>
         <translation>stattdessen werden die üblichen Werte eines Stoffs verwendet</translation>
     </message>
+    <message>
+        <source>Remove %1 and what is sewn to it</source>
+        <translation>%1 und das daran Genähte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1 and %2 seams and fixations</source>
+        <translation>%1 mit %2 Nähten und Befestigungen entfernen</translation>
+    </message>
 </context>
 <context>
     <name>PatternSelectTool</name>
@@ -1832,6 +1840,10 @@
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>Das ist ungewöhnlich für ein Möbelstück: prüfen Sie die Einheit.</translation>
     </message>
+    <message>
+        <source>Keep scale, position and rotation of the frame</source>
+        <translation>Maßstab, Lage und Drehung des Gestells behalten</translation>
+    </message>
 </context>
 <context>
     <name>bolster::GlCanvas</name>
@@ -1963,6 +1975,10 @@
             <numerusform>%n Warnung</numerusform>
             <numerusform>%n Warnungen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Solved in part</source>
+        <translation>Zum Teil gelöst</translation>
     </message>
 </context>
 <context>

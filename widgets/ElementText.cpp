@@ -103,6 +103,14 @@ double stretchLength(const Design& design, const Stretch& stretch)
     return ArcLength2(patch->outline).between(stretch.from, to);
 }
 
+double sewnLength(const Design& design, ElementId id)
+{
+    if (const Seam* seam = design.find<Seam>(id))
+        return stretchLength(design, seam->a);
+    const FixationSeam* fixation = design.find<FixationSeam>(id);
+    return fixation ? stretchLength(design, fixation->stretch) : 0;
+}
+
 QString seamSummary(const Design& design, const Seam& seam)
 {
     const double a = stretchLength(design, seam.a);

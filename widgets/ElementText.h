@@ -22,6 +22,8 @@ QString kindIcon(ElementKind kind);
 QString displayName(const Design& design, ElementId id);
 /// The lengths of a seam's two stretches and its ease, or "".
 QString seamSummary(const Design& design, const Seam& seam);
+/// Arc length of a seam's first stretch or of a fixation's, mm; 0 for other elements.
+double sewnLength(const Design& design, ElementId id);
 /// Arc length, mm; 0 when the stretch does not lie on its outline.
 double stretchLength(const Design& design, const Stretch& stretch);
 

@@ -5,6 +5,7 @@
 #include "Icons.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
+#include "Units.h"
 #include "ViewColors.h"
 
 #include <QGuiApplication>
@@ -36,11 +37,25 @@ ElementsModel::ElementsModel(Document& document, ProblemSet& problems, QObject* 
     update();
 }
 
+/// Two patches can have several seams with each other: these are told apart by their lengths.
+void ElementsModel::tellApart(const Design& design, std::vector<Row>& rows)
+{
+    std::map<QString, int> count;
+    for (const Row& row : rows)
+        ++count[row.name];
+    for (Row& row : rows)
+        if (count[row.name] > 1)
+            row.name += QStringLiteral(", ") + lengthText(sewnLength(design, row.id), 0);
+}
+
 std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
 {
     std::map<ElementKind, std::vector<Row>> byKind;
     for (const auto& [id, element] : design.elements())
         byKind[kindOf(*element)].push_back({id, displayName(design, id)});
+    for (const ElementKind kind : {ElementKind::Seam, ElementKind::FixationSeam})
+        tellApart(design, byKind[kind]);
+    std::erase_if(byKind, [](const auto& group) { return group.second.empty(); });
     std::vector<Group> groups;
     // What cannot be used comes first: it wants to be seen.
     for (const bool unusable : {true, false})
@@ -116,11 +131,7 @@ QVariant ElementsModel::data(const QModelIndex& index, int role) const
 
 QVariant ElementsModel::groupData(const Group& group, int role) const
 {
-    if (role == Qt::DisplayRole)
-        return kindTitle(group.kind);
-    if (role == CountRole)
-        return static_cast<int>(group.rows.size());
-    return {};
+    return role == Qt::DisplayRole ? kindTitle(group.kind) : QVariant();
 }
 
 QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) const

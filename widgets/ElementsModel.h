@@ -18,7 +18,6 @@ class ElementsModel : public QAbstractItemModel {
 public:
     enum Role {
         ElementRole = Qt::UserRole, ///< the id as int; nothing for kinds
-        CountRole,                  ///< of the elements of a kind
         ProblemRole,                ///< 0 none, 1 warning, 2 error
     };
 
@@ -46,6 +45,7 @@ private:
         std::vector<Row> rows;
     };
 
+    static void tellApart(const Design& design, std::vector<Row>& rows);
     static std::vector<Group> groupsOf(const Design& design);
     void update();
     void announceAll();

@@ -76,8 +76,7 @@ private:
         painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, title);
         painter.setFont(option.font);
         painter.setPen(mixed(option.palette.color(QPalette::Base), option.palette.color(QPalette::Text), 0.5));
-        painter.drawText(place, Qt::AlignVCenter | Qt::AlignRight,
-                         QString::number(index.data(ElementsModel::CountRole).toInt()));
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignRight, QString::number(index.model()->rowCount(index)));
         painter.restore();
     }
 
@@ -212,6 +211,11 @@ void ElementsView::reveal(ElementId id)
     if (const QModelIndex index = indexOf(id); index.isValid())
         m_tree->expand(index.parent());
     m_selection.set({id});
+}
+
+void ElementsView::scrollToTop()
+{
+    m_tree->scrollToTop();
 }
 
 void ElementsView::rename(ElementId id)

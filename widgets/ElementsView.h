@@ -25,6 +25,8 @@ public:
     QTreeView& tree() { return *m_tree; }
     /// Opens the group, scrolls there and selects.
     void reveal(ElementId id);
+    /// For another design.
+    void scrollToTop();
     /// Starts renaming, if the element has a name.
     void rename(ElementId id);
 

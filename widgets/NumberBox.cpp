@@ -4,8 +4,11 @@
 
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QWheelEvent>
+
+#include <algorithm>
 
 namespace bolster {
 
@@ -19,6 +22,8 @@ bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event)
 
 NumberBox::NumberBox(const Range& range, QWidget* parent)
     : QDoubleSpinBox(parent)
+    , m_least(range.least)
+    , m_most(range.most)
 {
     setDecimals(range.decimals);
     setRange(range.least, range.most);
@@ -42,6 +47,7 @@ bool NumberBox::event(QEvent* event)
 void NumberBox::display(double value)
 {
     const QSignalBlocker quiet(this);
+    setRange(std::min(m_least, value), std::max(m_most, value));
     setValue(value);
 }
 
@@ -52,20 +58,25 @@ QString NumberBox::textFromValue(double value) const
 
 double NumberBox::valueFromText(const QString& text) const
 {
-    return QDoubleSpinBox::valueFromText(withDecimalPoint(text));
+    return QDoubleSpinBox::valueFromText(asWritten(text));
 }
 
 QValidator::State NumberBox::validate(QString& text, int& position) const
 {
-    text = withDecimalPoint(text);
-    return QDoubleSpinBox::validate(text, position);
+    QString written = asWritten(text); // the user's own text stays: what is typed next may change its meaning
+    return QDoubleSpinBox::validate(written, position);
 }
 
-QString NumberBox::withDecimalPoint(QString text) const
+/// With the language's decimal sign and without grouped digits.
+QString NumberBox::asWritten(QString text) const
 {
     const QString point = locale().decimalPoint();
     const QString other = point == QLatin1String(",") ? QStringLiteral(".") : QStringLiteral(",");
-    // Only a lone sign can be meant as the decimal one: the unit and signs that group digits are none of ours.
+    static const QRegularExpression grouped(QStringLiteral("^\\s*[-+]?[1-9]\\d{0,2}([.,]\\d{3})+(?![\\d.,])"));
+    const QRegularExpressionMatch thousands = grouped.match(text);
+    if (other == locale().groupSeparator() && thousands.hasMatch() && !thousands.captured().contains(point))
+        return text.remove(other);
+    // Only a lone sign can be meant as the decimal one.
     if (!text.contains(point) && text.count(other) == 1)
         text.replace(other, point);
     return text;

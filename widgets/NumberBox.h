@@ -10,8 +10,8 @@ namespace bolster {
 /// Whether an event asks for undo or redo while nothing has been typed: then the design's is meant.
 bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event);
 
-/// Shows no trailing zeros, takes point and comma as the decimal sign, and reports a value once: when the user is
-/// done with it, not with every key.
+/// Shows no trailing zeros, takes point and comma as the decimal sign (but "1,500" as the language groups digits),
+/// and reports a value once: when the user is done with it, not with every key.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
 
     explicit NumberBox(const Range& range, QWidget* parent = nullptr);
 
-    /// Without a signal; keeps what the user is typing.
+    /// Without a signal; keeps what the user is typing. A value out of range is shown as it is.
     void display(double value);
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
@@ -37,7 +37,10 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    QString withDecimalPoint(QString text) const;
+    QString asWritten(QString text) const;
+
+    double m_least;
+    double m_most;
 };
 
 } // namespace bolster

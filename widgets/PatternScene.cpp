@@ -114,14 +114,14 @@ void PatternScene::updateStretches(const Design& design, ElementId owner)
 {
     m_stretches.erase(owner);
     if (const Seam* seam = design.find<Seam>(owner)) {
-        addStretch(owner, seam->a, false, false);
-        addStretch(owner, seam->b, false, seam->reversed);
+        addStretch(owner, seam->a, settingsId, false);
+        addStretch(owner, seam->b, settingsId, seam->reversed);
     } else if (const FixationSeam* fixation = design.find<FixationSeam>(owner)) {
-        addStretch(owner, fixation->stretch, true, false);
+        addStretch(owner, fixation->stretch, fixation->curve, false);
     }
 }
 
-void PatternScene::addStretch(ElementId owner, const Stretch& stretch, bool fixation, bool reversed)
+void PatternScene::addStretch(ElementId owner, const Stretch& stretch, ElementId curve, bool reversed)
 {
     const PatternPatch* entry = patch(stretch.patch);
     if (!entry)
@@ -133,7 +133,7 @@ void PatternScene::addStretch(ElementId owner, const Stretch& stretch, bool fixa
     QPainterPath path = curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
     if (reversed)
         path = path.toReversed();
-    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, fixation, reversed, path});
+    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, curve, reversed, path});
 }
 
 const PatternPatch* PatternScene::patch(ElementId id) const

@@ -87,13 +87,13 @@ void PatternView::fitSelection()
 
 void PatternView::showBox(const Box2& box)
 {
-    m_fitPending = !isVisible(); // without its final size there is nothing to fit to
+    m_fitted = box;
     apply(PatternTransform::fitting(box, size(), fitMargin));
 }
 
 void PatternView::setTransform(const PatternTransform& transform)
 {
-    m_fitPending = false;
+    m_fitted.setEmpty();
     apply(transform);
 }
 
@@ -196,12 +196,9 @@ void PatternView::paintEvent(QPaintEvent*)
 
 void PatternView::resizeEvent(QResizeEvent* event)
 {
-    if (m_fitPending) {
-        m_transform = PatternTransform::fitting(m_scene.boundingBox(), size(), fitMargin);
-        m_fitPending = !isVisible();
-    } else {
-        m_transform = m_transform.resized(event->oldSize(), size());
-    }
+    m_transform = m_fitted.isEmpty() && event->oldSize().isValid()
+                      ? m_transform.resized(event->oldSize(), size())
+                      : PatternTransform::fitting(m_fitted, size(), fitMargin);
 }
 
 void PatternView::changeEvent(QEvent* event)

@@ -79,7 +79,7 @@ private:
     PatternLayers m_layers;
     std::unique_ptr<PatternTool> m_tool;
     QString m_prompt;
-    bool m_fitPending = true; ///< until the widget has its first size
+    Box2 m_fitted; ///< in the layout: fills the view, whatever its size, until the user moves it
     bool m_spaceDown = false;
     std::optional<QPointF> m_panFrom;
 };

@@ -31,19 +31,17 @@ std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground
 {
     std::map<ElementId, QColor> colors;
     std::map<ElementId, std::set<std::size_t>> usedAt;
-    std::array<int, palette.size()> uses{};
     design.each<Seam>([&](ElementId id, const Seam& seam) {
         const std::set<std::size_t>& a = usedAt[seam.a.patch];
         const std::set<std::size_t>& b = usedAt[seam.b.patch];
-        // The least used one that neither patch has; when both have all of them, the least used.
-        const auto cost = [&](std::size_t i) {
-            return uses[i] + (a.contains(i) ? 1000 : 0) + (b.contains(i) ? 1000 : 0);
-        };
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < palette.size(); ++i)
-            if (cost(i) < cost(best))
-                best = i;
-        ++uses[best];
+        // By the id, so that other seams coming and going rarely change it; the next one that neither patch has.
+        const std::size_t first = static_cast<std::size_t>(number(id)) % palette.size();
+        std::size_t best = first;
+        for (std::size_t i = 0; i < palette.size(); ++i)
+            if (const std::size_t next = (first + i) % palette.size(); !a.contains(next) && !b.contains(next)) {
+                best = next;
+                break;
+            }
         usedAt[seam.a.patch].insert(best);
         usedAt[seam.b.patch].insert(best);
         colors[id] = QColor(darkBackground ? palette[best].onDark : palette[best].onLight);

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ranges>
 #include <utility>
 
 namespace bolster {
@@ -27,15 +26,10 @@ constexpr auto occlusionDelay = 450ms; ///< the cover must rest that long before
 constexpr int movingWithin = 250;      ///< ms between two surfaces that belong to one movement
 constexpr int cubeMargin = 8;          ///< pixels
 
-/// Whether the designs have the same curves, frames and fabrics: the rest of them is seen in the surface.
-bool looksTheSame(const Design& a, const Design& b)
+/// The surface brings what such an element changes; everything else is drawn from the design.
+bool seenInSurface(const Design& design, ElementId id)
 {
-    const auto seen = std::views::filter([](const auto& item) {
-        const Element& element = *item.second;
-        return std::holds_alternative<FixationCurve>(element) || std::holds_alternative<Frame>(element) ||
-               std::holds_alternative<Fabric>(element);
-    });
-    return std::ranges::equal(a.elements() | seen, b.elements() | seen);
+    return design.find<Patch>(id) || design.find<Seam>(id) || design.find<FixationSeam>(id);
 }
 
 } // namespace
@@ -92,7 +86,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     };
     connect(&m_selection, &Selection::changed, this, selectionChanged);
     connect(&m_selection, &Selection::hoverChanged, this, selectionChanged);
-    designChanged();
+    designChanged({});
 }
 
 SurfaceView::~SurfaceView()
@@ -184,11 +178,11 @@ void SurfaceView::setLayerVisible(Layer layer, bool visible)
     setSurface(m_surface);
 }
 
-void SurfaceView::designChanged()
+void SurfaceView::designChanged(const std::set<ElementId>& ids)
 {
-    const Design before = std::exchange(m_design, m_document.design());
-    if (looksTheSame(before, m_design))
-        return; // the surface brings what has changed
+    if (!ids.empty() &&
+        std::ranges::all_of(ids, [this](ElementId id) { return seenInSurface(m_document.design(), id); }))
+        return;
     m_curves.update(m_document.design());
     updateFrames();
     updateLooks();

@@ -115,7 +115,7 @@ private:
 
     void makeCanvas();
     void useSoftware(const QString& note);
-    void designChanged();
+    void designChanged(const std::set<bolster::ElementId>& ids);
     void updateFrames();
     void updateLooks();
     void updateMarks();
@@ -139,7 +139,6 @@ private:
 
     SurfaceMeshPtr m_surface;
     FrameMeshes m_frameMeshes;
-    Design m_design; ///< as shown
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;

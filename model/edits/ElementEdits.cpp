@@ -30,6 +30,20 @@ bool refersTo(const Element& element, const std::set<ElementId>& ids)
     return false;
 }
 
+/// Names what goes along: seams and fixations that need the removed elements.
+Message removeVerb(const Design& design, const std::set<ElementId>& removed, std::size_t changes)
+{
+    if (removed.size() > 1)
+        return {QT_TRANSLATE_NOOP("Message", "Remove %1 elements"), {std::to_string(changes)}};
+    const std::string name = displayName(design, *removed.begin());
+    if (changes == 1)
+        return {QT_TRANSLATE_NOOP("Message", "Remove %1"), {name}};
+    if (changes == 2)
+        return {QT_TRANSLATE_NOOP("Message", "Remove %1 and what is sewn to it"), {name}};
+    return {QT_TRANSLATE_NOOP("Message", "Remove %1 and %2 seams and fixations"),
+            {name, std::to_string(changes - 1)}};
+}
+
 } // namespace
 
 Edit addElement(const Design& design, ElementPtr element)
@@ -80,13 +94,10 @@ Edit removeElements(const Design& design, std::span<const ElementId> ids)
         return {};
 
     Edit edit;
-    if (removed.size() == 1)
-        edit.verb = {QT_TRANSLATE_NOOP("Message", "Remove %1"), {displayName(design, *removed.begin())}};
-    else
-        edit.verb = {QT_TRANSLATE_NOOP("Message", "Remove %1 elements"), {std::to_string(removed.size())}};
     for (const auto& [id, element] : design.elements())
         if (removed.contains(id) || refersTo(*element, removed))
             edit.changes.push_back({id, element, nullptr});
+    edit.verb = removeVerb(design, removed, edit.changes.size());
     return edit;
 }
 

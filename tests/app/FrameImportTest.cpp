@@ -1,5 +1,7 @@
 #include "FrameImportDialog.h"
 
+#include <QCheckBox>
+
 #include <gtest/gtest.h>
 
 namespace bolster {
@@ -39,6 +41,18 @@ TEST(FrameImport, TurnsWhatPointsUp)
     dialog.setUnit(FileUnit::Inch);
     frame = dialog.frame();
     EXPECT_TRUE(frame.placed({0, 0, 1}).isApprox(Vec3(0, 0, 25.4)));
+}
+
+TEST(FrameImport, KeepsThePlacementOfAReplacedFrame)
+{
+    Frame before;
+    before.name = "Old";
+    before.scale = 437.5;
+    before.position = {1, 2, 3};
+    FrameImportDialog dialog(QStringLiteral("seat.obj"), box(0.8, 1.0, 0.9), before);
+    EXPECT_EQ(dialog.frame(), before);
+    dialog.findChildren<QCheckBox*>().front()->setChecked(false);
+    EXPECT_EQ(dialog.frame().scale, 1000);
 }
 
 } // namespace

@@ -158,7 +158,10 @@ TEST_F(Edits, RemovesWhatRefersToTheRemoved)
     EXPECT_EQ(removed({leather, side}), (std::set{side, seam})) << "still in use";
     EXPECT_EQ(removed({leather, side, seat}), (std::set{leather, seat, side, seam, fixation}));
     EXPECT_EQ(removed({settingsId, ElementId{77}}), std::set<ElementId>{});
-    EXPECT_EQ(removeElements(design, std::vector{seat}).verb.english(), "Remove Seat");
+    EXPECT_EQ(removeElements(design, std::vector{unreadable}).changes.size(), 1U);
+    EXPECT_EQ(removeElements(design, std::vector{leather, side, seat}).verb.english(), "Remove 5 elements");
+    EXPECT_EQ(removeElements(design, std::vector{side}).verb.english(), "Remove Side and what is sewn to it");
+    EXPECT_EQ(removeElements(design, std::vector{seat}).verb.english(), "Remove Seat and 2 seams and fixations");
 }
 
 // Any edit at all, valid or not.

@@ -158,6 +158,42 @@ TEST(NumberBox, TakesPointAndCommaInAnyLanguage)
     }
 }
 
+TEST(NumberBox, ReadsGroupedDigitsAsTheLanguageWritesThem)
+{
+    const auto typed = [](const char* language, const char* text) {
+        NumberBox box({QStringLiteral(" mm")});
+        box.setLocale(QLocale(language));
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+        return box.value();
+    };
+    EXPECT_DOUBLE_EQ(typed("en", "1,500"), 1500);
+    EXPECT_DOUBLE_EQ(typed("en", "-12,345.5"), -12345.5);
+    EXPECT_DOUBLE_EQ(typed("en", "1.500"), 1.5);
+    EXPECT_DOUBLE_EQ(typed("en", "0,125"), 0.125);
+    EXPECT_DOUBLE_EQ(typed("en", "1,5"), 1.5);
+    EXPECT_DOUBLE_EQ(typed("de", "1.500"), 1500);
+    EXPECT_DOUBLE_EQ(typed("de", "1.234.567"), 1234567);
+    EXPECT_DOUBLE_EQ(typed("de", "1,500"), 1.5);
+    EXPECT_DOUBLE_EQ(typed("de", "0.125"), 0.125);
+}
+
+TEST(NumberBox, ShowsABadValueAndTakesItsRemedy)
+{
+    NumberBox box({{}, 3, -0.5, 0.5, 0.05});
+    double reported = 0;
+    QObject::connect(&box, &QDoubleSpinBox::valueChanged, &box, [&](double value) { reported = value; });
+    box.display(0.9);
+    EXPECT_DOUBLE_EQ(box.value(), 0.9);
+    box.selectAll();
+    QTest::keyClicks(&box, "0.5");
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(reported, 0.5);
+    box.display(0.5);
+    EXPECT_DOUBLE_EQ(box.maximum(), 0.5);
+}
+
 TEST(NumberBox, ReportsOnlyWhatTheUserIsDoneWith)
 {
     NumberBox box({QStringLiteral(" mm")});

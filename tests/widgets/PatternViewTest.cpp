@@ -235,6 +235,25 @@ TEST_F(PatternViewTest, ZoomsAtThePointerAndPans)
     EXPECT_EQ(view.transform().scale(), scale);
 }
 
+TEST_F(PatternViewTest, StaysFittedInAnySizeUntilTheUserMovesIt)
+{
+    const auto whole = [&] {
+        const QRect inside = view.rect().adjusted(20, 20, -20, -20);
+        PatternScene scene;
+        scene.reset(document.design());
+        const Box2 box = scene.boundingBox();
+        return inside.contains(pixel(box.min())) && inside.contains(pixel(box.max()));
+    };
+    for (const QSize size : {QSize(300, 200), QSize(200, 600), QSize(900, 700)}) {
+        view.resize(size);
+        EXPECT_TRUE(whole()) << size.width();
+    }
+    view.setTransform(view.transform().zoomed({450, 350}, 4));
+    const double scale = view.transform().scale();
+    view.resize(400, 300);
+    EXPECT_EQ(view.transform().scale(), scale);
+}
+
 TEST_F(PatternViewTest, TellsWhatCanBeDone)
 {
     QSignalSpy prompts(&view, &PatternView::promptChanged);
