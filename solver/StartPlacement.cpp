@@ -107,21 +107,36 @@ private:
             rigid.rotation.col(2) = rigid.rotation.col(0).cross(rigid.rotation.col(1));
         } else {
             const bool point = svd.singularValues()[0] <= 0;
-            rigid.rotation =
-                turnedOutwards(svd.matrixV().col(0), point ? Vec3(Vec3::UnitX()) : Vec3(svd.matrixU().col(0)),
-                               placeCentre - m_centre[part.component], part.outward);
+            const Vec3 along = point ? Vec3(Vec3::UnitX()) : Vec3(svd.matrixU().col(0));
+            Vec3 outwards = across(along, placeCentre - m_centre[part.component]);
+            if (outwards.norm() < 1e-3 * m_mesh.diameter[part.component])
+                outwards = bulge(points, placeCentre, along);
+            rigid.rotation = turnedOutwards(svd.matrixV().col(0), along, outwards, part.outward);
         }
         rigid.shift = placeCentre - rigid.rotation.leftCols<2>() * restCentre;
         m_placed[p] = rigid;
     }
 
-    /// The rotation that carries `rest` to `along` and looks outwards as far as that allows.
+    static Vec3 across(const Vec3& along, const Vec3& v) { return v - along.dot(v) * along; }
+
+    /// Where an arched row of places bulges to. Cloth whose straight edge follows it bends that way without strain;
+    /// lying in the plane of the arch it would be sheared, and stay there for symmetry.
+    static Vec3 bulge(const std::vector<Correspondence>& points, const Vec3& centre, const Vec3& along)
+    {
+        double spread = 0;
+        for (const Correspondence& c : points)
+            spread += std::pow(along.dot(c.place - centre), 2) / static_cast<double>(points.size());
+        Vec3 sum = Vec3::Zero();
+        for (const Correspondence& c : points)
+            sum += (1 - std::pow(along.dot(c.place - centre), 2) / std::max(spread, 1e-300)) *
+                   across(along, c.place - centre);
+        return sum / static_cast<double>(points.size());
+    }
+
+    /// The rotation that carries `rest` to `along` and looks outwards, which is across it, or anywhere for zero.
     static Eigen::Matrix3d turnedOutwards(const Vec2& rest, const Vec3& along, const Vec3& outwards, double side)
     {
-        Vec3 normal = outwards - along.dot(outwards) * along;
-        if (normal.norm() < 1e-6 * (outwards.norm() + 1e-9))
-            normal = along.unitOrthogonal();
-        normal = normal.normalized() * side;
+        const Vec3 normal = side * (outwards.norm() > 1e-9 ? Vec3(outwards.normalized()) : along.unitOrthogonal());
         Eigen::Matrix3d from, to;
         from << Vec3(rest.x(), rest.y(), 0), Vec3(-rest.y(), rest.x(), 0), Vec3::UnitZ();
         to << along, normal.cross(along), normal;

@@ -1303,7 +1303,7 @@
     </message>
     <message>
         <source>Remove %1 and %2 seams and fixations</source>
-        <translation>%1 mit %2 Nähten und Befestigungen entfernen</translation>
+        <translation>%1 mit %2 Nähten und Fixierungen entfernen</translation>
     </message>
 </context>
 <context>

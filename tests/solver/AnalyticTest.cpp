@@ -57,6 +57,20 @@ TEST(Analytic, PatchFixedToItsOwnOutlineStaysFlat)
     EXPECT_NEAR(result.report.area, result.report.restArea, 1e-6 * result.report.restArea);
 }
 
+// In the plane of the arch it would be sheared by 15 %, and stay there for symmetry.
+TEST(Analytic, PatchHungFromAnArchBendsWithoutStrain)
+{
+    DesignBuilder b(20);
+    const ElementId patch = b.patch(rectangle(500, 480), b.fabric(0.3, 12));
+    b.fix({patch, 0, 1}, BSpline3(3, false, {{0, 0, 0}, {150, 0, 20}, {300, 0, 20}, {500, 0, 0}}));
+    const SolveResult result = solved(b.design(), 1e-6);
+    EXPECT_LT(result.report.strain.max, 0.01);
+    double across = 0;
+    for (const Vec3& p : result.surface->positions)
+        across = std::max(across, std::abs(p.y()));
+    EXPECT_GT(across, 470);
+}
+
 /// The width in the middle of a strip that is pulled to 110 % of its length, relative to its rest width, minus 1.
 double narrowing(double poisson)
 {
