@@ -56,8 +56,10 @@ void Actions::addFile()
 void Actions::addEdit()
 {
     undo = add(tr("&Undo"), QStringLiteral("undo"), QKeySequence::Undo);
+    undo->setIconText(tr("Undo")); // the text says what would be undone
     redo = add(tr("&Redo"), QStringLiteral("redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    redo->setIconText(tr("Redo"));
     remove = add(tr("&Delete"), QStringLiteral("delete"), QKeySequence::Delete);
     rename = add(tr("Re&name"), {}, QKeySequence(Qt::Key_F2));
     selectAll = add(tr("Select &all patches"), {}, QKeySequence::SelectAll);

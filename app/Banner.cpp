@@ -42,7 +42,7 @@ Banner::Banner(QWidget* parent)
     layout->addLayout(m_buttons);
     layout->addWidget(close);
     m_text->setWordWrap(true);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 void Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
@@ -64,12 +64,25 @@ void Banner::announce(Kind kind, const QString& text, const QList<Button>& butto
         m_buttons->addWidget(push);
     }
     m_shown = true;
+    updateGeometry();
     emit toggled(true);
 }
 
 QString Banner::text() const
 {
     return m_text->text();
+}
+
+QSize Banner::sizeHint() const
+{
+    const int width = window()->width();
+    return {width, layout()->heightForWidth(width)};
+}
+
+void Banner::resizeEvent(QResizeEvent*)
+{
+    if (height() != sizeHint().height())
+        updateGeometry();
 }
 
 void Banner::dismiss()

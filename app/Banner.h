@@ -27,6 +27,9 @@ public:
     void dismiss();
     QString text() const;
     bool shown() const { return m_shown; }
+    /// As high as the text needs in the width of the window.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
 
 signals:
     /// It has something to say, or was closed. Whoever placed it shows and hides it: a tool bar wants that itself.
@@ -34,6 +37,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     Kind m_kind = Kind::Information;

@@ -35,13 +35,24 @@ void DesignSession::startNew()
     take({design.with(fabric), {}, {}, true}, {}, {}, {});
 }
 
-void DesignSession::open(const QString& path, const Done& done)
+/// The design may have been changed while another one was read.
+void DesignSession::takeUnlessChanged(std::uint64_t revision, const Replace& replace,
+                                      const std::function<void()>& take)
+{
+    if (m_document.revision() == revision)
+        take();
+    else
+        replace(take);
+}
+
+void DesignSession::open(const QString& path, const Replace& replace, const Done& done)
 {
     const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
+    const std::uint64_t revision = m_document.revision();
     inBackground<OpenedDesign>([file] {
         return openDesign(file);
-    }).then(this, [this, file, generation, done](OpenedDesign opened) {
+    }).then(this, [this, file, generation, revision, replace, done](const OpenedDesign& opened) {
         if (generation != m_generation)
             return; // something else was opened meanwhile
         if (!opened.readable) {
@@ -49,28 +60,32 @@ void DesignSession::open(const QString& path, const Done& done)
                                          : opened.problems.front().message);
             return;
         }
-        const bool sample = isSample(file);
-        take(std::move(opened), sample ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
-        done({});
+        takeUnlessChanged(revision, replace, [this, file, opened, done] {
+            take(opened, isSample(file) ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
+            done({});
+        });
     });
 }
 
-void DesignSession::restore(const Recovery::Orphan& orphan, const Done& done)
+void DesignSession::restore(const Recovery::Orphan& orphan, const Replace& replace, const Done& done)
 {
+    const std::uint64_t revision = m_document.revision();
     inBackground<OpenedDesign>([orphan] {
         return openDesign(orphan.file, orphan.frameFolder());
-    }).then(this, [this, orphan, done](OpenedDesign opened) {
+    }).then(this, [this, orphan, revision, replace, done](const OpenedDesign& opened) {
         if (!opened.readable) {
             done({QT_TRANSLATE_NOOP("Message", "the copy could not be read"), {}});
             return;
         }
-        const QString folder = orphan.frameFolder();
-        const bool hasFile = !orphan.original.isEmpty() && !FrameFiles::isOwnFolder(folder) &&
-                             !isSample(orphan.original) && !orphan.fileIsNewer();
-        take(std::move(opened), hasFile ? orphan.original : QString(), folder, tr("Restored design"));
-        m_document.markUnsaved();
-        m_recovery.adopt(orphan);
-        done({});
+        takeUnlessChanged(revision, replace, [this, orphan, opened, done] {
+            const QString folder = orphan.frameFolder();
+            const bool hasFile = !orphan.original.isEmpty() && !FrameFiles::isOwnFolder(folder) &&
+                                 !isSample(orphan.original) && !orphan.fileIsNewer();
+            take(opened, hasFile ? orphan.original : QString(), folder, tr("Restored design"));
+            m_document.markUnsaved();
+            m_recovery.adopt(orphan);
+            done({});
+        });
     });
 }
 
@@ -91,6 +106,7 @@ void DesignSession::take(OpenedDesign opened, const QString& path, const QString
     m_path = path;
     m_title = title;
     m_workDiscarded = false;
+    m_saving.reset();
     m_opened = std::move(opened.problems);
     m_meshes.clear();
     m_meshProblems.clear();
@@ -129,18 +145,32 @@ void DesignSession::save(const QString& path, const Done& done)
         m_document.commit(renamed);
     const NodeId node = m_document.history().current();
     const int generation = m_generation;
+    m_saving = node;
     inBackground<Message>([file, design = m_document.committed()] {
         return saveDesign(design, file);
     }).then(this, [this, file, node, generation, done](const Message& problem) {
+        if (m_saving == node)
+            m_saving.reset();
         if (problem.empty() && generation == m_generation) {
             m_path = file;
             m_recovery.setOriginal(file);
-            if (m_document.history().current() == node)
-                m_document.markSaved();
+            m_document.markSaved(node);
             emit titleChanged();
         }
         done(problem);
+        emit saveEnded();
     });
+}
+
+bool DesignSession::isFrameFile(const QString& path) const
+{
+    const QString target = QFileInfo(path).canonicalFilePath();
+    bool found = false;
+    m_document.design().each<Frame>([&](ElementId, const Frame& frame) {
+        const QString file = m_files.find(QString::fromStdString(frame.file));
+        found = found || (!target.isEmpty() && QFileInfo(file).canonicalFilePath() == target);
+    });
+    return found;
 }
 
 void DesignSession::discardWork()

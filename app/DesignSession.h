@@ -21,6 +21,8 @@ class DesignSession : public QObject {
 
 public:
     using Done = std::function<void(const Message& problem)>; ///< empty: it worked
+    /// Asks what becomes of unsaved work, and goes on if nothing is lost.
+    using Replace = std::function<void(const std::function<void()>& then)>;
 
     explicit DesignSession(QObject* parent = nullptr);
     ~DesignSession() override;
@@ -37,12 +39,17 @@ public:
     const Problems& problemsOnOpening() const { return m_opened; }
 
     void startNew();
-    /// A sample is opened without its path. On failure everything stays as it was.
-    void open(const QString& path, const Done& done);
-    void restore(const Recovery::Orphan& orphan, const Done& done);
+    /// A sample is opened without its path. On failure everything stays as it was. What was changed while the file
+    /// was read is asked about by `replace`.
+    void open(const QString& path, const Replace& replace, const Done& done);
+    void restore(const Recovery::Orphan& orphan, const Replace& replace, const Done& done);
     /// Removes what a crash has left, with the frames that lay beside it alone.
     static void discard(const Recovery::Orphan& orphan);
     void save(const QString& path, const Done& done);
+    /// A save of the design as it is now is on its way.
+    bool savingAll() const { return m_saving == m_document.history().current(); }
+    /// Writing there would destroy a mesh that the design shows.
+    bool isFrameFile(const QString& path) const;
     /// Nothing of the unsaved work is to be kept.
     void discardWork();
     /// The window closes; unsaved work that was not discarded is found at the next start.
@@ -54,6 +61,7 @@ public:
                      std::optional<ElementId> replaced = {});
 
 signals:
+    void saveEnded();
     /// Another design is there now.
     void opened();
     void titleChanged();
@@ -65,6 +73,7 @@ signals:
     void recoveryFailed(const bolster::Message& why);
 
 private:
+    void takeUnlessChanged(std::uint64_t revision, const Replace& replace, const std::function<void()>& take);
     void take(OpenedDesign opened, const QString& path, const QString& folder, const QString& title);
     void designChanged(const std::set<ElementId>& ids);
     void updateFrames();
@@ -82,7 +91,8 @@ private:
     QSet<QString> m_reading;
     FrameMeshes m_frames;
     bool m_workDiscarded = false;
-    int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
+    std::optional<NodeId> m_saving; ///< what is being written
+    int m_generation = 0;           ///< counts designs, so that late results of an earlier one are dropped
 };
 
 } // namespace bolster

@@ -18,12 +18,15 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
 
 const QString recentKey = QStringLiteral("recent");
 const QString folderKey = QStringLiteral("folder");
+const QString designEnding = QStringLiteral("json");
 constexpr qsizetype mostRecent = 10;
 
 QString designFilter()
@@ -78,6 +81,12 @@ void FileFlow::keepWork(const Then& then)
         then();
         return;
     }
+    if (m_session.savingAll()) { // nothing to ask unless that fails
+        connect(
+            &m_session, &DesignSession::saveEnded, this, [this, then] { keepWork(then); },
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        return;
+    }
     QMessageBox box(QMessageBox::Question, tr("Bolster"), tr("Save the changes in \"%1\"?").arg(m_session.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box.setInformativeText(tr("Otherwise they are lost."));
@@ -89,9 +98,8 @@ void FileFlow::keepWork(const Then& then)
         const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
         if (!m_session.path().isEmpty())
             saveTo(m_session.path(), saved);
-        else if (const QString path = QFileDialog::getSaveFileName(
-                     m_window, tr("Save design"),
-                     QDir(startFolder()).filePath(tr("Design") + QStringLiteral(".json")), designFilter());
+        else if (const QString path =
+                     chooseTarget(tr("Save design"), proposed(designEnding), designFilter(), {designEnding});
                  !path.isEmpty())
             saveTo(path, saved);
     }
@@ -113,7 +121,8 @@ void FileFlow::open(const QString& path)
 
 void FileFlow::openNow(const QString& path)
 {
-    m_session.open(path, [this, path](const Message& problem) {
+    const auto replace = [this](const Then& then) { keepWork(then); };
+    m_session.open(path, replace, [this, path](const Message& problem) {
         if (!problem.empty()) {
             fail(tr("\"%1\" could not be opened.").arg(QFileInfo(path).fileName()), problem);
             return;
@@ -130,7 +139,7 @@ void FileFlow::announceProblems()
     for (const Problem& problem : m_session.problemsOnOpening())
         if (problem.severity == Severity::Error)
             bad.insert(problem.element);
-    if (bad.empty())
+    if (bad.empty() || offersRecovery()) // which waits for an answer
         return;
     m_banner->announce(
         Banner::Kind::Problem,
@@ -148,17 +157,47 @@ void FileFlow::save()
 
 void FileFlow::saveAs()
 {
-    const QString name = m_session.path().isEmpty() ? tr("Design") + QStringLiteral(".json")
-                                                    : QFileInfo(m_session.path()).fileName();
-    const QString path = QFileDialog::getSaveFileName(m_window, tr("Save design"),
-                                                      QDir(startFolder()).filePath(name), designFilter());
+    const QString path = chooseTarget(tr("Save design"), proposed(designEnding), designFilter(), {designEnding});
     if (!path.isEmpty())
         saveTo(path, [] {});
 }
 
-void FileFlow::saveTo(const QString& chosen, const Then& then)
+/// The title as a file in the usual folder.
+QString FileFlow::proposed(const QString& ending, const QString& addition) const
 {
-    const QString path = QFileInfo(chosen).suffix().isEmpty() ? chosen + QStringLiteral(".json") : chosen;
+    QString name = m_session.title();
+    if (name.endsWith(u'.' + designEnding))
+        name.chop(designEnding.size() + 1);
+    name.replace(u'/', u'-');
+    return QDir(startFolder()).filePath(name + addition + u'.' + ending);
+}
+
+/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's frames.
+QString FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
+                               const QStringList& endings)
+{
+    QString chosenFilter;
+    QString path = QFileDialog::getSaveFileName(m_window, title, proposal, filter, &chosenFilter);
+    if (path.isEmpty())
+        return {};
+    if (!endings.contains(QFileInfo(path).suffix().toLower())) {
+        const auto asFiltered = std::ranges::find_if(
+            endings, [&](const QString& ending) { return chosenFilter.contains(QStringLiteral("*.") + ending); });
+        path += u'.' + (asFiltered == endings.end() ? endings.front() : *asFiltered);
+        const QString question = tr("\"%1\" exists already. Replace it?").arg(QFileInfo(path).fileName());
+        if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Bolster"), question) != QMessageBox::Yes)
+            return {};
+    }
+    if (m_session.isFrameFile(path)) {
+        fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
+             {QT_TRANSLATE_NOOP("Message", "it is the mesh of a frame in this design; choose another name")});
+        return {};
+    }
+    return path;
+}
+
+void FileFlow::saveTo(const QString& path, const Then& then)
+{
     m_session.save(path, [this, path, then](const Message& problem) {
         if (!problem.empty()) {
             fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
@@ -267,14 +306,11 @@ void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
 {
     if (!surface)
         return;
-    const QString name = QFileInfo(m_session.title()).completeBaseName() + QStringLiteral(".obj");
-    QString filter;
-    QString path = QFileDialog::getSaveFileName(m_window, tr("Export surface"), QDir(startFolder()).filePath(name),
-                                                tr("OBJ (*.obj);;PLY (*.ply)"), &filter);
+    const QString path =
+        chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
+                     tr("OBJ (*.obj);;PLY (*.ply)"), {QStringLiteral("obj"), QStringLiteral("ply")});
     if (path.isEmpty())
         return;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += filter.contains(QLatin1String("ply")) ? QStringLiteral(".ply") : QStringLiteral(".obj");
     const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
     inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
         return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
@@ -288,9 +324,8 @@ void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
 
 void FileFlow::exportPicture(const QImage& picture)
 {
-    const QString name = QFileInfo(m_session.title()).completeBaseName() + QStringLiteral(".png");
-    const QString path = QFileDialog::getSaveFileName(m_window, tr("Export picture"),
-                                                      QDir(startFolder()).filePath(name), tr("PNG (*.png)"));
+    const QString path = chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"),
+                                      {QStringLiteral("png")});
     if (path.isEmpty())
         return;
     if (picture.save(path, "PNG"))
@@ -303,21 +338,35 @@ void FileFlow::exportPicture(const QImage& picture)
 void FileFlow::offerRecovery()
 {
     const QList<Recovery::Orphan> orphans = Recovery::orphans();
-    if (orphans.isEmpty())
+    QStringList wanted;
+    for (const Recovery::Orphan& orphan : orphans)
+        wanted << orphan.frameFolder();
+    FrameFiles::removeForgotten(wanted);
+    if (orphans.isEmpty()) {
+        if (offersRecovery())
+            m_banner->dismiss();
         return;
+    }
     const Recovery::Orphan& newest = orphans.front();
-    const QString name = newest.original.isEmpty() || FrameFiles::isOwnFolder(newest.frameFolder())
-                             ? tr("a new design")
-                             : QFileInfo(newest.original).fileName();
+    const QString name = isSample(newest.original)            ? tr("a sample")
+                         : QFileInfo::exists(newest.original) ? QFileInfo(newest.original).fileName()
+                                                              : tr("a new design");
     m_recoveryOffer = tr("Bolster did not end properly. Unsaved work on %1 from %2 was kept.")
                           .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat));
     if (newest.fileIsNewer())
         m_recoveryOffer += u' ' + tr("The file itself was saved later; the copy opens as a new design.");
     m_banner->announce(Banner::Kind::Information, m_recoveryOffer,
-                       {{tr("Restore"), [this, newest] { keepWork([this, newest] { restore(newest); }); }},
-                        {tr("Discard"), [this, newest] {
-                             DesignSession::discard(newest);
-                             offerRecovery(); // the next one
+                       {{tr("Restore"),
+                         [this, newest] {
+                             offerRecovery(); // until it has happened
+                             keepWork([this, newest] { restore(newest); });
+                         }},
+                        {tr("Discard \u2026"), [this, newest, name] {
+                             const QString question =
+                                 tr("Delete the kept work on %1 for good? It cannot be brought back.").arg(name);
+                             if (QMessageBox::question(m_window, tr("Bolster"), question) == QMessageBox::Yes)
+                                 DesignSession::discard(newest);
+                             offerRecovery(); // the next one, or this one again
                          }}});
 }
 
@@ -328,7 +377,8 @@ bool FileFlow::offersRecovery() const
 
 void FileFlow::restore(const Recovery::Orphan& orphan)
 {
-    m_session.restore(orphan, [this](const Message& problem) {
+    const auto replace = [this](const Then& then) { keepWork(then); };
+    m_session.restore(orphan, replace, [this](const Message& problem) {
         if (!problem.empty())
             fail(tr("The unsaved work could not be restored."), problem);
         else

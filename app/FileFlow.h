@@ -53,6 +53,9 @@ private:
     void restore(const Recovery::Orphan& orphan);
     void openNow(const QString& path);
     void saveTo(const QString& path, const Then& then);
+    QString proposed(const QString& ending, const QString& addition = {}) const;
+    QString chooseTarget(const QString& title, const QString& proposal, const QString& filter,
+                         const QStringList& endings);
     void remember(const QString& path);
     void announceProblems();
     void importMeshNow(const QString& path, std::optional<ElementId> replaced);

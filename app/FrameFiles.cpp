@@ -2,6 +2,7 @@
 
 #include "ElementEdits.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -57,6 +58,14 @@ Message copyInto(const QDir& folder, const QString& name, const QString& source)
 }
 
 } // namespace
+
+void FrameFiles::removeForgotten(const QStringList& wanted)
+{
+    const QDateTime monthAgo = QDateTime::currentDateTime().addDays(-30);
+    for (const QFileInfo& folder : QDir(ownRoot()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (folder.lastModified() < monthAgo && !wanted.contains(folder.absoluteFilePath()))
+            QDir(folder.absoluteFilePath()).removeRecursively();
+}
 
 bool FrameFiles::isOwnFolder(const QString& folder)
 {

@@ -23,6 +23,8 @@ public:
     /// A new folder of our own, for a design without a file; what `design` refers to is copied there.
     Message makeOwnFolder(const Design& design);
     bool ownFolder() const { return isOwnFolder(m_folder); }
+    /// Removes folders of new designs that nobody has come back for in a month; `wanted` are kept.
+    static void removeForgotten(const QStringList& wanted);
     static bool isOwnFolder(const QString& folder);
 
     /// Brings a file into the folder unless it is there, under a free name if its own is taken by another one.

@@ -106,7 +106,7 @@ void showShortcuts(QWidget* parent, const Actions& actions)
     for (const QAction* action : actions.findChildren<QAction*>()) {
         if (action->shortcut().isEmpty())
             continue;
-        QString name = action->text();
+        QString name = action->iconText(); // "Undo", not what it would undo now
         keys.append({name.remove(u'&').remove(QStringLiteral(" \u2026")),
                      action->shortcut().toString(QKeySequence::NativeText)});
     }

@@ -67,7 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);
     m_session->startNew();
     applyLayers();
-    restoreLayout();
+    restoreSize();
 }
 
 MainWindow::~MainWindow() = default;
@@ -127,7 +127,10 @@ void MainWindow::connectDocument()
             [this](const Message& why) { m_status->flash(translated(why)); });
     connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
     connect(&document(), &Document::historyChanged, this, &MainWindow::updateEditActions);
-    connect(&document(), &Document::changed, this, [this] { pruneSelection(m_selection, document().design()); });
+    connect(&document(), &Document::changed, this, [this] {
+        pruneSelection(m_selection, document().design());
+        m_actions->undo->setEnabled(document().history().canUndo() || document().gestureRunning());
+    });
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);
 
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
@@ -200,7 +203,7 @@ void MainWindow::updateEditActions()
     const History& history = document().history();
     const auto verb = [&](NodeId node) { return translated(history.node(node).edit.verb); };
     const NodeId current = history.current();
-    m_actions->undo->setEnabled(history.canUndo());
+    m_actions->undo->setEnabled(history.canUndo() || document().gestureRunning()); // a drag is undone first
     m_actions->undo->setText(history.canUndo() ? tr("&Undo: %1").arg(verb(current)) : tr("&Undo"));
     m_actions->redo->setEnabled(history.canRedo());
     m_actions->redo->setText(history.canRedo() ? tr("&Redo: %1").arg(verb(history.node(current).lastVisitedChild))
@@ -253,12 +256,20 @@ void MainWindow::fitSelection()
     m_surface->fitSelection();
 }
 
-void MainWindow::restoreLayout()
+void MainWindow::restoreSize()
 {
     const QSettings settings;
     if (!restoreGeometry(settings.value(geometryKey).toByteArray()))
         resize(QSize(1400, 900).boundedTo(0.92 * screen()->availableSize()));
-    restoreState(settings.value(stateKey).toByteArray(), layoutVersion);
+}
+
+/// Docks get the sizes they had only in a window that has its own.
+void MainWindow::showEvent(QShowEvent* event)
+{
+    QMainWindow::showEvent(event);
+    if (std::exchange(m_arranged, true))
+        return;
+    restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());
 }

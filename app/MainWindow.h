@@ -49,6 +49,7 @@ public:
     FileFlow& files() { return *m_files; }
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -70,7 +71,7 @@ private:
     void turnSelection(double degrees);
     void showProblem(ElementId element);
     void fitSelection();
-    void restoreLayout();
+    void restoreSize();
     void storeLayout();
 
     std::unique_ptr<DesignSession> m_session;
@@ -89,6 +90,7 @@ private:
     FileFlow* m_files;
     std::unique_ptr<Docks> m_docks;
     bool m_fitCover = false; ///< the next surface is the first of its design
+    bool m_arranged = false; ///< docks and tool bars are where they were at the last end
     bool m_workKept = false; ///< closing was agreed to
 };
 

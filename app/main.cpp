@@ -8,12 +8,33 @@
 #include <QApplication>
 #include <QLocale>
 
+#include <cstdio>
+
+namespace {
+
+/// Qt would abort the program.
+bool hasDisplay()
+{
+#ifdef Q_OS_LINUX
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+    return true;
+#endif
+}
+
+} // namespace
+
 int main(int argc, char* argv[])
 {
     using namespace bolster;
     if (const std::optional<int> code = runCommandLine(argc, argv))
         return *code;
 
+    if (!hasDisplay()) {
+        std::fputs("bolster: there is no display for the workbench; \"bolster solve\" needs none\n", stderr);
+        return 1;
+    }
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));

@@ -30,7 +30,7 @@ QString fileInFolder(const Frame& frame, const QString& folder, Message& problem
         inside += '/';
     const QString file = QFileInfo(inside + QString::fromStdString(frame.file)).canonicalFilePath();
     if (QFileInfo(QString::fromStdString(frame.file)).isAbsolute() || (!file.isEmpty() && !file.startsWith(inside)))
-        problem = {QT_TRANSLATE_NOOP("Message", "\"%1\" lies outside the design's folder; copy the mesh into that "
+        problem = {QT_TRANSLATE_NOOP("Message", "\"%1\" is no file in the design's folder; copy the mesh into that "
                                                 "folder and name it here"),
                    {frame.file}};
     else if (file.isEmpty())

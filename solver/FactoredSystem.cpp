@@ -65,6 +65,9 @@ struct FactoredSystem::Cholmod {
 FactoredSystem::FactoredSystem(const Eigen::SparseMatrix<double>& matrix)
     : m_cholmod(std::make_unique<Cholmod>())
 {
+    m_cholmod->ok = matrix.rows() == 0; // every vertex is held
+    if (m_cholmod->ok)
+        return;
     cholmod_sparse view = Cholmod::view(matrix);
     m_cholmod->factor = cholmod_analyze(&view, &m_cholmod->common);
     if (!m_cholmod->factor)
@@ -83,6 +86,8 @@ bool FactoredSystem::ok() const
 
 bool FactoredSystem::refactor(const Eigen::SparseMatrix<double>& matrix)
 {
+    if (matrix.rows() == 0)
+        return m_cholmod->ok;
     cholmod_sparse view = Cholmod::view(matrix);
     m_cholmod->factorize(view);
     return m_cholmod->ok;
@@ -90,6 +95,10 @@ bool FactoredSystem::refactor(const Eigen::SparseMatrix<double>& matrix)
 
 void FactoredSystem::solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x)
 {
+    if (b.rows() == 0) {
+        x = b;
+        return;
+    }
     cholmod_dense right{};
     right.nrow = static_cast<std::size_t>(b.rows());
     right.ncol = static_cast<std::size_t>(b.cols());

@@ -8,8 +8,8 @@
 
 namespace bolster {
 
-/// CHOLMOD's simplicial Cholesky factor on one thread, deterministic. Not safe to share between threads, because
-/// solve() uses a workspace.
+/// CHOLMOD's simplicial Cholesky factor on one thread, deterministic. A system without unknowns is solved, too. Not
+/// safe to share between threads, because solve() uses a workspace.
 class FactoredSystem {
 public:
     /// The lower triangle of the matrix is read.

@@ -28,10 +28,12 @@ namespace {
 
 /// Patches that the samples cut so short that their polygon crosses itself.
 Problems triangulateAll(const Design& design, const OutlineSampling& sampling, TriangulationCache& cache,
-                        std::vector<PatchMesh>& meshes)
+                        std::vector<PatchMesh>& meshes, const std::stop_token& stop)
 {
     Problems problems;
     for (const auto& outline : sampling.outlines) {
+        if (stop.stop_requested())
+            break;
         meshes.push_back(cache.mesh(outline, design.settings().edgeLength));
         if (meshes.back().triangles.empty())
             problems.push_back(
@@ -81,7 +83,9 @@ std::optional<PreparedSheet> prepareSheet(const Design& design, TriangulationCac
             continue;
         }
         meshes.clear();
-        const Problems narrow = triangulateAll(sheet.design, sheet.sampling, cache, meshes);
+        const Problems narrow = triangulateAll(sheet.design, sheet.sampling, cache, meshes, stop);
+        if (stop.stop_requested())
+            return std::nullopt;
         if (narrow.empty() || !leaveOut(sheet, narrow))
             break;
     }

@@ -22,6 +22,34 @@ Message firstOf(const Problems& problems)
             {error->label, error->message.english()}};
 }
 
+/// Why the iterations did not end.
+Message unrest(const Relaxation& solve, double diameter)
+{
+    constexpr int enough = 1000;      // iterations: many times what covers take
+    constexpr double settling = 1e-3; // D: what comes to rest moves less by then
+    const std::string iterations = std::to_string(solve.iterations());
+    if (solve.iterations() >= enough && solve.movement() > settling)
+        return {QT_TRANSLATE_NOOP(
+                    "Message", "After %1 iterations the surface still moves by %2 mm in each: it does not come to "
+                               "rest. Lower the pressure, or make curves as long as the outlines they hold."),
+                {iterations, numberText(solve.movement() * diameter, 2)}};
+    return {QT_TRANSLATE_NOOP("Message", "After %1 iterations the surface still moves by an estimated %2 mm. Allow "
+                                         "more iterations."),
+            {iterations, numberText(std::min(solve.estimate(), 1.0) * diameter, 2)}};
+}
+
+Problem flippedWarning(std::int64_t flipped, std::int64_t triangles)
+{
+    return {settingsId,
+            {},
+            {},
+            {QT_TRANSLATE_NOOP("Message",
+                               "%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too "
+                               "little room, or a bending length that is long for its patch."),
+             {std::to_string(flipped), std::to_string(triangles)}},
+            Severity::Warning};
+}
+
 SolveResult failed(SolveResult result, Message reason)
 {
     result.status = SolveResult::Status::Failed;
@@ -53,6 +81,10 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
             std::move(result),
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
+    if (stop.stop_requested()) {
+        result.status = SolveResult::Status::Cancelled;
+        return result;
+    }
     WorkerPool pool(options.threads);
     Relaxation solve(sheet->mesh, pool, options.tolerance);
     solve.startCanonically();
@@ -70,16 +102,14 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
 
     result.report = reportOn(*sheet, solve);
     result.report.time.total = watch.elapsed(); // with what lies between the stages
+    if (result.report.flippedTriangles > 0)
+        result.warnings.push_back(flippedWarning(result.report.flippedTriangles, result.report.triangles));
     result.surface = makeSurface(sheet->mesh, solve.state(), 0);
     if (solve.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;
-        result.reason = {QT_TRANSLATE_NOOP("Message",
-                                           "After %1 iterations the surface still moves by an estimated %2 mm. "
-                                           "Allow more iterations."),
-                         {std::to_string(solve.iterations()),
-                          numberText(std::min(solve.estimate(), 1.0) * sheet->mesh.largestDiameter(), 2)}};
+        result.reason = unrest(solve, sheet->mesh.largestDiameter());
     }
     return result;
 }

@@ -18,6 +18,8 @@ constexpr double smoothAngle = 20 * EIGEN_PI / 180;
 constexpr double sharpAngle = 45 * EIGEN_PI / 180;
 // Triangles are irregular in some rows beside an outline.
 constexpr int lopsidedRows = 4;
+// So many edges apart the two sides of a closed corner can be joined.
+constexpr double tipEdges = 4;
 
 double cross(const Vec2& a, const Vec2& b)
 {
@@ -82,12 +84,19 @@ SelfSeams::SelfSeams(const SewnMesh& mesh, const std::vector<Eigen::Matrix2d>& r
     findLopsided(rest);
 }
 
+/// A corner whose sides are sewn to each other becomes a pointed hood. At its tip the rings of both sides overlap.
+bool SelfSeams::nearTip(int part, int v, int w) const
+{
+    const Vec2 across = m_mesh.rest()[w] - m_mesh.rest()[v];
+    return across.norm() < tipEdges * m_mesh.parts[part].meanEdge && sumOfRing(m_mesh, v, false).dot(across) > 0;
+}
+
 void SelfSeams::join(const SurfaceTopology::Chain& seam, const std::vector<int>& partOf,
                      const std::vector<Eigen::Matrix2d>& rest)
 {
     for (std::size_t k = 0; k < seam.a.size(); ++k) {
         const int v = static_cast<int>(seam.a[k]), w = static_cast<int>(seam.b[k]);
-        if (v == w || !wellShaped(rest[v]) || !wellShaped(rest[w]))
+        if (nearTip(partOf[v], v, w) || !wellShaped(rest[v]) || !wellShaped(rest[w]))
             continue;
         const Vec2 along = chainTangent(m_mesh.rest(), seam.a, k), other = chainTangent(m_mesh.rest(), seam.b, k);
         Eigen::Matrix2d turn; // carries `other` to `along`

@@ -42,6 +42,7 @@ private:
         std::vector<double> offset; // per ring edge: step back to the vertex along the frames' gradient
     };
 
+    bool nearTip(int part, int v, int w) const;
     void join(const SurfaceTopology::Chain& seam, const std::vector<int>& partOf,
               const std::vector<Eigen::Matrix2d>& rest);
     void findLopsided(const std::vector<Eigen::Matrix2d>& rest);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 
 namespace bolster {
 
@@ -51,6 +52,43 @@ void numberUnknowns(SewnMesh& mesh, SurfaceTopology& topology, const OutlineSamp
             mesh.freeCount = static_cast<int>(next);
     }
     topology.unknownCount = next;
+}
+
+/// A corner whose two sides are sewn to each other merges two corners of the triangle that fills it. Its
+/// quadrilateral gets the other diagonal, so that no triangle collapses.
+void openSewnCorners(SurfaceTopology& topology)
+{
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+    const auto turned = [](const auto& triangle, std::size_t k) {
+        return std::array{triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]};
+    };
+    std::map<Edge, std::size_t> collapsed;
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const auto [a, b, c] = turned(topology.triangles[t], k); topology.unknown[a] == topology.unknown[b])
+                collapsed[{a, b}] = t;
+    if (collapsed.empty())
+        return;
+    const auto area = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        return cross(topology.pattern[b] - topology.pattern[a], topology.pattern[c] - topology.pattern[a]);
+    };
+    for (std::size_t t = 0; t < topology.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [b, a, far] = turned(topology.triangles[t], k);
+            const auto found = collapsed.find({a, b});
+            if (found == collapsed.end())
+                continue;
+            auto& corner = topology.triangles[found->second];
+            const std::uint32_t tip = corner[0] + corner[1] + corner[2] - a - b;
+            const double whole = area(a, b, tip) + area(b, a, far);
+            constexpr double least = 0.05; // of the quadrilateral: a sliver would be no better
+            if (area(a, far, tip) / whole < least || area(far, b, tip) / whole < least)
+                continue;
+            corner = {a, far, tip};
+            topology.triangles[t] = {far, b, tip};
+            collapsed.erase(found);
+            break;
+        }
 }
 
 /// Cotangent weights, clamped at 0, and a third of each triangle's area for its corners.
@@ -184,6 +222,7 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
         }
     }
     numberUnknowns(mesh, *topology, sampling);
+    openSewnCorners(*topology);
     measureRestShape(mesh, *topology);
     measureParts(mesh);
     findComponents(mesh, sampling);

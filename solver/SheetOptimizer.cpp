@@ -268,10 +268,7 @@ void SheetOptimizer::solvePositions(double step)
     });
     for (const FreeBody& body : m_freeBodies)
         body.balance(m_ahead.positions, m_residual);
-    if (m_mesh.freeCount > 0)
-        m_positions.solve(m_residual, m_move);
-    else
-        m_move = m_residual;
+    m_positions.solve(m_residual, m_move);
     m_next.positions.leftCols(m_mesh.freeCount) =
         m_ahead.positions.leftCols(m_mesh.freeCount) + step * m_move.transpose();
     const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;

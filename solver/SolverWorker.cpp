@@ -263,6 +263,7 @@ void SolverWorker::adoptResting()
     m_restingDone = true;
     m_status.restingDistance.reset();
     m_status.resting = true;
+    m_status.iterations = m_live->relaxation->iterations();
     m_report = reportOn(m_live->prepared, *m_live->relaxation);
     publishSurface();
     publish(SolverStatus::State::Settled);

@@ -650,10 +650,6 @@
         <translation>zwei Knoten bei %1 sind beinahe gleich; machen Sie sie gleich</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; lies outside the design&apos;s folder; copy the mesh into that folder and name it here</source>
-        <translation>„%1“ liegt außerhalb des Ordners, in dem der Entwurf liegt; kopieren Sie das Netz dorthin und nennen Sie es hier</translation>
-    </message>
-    <message>
         <source>there is no file &quot;%1&quot; in the design&apos;s folder; copy the mesh there or choose another one</source>
         <translation>im Ordner des Entwurfs gibt es keine Datei „%1“; kopieren Sie das Netz dorthin oder wählen Sie ein anderes</translation>
     </message>
@@ -946,10 +942,6 @@
         <translation>muss eine Zahl sein, ohne Anführungszeichen</translation>
     </message>
     <message>
-        <source>the number %1 is beyond what is sensible; stay within %2</source>
-        <translation>die Zahl %1 liegt jenseits des Sinnvollen; bleiben Sie innerhalb von %2</translation>
-    </message>
-    <message>
         <source>must be a whole number from %1 to %2</source>
         <translation>muss eine ganze Zahl von %1 bis %2 sein</translation>
     </message>
@@ -1130,10 +1122,6 @@
         <translation>„%1“ muss vom Ordner des Entwurfs ausgehen und „/“ zwischen Ordnern verwenden</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; leaves the design&apos;s folder; copy the file into that folder</source>
-        <translation>„%1“ führt aus dem Ordner des Entwurfs hinaus; kopieren Sie die Datei in diesen Ordner</translation>
-    </message>
-    <message>
         <source>left out because of its errors</source>
         <translation>weggelassen wegen seiner Fehler</translation>
     </message>
@@ -1204,10 +1192,6 @@
     <message>
         <source>%1 is no %2; name another element</source>
         <translation>%1 ist nicht von der Art %2; nennen Sie ein anderes Element</translation>
-    </message>
-    <message>
-        <source>is %1, but must be a positive length; 12 mm is usual</source>
-        <translation>ist %1, muss aber eine positive Länge sein; üblich sind 12 mm</translation>
     </message>
     <message>
         <source>%1 mm would make more than 5 million triangles; take at least %2 mm for these patches</source>
@@ -1304,6 +1288,50 @@
     <message>
         <source>Remove %1 and %2 seams and fixations</source>
         <translation>%1 mit %2 Nähten und Fixierungen entfernen</translation>
+    </message>
+    <message>
+        <source>it is the mesh of a frame in this design; choose another name</source>
+        <translation>das ist das Netz eines Gestells in diesem Entwurf; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
+        <translation>ist %1, muss aber eine positive Länge von höchstens %2 sein; üblich sind 12 mm</translation>
+    </message>
+    <message>
+        <source>no mesh can resolve folds as small as a bending length of %1 mm makes them: with edges of %2 mm it acts like %3 mm; take a longer bending length</source>
+        <translation>so kleine Falten, wie eine Biegelänge von %1 mm sie macht, löst kein Netz auf: mit Kanten von %2 mm wirkt sie wie %3 mm; nehmen Sie eine größere Biegelänge</translation>
+    </message>
+    <message>
+        <source>it sews what %1 sews already; remove one of them</source>
+        <translation>sie näht, was %1 schon näht; entfernen Sie eine von beiden</translation>
+    </message>
+    <message>
+        <source>it sews the same stretches as %1, but the other way round: each would be folded onto itself; remove one of the two</source>
+        <translation>sie näht dieselben Strecken wie %1, aber andersherum: jede würde auf sich selbst gefaltet; entfernen Sie eine von beiden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; goes up with &quot;..&quot;; write the way from the design&apos;s folder without it, or copy the file there</source>
+        <translation>„%1“ führt mit „..“ nach oben; schreiben Sie den Weg vom Ordner des Entwurfs ohne das, oder kopieren Sie die Datei dorthin</translation>
+    </message>
+    <message>
+        <source>the number %1 is too large or too small; stay within %2</source>
+        <translation>die Zahl %1 ist zu groß oder zu klein; bleiben Sie innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>the text is UTF-16; save it as UTF-8</source>
+        <translation>der Text ist in UTF-16; speichern Sie ihn als UTF-8</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no file in the design&apos;s folder; copy the mesh into that folder and name it here</source>
+        <translation>„%1“ ist keine Datei im Ordner des Entwurfs; kopieren Sie das Netz in diesen Ordner und nennen Sie es hier</translation>
+    </message>
+    <message>
+        <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
+        <translation>Nach %1 Iterationen bewegt sich die Fläche noch in jeder um %2 mm: Sie kommt nicht zur Ruhe. Verringern Sie den Druck, oder machen Sie die Kurven so lang wie die Umrisse, die sie halten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
+        <translation>%1 von %2 Dreiecken des Bezugs liegen verkehrt herum. Suchen Sie nach Stoff, der zu wenig Platz hat, oder nach einer Biegelänge, die für ihr Teil zu groß ist.</translation>
     </message>
 </context>
 <context>
@@ -1591,6 +1619,14 @@
         <source>&amp;About Bolster</source>
         <translation>Ü&amp;ber Bolster</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -1657,10 +1693,6 @@
     <message>
         <source>Save design</source>
         <translation>Entwurf speichern</translation>
-    </message>
-    <message>
-        <source>Design</source>
-        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Open design</source>
@@ -1758,12 +1790,32 @@
         <translation>Die ungespeicherte Arbeit ließ sich nicht wiederherstellen.</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
         <source>The file itself was saved later; the copy opens as a new design.</source>
         <translation>Die Datei selbst wurde später gespeichert; die Kopie öffnet sich als neuer Entwurf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; exists already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not replaced.</source>
+        <translation>„%1“ wird nicht ersetzt.</translation>
+    </message>
+    <message>
+        <source>-cover</source>
+        <translation>-Bezug</translation>
+    </message>
+    <message>
+        <source>a sample</source>
+        <translation>einem Beispiel</translation>
+    </message>
+    <message>
+        <source>Discard …</source>
+        <translation>Verwerfen …</translation>
+    </message>
+    <message>
+        <source>Delete the kept work on %1 for good? It cannot be brought back.</source>
+        <translation>Die aufbewahrte Arbeit an %1 endgültig löschen? Sie lässt sich nicht zurückholen.</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1956,13 @@
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::NumberBox</name>
+    <message>
+        <source>&quot;%1&quot; is not taken: a number from %2 to %3 is needed</source>
+        <translation>„%1“ wird nicht übernommen: Es muss eine Zahl von %2 bis %3 sein</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,12 @@ void ElementsModel::update()
     }
 }
 
+void ElementsModel::recolor()
+{
+    m_seamColors = seamColors(m_document.design(), ViewColors::of(QGuiApplication::palette()).dark);
+    announceAll();
+}
+
 void ElementsModel::announceAll()
 {
     for (int g = 0; g < rowCount(); ++g) {

@@ -33,6 +33,8 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
     QModelIndex indexOf(ElementId id) const;
+    /// For another theme.
+    void recolor();
 
 private:
     struct Row {

@@ -102,8 +102,11 @@ ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet&
     search->setClearButtonEnabled(true);
     search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
     connect(search, &QLineEdit::textChanged, this, [this](const QString& text) {
+        m_syncing = true; // what the search hides stays selected
         m_filter->setFilterFixedString(text);
+        m_syncing = false;
         restoreExpanded();
+        selectInTree();
     });
 
     auto* layout = new QVBoxLayout(this);
@@ -224,6 +227,13 @@ void ElementsView::rename(ElementId id)
     const QModelIndex index = indexOf(id);
     if (index.flags() & Qt::ItemIsEditable)
         m_tree->edit(index);
+}
+
+void ElementsView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        m_model->recolor();
 }
 
 bool ElementsView::eventFilter(QObject* watched, QEvent* event)

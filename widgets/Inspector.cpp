@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QScrollBar>
 
 namespace bolster {
 
@@ -34,6 +35,7 @@ void Inspector::rebuild()
     if (QWidget* old = takeWidget())
         old->deleteLater();
     setWidget(m_form);
+    setMinimumWidth(m_form->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
 }
 
 void Inspector::refresh()

@@ -63,7 +63,9 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
 {
     const ElementKind kind = kindOf(*m_document.design().element(id));
     form.addHeading(kindWord(kind), icon(kindIcon(kind)));
-    form.addNote([this, id] { return m_problems.text(id); }, true);
+    form.addNote(
+        [this, id] { return m_problems.text(id); },
+        [this, id] { return m_problems.hasError(id) ? PropertyForm::Tone::Error : PropertyForm::Tone::Warning; });
     switch (kind) {
     case ElementKind::Patch:
         addPatch(form, id);

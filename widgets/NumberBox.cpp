@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QSignalBlocker>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -64,7 +65,17 @@ double NumberBox::valueFromText(const QString& text) const
 QValidator::State NumberBox::validate(QString& text, int& position) const
 {
     QString written = asWritten(text); // the user's own text stays: what is typed next may change its meaning
-    return QDoubleSpinBox::validate(written, position);
+    return QDoubleSpinBox::validate(written, position) == QValidator::Acceptable ? QValidator::Acceptable
+                                                                                 : QValidator::Intermediate;
+}
+
+void NumberBox::fixup(QString& text) const
+{
+    const QString least = textFromValue(m_least), most = textFromValue(m_most);
+    QToolTip::showText(mapToGlobal(QPoint(0, height())),
+                       tr("\"%1\" is not taken: a number from %2 to %3 is needed").arg(text.trimmed(), least, most),
+                       const_cast<NumberBox*>(this));
+    QDoubleSpinBox::fixup(text);
 }
 
 /// With the language's decimal sign and without grouped digits.

@@ -11,7 +11,8 @@ namespace bolster {
 bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event);
 
 /// Shows no trailing zeros, takes point and comma as the decimal sign (but "1,500" as the language groups digits),
-/// and reports a value once: when the user is done with it, not with every key.
+/// and reports a value once: when the user is done with it, not with every key. What is no number or out of range
+/// is refused as a whole.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -30,7 +31,10 @@ public:
     void display(double value);
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
+    /// Nothing is refused while it is typed.
     QValidator::State validate(QString& text, int& position) const override;
+    /// What is typed is no such number: says so, and the value stays.
+    void fixup(QString& text) const override;
 
 protected:
     bool event(QEvent* event) override;

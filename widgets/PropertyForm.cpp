@@ -88,15 +88,17 @@ void PropertyForm::addInfo(const QString& label, const std::function<QString()>&
     addField(label, text, [text, read] { text->setText(read()); });
 }
 
-void PropertyForm::addNote(const std::function<QString()>& read, bool error)
+void PropertyForm::addNote(const std::function<QString()>& read, const std::function<Tone()>& tone)
 {
     auto* text = new QLabel(this);
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, error ? ViewColors::of(colors).error : ViewColors::of(colors).mutedLabel);
-    text->setPalette(colors);
-    addField({}, text, [text, read] {
+    addField({}, text, [this, text, read, tone] {
+        QPalette colors = palette();
+        const ViewColors views = ViewColors::of(colors);
+        const QColor shades[] = {views.mutedLabel, views.warning, views.error};
+        colors.setColor(QPalette::WindowText, shades[static_cast<int>(tone())]);
+        text->setPalette(colors);
         text->setText(read());
         text->setVisible(!text->text().isEmpty());
     });

@@ -24,8 +24,10 @@ public:
     void addHeading(const QString& text, const QIcon& sign);
     /// A line that only informs.
     void addInfo(const QString& label, const std::function<QString()>& read);
-    /// Text over the whole width; hidden while it is empty. `error`: in the colour of errors.
-    void addNote(const std::function<QString()>& read, bool error = false);
+    enum class Tone { Muted, Warning, Error };
+    /// Text over the whole width; hidden while it is empty.
+    void addNote(
+        const std::function<QString()>& read, const std::function<Tone()>& tone = [] { return Tone::Muted; });
     void addText(const QString& label, const std::function<QString()>& read,
                  const std::function<void(const QString&)>& write);
     void addNumber(const QString& label, const NumberBox::Range& range, const std::function<double()>& read,

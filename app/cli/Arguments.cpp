@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <type_traits>
 
 namespace bolster::cli {
 namespace {
@@ -13,8 +14,11 @@ Number parsed(std::string_view option, const std::string& text, Number least, Nu
     Number value{};
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error == std::errc::result_out_of_range && stop == end)
+        throw UsageError(std::string(option) + " cannot be " + text);
     if (error != std::errc() || stop != end)
-        throw UsageError(std::string(option) + " needs a number, not \"" + text + "\"");
+        throw UsageError(std::string(option) + " needs a " +
+                         (std::is_integral_v<Number> ? "whole number" : "number") + ", not \"" + text + "\"");
     if (!(value >= least && value <= most))
         throw UsageError(std::string(option) + " cannot be " + text);
     return value;

@@ -77,9 +77,10 @@ std::optional<int> runCommandLine(int argc, char** argv)
     for (const Command& command : commands)
         if (command.name == first)
             return run(command, std::span(words).subspan(1));
-    if (!looksLikeCommand(first))
+    const bool option = first.starts_with('-');
+    if (!option && !looksLikeCommand(first))
         return std::nullopt;
-    cli::printError("bolster: unknown command \"" + first + "\"");
+    cli::printError((option ? "bolster: unknown option \"" : "bolster: unknown command \"") + first + "\"");
     cli::printError("Try \"bolster --help\".");
     return cli::badInput;
 }

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace bolster::cli {
 namespace {
 
@@ -23,9 +25,13 @@ const char* statusWord(SolveResult::Status status)
 
 Json json(const Problems& problems)
 {
+    std::set<ElementId> unnumbered; // in the file; inside the program they have numbers
+    for (const Problem& problem : problems)
+        if (problem.field == "id")
+            unnumbered.insert(problem.element);
     Json list = Json::array();
     for (const Problem& problem : problems)
-        list.push_back({{"element", number(problem.element)},
+        list.push_back({{"element", unnumbered.contains(problem.element) ? Json() : Json(number(problem.element))},
                         {"label", problem.label},
                         {"field", problem.field},
                         {"message", problem.message.english()}});

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <new>
 
 namespace bolster::cli {
 
@@ -115,12 +116,17 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
 {
     const Problems errors = errorsOf(opened);
     SolveResult result;
-    if (opened.readable && options.lenient)
-        result = solveLeniently(opened, errors, options, std::move(stop));
-    else if (errors.empty())
-        result = solveResting(opened.design, options, std::move(stop));
-    else
-        result.errors = errors;
+    try {
+        if (opened.readable && options.lenient)
+            result = solveLeniently(opened, errors, options, std::move(stop));
+        else if (errors.empty())
+            result = solveResting(opened.design, options, std::move(stop));
+        else
+            result.errors = errors;
+    } catch (const std::bad_alloc&) {
+        result = {};
+        result.reason = {"there is not enough memory for this design; choose a larger edge length", {}};
+    }
 
     if (result.status == SolveResult::Status::Cancelled)
         result.reason = {"interrupted", {}};

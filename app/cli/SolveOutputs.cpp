@@ -18,8 +18,12 @@ namespace {
 /// One name for one file, however it is reached. Several outputs may go to the same device.
 QString resolved(const QString& path)
 {
-    const QFileInfo info(path);
-    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+    constexpr int mostLinks = 40;
+    QFileInfo info(path);
+    for (int links = 0; info.isSymLink() && links < mostLinks; ++links)
+        info.setFile(info.symLinkTarget()); // which may not be there yet
+    const QString folder = QFileInfo(info.absolutePath()).canonicalFilePath();
+    return folder.isEmpty() ? info.absoluteFilePath() : folder + "/" + info.fileName();
 }
 
 bool isDevice(const QString& path)

@@ -110,6 +110,10 @@ std::optional<Problem> headProblem(json::Fields& fields)
     if (!number || *number != formatVersion)
         return designProblem("version",
                              {QT_TRANSLATE_NOOP("Message", "must be %1"), {std::to_string(formatVersion)}});
+    // Taken for millimetres everything would have a wrong size: nothing that could be left out.
+    if (const json::Value* unit = fields.optional("unit"); unit && unit->string() != "mm")
+        return designProblem("unit",
+                             {QT_TRANSLATE_NOOP("Message", "must be \"mm\"; convert the design to millimetres")});
     return std::nullopt;
 }
 
@@ -134,8 +138,6 @@ ReadDesign readDesign(std::string_view text)
         return result;
     }
 
-    if (fields.text("unit", "mm") != "mm" && report.clean())
-        report.add("unit", {QT_TRANSLATE_NOOP("Message", "must be \"mm\"; convert the design to millimetres")});
     const json::Value* settings = fields.optional("settings");
     const json::Value* elements = fields.required("elements");
     if (elements && !elements->isArray())

@@ -31,6 +31,22 @@ std::string elementLabel(ElementId id, const Element& element)
     return elementLabel(readable ? kindName(element) : "", id, elementName(element));
 }
 
+namespace {
+
+/// What a person can still read in a message.
+std::string shortened(std::string_view name)
+{
+    constexpr std::size_t longest = 80; // bytes
+    if (name.size() <= longest)
+        return std::string(name);
+    std::size_t end = longest;
+    while (end > 0 && (name[end] & 0xC0) == 0x80) // not inside a character
+        --end;
+    return std::string(name.substr(0, end)) + "\u2026";
+}
+
+} // namespace
+
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name)
 {
     std::string label(kind.empty() ? "element" : kind);
@@ -38,7 +54,7 @@ std::string elementLabel(std::string_view kind, ElementId id, std::string_view n
     if (id != settingsId)
         label.append(" ").append(std::to_string(number(id)));
     if (!name.empty())
-        label.append(" \"").append(name).append("\"");
+        label.append(" \"").append(shortened(name)).append("\"");
     return label;
 }
 

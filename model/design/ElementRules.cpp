@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace bolster {
 
@@ -63,8 +64,11 @@ bool ElementRules::inRange(std::string field, double value, double low, double h
 {
     if (value >= low && value <= high)
         return true;
+    std::string text = numberText(value);
+    if (text == numberText(low) || text == numberText(high))
+        text = numberText(value, 17);
     error(std::move(field), {QT_TRANSLATE_NOOP("Message", "is %1, but must lie between %2 and %3"),
-                             {numberText(value), numberText(low), numberText(high)}});
+                             {text, numberText(low), numberText(high)}});
     return false;
 }
 
@@ -93,8 +97,9 @@ void ElementRules::rules(const Settings& settings)
 {
     const double smallest = smallestEdgeLength(m_design);
     if (!isEdgeLength(settings.edgeLength))
-        error("edge_length", {QT_TRANSLATE_NOOP("Message", "is %1, but must be a positive length; 12 mm is usual"),
-                              {numberText(settings.edgeLength)}});
+        error("edge_length",
+              {QT_TRANSLATE_NOOP("Message", "is %1, but must be a positive length of at most %2; 12 mm is usual"),
+               {numberText(settings.edgeLength), numberText(largestNumber, 8)}});
     else if (settings.edgeLength < smallest)
         error("edge_length",
               {QT_TRANSLATE_NOOP("Message", "%1 mm would make more than 5 million triangles; take at "
@@ -113,14 +118,23 @@ void ElementRules::rules(const Fabric& fabric)
         return;
     const double edgeLength = m_design.settings().edgeLength;
     const double resolved = resolvedShare * edgeLength;
-    if (m_usedFabrics.contains(m_id) && isEdgeLength(edgeLength) && fabric.bendingLength < resolved)
+    if (!m_usedFabrics.contains(m_id) || !isEdgeLength(edgeLength) || fabric.bendingLength >= resolved)
+        return;
+    const double finest = fabric.bendingLength / resolvedShare;
+    if (finest >= smallestEdgeLength(m_design))
+        warn(
+            "bending_length",
+            {QT_TRANSLATE_NOOP("Message",
+                               "the mesh cannot resolve folds as small as a bending length of %1 mm makes "
+                               "them: with edges of %2 mm it acts like %3 mm; take an edge length of at most "
+                               "%4 mm, or a longer bending length"),
+             {numberText(fabric.bendingLength), numberText(edgeLength), numberText(resolved), numberText(finest)}});
+    else
         warn("bending_length",
              {QT_TRANSLATE_NOOP("Message",
-                                "the mesh cannot resolve folds as small as a bending length of %1 mm makes "
-                                "them: with edges of %2 mm it acts like %3 mm; take an edge length of at most "
-                                "%4 mm, or a longer bending length"),
-              {numberText(fabric.bendingLength), numberText(edgeLength), numberText(resolved),
-               numberText(fabric.bendingLength / resolvedShare)}});
+                                "no mesh can resolve folds as small as a bending length of %1 mm makes them: with "
+                                "edges of %2 mm it acts like %3 mm; take a longer bending length"),
+              {numberText(fabric.bendingLength), numberText(edgeLength), numberText(resolved)}});
 }
 
 void ElementRules::rules(const Patch& patch)
@@ -161,7 +175,7 @@ bool ElementRules::range(const std::string& fromField, const std::string& toFiel
     if (length > 0 && length <= curve.period() * (1 + 1e-12) && length >= 1e-9 * curve.period())
         return true;
     error(toField, {QT_TRANSLATE_NOOP("Message", "the stretch from %1 to %2 is empty or longer than the curve"),
-                    {numberText(from, 12), numberText(to, 12)}});
+                    {numberText(from, 17), numberText(to, 17)}});
     return false;
 }
 
@@ -221,6 +235,26 @@ bool ElementRules::joinsRightSides(const Seam& seam, const Patch& a, const Patch
     return seam.reversed == (counterClockwise(a) == counterClockwise(b));
 }
 
+// Whether no seam before joins the same two stretches.
+bool ElementRules::sewsAnew(const Seam& seam)
+{
+    const auto key = [](const Stretch& s) { return std::tuple(s.patch, s.from, s.to); };
+    const std::pair<StretchKey, StretchKey> sides = std::minmax({key(seam.a), key(seam.b)});
+    const auto [known, isNew] = m_sewn.try_emplace(sides, m_id, seam.reversed);
+    if (isNew)
+        return true;
+    const auto& [other, reversed] = known->second;
+    const std::string name = elementLabel(other, *m_design.element(other));
+    if (reversed == seam.reversed)
+        warn("", {QT_TRANSLATE_NOOP("Message", "it sews what %1 sews already; remove one of them"), {name}});
+    else
+        error("reversed",
+              {QT_TRANSLATE_NOOP("Message", "it sews the same stretches as %1, but the other way round: "
+                                            "each would be folded onto itself; remove one of the two"),
+               {name}});
+    return false;
+}
+
 void ElementRules::rules(const Seam& seam)
 {
     const Patch* a = stretch("a.", seam.a);
@@ -235,6 +269,8 @@ void ElementRules::rules(const Seam& seam)
                      numberText(seam.b.to)}});
         return;
     }
+    if (!sewsAnew(seam))
+        return;
     if (!joinsRightSides(seam, *a, *b)) {
         Message message{QT_TRANSLATE_NOOP("Message",
                                           "the seam joins the right side of \"%1\" to the wrong side of \"%2\"; "

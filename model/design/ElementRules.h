@@ -39,6 +39,7 @@ private:
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);
+    bool sewsAnew(const Seam& seam);
     bool overlapsItself(const Seam& seam, const BSpline2& outline) const;
     bool joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const;
     double lengthOf(const Stretch& stretch, const BSpline2& outline);
@@ -51,6 +52,9 @@ private:
     std::set<ElementId> m_usedFabrics;
     std::map<ElementId, ArcLength2> m_lengths;              // by patch
     std::map<ElementId, std::optional<Message>> m_outlines; // by patch: what is wrong
+
+    using StretchKey = std::tuple<ElementId, double, double>;
+    std::map<std::pair<StretchKey, StretchKey>, std::pair<ElementId, bool>> m_sewn; // the seam, whether reversed
 };
 
 } // namespace bolster

@@ -23,8 +23,8 @@ std::optional<Message> frameFileProblem(const std::string& file)
         const std::size_t end = std::min(file.find('/', start), file.size());
         if (file.compare(start, end - start, "..") == 0)
             return Message{QT_TRANSLATE_NOOP("Message",
-                                             "\"%1\" leaves the design's folder; copy the file into that "
-                                             "folder"),
+                                             "\"%1\" goes up with \"..\"; write the way from the design's "
+                                             "folder without it, or copy the file there"),
                            {file}};
         start = end + 1;
     }

@@ -58,7 +58,7 @@ double numberIn(const Value& value, const std::string& field, Report& report, do
     if (value.kind() != Kind::Number)
         report.add(field, {QT_TRANSLATE_NOOP("Message", "must be a number, without quotes")});
     else if (!number || std::abs(*number) > limit)
-        report.add(field, {QT_TRANSLATE_NOOP("Message", "the number %1 is beyond what is sensible; stay within %2"),
+        report.add(field, {QT_TRANSLATE_NOOP("Message", "the number %1 is too large or too small; stay within %2"),
                            {std::string(value.source().substr(0, 40)), numberText(std::min(limit, 1e7))}});
     else
         return *number;

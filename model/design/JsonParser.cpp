@@ -33,6 +33,8 @@ public:
     {
         if (m_text.starts_with("\xEF\xBB\xBF"))
             m_at = 3;
+        if (m_text.starts_with("\xFF\xFE") || m_text.starts_with("\xFE\xFF"))
+            return fail(QT_TRANSLATE_NOOP("Message", "the text is UTF-16; save it as UTF-8"));
         if (!value(0))
             return false;
         skipSpace();

@@ -35,7 +35,10 @@ TextScanner::TextScanner(std::string_view text)
     : m_begin(text.data())
     , m_at(text.data())
     , m_end(text.data() + text.size())
-{}
+{
+    if (text.starts_with("\xEF\xBB\xBF")) // a byte order mark
+        m_at += 3;
+}
 
 bool TextScanner::nextLine()
 {

@@ -108,6 +108,37 @@ TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
               window.document().design().settings().edgeLength);
 }
 
+TEST_F(FilesTest, ChangesMadeWhileAnotherDesignIsReadAreAskedAbout)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.open(sample("pillow"));
+    changeSomething(); // before the answer from the disk
+    const Design changed = window.document().design();
+    answer(QMessageBox::Cancel);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
+    EXPECT_TRUE(window.document().design() == changed);
+}
+
+TEST_F(FilesTest, ClosingWaitsForASaveThatIsOnItsWay)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    changeSomething();
+    window.session().save(folder.filePath("box.json"), [](const Message&) {});
+    window.close(); // no question: all of it is being saved
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isVisible(); }, 10000));
+    EXPECT_EQ(answered, 0);
+    EXPECT_EQ(openDesign(folder.filePath("box.json")).design.settings().edgeLength,
+              window.document().design().settings().edgeLength);
+}
+
+TEST_F(FilesTest, TheMeshOfAFrameIsKnownAsSuch)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    ASSERT_TRUE(save(folder.filePath("armchair.json")));
+    EXPECT_TRUE(window.session().isFrameFile(folder.filePath("armchair.obj")));
+    EXPECT_FALSE(window.session().isFrameFile(folder.filePath("armchair-cover.obj")));
+}
+
 TEST_F(FilesTest, DiscardingCloses)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

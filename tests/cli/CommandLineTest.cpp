@@ -128,11 +128,14 @@ TEST_F(CommandLine, RefusesWrongUsage)
         expectUsageError({"solve", file, "--tolerance", number}, "--tolerance needs");
     for (const char* number : {"0", "-1", "nan", "inf", "2"})
         expectUsageError({"solve", file, "--tolerance", number}, "--tolerance cannot be");
-    expectUsageError({"solve", file, "--max-iterations", "2.5"}, "--max-iterations needs a number");
+    expectUsageError({"solve", file, "--max-iterations", "2.5"}, "--max-iterations needs a whole number");
     expectUsageError({"solve", file, "--max-iterations", "0"}, "--max-iterations cannot be");
     expectUsageError({"solve", file, "--threads", "-1"}, "--threads cannot be");
-    expectUsageError({"solve", file, "--threads", "99999999999"}, "--threads needs");
+    expectUsageError({"solve", file, "--threads", "99999999999"}, "--threads cannot be");
+    expectUsageError({"--foo"}, "unknown option \"--foo\"");
     expectUsageError({"solve", file, "--obj", path("x"), "--ply", path("x")}, "the same file");
+    ASSERT_TRUE(QFile::link("x", path("link"))); // to a file that is not there yet
+    expectUsageError({"solve", file, "--obj", path("x"), "--ply", path("link")}, "the same file");
 }
 
 TEST_F(CommandLine, NeverOverwritesWhatItReads)
@@ -279,6 +282,17 @@ TEST_F(CommandLine, IsStrictUnlessAskedToBeLenient)
     EXPECT_EQ(report()["left_out"][0]["element"], 20);
     EXPECT_EQ(report()["patches"], 2);
     EXPECT_TRUE(importMesh(path("a.obj")).mesh);
+}
+
+TEST_F(CommandLine, ReportsNoNumberForElementsThatHaveNoneOfTheirOwn)
+{
+    Json bad = with(hammock(), badPatch());
+    bad["elements"].back()["id"] = 2;
+    runProgram({"solve", design("a.json", bad), "--lenient", "--report", path("report.json")});
+    const Json leftOut = report()["left_out"];
+    ASSERT_EQ(leftOut.size(), 1U);
+    EXPECT_TRUE(leftOut[0]["element"].is_null());
+    EXPECT_EQ(leftOut[0]["label"], "patch 2 \"Bow tie\"");
 }
 
 TEST_F(CommandLine, LenientLeavesOutWhatDependsOnBadElements)

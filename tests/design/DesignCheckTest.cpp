@@ -226,6 +226,26 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"}),
     [](const auto& parameter) { return parameter.param.name; });
 
+TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
+{
+    Parts parts;
+    Seam again = parts.seam;
+    std::swap(again.a, again.b);
+    const auto problemsWith = [&](const Seam& seam) {
+        return checkDesign(parts.design().with({{}, {{ElementId{8}, nullptr, makeElement(seam)}}}));
+    };
+    const Problems twice = problemsWith(again);
+    ASSERT_EQ(twice.size(), 1U);
+    EXPECT_EQ(twice.front().severity, Severity::Warning);
+    EXPECT_NE(twice.front().english().find("seam 6"), std::string::npos) << twice.front().english();
+
+    again.reversed = !again.reversed;
+    const Problems crossed = problemsWith(again);
+    ASSERT_EQ(crossed.size(), 1U);
+    EXPECT_EQ(crossed.front().severity, Severity::Error);
+    EXPECT_EQ(crossed.front().element, ElementId{8});
+}
+
 TEST(DesignCheck, LetsTwoSeamsShareAStretch)
 {
     Parts parts;

@@ -420,19 +420,29 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(DesignJson, ReportsEveryProblemAndReadsTheRest)
 {
-    const ReadDesign read = readDesign(R"({"format": "bolster-design", "version": 1, "unit": "inch", "author": "me",
+    const ReadDesign read = readDesign(R"({"format": "bolster-design", "version": 1, "author": "me",
         "settings": {"edge_length": "fine", "speed": 3},
         "elements": [{"id": 3, "kind": "fabric", "poisson": true, "x": 1}, {"id": 4, "kind": "fabric", "name": "W"}]})");
     EXPECT_TRUE(read.readable);
     std::vector<std::string> fields;
     for (const Problem& problem : read.problems)
         fields.push_back(problem.label + ":" + problem.field);
-    EXPECT_EQ(fields,
-              (std::vector<std::string>{"design:unit", "design:author", "settings:edge_length", "settings:speed",
-                                        "fabric 3:name", "fabric 3:poisson", "fabric 3:x"}));
+    EXPECT_EQ(fields, (std::vector<std::string>{"design:author", "settings:edge_length", "settings:speed",
+                                                "fabric 3:name", "fabric 3:poisson", "fabric 3:x"}));
     EXPECT_EQ(read.design.settings().edgeLength, 12);
     EXPECT_NE(read.design.find<Fabric>(ElementId{4}), nullptr);
     EXPECT_NE(read.design.find<Quarantined>(ElementId{3}), nullptr);
+}
+
+TEST(DesignJson, RefusesAnotherUnitAsAWhole)
+{
+    for (const char* unit : {"\"inch\"", "5", "\"\""}) {
+        const ReadDesign read = readDesign(std::string(R"({"format": "bolster-design", "version": 1, "unit": )") +
+                                           unit + R"(, "elements": []})");
+        EXPECT_FALSE(read.readable) << unit;
+        ASSERT_EQ(read.problems.size(), 1U);
+        EXPECT_EQ(read.problems.front().field, "unit");
+    }
 }
 
 TEST(DesignJson, KeepsTheNumbersOfOthersWhenItNumbersBadElements)

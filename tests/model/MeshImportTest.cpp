@@ -86,6 +86,13 @@ TEST_F(MeshImportTest, ReadsNamesInOldEncodings)
     EXPECT_EQ(mesh->parts[0].name, "Fu\xc3\x9f");
 }
 
+TEST_F(MeshImportTest, SkipsAByteOrderMark)
+{
+    const ImportedMesh imported = importMesh(write("bom.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    ASSERT_TRUE(imported.mesh);
+    EXPECT_EQ(imported.mesh->points.size(), 3U);
+}
+
 TEST_F(MeshImportTest, RefusesBrokenObjWithTheLine)
 {
     expectRefused("a.obj", "v 0 0\n", "a.obj:1: a number is missing");

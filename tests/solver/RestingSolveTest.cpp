@@ -170,6 +170,29 @@ TEST(RestingSolve, ConflictingFixationsAreRefusedOrLeftOut)
     EXPECT_EQ(result.leftOut[0].element, second);
 }
 
+TEST(RestingSolve, SolvesWhatIsHeldAtEveryVertex)
+{
+    DesignBuilder b(12);
+    const ElementId strip = b.patch(rectangle(500, 8), b.fabric(0.3, 6));
+    b.fix({strip, 0, 0}, polyline({{0, 0, 0}, {500, 0, 0}, {500, 8, 0}, {0, 8, 0}}, true));
+    const SolveResult result = solved(b.design());
+    EXPECT_EQ(result.report.constraints.fixed, result.report.vertices);
+    EXPECT_LT(result.report.strain.max, 1e-9);
+}
+
+TEST(RestingSolve, ACornerSewnToItselfKeepsItsTriangles)
+{
+    DesignBuilder b(12);
+    const ElementId patch = b.patch(rectangle(300, 300), b.fabric(0.3, 6));
+    b.seam({patch, 1, 2}, {patch, 2, 3});
+    const SolveResult result = solved(b.design(), 1e-6);
+    EXPECT_LT(result.report.strain.max, 0.9);
+    const SurfaceTopology& topology = *result.surface->topology;
+    for (const auto& [p, q, r] : topology.triangles)
+        EXPECT_TRUE(topology.unknown[p] != topology.unknown[q] && topology.unknown[q] != topology.unknown[r] &&
+                    topology.unknown[r] != topology.unknown[p]);
+}
+
 TEST(RestingSolve, SaysWhenItHasNotConverged)
 {
     SolveOptions options;

@@ -179,6 +179,19 @@ TEST(NumberBox, ReadsGroupedDigitsAsTheLanguageWritesThem)
     EXPECT_DOUBLE_EQ(typed("de", "0.125"), 0.125);
 }
 
+TEST(NumberBox, RefusesAsAWholeWhatIsNoNumberOfItsRange)
+{
+    for (const char* text : {"2 cm", "1,500", "1e9", "3*5", "-5", "", "mm"}) {
+        NumberBox box({QStringLiteral(" mm"), 2, 0.1, 1000, 1});
+        box.setLocale(QLocale("en"));
+        box.display(12);
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+        EXPECT_DOUBLE_EQ(box.value(), 12) << text;
+    }
+}
+
 TEST(NumberBox, ShowsABadValueAndTakesItsRemedy)
 {
     NumberBox box({{}, 3, -0.5, 0.5, 0.05});
