@@ -58,11 +58,10 @@ void SolverLink::receive()
     m_status = std::move(output->status);
     if (m_status.state == SolverStatus::State::Settled)
         m_report = output->report;
-    if (m_status.state == SolverStatus::State::Idle && m_surface) {
-        m_surface = nullptr;
-        emit surfaceChanged(m_surface);
-    } else if (output->surface && output->surface != m_surface) {
-        m_surface = std::move(output->surface);
+    const bool keep = !output->surface && m_status.state != SolverStatus::State::Idle;
+    SurfaceMeshPtr surface = m_status.state == SolverStatus::State::Idle ? nullptr : std::move(output->surface);
+    if (!keep && surface != m_surface) {
+        m_surface = std::move(surface);
         emit surfaceChanged(m_surface);
     }
     emit statusChanged(m_status);

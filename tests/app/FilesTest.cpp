@@ -10,8 +10,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
+#include <QThreadPool>
 
 namespace bolster {
 namespace {
@@ -111,8 +113,13 @@ TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
 TEST_F(FilesTest, ChangesMadeWhileAnotherDesignIsReadAreAskedAbout)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
+    QSemaphore slowDisk;
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    for (int i = 0; i < pool.maxThreadCount(); ++i)
+        pool.start([&] { slowDisk.acquire(); });
     window.open(sample("pillow"));
-    changeSomething(); // before the answer from the disk
+    changeSomething();
+    slowDisk.release(pool.maxThreadCount());
     const Design changed = window.document().design();
     answer(QMessageBox::Cancel);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));

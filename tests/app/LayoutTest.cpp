@@ -2,6 +2,8 @@
 #include "WindowTest.h"
 
 #include "Inspector.h"
+#include "MeshImport.h"
+#include "SurfaceView.h"
 
 #include <QSettings>
 
@@ -25,6 +27,20 @@ TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
     for (const int height : heights)
         EXPECT_NEAR(height, heights.front(), 2);
     EXPECT_GT(heights.front(), 150);
+}
+
+TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
+{
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.solver().upToDate(); }, 10000));
+    EXPECT_FALSE(window.solver().surface());
+    const QString mesh = sample("armchair").replace("armchair.json", "armchair.obj");
+    Frame frame;
+    frame.scale = 1000;
+    ASSERT_TRUE(window.session().addFrame(mesh, importMesh(mesh).mesh, frame).empty());
+    QTest::qWait(500); // the view flies there
+    const Camera& camera = window.surfaceView().camera();
+    EXPECT_GT(camera.distance, 1500) << "the chair is 2 m wide";
+    EXPECT_LT(camera.distance, 10000);
 }
 
 TEST_F(WindowTest, UndoTakesBackTheFirstDragOfAllWhileItGoesOn)
