@@ -23,7 +23,7 @@ bool SolverLink::upToDate() const
 void SolverLink::send()
 {
     if (!m_paused)
-        m_thread->request(m_document.design(), m_document.revision());
+        m_thread->request(m_document.design(), m_document.revision(), m_document.gestureRunning());
 }
 
 void SolverLink::setPaused(bool paused)

@@ -1,5 +1,7 @@
 #include "FactoredSystem.h"
 
+#include "NestedDissection.h"
+
 #include <cholmod.h>
 
 #include <cmath>
@@ -18,8 +20,14 @@ struct FactoredSystem::Cholmod {
     Cholmod()
     {
         cholmod_start(&common);
-        common.supernodal = CHOLMOD_SIMPLICIAL; // faster for the few right-hand sides that we have
+        // Large ones are factored by supernodes, faster by far, but solved column by column, faster for the few
+        // right-hand sides that we have.
+        common.supernodal = CHOLMOD_AUTO;
+        common.supernodal_switch = 100; // operations per entry of the factor: some 100,000 unknowns
+        common.final_super = 0;
         common.final_ll = 1;
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_GIVEN;
         common.print = 0;
         common.error_handler = [](int, const char*, int, const char*) {}; // the status says it
     }
@@ -62,14 +70,15 @@ struct FactoredSystem::Cholmod {
     }
 };
 
-FactoredSystem::FactoredSystem(const Eigen::SparseMatrix<double>& matrix)
+FactoredSystem::FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places)
     : m_cholmod(std::make_unique<Cholmod>())
 {
     m_cholmod->ok = matrix.rows() == 0; // every vertex is held
     if (m_cholmod->ok)
         return;
     cholmod_sparse view = Cholmod::view(matrix);
-    m_cholmod->factor = cholmod_analyze(&view, &m_cholmod->common);
+    std::vector<int> order = nestedDissection(matrix, places);
+    m_cholmod->factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &m_cholmod->common);
     if (!m_cholmod->factor)
         throw std::bad_alloc();
     m_cholmod->factorize(view);

@@ -12,8 +12,8 @@ namespace bolster {
 /// safe to share between threads, because solve() uses a workspace.
 class FactoredSystem {
 public:
-    /// The lower triangle of the matrix is read.
-    explicit FactoredSystem(const Eigen::SparseMatrix<double>& matrix);
+    /// The lower triangle of the matrix is read; `places` says where its unknowns lie (for the elimination order).
+    FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places);
     ~FactoredSystem();
     FactoredSystem(FactoredSystem&&) noexcept;
     FactoredSystem& operator=(FactoredSystem&&) noexcept;

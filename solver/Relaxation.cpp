@@ -4,8 +4,8 @@
 
 namespace bolster {
 
-Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance)
-    : m_optimizer(mesh, pool)
+Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, const std::stop_token& stop)
+    : m_optimizer(mesh, pool, stop)
     , m_tolerance(tolerance)
     , m_convergence(tolerance)
     , m_factorTime(m_watch.elapsed())

@@ -15,7 +15,8 @@ public:
     enum class Phase { Running, Converged, Failed };
 
     /// Factors; failed when that did not succeed. `tolerance` is relative to D. Mesh and pool must outlive it.
-    Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance);
+    /// Factors; when stopped meanwhile it is Failed.
+    Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, const std::stop_token& stop = {});
 
     /// From the start that depends on the design alone.
     void startCanonically();

@@ -81,12 +81,12 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
             std::move(result),
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
+    WorkerPool pool(options.threads);
+    Relaxation solve(sheet->mesh, pool, options.tolerance, stop);
     if (stop.stop_requested()) {
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    WorkerPool pool(options.threads);
-    Relaxation solve(sheet->mesh, pool, options.tolerance);
     solve.startCanonically();
     while (solve.phase() == Relaxation::Phase::Running && solve.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {

@@ -2,6 +2,7 @@
 
 #include "FrameSigns.h"
 #include "LocalStep.h"
+#include "StartPlacement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,19 +28,27 @@ double bendingSquared(const SewnMesh::Part& part)
 
 } // namespace
 
-SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool)
+SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, const std::stop_token& stop)
     : m_mesh(mesh)
     , m_pool(pool)
-    , m_positions(positionMatrix())
-    , m_frames(frameMatrix())
 {
     precomputeRings();
+    // Where patches lie to begin with is good enough to tell what is near what, and the same on every run.
+    const Eigen::Matrix3Xd places = startPlacement(mesh).positions;
+    if (!stop.stop_requested())
+        m_positions.emplace(positionMatrix(), places.leftCols(mesh.freeCount));
+    if (stop.stop_requested())
+        return;
+    Eigen::Matrix3Xd vertexPlaces(3, mesh.vertexCount());
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+        vertexPlaces.col(v) = places.col(mesh.topology->unknown[v]);
+    m_frames.emplace(frameMatrix(), vertexPlaces);
 }
 
 bool SheetOptimizer::refactor()
 {
-    const bool positions = m_positions.refactor(positionMatrix());
-    return m_frames.refactor(frameMatrix()) && positions;
+    const bool positions = m_positions->refactor(positionMatrix());
+    return m_frames->refactor(frameMatrix()) && positions;
 }
 
 /// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends.
@@ -217,7 +226,7 @@ SheetOptimizer::Matrix32 SheetOptimizer::covariance(int vertex) const
 
 void SheetOptimizer::solveFrames()
 {
-    m_frames.solve(m_frameRight, m_frameSolution);
+    m_frames->solve(m_frameRight, m_frameSolution);
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
             const Eigen::Vector4d q = m_frameSolution.row(v).transpose();
@@ -268,7 +277,7 @@ void SheetOptimizer::solvePositions(double step)
     });
     for (const FreeBody& body : m_freeBodies)
         body.balance(m_ahead.positions, m_residual);
-    m_positions.solve(m_residual, m_move);
+    m_positions->solve(m_residual, m_move);
     m_next.positions.leftCols(m_mesh.freeCount) =
         m_ahead.positions.leftCols(m_mesh.freeCount) + step * m_move.transpose();
     const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;

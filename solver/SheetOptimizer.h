@@ -9,6 +9,7 @@
 #include "WorkerPool.h"
 
 #include <optional>
+#include <stop_token>
 
 namespace bolster {
 
@@ -16,10 +17,11 @@ namespace bolster {
 /// the comments here. The mesh must outlive the optimizer.
 class SheetOptimizer {
 public:
-    SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool);
+    /// A stopped one is not ok().
+    SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, const std::stop_token& stop = {});
 
     /// False when a system could not be factored: nothing else may be called then.
-    bool ok() const { return m_positions.ok() && m_frames.ok(); }
+    bool ok() const { return m_positions && m_positions->ok() && m_frames && m_frames->ok(); }
     /// Takes changed materials (stiffness, bending length) into the matrices. Returns ok().
     bool refactor();
 
@@ -57,8 +59,8 @@ private:
 
     const SewnMesh& m_mesh;
     WorkerPool& m_pool;
-    FactoredSystem m_positions; // L1
-    FactoredSystem m_frames;    // L2
+    std::optional<FactoredSystem> m_positions; // L1
+    std::optional<FactoredSystem> m_frames;    // L2
 
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i

@@ -11,16 +11,16 @@ SolverThread::SolverThread(std::function<void()> wake)
 
 SolverThread::~SolverThread() = default;
 
-void SolverThread::request(Design design, std::uint64_t designRevision)
+void SolverThread::request(Design design, std::uint64_t designRevision, bool passing)
 {
     m_design = design;
     m_revision = designRevision;
-    m_worker->in().put({std::move(design), designRevision, false, m_opening});
+    m_worker->request({std::move(design), designRevision, false, m_opening}, passing);
 }
 
 void SolverThread::settle()
 {
-    m_worker->in().put({m_design, m_revision, true, m_opening});
+    m_worker->request({m_design, m_revision, true, m_opening}, true);
 }
 
 std::optional<SolverOutput> SolverThread::take()

@@ -55,8 +55,9 @@ public:
     /// Another design is opened: nothing of the surface before goes into the next one, and no answer about it
     /// comes any more.
     void startAnew() { ++m_opening; }
-    /// Replaces a request that was not taken yet.
-    void request(Design design, std::uint64_t designRevision);
+    /// Replaces a request that was not taken yet. What is being prepared for an earlier one is given up, unless
+    /// more requests are to come soon (`passing`, during a drag): then nothing would ever be finished.
+    void request(Design design, std::uint64_t designRevision, bool passing = false);
     /// Makes the resting surface the live one as soon as it is known.
     void settle();
     /// The newest output, once.

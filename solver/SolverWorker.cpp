@@ -32,12 +32,33 @@ SolverWorker::SolverWorker(std::function<void()> wake)
     : m_wake(std::move(wake))
 {}
 
+void SolverWorker::request(Request request, bool passing)
+{
+    const std::lock_guard lock(m_requestMutex); // or it might stop what is made for itself
+    m_in.put(std::move(request));
+    if (!passing)
+        m_preparing.request_stop();
+}
+
+std::optional<SolverWorker::Request> SolverWorker::takeRequest()
+{
+    const std::lock_guard lock(m_requestMutex);
+    std::optional<Request> request = m_in.take();
+    if (request)
+        m_preparing = {};
+    return request;
+}
+
 void SolverWorker::run(std::stop_token stop)
 {
+    const std::stop_callback whenEnding(stop, [this] {
+        const std::lock_guard lock(m_requestMutex);
+        m_preparing.request_stop();
+    });
     while (!stop.stop_requested()) {
         bool busy = false;
         try {
-            busy = step(stop);
+            busy = step();
         } catch (const std::bad_alloc&) {
             fail({QT_TRANSLATE_NOOP("Message",
                                     "There is not enough memory for this surface. Choose a larger edge length."),
@@ -58,14 +79,14 @@ bool SolverWorker::running(const Sheet& sheet)
 }
 
 /// A little work. False when there is none left.
-bool SolverWorker::step(std::stop_token stop)
+bool SolverWorker::step()
 {
-    if (std::optional<Request> request = m_in.take())
-        begin(std::move(*request), stop);
+    if (std::optional<Request> request = takeRequest())
+        begin(std::move(*request));
     else if (m_live && running(*m_live))
         iterateLive();
     else if (m_live && !m_resting && !m_restingDone)
-        endLive(stop);
+        endLive();
     else if (m_resting && !m_status.restingDistance) // once known it waits to be asked for
         iterateResting();
     else
@@ -73,26 +94,35 @@ bool SolverWorker::step(std::stop_token stop)
     return true;
 }
 
-void SolverWorker::begin(Request request, std::stop_token stop)
+void SolverWorker::begin(Request request)
 {
     if (std::exchange(m_opening, request.opening) != request.opening) {
         m_live.reset();
         m_lastWhole.reset();
+        m_resting.reset();
         m_surface.reset();
+        m_status = {};
         m_report = {};
     }
     const SolvePlan plan = m_live ? planSolve(m_design, request.design) : SolvePlan::Resew;
     const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
     // Still about the last design: its surface is there, but what follows may take its time.
+    const SolverStatus statusBefore = m_status;
     if (!light && plan != SolvePlan::Nothing && m_status.state != SolverStatus::State::Moving)
         publish(SolverStatus::State::Preparing);
-    m_design = std::move(request.design);
+    const Design designBefore = std::exchange(m_design, std::move(request.design));
     m_designRevision = request.revision;
     m_settleWanted = request.settle;
     if (plan == SolvePlan::Nothing) {
         if (m_settleWanted && m_resting && m_status.restingDistance)
             adoptResting();
         publish(m_status.state);
+        return;
+    }
+    const bool retargeted = light && retargetLive(m_design, plan);
+    if (!retargeted && !rebuildLive(m_design, plan == SolvePlan::Resew)) {
+        m_design = designBefore; // given up for a newer request, which starts from what there is
+        m_status = statusBefore;
         return;
     }
     m_resting.reset();
@@ -103,10 +133,10 @@ void SolverWorker::begin(Request request, std::stop_token stop)
     m_status.iterations = 0;
     m_rateWatch.restart();
     m_rateCount = 0;
-    if (!light || !retargetLive(m_design, plan))
-        rebuildLive(m_design, plan == SolvePlan::Resew, stop);
     if (m_live)
         iterateLive();
+    else
+        publish(SolverStatus::State::Idle);
 }
 
 /// Keeps samples and triangles. False when the change asks for more after all.
@@ -135,20 +165,20 @@ bool SolverWorker::retargetLive(const Design& design, SolvePlan plan)
     return true;
 }
 
-void SolverWorker::rebuildLive(const Design& design, bool torn, std::stop_token stop)
+/// False when it was given up.
+bool SolverWorker::rebuildLive(const Design& design, bool torn)
 {
     const bool first = !m_live;
-    std::unique_ptr<Sheet> next = makeSheet(design, first ? restingTolerance : liveTolerance, stop);
+    std::unique_ptr<Sheet> next = makeSheet(design, first ? restingTolerance : liveTolerance);
     if (!next)
-        return;
+        return false;
     m_status.problems = next->prepared.errors;
     m_status.problems.insert(m_status.problems.end(), next->prepared.warnings.begin(),
                              next->prepared.warnings.end());
     if (next->prepared.mesh.parts.empty()) {
         m_live.reset();
         m_surface = makeSurface(next->prepared.mesh, {}, ++m_surfaceRevision);
-        publish(SolverStatus::State::Idle);
-        return;
+        return true;
     }
     if (first) {
         next->canonical = true;
@@ -167,19 +197,21 @@ void SolverWorker::rebuildLive(const Design& design, bool torn, std::stop_token 
     else if (!losesPatches)
         m_lastWhole.reset();
     m_live = std::move(next);
+    return true;
 }
 
-std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const Design& design, double tolerance,
-                                                             std::stop_token stop)
+/// Null when it was given up.
+std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const Design& design, double tolerance)
 {
+    const std::stop_token stop = m_preparing.get_token();
     std::optional<PreparedSheet> prepared = prepareSheet(design, m_cache, stop);
     if (!prepared)
         return nullptr;
     auto sheet = std::make_unique<Sheet>();
     sheet->prepared = std::move(*prepared);
     if (!sheet->prepared.mesh.parts.empty())
-        sheet->relaxation = std::make_unique<Relaxation>(sheet->prepared.mesh, m_pool, tolerance);
-    return sheet;
+        sheet->relaxation = std::make_unique<Relaxation>(sheet->prepared.mesh, m_pool, tolerance, stop);
+    return stop.stop_requested() ? nullptr : std::move(sheet);
 }
 
 /// One iteration, and a published surface when somebody could see it.
@@ -203,7 +235,7 @@ void SolverWorker::iterateLive()
 }
 
 /// The live surface has converged: report it, and find out what the resting one is.
-void SolverWorker::endLive(std::stop_token stop)
+void SolverWorker::endLive()
 {
     const bool converged = m_live->relaxation->phase() == Relaxation::Phase::Converged;
     if (!converged)
@@ -211,7 +243,8 @@ void SolverWorker::endLive(std::stop_token stop)
                            {std::to_string(m_live->relaxation->iterations())}};
     if (m_live->stale) {
         // The samples catch up with curves that have moved; the surface goes on from where it is.
-        rebuildLive(m_design, false, stop);
+        if (rebuildLive(m_design, false) && !m_live)
+            publish(SolverStatus::State::Idle);
         return;
     }
     m_report = reportOn(m_live->prepared, *m_live->relaxation);
@@ -220,13 +253,15 @@ void SolverWorker::endLive(std::stop_token stop)
     publishSurface();
     publish(SolverStatus::State::Settled);
     if (!m_restingDone)
-        beginResting(stop);
+        beginResting();
 }
 
-void SolverWorker::beginResting(std::stop_token stop)
+void SolverWorker::beginResting()
 {
-    m_resting = makeSheet(m_design, restingTolerance, stop);
-    if (!m_resting || !m_resting->relaxation) {
+    m_resting = makeSheet(m_design, restingTolerance);
+    if (!m_resting)
+        return; // a newer request is there
+    if (!m_resting->relaxation) {
         m_resting.reset();
         m_restingDone = true;
         return;

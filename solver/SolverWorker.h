@@ -10,6 +10,8 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <stop_token>
 
 namespace bolster {
 
@@ -25,7 +27,8 @@ public:
     /// `wake` is called when an output waits and none was waiting before.
     explicit SolverWorker(std::function<void()> wake);
 
-    Mailbox<Request>& in() { return m_in; }
+    /// From another thread; `passing` as in SolverThread.
+    void request(Request request, bool passing);
     Mailbox<SolverOutput>& out() { return m_out; }
     /// Until stopped.
     void run(std::stop_token stop);
@@ -39,15 +42,16 @@ private:
         bool stale = false;     ///< its samples belong to fixation curves as they were before a drag
     };
 
+    std::optional<Request> takeRequest();
     static bool running(const Sheet& sheet);
-    bool step(std::stop_token stop);
-    void begin(Request request, std::stop_token stop);
+    bool step();
+    void begin(Request request);
     bool retargetLive(const Design& design, SolvePlan plan);
-    void rebuildLive(const Design& design, bool torn, std::stop_token stop);
-    std::unique_ptr<Sheet> makeSheet(const Design& design, double tolerance, std::stop_token stop);
+    bool rebuildLive(const Design& design, bool torn);
+    std::unique_ptr<Sheet> makeSheet(const Design& design, double tolerance);
     void iterateLive();
-    void endLive(std::stop_token stop);
-    void beginResting(std::stop_token stop);
+    void endLive();
+    void beginResting();
     void iterateResting();
     void adoptResting();
     void fail(Message reason);
@@ -56,6 +60,8 @@ private:
 
     Mailbox<Request> m_in;
     Mailbox<SolverOutput> m_out;
+    std::mutex m_requestMutex;    // for the mailbox and the source together
+    std::stop_source m_preparing; // of what is made for the request taken last
     std::function<void()> m_wake;
 
     WorkerPool m_pool{1}; // the other cores belong to the window

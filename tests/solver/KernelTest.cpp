@@ -102,10 +102,17 @@ TEST(FrameSigns, AgreeInEachPatchAndKeepTheirRotations)
     EXPECT_EQ(frames, aligned);
 }
 
+Eigen::Matrix3Xd line(int points)
+{
+    Eigen::Matrix3Xd places = Eigen::Matrix3Xd::Zero(3, points);
+    places.row(0).setLinSpaced(points, 0, points);
+    return places;
+}
+
 TEST(FactoredSystem, SolvesAllColumns)
 {
     const Eigen::SparseMatrix<double> matrix = chain(300, 2.1);
-    FactoredSystem system(matrix);
+    FactoredSystem system(matrix, line(300));
     ASSERT_TRUE(system.ok());
     const Eigen::MatrixXd b = Eigen::MatrixXd::Random(300, 4);
     Eigen::MatrixXd x;
@@ -119,10 +126,10 @@ TEST(FactoredSystem, SolvesAllColumns)
 
 TEST(FactoredSystem, NoticesWhatCannotBeSolved)
 {
-    EXPECT_FALSE(FactoredSystem(chain(50, std::numeric_limits<double>::quiet_NaN())).ok());
-    EXPECT_FALSE(FactoredSystem(chain(50, -1)).ok());
-    EXPECT_FALSE(FactoredSystem(chain(50, 0)).ok());
-    FactoredSystem system(chain(50, 3));
+    EXPECT_FALSE(FactoredSystem(chain(50, std::numeric_limits<double>::quiet_NaN()), line(50)).ok());
+    EXPECT_FALSE(FactoredSystem(chain(50, -1), line(50)).ok());
+    EXPECT_FALSE(FactoredSystem(chain(50, 0), line(50)).ok());
+    FactoredSystem system(chain(50, 3), line(50));
     EXPECT_TRUE(system.ok());
     EXPECT_FALSE(system.refactor(chain(50, std::numeric_limits<double>::infinity())));
     EXPECT_TRUE(system.refactor(chain(50, 3)));

@@ -282,6 +282,24 @@ TEST(SolverThread, OffersToSettleFoldsThatDependOnTheWay)
     EXPECT_EQ(output->surface->positions, solved(design, 1e-6).surface->positions);
 }
 
+TEST(SolverThread, GivesUpWhatIsOutdated)
+{
+    const Design design = box(300, 100, 20, 10, 0);
+    Settings fine;
+    fine.edgeLength = 0.8;
+    Listener solver;
+    solver.request(design, 1);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    solver.request(design.with({{}, {{settingsId, design.element(settingsId), makeElement(fine)}}}), 2);
+    std::this_thread::sleep_for(100ms); // half a million vertices take longer
+    solver.request(design, 3);
+    const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3; });
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->status.state, State::Settled);
+    EXPECT_EQ(after->surface->revision, before->surface->revision);
+}
+
 TEST(SolverThread, StopsInTheMiddleOfWork)
 {
     for (int i = 0; i < 10; ++i) {
