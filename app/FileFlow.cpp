@@ -364,7 +364,9 @@ void FileFlow::offerRecovery()
                         {tr("Discard \u2026"), [this, newest, name] {
                              const QString question =
                                  tr("Delete the kept work on %1 for good? It cannot be brought back.").arg(name);
-                             if (QMessageBox::question(m_window, tr("Bolster"), question) == QMessageBox::Yes)
+                             if (QMessageBox::question(m_window, tr("Bolster"), question,
+                                                       QMessageBox::Yes | QMessageBox::No,
+                                                       QMessageBox::No) == QMessageBox::Yes)
                                  DesignSession::discard(newest);
                              offerRecovery(); // the next one, or this one again
                          }}});
