@@ -226,10 +226,24 @@ SheetOptimizer::Matrix32 SheetOptimizer::covariance(int vertex) const
 
 void SheetOptimizer::solveFrames()
 {
-    m_frames->solve(m_frameRight, m_frameSolution);
+    const std::vector<int>& slots = m_frames->slots();
+    m_turns.resize(4, m_mesh.vertexCount());
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d q = m_frameSolution.row(v).transpose();
+            const Eigen::Vector4d here = m_ahead.frames.col(v);
+            Eigen::Vector4d smoothing = Eigen::Vector4d::Zero();
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
+                smoothing += m_mesh.ring[k].weight * (m_ahead.frames.col(m_mesh.ring[k].vertex) - here);
+            const double bending = 2 * bendingSquared(m_mesh.parts[m_partOf[v]]);
+            const Eigen::Vector4d residual =
+                m_frameRight.row(v).transpose() - m_mesh.area[v] * here + bending * smoothing;
+            m_turns.col(slots[v]) = residual.cast<float>();
+        }
+    });
+    m_frames->solve(m_turns, m_pool);
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            const Eigen::Vector4d q = m_ahead.frames.col(v) + m_turns.col(slots[v]).cast<double>();
             const double norm = q.norm();
             m_next.frames.col(v) =
                 norm > 1e-12 ? Eigen::Vector4d(q / norm) : Eigen::Vector4d(m_ahead.frames.col(v));
@@ -277,11 +291,22 @@ void SheetOptimizer::solvePositions(double step)
     });
     for (const FreeBody& body : m_freeBodies)
         body.balance(m_ahead.positions, m_residual);
-    m_positions->solve(m_residual, m_move);
-    m_next.positions.leftCols(m_mesh.freeCount) =
-        m_ahead.positions.leftCols(m_mesh.freeCount) + step * m_move.transpose();
+    if (m_mesh.freeCount > 0)
+        move(step);
     const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;
     m_next.positions.rightCols(fixed) = m_state.positions.rightCols(fixed);
+}
+
+/// Solves L1 for the residual.
+void SheetOptimizer::move(double step)
+{
+    const std::vector<int>& slots = m_positions->slots();
+    m_moves.resize(4, m_mesh.freeCount);
+    for (int u = 0; u < m_mesh.freeCount; ++u)
+        m_moves.col(slots[u]) << m_residual.row(u).transpose().cast<float>(), 0;
+    m_positions->solve(m_moves, m_pool);
+    for (int u = 0; u < m_mesh.freeCount; ++u)
+        m_next.positions.col(u) = m_ahead.positions.col(u) + step * m_moves.col(slots[u]).head<3>().cast<double>();
 }
 
 /// Measures the move, restarts the acceleration when it has overshot, and makes the new state the present one.

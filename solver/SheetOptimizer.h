@@ -54,6 +54,7 @@ private:
     void fitFrames();
     void solveFrames();
     void solvePositions(double step);
+    void move(double step);
     double stableStep() const;
     std::optional<double> accept();
 
@@ -78,8 +79,9 @@ private:
     double m_momentum = 1;                                           // t_k of Nesterov's scheme
     std::vector<Matrix32, Eigen::aligned_allocator<Matrix32>> m_map; // R(q_i) T_i
     std::vector<Eigen::Matrix2d> m_stretch;
-    Eigen::MatrixXd m_frameRight, m_frameSolution;
-    Eigen::MatrixXd m_residual, m_move;
+    Eigen::MatrixXd m_frameRight;           // A_i qhat_i, one row per vertex
+    Eigen::MatrixXd m_residual;             // of L1, one row per free unknown
+    PackedFactor::Vectors m_turns, m_moves; // residuals, then corrections, in the factors' order
 };
 
 } // namespace bolster

@@ -4,6 +4,34 @@
 
 namespace bolster {
 
+namespace {
+
+// Some ten microseconds: regions follow each other within that, and sleeping costs as much.
+constexpr int spins = 300;
+
+void pause()
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
+}
+
+/// Waits until `value` is no longer `old`; sleeps when that takes long.
+template <class T>
+void waitForChange(const std::atomic<T>& value, T old)
+{
+    for (int i = 0; i < spins; ++i) {
+        if (value.load(std::memory_order_acquire) != old)
+            return;
+        pause();
+    }
+    value.wait(old, std::memory_order_acquire);
+}
+
+} // namespace
+
 WorkerPool::WorkerPool(int threads)
 {
     if (threads <= 0)
@@ -15,43 +43,63 @@ WorkerPool::WorkerPool(int threads)
 WorkerPool::~WorkerPool()
 {
     m_stopping = true;
-    ++m_generation;
-    m_generation.notify_all();
+    ++m_region;
+    m_region.notify_all();
 }
 
 void WorkerPool::forChunks(int count, const std::function<void(int, int, int)>& body)
 {
-    m_body = &body;
-    m_count = count;
-    m_nextChunk = 0;
-    m_busy = static_cast<int>(m_threads.size());
-    if (!m_threads.empty()) {
-        ++m_generation;
-        m_generation.notify_all();
+    forTasks(chunkCount(count),
+             [&](int chunk) { body(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize)); });
+}
+
+void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
+{
+    if (m_threads.empty() || count <= 1) {
+        for (int task = 0; task < count; ++task)
+            body(task);
+        return;
     }
-    runChunks();
-    for (int busy = m_busy; busy > 0; busy = m_busy)
-        m_busy.wait(busy);
+    const std::uint32_t region = m_region.load(std::memory_order_relaxed) + 1;
+    m_body.store(&body, std::memory_order_relaxed);
+    m_count.store(count, std::memory_order_relaxed);
+    m_done.store(0, std::memory_order_relaxed);
+    m_next.store(std::uint64_t{region} << 32, std::memory_order_release);
+    m_region.store(region, std::memory_order_release);
+    m_region.notify_all();
+    runTasks(region);
+    for (int done = m_done.load(std::memory_order_acquire); done != count;
+         done = m_done.load(std::memory_order_acquire))
+        waitForChange(m_done, done);
 }
 
 void WorkerPool::work()
 {
-    for (int seen = 0;;) {
-        m_generation.wait(seen);
-        seen = m_generation;
+    for (std::uint32_t seen = 0;;) {
+        waitForChange(m_region, seen);
+        seen = m_region.load(std::memory_order_acquire);
         if (m_stopping)
             return;
-        runChunks();
-        if (--m_busy == 0)
-            m_busy.notify_all();
+        runTasks(seen);
     }
 }
 
-void WorkerPool::runChunks()
+void WorkerPool::runTasks(std::uint32_t region)
 {
-    const int chunks = chunkCount(m_count);
-    for (int chunk = m_nextChunk++; chunk < chunks; chunk = m_nextChunk++)
-        (*m_body)(chunk, chunk * chunkSize, std::min(m_count, (chunk + 1) * chunkSize));
+    for (std::uint64_t next = m_next.load(std::memory_order_acquire); next >> 32 == region;) {
+        // Of a later region, perhaps: then the claim fails.
+        const int count = m_count.load(std::memory_order_relaxed);
+        const auto* body = m_body.load(std::memory_order_relaxed);
+        const int task = static_cast<int>(next & 0xffffffff);
+        if (task >= count)
+            return;
+        if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
+            continue;
+        (*body)(task);
+        if (m_done.fetch_add(1, std::memory_order_acq_rel) + 1 == count)
+            m_done.notify_all();
+        next = m_next.load(std::memory_order_acquire);
+    }
 }
 
 } // namespace bolster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -19,19 +20,23 @@ public:
     static constexpr int chunkSize = 512;
     static int chunkCount(int count) { return (count + chunkSize - 1) / chunkSize; }
 
+    /// Calls body(0) ... body(count - 1), each once, and returns when all are done. The body must not throw.
+    void forTasks(int count, const std::function<void(int)>& body);
     /// Calls body(chunk, begin, end) for every chunk of 0 .. count-1 and returns when all are done. The body must
     /// not throw, and chunks must not write to the same place.
     void forChunks(int count, const std::function<void(int, int, int)>& body);
 
 private:
     void work();
-    void runChunks();
+    void runTasks(std::uint32_t region);
 
-    const std::function<void(int, int, int)>* m_body = nullptr;
-    int m_count = 0;
-    std::atomic<int> m_nextChunk{0};
-    std::atomic<int> m_generation{0};
-    std::atomic<int> m_busy{0};
+    // What the threads work on. A task is claimed by counting m_next up, which holds the number of the region in
+    // its upper half: who comes late to a region that is over cannot claim anything, so nobody waits for him.
+    std::atomic<const std::function<void(int)>*> m_body{nullptr};
+    std::atomic<int> m_count{0};
+    std::atomic<std::uint64_t> m_next{0};
+    std::atomic<int> m_done{0};
+    std::atomic<std::uint32_t> m_region{0};
     std::atomic<bool> m_stopping{false};
     std::vector<std::jthread> m_threads; // last, so that they have ended before the rest goes
 };

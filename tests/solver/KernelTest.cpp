@@ -109,19 +109,80 @@ Eigen::Matrix3Xd line(int points)
     return places;
 }
 
-TEST(FactoredSystem, SolvesAllColumns)
+/// The Laplacian of a grid plus a little of the identity, its lower triangle, and where its points lie.
+struct Grid {
+    Eigen::SparseMatrix<double> matrix;
+    Eigen::Matrix3Xd places;
+
+    Grid(int columns, int rows)
+        : matrix(columns * rows, columns * rows)
+        , places(3, columns * rows)
+    {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (int i = 0; i < columns * rows; ++i) {
+            const int x = i % columns, y = i / columns;
+            places.col(i) = Vec3(x, y, 0.01 * x * y);
+            entries.emplace_back(i, i, 4.1);
+            if (x > 0)
+                entries.emplace_back(i, i - 1, -1);
+            if (y > 0)
+                entries.emplace_back(i, i - columns, -1);
+        }
+        matrix.setFromTriplets(entries.begin(), entries.end());
+    }
+};
+
+PackedFactor::Vectors solution(FactoredSystem& system, const Eigen::MatrixXd& right, int threads)
 {
-    const Eigen::SparseMatrix<double> matrix = chain(300, 2.1);
-    FactoredSystem system(matrix, line(300));
-    ASSERT_TRUE(system.ok());
-    const Eigen::MatrixXd b = Eigen::MatrixXd::Random(300, 4);
-    Eigen::MatrixXd x;
-    system.solve(b, x);
-    const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * x;
-    EXPECT_TRUE(product.isApprox(b, 1e-10));
-    ASSERT_TRUE(system.refactor(chain(300, 3)));
-    system.solve(b, x);
-    EXPECT_FALSE((matrix.selfadjointView<Eigen::Lower>() * x).eval().isApprox(b, 1e-3));
+    WorkerPool pool(threads);
+    PackedFactor::Vectors x(4, right.cols());
+    for (int i = 0; i < right.cols(); ++i)
+        x.col(system.slots()[i]) = right.col(i).cast<float>();
+    system.solve(x, pool);
+    PackedFactor::Vectors result(4, right.cols());
+    for (int i = 0; i < right.cols(); ++i)
+        result.col(i) = x.col(system.slots()[i]);
+    return result;
+}
+
+double error(const Eigen::SparseMatrix<double>& matrix, const PackedFactor::Vectors& x,
+             const Eigen::MatrixXd& right)
+{
+    const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * x.transpose().cast<double>();
+    return (product.transpose() - right).norm() / right.norm();
+}
+
+TEST(FactoredSystem, SolvesGridsOfAnySize)
+{
+    for (const auto& [columns, rows] : {std::pair(1, 1), {3, 1}, {1, 50}, {7, 5}, {40, 33}, {90, 70}}) {
+        const Grid grid(columns, rows);
+        FactoredSystem system(grid.matrix, grid.places);
+        ASSERT_TRUE(system.ok());
+        const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, columns * rows);
+        const PackedFactor::Vectors x = solution(system, right, 1);
+        EXPECT_LT(error(grid.matrix, x, right), 1e-5) << columns << " x " << rows;
+        for (const int threads : {2, 3})
+            EXPECT_EQ(solution(system, right, threads), x) << "bit for bit";
+    }
+}
+
+TEST(FactoredSystem, SolvesWhatDoesNotHangTogether)
+{
+    Eigen::SparseMatrix<double> matrix(1000, 1000);
+    matrix.setIdentity();
+    FactoredSystem system(matrix, line(1000));
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, 1000);
+    EXPECT_LT(error(matrix, solution(system, right, 2), right), 1e-6);
+}
+
+TEST(FactoredSystem, TakesOtherNumbers)
+{
+    const Grid grid(30, 20);
+    FactoredSystem system(grid.matrix, grid.places);
+    const Eigen::SparseMatrix<double> other = 3 * grid.matrix;
+    ASSERT_TRUE(system.refactor(other));
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, 600);
+    EXPECT_LT(error(other, solution(system, right, 1), right), 1e-5);
 }
 
 TEST(FactoredSystem, NoticesWhatCannotBeSolved)

@@ -1,0 +1,35 @@
+// The inner loops of PackedFactor, compiled for several instruction sets and chosen at run time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace bolster {
+
+/// Columns of the factor with the same rows below them (a supernode). The panel follows its diagonal block. Blocks
+/// are stored in chunks of four rows, in each chunk column after column; rows that fill the last chunk up are 0.
+struct PackedNode {
+    int first = 0;            ///< column
+    int width = 0;            ///< columns
+    int below = 0;            ///< rows under the diagonal block
+    std::size_t diagonal = 0; ///< in the values: the inverted diagonal block, chunk c up to column 4 c + 3
+    std::size_t panel = 0;    ///< in the values: what lies under it
+    std::size_t rows = 0;     ///< in the row numbers
+};
+
+/// Vectors hold four numbers per unknown and are aligned to 64 bytes, with 16 numbers of room behind the last.
+struct PackedView {
+    const float* values = nullptr;
+    const int* rows = nullptr;
+};
+
+/// x := L^-1 x for these nodes, in this order. What they add to rows of later nodes from `outside` on goes to
+/// `spill` (row `outside` first) instead of x; without a spill all goes to x.
+void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill);
+/// x := L^-T x for these nodes, last first. `scratch` has room for the longest list of rows and columns.
+void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch);
+
+/// "AVX2" ...
+const char* packedInstructions();
+
+} // namespace bolster
