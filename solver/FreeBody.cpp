@@ -21,16 +21,16 @@ FreeBody::FreeBody(const SewnMesh& mesh, int component)
     }
 }
 
-void FreeBody::balance(const Eigen::Matrix3Xd& positions, Eigen::MatrixXd& residual) const
+void FreeBody::balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& residual) const
 {
     Vec3 centre = Vec3::Zero();
     for (const Mass& mass : m_masses)
-        centre += mass.area / m_area * positions.col(mass.unknown);
+        centre += mass.area / m_area * positions.col(mass.unknown).head<3>();
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (const Mass& mass : m_masses) {
-        const Vec3 arm = positions.col(mass.unknown) - centre;
-        const Vec3 pull = residual.row(mass.unknown).transpose();
+        const Vec3 arm = positions.col(mass.unknown).head<3>() - centre;
+        const Vec3 pull = residual.col(mass.unknown).head<3>();
         force += pull;
         torque += arm.cross(pull);
         inertia += mass.area * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
@@ -38,8 +38,8 @@ void FreeBody::balance(const Eigen::Matrix3Xd& positions, Eigen::MatrixXd& resid
     inertia.diagonal().array() += 1e-12 * inertia.trace() + 1e-300; // all points on a line have no spin about it
     const Vec3 spin = inertia.ldlt().solve(torque);
     for (const Mass& mass : m_masses) {
-        const Vec3 arm = positions.col(mass.unknown) - centre;
-        residual.row(mass.unknown) -= (mass.area * (force / m_area + spin.cross(arm))).transpose();
+        const Vec3 arm = positions.col(mass.unknown).head<3>() - centre;
+        residual.col(mass.unknown).head<3>() -= mass.area * (force / m_area + spin.cross(arm));
     }
 }
 

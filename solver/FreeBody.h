@@ -13,8 +13,9 @@ class FreeBody {
 public:
     FreeBody(const SewnMesh& mesh, int component);
 
-    /// Takes net force and net torque out of `residual` (one row per free unknown), in proportion to area.
-    void balance(const Eigen::Matrix3Xd& positions, Eigen::MatrixXd& residual) const;
+    /// Takes net force and net torque out of `residual` (x y z 0, one column per free unknown), in proportion to
+    /// area.
+    void balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& residual) const;
 
 private:
     struct Mass {

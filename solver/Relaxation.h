@@ -38,7 +38,7 @@ public:
     double factorTime() const { return m_factorTime; }           ///< of the last factorisation, ms
     double iterateTime() const { return m_iterateTime; }         ///< since the last start, ms
     const Message& reason() const { return m_reason; }           ///< when failed
-    const SheetState& state() const { return m_optimizer.state(); }
+    SheetState state() const { return m_optimizer.state(); }
 
 private:
     bool checkFactors();

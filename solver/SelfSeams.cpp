@@ -159,13 +159,13 @@ Eigen::Vector4d SelfSeams::ringSum(int vertex, const std::vector<double>& weight
 }
 
 void SelfSeams::correct(const Eigen::Matrix4Xd& frames, const std::function<Matrix32(int)>& covariance,
-                        const std::function<double(int)>& bendingSquared, Eigen::MatrixXd& right) const
+                        const std::function<double(int)>& bendingSquared, Eigen::Matrix4Xd& right) const
 {
-    auto fitted = [&](int v) -> Eigen::Vector4d { return right.row(v).transpose() / m_mesh.area[v]; };
+    auto fitted = [&](int v) -> Eigen::Vector4d { return right.col(v) / m_mesh.area[v]; };
     for (const Lopsided& l : m_lopsided) {
         const Eigen::Vector4d step =
             ringSum(l.vertex, l.offset, [&](int v) -> Eigen::Vector4d { return frames.col(v); });
-        right.row(l.vertex) = m_mesh.area[l.vertex] * (fitted(l.vertex) - step).normalized().transpose();
+        right.col(l.vertex) = m_mesh.area[l.vertex] * (fitted(l.vertex) - step).normalized();
     }
     std::vector<double> share(m_joints.size());
     for (std::size_t i = 0; i < m_joints.size(); ++i) {
@@ -177,7 +177,7 @@ void SelfSeams::correct(const Eigen::Matrix4Xd& frames, const std::function<Matr
             covariance(joint.vertex) + share[i] * covariance(joint.partner) * joint.turn.transpose();
         const LocalFit fit = fitVertex(both, joint.rest + share[i] * joint.partnerRest, m_mesh.area[joint.vertex],
                                        frames.col(joint.vertex), 0);
-        right.row(joint.vertex) = m_mesh.area[joint.vertex] * fit.frame.transpose();
+        right.col(joint.vertex) = m_mesh.area[joint.vertex] * fit.frame;
     }
     // Smoothing ends at the border; on one sheet it would take from the other side what is added here. All fits
     // first, then the additions, because these look at the neighbours' fits.
@@ -187,7 +187,7 @@ void SelfSeams::correct(const Eigen::Matrix4Xd& frames, const std::function<Matr
             flux[i] = -2 * bendingSquared(m_joints[i].part) * share[i] *
                       ringSum(m_joints[i].vertex, m_joints[i].flux, fitted);
     for (std::size_t i = 0; i < m_joints.size(); ++i)
-        right.row(m_joints[i].vertex) += flux[i].transpose();
+        right.col(m_joints[i].vertex) += flux[i];
 }
 
 } // namespace bolster

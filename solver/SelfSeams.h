@@ -20,11 +20,11 @@ public:
     /// `rest` has the moments S_i = sum w e e^T of the rings.
     SelfSeams(const SewnMesh& mesh, const std::vector<Eigen::Matrix2d>& rest);
 
-    /// Replaces the right-hand sides A_i qhat_i of L2 (one row per vertex) at and beside these seams.
+    /// Replaces the right-hand sides A_i qhat_i of L2 (one column per vertex) at and beside these seams.
     /// `covariance(v)` is C_v at the present positions, `frames` are the present ones, `bendingSquared` is
     /// lambda_num^2 of the part.
     void correct(const Eigen::Matrix4Xd& frames, const std::function<Matrix32(int)>& covariance,
-                 const std::function<double(int)>& bendingSquared, Eigen::MatrixXd& right) const;
+                 const std::function<double(int)>& bendingSquared, Eigen::Matrix4Xd& right) const;
 
 private:
     struct Joint {

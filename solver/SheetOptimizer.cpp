@@ -5,7 +5,9 @@
 #include "StartPlacement.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -31,6 +33,7 @@ double bendingSquared(const SewnMesh::Part& part)
 SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, const std::stop_token& stop)
     : m_mesh(mesh)
     , m_pool(pool)
+    , m_rings(mesh)
 {
     precomputeRings();
     // Where patches lie to begin with is good enough to tell what is near what, and the same on every run.
@@ -133,25 +136,51 @@ void SheetOptimizer::precomputeRings()
         if (!m_mesh.anchored[c])
             m_freeBodies.emplace_back(m_mesh, c);
 
-    m_map.resize(vertices);
-    m_stretch.resize(vertices);
-    m_frameRight.resize(vertices, 4);
-    m_residual.resize(m_mesh.freeCount, 3);
+    m_map.setZero(4, 2 * vertices);
+    m_stretch.setZero(4, vertices);
+    m_forces.setZero(4, vertices);
+    m_frameRight.setZero(4, vertices);
+    m_residual.setZero(4, m_mesh.freeCount);
+    m_turns.setZero(4, vertices);
+    m_moves.setZero(4, m_mesh.freeCount);
+}
+
+/// Calls body(part, begin, end) for runs of vertices of one part each, on all threads.
+template <class Body>
+void SheetOptimizer::forParts(const Body& body)
+{
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        while (begin < end) {
+            const SewnMesh::Part& part = m_mesh.parts[m_partOf[begin]];
+            const int stop = std::min(end, part.firstVertex + part.vertexCount);
+            body(part, begin, stop);
+            begin = stop;
+        }
+    });
+}
+
+SheetState SheetOptimizer::state() const
+{
+    return {m_state.positions.topRows<3>(), m_state.frames};
 }
 
 void SheetOptimizer::restart(SheetState state)
 {
-    m_state = std::move(state);
+    m_state.positions.setZero(4, state.positions.cols());
+    m_state.positions.topRows<3>() = state.positions;
+    m_state.frames = std::move(state.frames);
+    m_ahead = m_state;
     retarget();
 }
 
 void SheetOptimizer::retarget()
 {
     for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
-        m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)) = m_mesh.targets[k];
+        m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)).head<3>() = m_mesh.targets[k];
     m_before = m_state;
     m_next = m_state;
     m_momentum = 1;
+    m_signsAgree = false;
 }
 
 void SheetOptimizer::relaxPositions()
@@ -159,7 +188,7 @@ void SheetOptimizer::relaxPositions()
     m_ahead = m_state;
     m_next.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
-        m_map[v] = rotationOf(m_state.frames.col(v)).leftCols<2>();
+        m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>();
     solvePositions(1);
     m_state = m_next;
     m_before = m_state;
@@ -168,9 +197,10 @@ void SheetOptimizer::relaxPositions()
 
 std::optional<double> SheetOptimizer::iterate()
 {
-    alignSigns(m_mesh, m_pool, m_state.frames);
+    if (!m_signsAgree)
+        alignSigns(m_mesh, m_pool, m_state.frames);
     extrapolate();
-    fitFrames();
+    fit();
     solveFrames();
     solvePositions(stableStep());
     return accept();
@@ -182,29 +212,26 @@ void SheetOptimizer::extrapolate()
     const double momentum = 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
     const double beta = m_accelerated ? (m_momentum - 1) / momentum : 0;
     m_momentum = momentum;
-    m_ahead.positions = m_state.positions + beta * (m_state.positions - m_before.positions);
-    m_ahead.frames.resize(4, m_state.frames.cols());
+    m_pool.forChunks(m_mesh.unknownCount(), [&](int, int begin, int end) {
+        for (int u = begin; u < end; ++u)
+            m_ahead.positions.col(u) =
+                m_state.positions.col(u) + beta * (m_state.positions.col(u) - m_before.positions.col(u));
+    });
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d now = m_state.frames.col(v);
-            Eigen::Vector4d before = m_before.frames.col(v);
-            if (now.dot(before) < 0)
-                before = -before;
-            m_ahead.frames.col(v) = (now + beta * (now - before)).normalized();
+            const Eigen::Vector4d now = m_state.frames.col(v), before = m_before.frames.col(v);
+            const double sign = now.dot(before) < 0 ? -1 : 1;
+            m_ahead.frames.col(v) = ((1 + beta) * now - sign * beta * before).normalized();
         }
     });
 }
 
-void SheetOptimizer::fitFrames()
+/// The local step.
+void SheetOptimizer::fit()
 {
-    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
-        for (int v = begin; v < end; ++v) {
-            const double poisson = m_mesh.parts[m_partOf[v]].material.poisson;
-            const LocalFit fit =
-                fitVertex(covariance(v), m_rest[v], m_mesh.area[v], m_ahead.frames.col(v), poisson);
-            m_stretch[v] = fit.stretch;
-            m_frameRight.row(v) = m_mesh.area[v] * fit.frame.transpose();
-        }
+    forParts([&](const SewnMesh::Part& part, int begin, int end) {
+        fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, begin, end, m_frameRight,
+                  m_stretch);
     });
     m_selfSeams->correct(
         m_ahead.frames, [this](int v) { return covariance(v); },
@@ -214,41 +241,30 @@ void SheetOptimizer::fitFrames()
 SheetOptimizer::Matrix32 SheetOptimizer::covariance(int vertex) const
 {
     const auto& unknown = m_mesh.topology->unknown;
-    const Eigen::Vector3d here = m_ahead.positions.col(unknown[vertex]);
+    const Eigen::Vector3d here = m_ahead.positions.col(unknown[vertex]).head<3>();
     Matrix32 sum = Matrix32::Zero();
     for (int k = m_mesh.ringStart[vertex]; k < m_mesh.ringStart[vertex + 1]; ++k) {
         const SewnMesh::RingEdge& edge = m_mesh.ring[k];
         sum.noalias() +=
-            (m_ahead.positions.col(unknown[edge.vertex]) - here) * (edge.weight * edge.rest.transpose());
+            (m_ahead.positions.col(unknown[edge.vertex]).head<3>() - here) * (edge.weight * edge.rest.transpose());
     }
     return sum;
 }
 
+/// L2 in delta form.
 void SheetOptimizer::solveFrames()
 {
     const std::vector<int>& slots = m_frames->slots();
-    m_turns.resize(4, m_mesh.vertexCount());
-    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
-        for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d here = m_ahead.frames.col(v);
-            Eigen::Vector4d smoothing = Eigen::Vector4d::Zero();
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
-                smoothing += m_mesh.ring[k].weight * (m_ahead.frames.col(m_mesh.ring[k].vertex) - here);
-            const double bending = 2 * bendingSquared(m_mesh.parts[m_partOf[v]]);
-            const Eigen::Vector4d residual =
-                m_frameRight.row(v).transpose() - m_mesh.area[v] * here + bending * smoothing;
-            m_turns.col(slots[v]) = residual.cast<float>();
-        }
+    std::atomic<bool> agree = true;
+    forParts([&](const SewnMesh::Part& part, int begin, int end) {
+        if (!frameResiduals(m_rings, m_ahead.frames, m_frameRight, 2 * bendingSquared(part), begin, end, slots,
+                            m_turns))
+            agree.store(false, std::memory_order_relaxed);
     });
+    m_signsAgree = agree;
     m_frames->solve(m_turns, m_pool);
-    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
-        for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d q = m_ahead.frames.col(v) + m_turns.col(slots[v]).cast<double>();
-            const double norm = q.norm();
-            m_next.frames.col(v) =
-                norm > 1e-12 ? Eigen::Vector4d(q / norm) : Eigen::Vector4d(m_ahead.frames.col(v));
-            m_map[v] = rotationOf(m_next.frames.col(v)).leftCols<2>() * m_stretch[v];
-        }
+    forParts([&](const SewnMesh::Part&, int begin, int end) {
+        turnFrames(m_ahead.frames, m_turns, slots, m_stretch, begin, end, m_next.frames, m_map);
     });
 }
 
@@ -265,48 +281,43 @@ double SheetOptimizer::stableStep() const
 /// L1 in delta form: the residual at the present positions, then `step` times the move that it asks for.
 void SheetOptimizer::solvePositions(double step)
 {
-    const auto& unknown = m_mesh.topology->unknown;
+    forParts([&](const SewnMesh::Part& part, int begin, int end) {
+        ringForces(m_rings, m_ahead.positions, m_map, part.material.stiffness, begin, end, m_forces);
+    });
     m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
         for (int u = begin; u < end; ++u) {
-            const Eigen::Vector3d here = m_ahead.positions.col(u);
-            Eigen::Vector3d residual = Eigen::Vector3d::Zero();
+            Eigen::Vector4d residual = Eigen::Vector4d::Zero();
             for (int c = m_cornersStart[u]; c < m_cornersStart[u + 1]; ++c) {
-                const int v = m_corners[c];
-                const SewnMesh::Part& part = m_mesh.parts[m_partOf[v]];
-                Eigen::Vector3d pull = Eigen::Vector3d::Zero();
-                for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                    const SewnMesh::RingEdge& edge = m_mesh.ring[k];
-                    pull += edge.weight * (2 * (m_ahead.positions.col(unknown[edge.vertex]) - here) -
-                                           (m_map[v] + m_map[edge.vertex]) * edge.rest);
-                }
-                residual += part.material.stiffness * pull;
-                const double pressure = part.material.pressure;
-                if (pressure != 0) {
-                    const Eigen::Vector3d normal = rotationOf(m_next.frames.col(v)).col(2) * part.outward;
-                    residual += (pressure * m_mesh.area[v] / m_mesh.diameter[part.component]) * normal;
-                }
+                residual += m_forces.col(m_corners[c]);
+                addPressure(m_corners[c], residual);
             }
-            m_residual.row(u) = residual.transpose();
+            m_residual.col(u) = residual;
         }
     });
     for (const FreeBody& body : m_freeBodies)
         body.balance(m_ahead.positions, m_residual);
-    if (m_mesh.freeCount > 0)
-        move(step);
-    const Eigen::Index fixed = m_next.positions.cols() - m_mesh.freeCount;
-    m_next.positions.rightCols(fixed) = m_state.positions.rightCols(fixed);
+    if (m_mesh.freeCount == 0)
+        return;
+    const std::vector<int>& slots = m_positions->slots();
+    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
+        for (int u = begin; u < end; ++u)
+            m_moves.col(slots[u]) = m_residual.col(u).cast<float>();
+    });
+    m_positions->solve(m_moves, m_pool);
+    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
+        for (int u = begin; u < end; ++u)
+            m_next.positions.col(u) = m_ahead.positions.col(u) + step * m_moves.col(slots[u]).cast<double>();
+    });
 }
 
-/// Solves L1 for the residual.
-void SheetOptimizer::move(double step)
+void SheetOptimizer::addPressure(int vertex, Eigen::Vector4d& residual) const
 {
-    const std::vector<int>& slots = m_positions->slots();
-    m_moves.resize(4, m_mesh.freeCount);
-    for (int u = 0; u < m_mesh.freeCount; ++u)
-        m_moves.col(slots[u]) << m_residual.row(u).transpose().cast<float>(), 0;
-    m_positions->solve(m_moves, m_pool);
-    for (int u = 0; u < m_mesh.freeCount; ++u)
-        m_next.positions.col(u) = m_ahead.positions.col(u) + step * m_moves.col(slots[u]).head<3>().cast<double>();
+    const SewnMesh::Part& part = m_mesh.parts[m_partOf[vertex]];
+    const double pressure = part.material.pressure;
+    if (pressure == 0)
+        return;
+    const Eigen::Vector3d normal = rotationOf(m_next.frames.col(vertex)).col(2) * part.outward;
+    residual.head<3>() += (pressure * m_mesh.area[vertex] / m_mesh.diameter[part.component]) * normal;
 }
 
 /// Measures the move, restarts the acceleration when it has overshot, and makes the new state the present one.
@@ -322,8 +333,8 @@ std::optional<double> SheetOptimizer::accept()
     m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
         Sums s;
         for (int u = begin; u < end; ++u) {
-            const Eigen::Vector3d next = m_next.positions.col(u);
-            const Eigen::Vector3d move = next - m_state.positions.col(u);
+            const Eigen::Vector4d next = m_next.positions.col(u);
+            const Eigen::Vector4d move = next - m_state.positions.col(u);
             const double d = m_mesh.diameter[m_mesh.parts[m_partOf[m_corners[m_cornersStart[u]]]].component];
             s.overshoot += (m_ahead.positions.col(u) - next).dot(move);
             s.farthestMove = std::max(s.farthestMove, move.squaredNorm() / (d * d));

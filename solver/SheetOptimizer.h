@@ -5,6 +5,7 @@
 #include "FreeBody.h"
 #include "SelfSeams.h"
 #include "SewnMesh.h"
+#include "SheetKernels.h"
 #include "SheetState.h"
 #include "WorkerPool.h"
 
@@ -40,7 +41,7 @@ public:
     /// or has left every bound; the state before is kept then.
     std::optional<double> iterate();
 
-    const SheetState& state() const { return m_state; }
+    SheetState state() const;
     const SewnMesh& mesh() const { return m_mesh; }
 
 private:
@@ -49,12 +50,14 @@ private:
     Eigen::SparseMatrix<double> positionMatrix() const;
     Eigen::SparseMatrix<double> frameMatrix() const;
     void precomputeRings();
+    template <class Body>
+    void forParts(const Body& body);
     Matrix32 covariance(int vertex) const;
     void extrapolate();
-    void fitFrames();
+    void fit();
     void solveFrames();
     void solvePositions(double step);
-    void move(double step);
+    void addPressure(int vertex, Eigen::Vector4d& residual) const;
     double stableStep() const;
     std::optional<double> accept();
 
@@ -63,6 +66,7 @@ private:
     std::optional<FactoredSystem> m_positions; // L1
     std::optional<FactoredSystem> m_frames;    // L2
 
+    SheetRings m_rings;
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i
     std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
@@ -71,16 +75,22 @@ private:
     std::optional<SelfSeams> m_selfSeams;
     std::vector<FreeBody> m_freeBodies; // components that nothing holds
 
-    SheetState m_state;
-    SheetState m_ahead; // y: the extrapolated state from which an iteration starts
-    SheetState m_next;
-    SheetState m_before;
+    struct State {
+        Columns positions; // x y z 0
+        Columns frames;    // w x y z
+    };
+    State m_state;
+    State m_ahead; // y: the extrapolated state from which an iteration starts
+    State m_next;
+    State m_before;
     bool m_accelerated = true;
-    double m_momentum = 1;                                           // t_k of Nesterov's scheme
-    std::vector<Matrix32, Eigen::aligned_allocator<Matrix32>> m_map; // R(q_i) T_i
-    std::vector<Eigen::Matrix2d> m_stretch;
-    Eigen::MatrixXd m_frameRight;           // A_i qhat_i, one row per vertex
-    Eigen::MatrixXd m_residual;             // of L1, one row per free unknown
+    bool m_signsAgree = false;
+    double m_momentum = 1;                  // t_k of Nesterov's scheme
+    Columns m_map;                          // the two columns of R(q_i) T_i, per vertex
+    Columns m_stretch;                      // T_i: xx, xy, yy
+    Columns m_forces;                       // per vertex
+    Columns m_frameRight;                   // A_i qhat_i
+    Columns m_residual;                     // of L1, per free unknown
     PackedFactor::Vectors m_turns, m_moves; // residuals, then corrections, in the factors' order
 };
 
