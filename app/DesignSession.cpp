@@ -162,15 +162,15 @@ void DesignSession::save(const QString& path, const Done& done)
     });
 }
 
-bool DesignSession::isFrameFile(const QString& path) const
+bool DesignSession::isElementFile(const QString& path) const
 {
     const QString target = QFileInfo(path).canonicalFilePath();
-    bool found = false;
-    m_document.design().each<Frame>([&](ElementId, const Frame& frame) {
-        const QString file = m_files.find(QString::fromStdString(frame.file));
-        found = found || (!target.isEmpty() && QFileInfo(file).canonicalFilePath() == target);
+    if (target.isEmpty())
+        return false;
+    return std::ranges::any_of(m_document.design().elements(), [&](const auto& item) {
+        const std::string* file = elementFile(*item.second);
+        return file && QFileInfo(m_files.find(QString::fromStdString(*file))).canonicalFilePath() == target;
     });
-    return found;
 }
 
 void DesignSession::discardWork()

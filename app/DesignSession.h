@@ -3,6 +3,7 @@
 #pragma once
 
 #include "DesignFile.h"
+#include "DesignFiles.h"
 #include "Document.h"
 #include "FrameFiles.h"
 #include "Recovery.h"
@@ -33,6 +34,8 @@ public:
     /// For the window's title.
     QString title() const;
     const FrameMeshes& frames() const { return m_frames; }
+    /// What the solver may use of them.
+    DesignFiles contents() const { return {m_frames, {}}; }
     /// Of elements that could not be read and of frame files: what only this class knows.
     Problems problems() const;
     /// Everything that was wrong when the file was opened.
@@ -49,7 +52,7 @@ public:
     /// A save of the design as it is now is on its way.
     bool savingAll() const { return m_saving == m_document.history().current(); }
     /// Writing there would destroy a mesh that the design shows.
-    bool isFrameFile(const QString& path) const;
+    bool isElementFile(const QString& path) const;
     /// Nothing of the unsaved work is to be kept.
     void discardWork();
     /// The window closes; unsaved work that was not discarded is found at the next start.

@@ -188,7 +188,7 @@ QString FileFlow::chooseTarget(const QString& title, const QString& proposal, co
         if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Bolster"), question) != QMessageBox::Yes)
             return {};
     }
-    if (m_session.isFrameFile(path)) {
+    if (m_session.isElementFile(path)) {
         fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
              {QT_TRANSLATE_NOOP("Message", "it is the mesh of a frame in this design; choose another name")});
         return {};

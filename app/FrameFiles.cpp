@@ -130,19 +130,17 @@ Message FrameFiles::copyTo(const QString& target, const Design& design, Design* 
     *moved = design;
     const QDir to(target);
     Message problem;
-    design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const QString name = QString::fromStdString(frame.file);
+    for (const auto& [id, element] : design.elements()) {
+        const std::string* file = elementFile(*element);
+        const QString name = file ? QString::fromStdString(*file) : QString();
         const QString source = find(name);
         if (!problem.empty() || source.isEmpty())
-            return;
+            continue;
         const QString free = freeName(to, name, source);
         problem = copyInto(to, free, source);
-        if (free == name)
-            return;
-        Frame renamed = frame;
-        renamed.file = free.toStdString();
-        *moved = moved->with(edits::replaceElement(*moved, id, makeElement(std::move(renamed)), {}));
-    });
+        if (free != name)
+            *moved = moved->with(edits::replaceElement(*moved, id, withFile(*element, free.toStdString()), {}));
+    }
     return problem;
 }
 

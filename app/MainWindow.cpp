@@ -115,8 +115,10 @@ void MainWindow::connectDocument()
 {
     connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
-    connect(m_session.get(), &DesignSession::framesChanged, this,
-            [this] { m_surface->setFrames(m_session->frames()); });
+    connect(m_session.get(), &DesignSession::framesChanged, this, [this] {
+        m_surface->setFrames(m_session->frames());
+        m_solver->setFiles(m_session->contents());
+    });
     connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) {
         m_selection.set({id});
         if (!m_solver->surface())
@@ -183,7 +185,7 @@ void MainWindow::designOpened()
         m_files->offerRecovery();
     m_selection.clear();
     m_elements->scrollToTop();
-    m_solver->forget();
+    m_solver->forget(m_session->contents());
     m_fitCover = true;
     m_surface->setFrames(m_session->frames());
     m_pattern->fitAll();

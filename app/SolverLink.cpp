@@ -23,7 +23,13 @@ bool SolverLink::upToDate() const
 void SolverLink::send()
 {
     if (!m_paused)
-        m_thread->request(m_document.design(), m_document.revision(), m_document.gestureRunning());
+        m_thread->request({m_document.design(), m_files}, m_document.revision(), m_document.gestureRunning());
+}
+
+void SolverLink::setFiles(DesignFiles files)
+{
+    m_files = std::move(files);
+    send();
 }
 
 void SolverLink::setPaused(bool paused)
@@ -38,8 +44,9 @@ void SolverLink::settle()
     m_thread->settle();
 }
 
-void SolverLink::forget()
+void SolverLink::forget(DesignFiles files)
 {
+    m_files = std::move(files);
     m_thread->startAnew();
     m_surface = nullptr;
     m_status = {};

@@ -27,12 +27,14 @@ public:
     /// The design that `status()` is about is the present one.
     bool upToDate() const;
 
+    /// What the design's files hold, as far as it is known by now.
+    void setFiles(DesignFiles files);
     /// While paused the surface stays as it is; afterwards it catches up.
     void setPaused(bool paused);
     bool paused() const { return m_paused; }
     void settle();
     /// Another design was opened: its surface has nothing to do with the last one.
-    void forget();
+    void forget(DesignFiles files);
 
 signals:
     void surfaceChanged(const bolster::SurfaceMeshPtr& surface);
@@ -43,6 +45,7 @@ private:
     void receive();
 
     Document& m_document;
+    DesignFiles m_files;
     SurfaceMeshPtr m_surface;
     SolverStatus m_status;
     SolveReport m_report;

@@ -61,15 +61,16 @@ bool leaveOut(PreparedSheet& sheet, const Problems& problems)
 
 } // namespace
 
-std::optional<PreparedSheet> prepareSheet(const Design& design, TriangulationCache& cache, std::stop_token stop)
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache, std::stop_token stop)
 {
     PreparedSheet sheet;
-    const Problems problems = checkDesign(design);
+    sheet.files = input.files;
+    const Problems problems = checkDesign(input.design);
     std::copy_if(problems.begin(), problems.end(), std::back_inserter(sheet.errors),
                  [](const Problem& p) { return p.severity == Severity::Error; });
     std::copy_if(problems.begin(), problems.end(), std::back_inserter(sheet.warnings),
                  [](const Problem& p) { return p.severity == Severity::Warning; });
-    sheet.design = usablePart(design, problems, &sheet.leftOut);
+    sheet.design = usablePart(input.design, problems, &sheet.leftOut);
 
     Stopwatch watch;
     std::vector<PatchMesh> meshes;

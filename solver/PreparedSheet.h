@@ -4,6 +4,7 @@
 #include "OutlineSampling.h"
 #include "PatchTriangulator.h"
 #include "SewnMesh.h"
+#include "SolveInput.h"
 
 #include <map>
 #include <optional>
@@ -28,6 +29,7 @@ private:
 
 struct PreparedSheet {
     Design design; ///< the part that can be used
+    DesignFiles files;
     OutlineSampling sampling;
     SewnMesh mesh;
     Problems errors; ///< what is wrong with the input
@@ -38,7 +40,7 @@ struct PreparedSheet {
 };
 
 /// Checks, samples, triangulates and sews; bad elements are left out and named. Nothing when stopped.
-std::optional<PreparedSheet> prepareSheet(const Design& design, TriangulationCache& cache,
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache,
                                           std::stop_token stop = {});
 
 } // namespace bolster

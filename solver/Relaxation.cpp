@@ -2,10 +2,13 @@
 
 #include "StartPlacement.h"
 
+#include <utility>
+
 namespace bolster {
 
-Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, const std::stop_token& stop)
-    : m_optimizer(mesh, pool, stop)
+Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, Ghosts ghosts,
+                       const std::stop_token& stop)
+    : m_optimizer(mesh, pool, std::move(ghosts), stop)
     , m_tolerance(tolerance)
     , m_convergence(tolerance)
     , m_factorTime(m_watch.elapsed())
@@ -34,20 +37,31 @@ void Relaxation::startFrom(SheetState state, bool torn)
     begin();
 }
 
-void Relaxation::retarget()
+void Relaxation::retarget(Ghosts ghosts)
 {
+    if (!m_optimizer.replaceGhosts(std::move(ghosts)))
+        factorAgain();
     if (!checkFactors())
         return;
     m_optimizer.retarget();
     begin();
 }
 
-void Relaxation::refactor()
+void Relaxation::refactor(Ghosts ghosts)
+{
+    m_optimizer.replaceGhosts(std::move(ghosts));
+    factorAgain();
+    if (!checkFactors())
+        return;
+    m_optimizer.retarget();
+    begin();
+}
+
+void Relaxation::factorAgain()
 {
     m_watch.restart();
     m_optimizer.refactor();
     m_factorTime = m_watch.elapsed();
-    retarget();
 }
 
 void Relaxation::iterate()

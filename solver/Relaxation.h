@@ -14,9 +14,10 @@ class Relaxation {
 public:
     enum class Phase { Running, Converged, Failed };
 
-    /// Factors; failed when that did not succeed. `tolerance` is relative to D. Mesh and pool must outlive it.
-    /// Factors; when stopped meanwhile it is Failed.
-    Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, const std::stop_token& stop = {});
+    /// Factors; failed when that did not succeed, or was stopped. `tolerance` is relative to D. Mesh and pool must
+    /// outlive it.
+    Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, Ghosts ghosts = {},
+               const std::stop_token& stop = {});
 
     /// From the start that depends on the design alone.
     void startCanonically();
@@ -24,9 +25,9 @@ public:
     /// positions.
     void startFrom(SheetState state, bool torn);
     /// After updateTargets() or updateMaterials() on the mesh.
-    void retarget();
+    void retarget(Ghosts ghosts = {});
     /// The same when matrices change too.
-    void refactor();
+    void refactor(Ghosts ghosts = {});
 
     /// One iteration; does nothing unless running.
     void iterate();
@@ -42,6 +43,7 @@ public:
 
 private:
     bool checkFactors();
+    void factorAgain();
     void begin();
     void fail(Message reason);
 

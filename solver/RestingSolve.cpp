@@ -1,6 +1,7 @@
 #include "RestingSolve.h"
 
 #include "DesignCheck.h"
+#include "MakeGhosts.h"
 #include "OutlineSampling.h"
 #include "Relaxation.h"
 #include "Stopwatch.h"
@@ -59,13 +60,13 @@ SolveResult failed(SolveResult result, Message reason)
 
 } // namespace
 
-SolveResult solveResting(const Design& design, const SolveOptions& options, std::stop_token stop,
+SolveResult solveResting(const SolveInput& input, const SolveOptions& options, std::stop_token stop,
                          const std::function<void(int, double)>& progress)
 {
     Stopwatch watch;
     SolveResult result;
     TriangulationCache cache;
-    std::optional<PreparedSheet> sheet = prepareSheet(design, cache, stop);
+    std::optional<PreparedSheet> sheet = prepareSheet(input, cache, stop);
     if (!sheet) {
         result.status = SolveResult::Status::Cancelled;
         return result;
@@ -82,7 +83,10 @@ SolveResult solveResting(const Design& design, const SolveOptions& options, std:
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
     WorkerPool pool(options.threads);
-    Relaxation solve(sheet->mesh, pool, options.tolerance, stop);
+    GhostCache ghostCache;
+    Relaxation solve(sheet->mesh, pool, options.tolerance,
+                     makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghostCache, result.warnings, stop),
+                     stop);
     if (stop.stop_requested()) {
         result.status = SolveResult::Status::Cancelled;
         return result;

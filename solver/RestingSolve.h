@@ -1,7 +1,7 @@
 // The resting surface: a function of the design alone.
 #pragma once
 
-#include "Design.h"
+#include "SolveInput.h"
 #include "SolveReport.h"
 #include "SurfaceMesh.h"
 
@@ -31,7 +31,7 @@ struct SolveResult {
 
 /// Solves from the canonical start. Bit for bit the same on any run and number of threads.
 /// `progress(iteration, movement)` is called on the caller's thread after each iteration.
-SolveResult solveResting(const Design& design, const SolveOptions& options, std::stop_token stop = {},
+SolveResult solveResting(const SolveInput& input, const SolveOptions& options, std::stop_token stop = {},
                          const std::function<void(int, double)>& progress = {});
 
 /// Everything that is wrong with a design as far as the solver can tell without solving: checkDesign, and what

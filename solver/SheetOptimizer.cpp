@@ -11,6 +11,11 @@
 
 namespace bolster {
 
+Vec3 SheetView::outside(const SewnMesh::Part& part, int vertex) const
+{
+    return rotationOf(frames.col(vertex)).col(2) * part.outward;
+}
+
 namespace {
 
 // Keeps a cover without fixations solvable. It is in the matrix only, so the fixed point does not feel it.
@@ -30,9 +35,11 @@ double bendingSquared(const SewnMesh::Part& part)
 
 } // namespace
 
-SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, const std::stop_token& stop)
+SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts ghosts, const std::stop_token& stop)
     : m_mesh(mesh)
     , m_pool(pool)
+    , m_ghosts(std::move(ghosts))
+    , m_ghostWeights(ghostWeights(m_ghosts))
     , m_rings(mesh)
 {
     precomputeRings();
@@ -54,19 +61,40 @@ bool SheetOptimizer::refactor()
     return m_frames->refactor(frameMatrix()) && positions;
 }
 
-/// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends.
+bool SheetOptimizer::replaceGhosts(Ghosts ghosts)
+{
+    m_ghosts = std::move(ghosts);
+    return std::exchange(m_ghostWeights, ghostWeights(m_ghosts)) == m_ghostWeights;
+}
+
+std::vector<double> SheetOptimizer::ghostWeights(const Ghosts& ghosts) const
+{
+    std::vector<double> weights;
+    for (const SewnMesh::Part& part : m_mesh.parts) {
+        double gamma = 0;
+        for (const auto& source : ghosts)
+            gamma += source->gamma(part);
+        weights.push_back(gamma / (m_mesh.diameter[part.component] * m_mesh.diameter[part.component]));
+    }
+    return weights;
+}
+
+/// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends. And
+/// the rows of ghosts.
 Eigen::SparseMatrix<double> SheetOptimizer::positionMatrix() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
     const auto& unknown = m_mesh.topology->unknown;
-    for (const SewnMesh::Part& part : m_mesh.parts) {
+    for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+        const SewnMesh::Part& part = m_mesh.parts[p];
         const double d = m_mesh.diameter[part.component];
+        const double soft = proximity / (d * d) + m_ghostWeights[p];
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             const int row = static_cast<int>(unknown[v]);
             if (row >= m_mesh.freeCount)
                 continue;
-            double diagonal = proximity * m_mesh.area[v] / (d * d);
+            double diagonal = soft * m_mesh.area[v];
             for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
                 const int column = static_cast<int>(unknown[m_mesh.ring[k].vertex]);
                 const double weight = 2 * part.material.stiffness * m_mesh.ring[k].weight;
@@ -139,6 +167,7 @@ void SheetOptimizer::precomputeRings()
     m_map.setZero(4, 2 * vertices);
     m_stretch.setZero(4, vertices);
     m_forces.setZero(4, vertices);
+    m_displacements.setZero(4, vertices);
     m_frameRight.setZero(4, vertices);
     m_residual.setZero(4, m_mesh.freeCount);
     m_turns.setZero(4, vertices);
@@ -284,6 +313,7 @@ void SheetOptimizer::solvePositions(double step)
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
         ringForces(m_rings, m_ahead.positions, m_map, part.material.stiffness, begin, end, m_forces);
     });
+    addGhosts();
     m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
         for (int u = begin; u < end; ++u) {
             Eigen::Vector4d residual = Eigen::Vector4d::Zero();
@@ -310,13 +340,30 @@ void SheetOptimizer::solvePositions(double step)
     });
 }
 
+void SheetOptimizer::addGhosts()
+{
+    const SheetView sheet{m_mesh, m_ahead.positions, m_next.frames};
+    for (const auto& source : m_ghosts) {
+        source->follow(sheet, m_pool);
+        forParts([&](const SewnMesh::Part& part, int begin, int end) {
+            const double d = m_mesh.diameter[part.component];
+            const double weight = source->gamma(part) / (d * d);
+            if (weight == 0)
+                return;
+            source->displace(sheet, part, begin, end, m_displacements);
+            for (int v = begin; v < end; ++v)
+                m_forces.col(v) += weight * m_mesh.area[v] * m_displacements.col(v);
+        });
+    }
+}
+
 void SheetOptimizer::addPressure(int vertex, Eigen::Vector4d& residual) const
 {
     const SewnMesh::Part& part = m_mesh.parts[m_partOf[vertex]];
     const double pressure = part.material.pressure;
     if (pressure == 0)
         return;
-    const Eigen::Vector3d normal = rotationOf(m_next.frames.col(vertex)).col(2) * part.outward;
+    const Vec3 normal = SheetView{m_mesh, m_ahead.positions, m_next.frames}.outside(part, vertex);
     residual.head<3>() += (pressure * m_mesh.area[vertex] / m_mesh.diameter[part.component]) * normal;
 }
 

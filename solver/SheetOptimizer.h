@@ -3,6 +3,7 @@
 
 #include "FactoredSystem.h"
 #include "FreeBody.h"
+#include "Ghosts.h"
 #include "SelfSeams.h"
 #include "SewnMesh.h"
 #include "SheetKernels.h"
@@ -19,12 +20,16 @@ namespace bolster {
 class SheetOptimizer {
 public:
     /// A stopped one is not ok().
-    SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, const std::stop_token& stop = {});
+    SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts ghosts = {}, const std::stop_token& stop = {});
 
     /// False when a system could not be factored: nothing else may be called then.
     bool ok() const { return m_positions && m_positions->ok() && m_frames && m_frames->ok(); }
     /// Takes changed materials (stiffness, bending length) into the matrices. Returns ok().
     bool refactor();
+
+    /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
+    bool replaceGhosts(Ghosts ghosts);
+    const Ghosts& ghosts() const { return m_ghosts; }
 
     /// Positions of fixed unknowns are taken from the mesh's targets.
     void restart(SheetState state);
@@ -57,6 +62,8 @@ private:
     void fit();
     void solveFrames();
     void solvePositions(double step);
+    std::vector<double> ghostWeights(const Ghosts& ghosts) const;
+    void addGhosts();
     void addPressure(int vertex, Eigen::Vector4d& residual) const;
     double stableStep() const;
     std::optional<double> accept();
@@ -65,6 +72,9 @@ private:
     WorkerPool& m_pool;
     std::optional<FactoredSystem> m_positions; // L1
     std::optional<FactoredSystem> m_frames;    // L2
+
+    Ghosts m_ghosts;
+    std::vector<double> m_ghostWeights; // of all sources, per part: gamma / D^2
 
     SheetRings m_rings;
     std::vector<int> m_partOf;           // per vertex
@@ -89,6 +99,7 @@ private:
     Columns m_map;                          // the two columns of R(q_i) T_i, per vertex
     Columns m_stretch;                      // T_i: xx, xy, yy
     Columns m_forces;                       // per vertex
+    Columns m_displacements;                // per vertex: where a ghost source wants it, from where it is
     Columns m_frameRight;                   // A_i qhat_i
     Columns m_residual;                     // of L1, per free unknown
     PackedFactor::Vectors m_turns, m_moves; // residuals, then corrections, in the factors' order

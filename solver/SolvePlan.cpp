@@ -74,11 +74,11 @@ SolvePlan planOf(const Element& before, const Element& after)
 
 } // namespace
 
-SolvePlan planSolve(const Design& before, const Design& after)
+SolvePlan planSolve(const SolveInput& before, const SolveInput& after)
 {
     SolvePlan plan = SolvePlan::Nothing;
-    for (ElementId id : differences(before, after)) {
-        const ElementPtr a = before.element(id), b = after.element(id);
+    for (ElementId id : differences(before.design, after.design)) {
+        const ElementPtr a = before.design.element(id), b = after.design.element(id);
         plan = std::max(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
     }
     return plan;

@@ -1,7 +1,7 @@
 // What a change of the design asks of the solver.
 #pragma once
 
-#include "Design.h"
+#include "SolveInput.h"
 
 namespace bolster {
 
@@ -14,6 +14,6 @@ enum class SolvePlan {
 };
 
 /// Cheap: shared elements are not looked into, of others only the fields that matter are compared.
-SolvePlan planSolve(const Design& before, const Design& after);
+SolvePlan planSolve(const SolveInput& before, const SolveInput& after);
 
 } // namespace bolster

@@ -11,16 +11,16 @@ SolverThread::SolverThread(std::function<void()> wake)
 
 SolverThread::~SolverThread() = default;
 
-void SolverThread::request(Design design, std::uint64_t designRevision, bool passing)
+void SolverThread::request(SolveInput input, std::uint64_t designRevision, bool passing)
 {
-    m_design = design;
+    m_input = input;
     m_revision = designRevision;
-    m_worker->request({std::move(design), designRevision, false, m_opening}, passing);
+    m_worker->request({std::move(input), designRevision, false, m_opening}, passing);
 }
 
 void SolverThread::settle()
 {
-    m_worker->request({m_design, m_revision, true, m_opening}, true);
+    m_worker->request({m_input, m_revision, true, m_opening}, true);
 }
 
 std::optional<SolverOutput> SolverThread::take()

@@ -1,7 +1,7 @@
 // A design goes in, surface meshes come out. Latest wins, nobody waits.
 #pragma once
 
-#include "Design.h"
+#include "SolveInput.h"
 #include "SolveReport.h"
 #include "SurfaceMesh.h"
 
@@ -57,14 +57,14 @@ public:
     void startAnew() { ++m_opening; }
     /// Replaces a request that was not taken yet. What is being prepared for an earlier one is given up, unless
     /// more requests are to come soon (`passing`, during a drag): then nothing would ever be finished.
-    void request(Design design, std::uint64_t designRevision, bool passing = false);
+    void request(SolveInput input, std::uint64_t designRevision, bool passing = false);
     /// Makes the resting surface the live one as soon as it is known.
     void settle();
     /// The newest output, once.
     std::optional<SolverOutput> take();
 
 private:
-    Design m_design; // of the last request
+    SolveInput m_input; // of the last request
     std::uint64_t m_revision = 0;
     int m_opening = 0;
     std::unique_ptr<SolverWorker> m_worker;

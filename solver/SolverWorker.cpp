@@ -104,13 +104,13 @@ void SolverWorker::begin(Request request)
         m_status = {};
         m_report = {};
     }
-    const SolvePlan plan = m_live ? planSolve(m_design, request.design) : SolvePlan::Resew;
+    const SolvePlan plan = m_live ? planSolve(m_input, request.input) : SolvePlan::Resew;
     const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
     if (!light && plan != SolvePlan::Nothing && m_status.state != SolverStatus::State::Moving)
         publish(SolverStatus::State::Preparing);
-    const Design designBefore = std::exchange(m_design, std::move(request.design));
+    const SolveInput inputBefore = std::exchange(m_input, std::move(request.input));
     m_designRevision = request.revision;
     m_settleWanted = request.settle;
     if (plan == SolvePlan::Nothing) {
@@ -119,9 +119,9 @@ void SolverWorker::begin(Request request)
         publish(m_status.state);
         return;
     }
-    const bool retargeted = light && retargetLive(m_design, plan);
-    if (!retargeted && !rebuildLive(m_design, plan == SolvePlan::Resew)) {
-        m_design = designBefore; // given up for a newer request, which starts from what there is
+    const bool retargeted = light && retargetLive(m_input, plan);
+    if (!retargeted && !rebuildLive(m_input, plan == SolvePlan::Resew)) {
+        m_input = inputBefore; // given up for a newer request, which starts from what there is
         m_status = statusBefore;
         return;
     }
@@ -140,10 +140,10 @@ void SolverWorker::begin(Request request)
 }
 
 /// Keeps samples and triangles. False when the change asks for more after all.
-bool SolverWorker::retargetLive(const Design& design, SolvePlan plan)
+bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
 {
-    const Problems problems = checkDesign(design);
-    const Design usable = usablePart(design, problems);
+    Problems problems = checkDesign(input.design);
+    const Design usable = usablePart(input.design, problems);
     PreparedSheet& prepared = m_live->prepared;
     if (!sameElements(usable, prepared.design))
         return false;
@@ -153,23 +153,24 @@ bool SolverWorker::retargetLive(const Design& design, SolvePlan plan)
         return false;
     prepared.sampling = std::move(sampling);
     prepared.design = usable;
+    prepared.files = input.files;
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
     if (plan == SolvePlan::Refactor)
-        m_live->relaxation->refactor();
+        m_live->relaxation->refactor(ghostsFor(prepared, problems));
     else
-        m_live->relaxation->retarget();
+        m_live->relaxation->retarget(ghostsFor(prepared, problems));
     m_live->canonical = false;
     m_live->stale = true;
-    m_status.problems = problems;
+    m_status.problems = std::move(problems);
     return true;
 }
 
 /// False when it was given up.
-bool SolverWorker::rebuildLive(const Design& design, bool torn)
+bool SolverWorker::rebuildLive(const SolveInput& input, bool torn)
 {
     const bool first = !m_live;
-    std::unique_ptr<Sheet> next = makeSheet(design, first ? restingTolerance : liveTolerance);
+    std::unique_ptr<Sheet> next = makeSheet(input, first ? restingTolerance : liveTolerance);
     if (!next)
         return false;
     m_status.problems = next->prepared.errors;
@@ -201,17 +202,23 @@ bool SolverWorker::rebuildLive(const Design& design, bool torn)
 }
 
 /// Null when it was given up.
-std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const Design& design, double tolerance)
+std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const SolveInput& input, double tolerance)
 {
     const std::stop_token stop = m_preparing.get_token();
-    std::optional<PreparedSheet> prepared = prepareSheet(design, m_cache, stop);
+    std::optional<PreparedSheet> prepared = prepareSheet(input, m_cache, stop);
     if (!prepared)
         return nullptr;
     auto sheet = std::make_unique<Sheet>();
     sheet->prepared = std::move(*prepared);
     if (!sheet->prepared.mesh.parts.empty())
-        sheet->relaxation = std::make_unique<Relaxation>(sheet->prepared.mesh, m_pool, tolerance, stop);
+        sheet->relaxation = std::make_unique<Relaxation>(
+            sheet->prepared.mesh, m_pool, tolerance, ghostsFor(sheet->prepared, sheet->prepared.warnings), stop);
     return stop.stop_requested() ? nullptr : std::move(sheet);
+}
+
+Ghosts SolverWorker::ghostsFor(const PreparedSheet& sheet, Problems& problems)
+{
+    return makeGhosts({sheet.design, sheet.files}, sheet.mesh, m_ghostCache, problems, m_preparing.get_token());
 }
 
 /// One iteration, and a published surface when somebody could see it.
@@ -243,7 +250,7 @@ void SolverWorker::endLive()
                            {std::to_string(m_live->relaxation->iterations())}};
     if (m_live->stale) {
         // The samples catch up with curves that have moved; the surface goes on from where it is.
-        if (rebuildLive(m_design, false) && !m_live)
+        if (rebuildLive(m_input, false) && !m_live)
             publish(SolverStatus::State::Idle);
         return;
     }
@@ -258,7 +265,7 @@ void SolverWorker::endLive()
 
 void SolverWorker::beginResting()
 {
-    m_resting = makeSheet(m_design, restingTolerance);
+    m_resting = makeSheet(m_input, restingTolerance);
     if (!m_resting)
         return; // a newer request is there
     if (!m_resting->relaxation) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Mailbox.h"
+#include "MakeGhosts.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
 #include "SolvePlan.h"
@@ -18,7 +19,7 @@ namespace bolster {
 class SolverWorker {
 public:
     struct Request {
-        Design design;
+        SolveInput input;
         std::uint64_t revision = 0;
         bool settle = false; ///< make the resting surface the live one as soon as it is known
         int opening = 0;     ///< different for designs that have nothing to do with each other
@@ -46,9 +47,10 @@ private:
     static bool running(const Sheet& sheet);
     bool step();
     void begin(Request request);
-    bool retargetLive(const Design& design, SolvePlan plan);
-    bool rebuildLive(const Design& design, bool torn);
-    std::unique_ptr<Sheet> makeSheet(const Design& design, double tolerance);
+    bool retargetLive(const SolveInput& input, SolvePlan plan);
+    bool rebuildLive(const SolveInput& input, bool torn);
+    std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);
+    Ghosts ghostsFor(const PreparedSheet& sheet, Problems& problems);
     void iterateLive();
     void endLive();
     void beginResting();
@@ -66,7 +68,8 @@ private:
 
     WorkerPool m_pool{1}; // the other cores belong to the window
     TriangulationCache m_cache;
-    Design m_design; // as requested, bad elements included
+    GhostCache m_ghostCache;
+    SolveInput m_input; // as requested, bad elements included
     std::uint64_t m_designRevision = 0;
     bool m_settleWanted = false;
     int m_opening = 0;

@@ -80,10 +80,10 @@ void SolveOutputs::protectInputs(const QString& designPath, const Design& design
 {
     std::map<QString, std::string> inputs = {{resolved(designPath), "the design"}};
     const QString folder = QFileInfo(designPath).absolutePath();
-    design.each<Frame>([&](ElementId, const Frame& frame) {
-        inputs.emplace(resolved(folder + "/" + QString::fromStdString(frame.file)),
-                       "the frame \"" + frame.file + "\"");
-    });
+    for (const auto& [id, element] : design.elements())
+        if (const std::string* file = elementFile(*element))
+            inputs.emplace(resolved(folder + "/" + QString::fromStdString(*file)),
+                           "the file \"" + *file + "\" of " + elementLabel(id, *element));
     for (const auto& [option, path] : m_paths)
         if (const auto input = inputs.find(resolved(path)); input != inputs.end() && QFileInfo(path).isFile())
             throw UsageError(option + " would overwrite " + input->second);

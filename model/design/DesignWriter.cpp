@@ -162,14 +162,18 @@ void addFields(Line& line, const FixationSeam& seam)
     addMatch(line, seam.match);
 }
 
+void addPlacement(Line& line, const Placement& placement)
+{
+    const Quat& q = placement.rotation;
+    line.unless(1.0, "scale", placement.scale)
+        .unlessVector(Vec3(0, 0, 0), "position", placement.position)
+        .unlessVector(Eigen::Vector4d(1, 0, 0, 0), "rotation", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
+}
+
 void addFields(Line& line, const Frame& frame)
 {
-    const Eigen::Vector4d wxyz(frame.rotation.w(), frame.rotation.x(), frame.rotation.y(), frame.rotation.z());
-    line.quoted("name", frame.name)
-        .quoted("file", frame.file)
-        .unless(1.0, "scale", frame.scale)
-        .unlessVector(Vec3(0, 0, 0), "position", frame.position)
-        .unlessVector(Eigen::Vector4d(1, 0, 0, 0), "rotation", wxyz);
+    line.quoted("name", frame.name).quoted("file", frame.file);
+    addPlacement(line, frame);
 }
 
 std::string elementText(ElementId id, const Element& element)

@@ -25,6 +25,29 @@ const std::string& elementName(const Element& element)
         element);
 }
 
+const std::string* elementFile(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) -> const std::string* {
+            if constexpr (requires { value.file; })
+                return &value.file;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+ElementPtr withFile(const Element& element, std::string file)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (requires { value.file; })
+                value.file = std::move(file);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
 std::string elementLabel(ElementId id, const Element& element)
 {
     const bool readable = !std::holds_alternative<Quarantined>(element);

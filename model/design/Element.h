@@ -29,6 +29,10 @@ ElementPtr makeElement(T value)
 const char* kindName(const Element& element);
 /// The element's own name, or "" for kinds without one.
 const std::string& elementName(const Element& element);
+/// The file that the element refers to, or null for kinds without one.
+const std::string* elementFile(const Element& element);
+/// The same element with another file; it must be of a kind with one.
+ElementPtr withFile(const Element& element, std::string file);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);

@@ -202,15 +202,12 @@ FixationSeam readFixationSeam(Fields& fields)
     return seam;
 }
 
-Frame readFrame(Fields& fields)
+void readPlacement(Fields& fields, Placement& placement)
 {
-    Frame frame;
-    frame.name = fields.text("name");
-    frame.file = fields.text("file");
-    frame.scale = fields.number("scale", frame.scale);
-    frame.position = fields.vector<3>("position", frame.position);
+    placement.scale = fields.number("scale", placement.scale);
+    placement.position = fields.vector<3>("position", placement.position);
     const Eigen::Vector4d wxyz = fields.vector<4>("rotation", {1, 0, 0, 0});
-    frame.rotation = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    placement.rotation = Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     const double size = wxyz.norm();
     if (!(std::abs(size - 1) <= 1e-3) && fields.has("rotation"))
         fields.report().add("rotation",
@@ -218,7 +215,15 @@ Frame readFrame(Fields& fields)
                                                           "not of length %1"),
                              {numberText(size)}});
     else if (std::abs(size - 1) > 1e-14) // what is normalised already stays bit for bit
-        frame.rotation.normalize();
+        placement.rotation.normalize();
+}
+
+Frame readFrame(Fields& fields)
+{
+    Frame frame;
+    frame.name = fields.text("name");
+    frame.file = fields.text("file");
+    readPlacement(fields, frame);
     return frame;
 }
 

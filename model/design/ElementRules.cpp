@@ -318,7 +318,7 @@ void ElementRules::rules(const FixationSeam& seam)
 
 void ElementRules::rules(const Frame& frame)
 {
-    if (auto problem = frameFileProblem(frame.file))
+    if (auto problem = elementFileProblem(frame.file))
         error("file", std::move(*problem));
     if (!(frame.scale > 0 && frame.scale <= largestNumber))
         error("scale",

@@ -5,7 +5,7 @@
 namespace bolster {
 
 // Backslashes and drive letters count too: the design may travel to a system where they are separators.
-std::optional<Message> frameFileProblem(const std::string& file)
+std::optional<Message> elementFileProblem(const std::string& file)
 {
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
     if (file.empty())

@@ -142,8 +142,8 @@ TEST_F(FilesTest, TheMeshOfAFrameIsKnownAsSuch)
 {
     ASSERT_TRUE(open(sample("armchair")));
     ASSERT_TRUE(save(folder.filePath("armchair.json")));
-    EXPECT_TRUE(window.session().isFrameFile(folder.filePath("armchair.obj")));
-    EXPECT_FALSE(window.session().isFrameFile(folder.filePath("armchair-cover.obj")));
+    EXPECT_TRUE(window.session().isElementFile(folder.filePath("armchair.obj")));
+    EXPECT_FALSE(window.session().isElementFile(folder.filePath("armchair-cover.obj")));
 }
 
 TEST_F(FilesTest, DiscardingCloses)

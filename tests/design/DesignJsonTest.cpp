@@ -118,7 +118,7 @@ Design unusualDesign()
     FixationCurve curve{"", BSpline3(1, true, {{0, 0, 0}, {1, 0, 1}, {1, 1, 2}})};
     FixationSeam fixation{{ElementId{2}, 0.5, 0.5}, ElementId{9}, std::pair(2.5, 0.5), true, Match::Parameter};
     Seam seam{{ElementId{2}, 0, 1}, {ElementId{3}, 6.5, 1}, false, Match::Parameter, Continuity::G1};
-    Frame frame{"F", "a/b.obj", 25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)};
+    Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),

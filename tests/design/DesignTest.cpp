@@ -106,11 +106,11 @@ TEST(Frame, FilesStayInTheDesignsFolder)
 {
     for (const char* good :
          {"armchair.obj", "meshes/armchair.obj", "a b.obj", "..a.obj", "St\xC3\xBChle/x.ply", "./a.obj"})
-        EXPECT_FALSE(frameFileProblem(good)) << good;
+        EXPECT_FALSE(elementFileProblem(good)) << good;
     for (const char* bad : {"", "/etc/passwd", "../a.obj", "a/../../b.obj", "a/..", "..", "C:\\a.obj", "c:a.obj",
                             "..\\a.obj", "\\\\host\\a.obj", "a\nb.obj"})
-        EXPECT_TRUE(frameFileProblem(bad)) << bad;
-    EXPECT_TRUE(frameFileProblem(std::string("a\0b", 3)));
+        EXPECT_TRUE(elementFileProblem(bad)) << bad;
+    EXPECT_TRUE(elementFileProblem(std::string("a\0b", 3)));
 }
 
 TEST(Stretch, EndsBehindItsBeginning)

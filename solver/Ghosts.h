@@ -1,0 +1,41 @@
+// What pulls the cover softly: cushioning, scans, frames (paper, sections 3.5 and 4.1: ghost vertices).
+#pragma once
+
+#include "SheetKernels.h"
+#include "WorkerPool.h"
+
+#include <memory>
+#include <vector>
+
+namespace bolster {
+
+/// The cover in the middle of an iteration, as ghosts see it.
+struct SheetView {
+    const SewnMesh& mesh;
+    const Columns& positions; ///< per unknown: x y z 0, mm
+    const Columns& frames;    ///< per vertex: w x y z
+
+    Vec3 position(int vertex) const { return positions.col(mesh.topology->unknown[vertex]).head<3>(); }
+    /// Unit normal of a vertex of `part`, to the outside.
+    Vec3 outside(const SewnMesh::Part& part, int vertex) const;
+};
+
+/// One source of targets t_i: L1 gets the rows gamma A_i / D^2 |p_i - t_i|^2 for all vertices of the parts it acts
+/// on. Its weights are constant, so that targets may move without factoring again; a vertex that it does not want
+/// has its own position as target. A strength scales t_i - p_i, never gamma.
+class GhostSource {
+public:
+    virtual ~GhostSource() = default;
+
+    /// gamma of this part, 0 where the source does not act. Constant during the life of the source.
+    virtual double gamma(const SewnMesh::Part& part) const = 0;
+    /// Once in every iteration, before displace(): looks at the whole cover.
+    virtual void follow(const SheetView&, WorkerPool&) {}
+    /// Writes t_i - p_i (mm; x y z 0) for the vertices begin .. end - 1 of one part. Called on several threads.
+    virtual void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
+                          Columns& displacements) const = 0;
+};
+
+using Ghosts = std::vector<std::unique_ptr<GhostSource>>;
+
+} // namespace bolster
