@@ -143,7 +143,8 @@ TEST_F(CommandLine, NeverOverwritesWhatItReads)
     write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const QString file = design(
         "chair.json", with(hammock(), {{"id", 9}, {"kind", "frame"}, {"name", "Chair"}, {"file", "chair.obj"}}));
-    expectUsageError({"solve", file, "--obj", path("chair.obj")}, "--obj would overwrite the file \"chair.obj\" of frame 9 \"Chair\"");
+    expectUsageError({"solve", file, "--obj", path("chair.obj")},
+                     "--obj would overwrite the file \"chair.obj\" of frame 9 \"Chair\"");
     expectUsageError({"solve", file, "--report", path("chair.json")}, "--report would overwrite the design");
     EXPECT_TRUE(importMesh(path("chair.obj")).mesh);
 }
