@@ -1,24 +1,13 @@
 // What pulls the cover softly: cushioning, scans, frames (paper, sections 3.5 and 4.1: ghost vertices).
 #pragma once
 
-#include "SheetKernels.h"
+#include "SheetView.h"
 #include "WorkerPool.h"
 
 #include <memory>
 #include <vector>
 
 namespace bolster {
-
-/// The cover in the middle of an iteration, as ghosts see it.
-struct SheetView {
-    const SewnMesh& mesh;
-    const Columns& positions; ///< per unknown: x y z 0, mm
-    const Columns& frames;    ///< per vertex: w x y z
-
-    Vec3 position(int vertex) const { return positions.col(mesh.topology->unknown[vertex]).head<3>(); }
-    /// Unit normal of a vertex of `part`, to the outside.
-    Vec3 outside(const SewnMesh::Part& part, int vertex) const;
-};
 
 /// One source of targets t_i: L1 gets the rows gamma A_i / D^2 |p_i - t_i|^2 for all vertices of the parts it acts
 /// on. Its weights are constant, so that targets may move without factoring again; a vertex that it does not want

@@ -191,6 +191,12 @@ double SewnMesh::largestDiameter() const
     return diameter.empty() ? 1 : *std::max_element(diameter.begin(), diameter.end());
 }
 
+double SewnMesh::Part::bendingSquared() const
+{
+    constexpr double meshBending = 0.12; // lambda_eff^2 = lambda^2 + meshBending h^2
+    return std::max(0.0, material.bendingLength * material.bendingLength - meshBending * meanEdge * meanEdge);
+}
+
 SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes)
 {
     SewnMesh mesh;
@@ -233,8 +239,17 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     return mesh;
 }
 
+Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k)
+{
+    const std::size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 1, chain.size() - 1);
+    return (rest[chain[after]] - rest[chain[before]]).normalized();
+}
+
 void updateMaterials(SewnMesh& mesh, const Design& design)
 {
+    mesh.continuity.clear();
+    for (const SurfaceTopology::Chain& chain : mesh.topology->seams)
+        mesh.continuity.push_back(design.find<Seam>(chain.seam)->continuity);
     for (SewnMesh::Part& part : mesh.parts) {
         const Patch& patch = *design.find<Patch>(part.patch);
         const Fabric& fabric = *design.find<Fabric>(patch.fabric);

@@ -29,6 +29,9 @@ struct SewnMesh {
         double meanEdge = 0;   ///< h, mm
         double area = 0;       ///< mm^2
         Material material;
+
+        /// lambda_num^2, mm^2: the bending that is left to do for L2, since the mesh adds some of its own.
+        double bendingSquared() const;
     };
     struct RingEdge {
         int vertex = 0;
@@ -41,6 +44,7 @@ struct SewnMesh {
     std::vector<double> area;   ///< A_i, mm^2
     std::vector<int> ringStart; ///< CSR over `ring`, one more than vertices
     std::vector<RingEdge> ring;
+    std::vector<Continuity> continuity; ///< of the topology's seams
     int freeCount = 0;
     std::vector<Vec3> targets;    ///< of the fixed unknowns freeCount, freeCount + 1 ...
     std::vector<double> diameter; ///< D per sewn component, mm
@@ -55,7 +59,10 @@ struct SewnMesh {
 /// One mesh per outline of the sampling.
 SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes);
 
-/// Fabric and pressure values again, when only these have changed.
+/// Direction in which a chain of vertices runs at its k-th one, in the pattern plane.
+Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k);
+
+/// Fabric, pressure and continuity values again, when only these have changed.
 void updateMaterials(SewnMesh& mesh, const Design& design);
 /// Fixation targets again, when only these have changed.
 void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling);

@@ -2,15 +2,11 @@
 #pragma once
 
 #include "SewnMesh.h"
-
-#include <Eigen/Core>
+#include "SheetState.h"
 
 #include <vector>
 
 namespace bolster {
-
-/// Columns of four numbers: x y z 0, or w x y z.
-using Columns = Eigen::Matrix4Xd;
 
 /// What the loops need of the mesh, packed. Symbols are those of docs/solver.md.
 struct SheetRings {

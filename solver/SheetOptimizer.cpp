@@ -11,27 +11,14 @@
 
 namespace bolster {
 
-Vec3 SheetView::outside(const SewnMesh::Part& part, int vertex) const
-{
-    return rotationOf(frames.col(vertex)).col(2) * part.outward;
-}
-
 namespace {
 
 // Keeps a cover without fixations solvable. It is in the matrix only, so the fixed point does not feel it.
 constexpr double proximity = 1e-2;
-// The mesh adds bending of its own: lambda_eff^2 = lambda^2 + meshBending h^2.
-constexpr double meshBending = 0.12;
 // Below 4/3, see stableStep().
 constexpr double stableGain = 1.3;
 // A vertex further out than this many D has been thrown away by an instability.
 constexpr double farthest = 1e4;
-
-double bendingSquared(const SewnMesh::Part& part)
-{
-    const double lambda = part.material.bendingLength;
-    return std::max(0.0, lambda * lambda - meshBending * part.meanEdge * part.meanEdge);
-}
 
 } // namespace
 
@@ -57,6 +44,7 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
 
 bool SheetOptimizer::refactor()
 {
+    m_smoothSeams.emplace(m_mesh, m_rest);
     const bool positions = m_positions->refactor(positionMatrix());
     return m_frames->refactor(frameMatrix()) && positions;
 }
@@ -117,10 +105,11 @@ Eigen::SparseMatrix<double> SheetOptimizer::frameMatrix() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
+    const std::vector<double> damping = m_smoothSeams->damping();
     for (const SewnMesh::Part& part : m_mesh.parts) {
-        const double bending = 2 * bendingSquared(part);
+        const double bending = 2 * part.bendingSquared();
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            double diagonal = m_mesh.area[v];
+            double diagonal = m_mesh.area[v] + damping[v];
             for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
                 diagonal += bending * m_mesh.ring[k].weight;
                 if (m_mesh.ring[k].vertex < v) // kept even where it is 0, so that the pattern stays
@@ -145,7 +134,7 @@ void SheetOptimizer::precomputeRings()
         for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
             m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
 
-    m_selfSeams.emplace(m_mesh, m_rest);
+    m_smoothSeams.emplace(m_mesh, m_rest);
 
     m_cornersStart.assign(m_mesh.freeCount + 1, 0);
     const auto& unknown = m_mesh.topology->unknown;
@@ -262,22 +251,7 @@ void SheetOptimizer::fit()
         fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, begin, end, m_frameRight,
                   m_stretch);
     });
-    m_selfSeams->correct(
-        m_ahead.frames, [this](int v) { return covariance(v); },
-        [this](int part) { return bendingSquared(m_mesh.parts[part]); }, m_frameRight);
-}
-
-SheetOptimizer::Matrix32 SheetOptimizer::covariance(int vertex) const
-{
-    const auto& unknown = m_mesh.topology->unknown;
-    const Eigen::Vector3d here = m_ahead.positions.col(unknown[vertex]).head<3>();
-    Matrix32 sum = Matrix32::Zero();
-    for (int k = m_mesh.ringStart[vertex]; k < m_mesh.ringStart[vertex + 1]; ++k) {
-        const SewnMesh::RingEdge& edge = m_mesh.ring[k];
-        sum.noalias() +=
-            (m_ahead.positions.col(unknown[edge.vertex]).head<3>() - here) * (edge.weight * edge.rest.transpose());
-    }
-    return sum;
+    m_smoothSeams->correct({m_mesh, m_ahead.positions, m_ahead.frames}, m_pool, m_frameRight);
 }
 
 /// L2 in delta form.
@@ -286,7 +260,7 @@ void SheetOptimizer::solveFrames()
     const std::vector<int>& slots = m_frames->slots();
     std::atomic<bool> agree = true;
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
-        if (!frameResiduals(m_rings, m_ahead.frames, m_frameRight, 2 * bendingSquared(part), begin, end, slots,
+        if (!frameResiduals(m_rings, m_ahead.frames, m_frameRight, 2 * part.bendingSquared(), begin, end, slots,
                             m_turns))
             agree.store(false, std::memory_order_relaxed);
     });

@@ -4,10 +4,10 @@
 #include "FactoredSystem.h"
 #include "FreeBody.h"
 #include "Ghosts.h"
-#include "SelfSeams.h"
 #include "SewnMesh.h"
 #include "SheetKernels.h"
 #include "SheetState.h"
+#include "SmoothSeams.h"
 #include "WorkerPool.h"
 
 #include <optional>
@@ -24,7 +24,8 @@ public:
 
     /// False when a system could not be factored: nothing else may be called then.
     bool ok() const { return m_positions && m_positions->ok() && m_frames && m_frames->ok(); }
-    /// Takes changed materials (stiffness, bending length) into the matrices. Returns ok().
+    /// Takes changed materials (stiffness, bending length) and continuities of seams into the matrices. Returns
+    /// ok().
     bool refactor();
 
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
@@ -50,14 +51,11 @@ public:
     const SewnMesh& mesh() const { return m_mesh; }
 
 private:
-    using Matrix32 = Eigen::Matrix<double, 3, 2>;
-
     Eigen::SparseMatrix<double> positionMatrix() const;
     Eigen::SparseMatrix<double> frameMatrix() const;
     void precomputeRings();
     template <class Body>
     void forParts(const Body& body);
-    Matrix32 covariance(int vertex) const;
     void extrapolate();
     void fit();
     void solveFrames();
@@ -82,7 +80,7 @@ private:
     std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
     std::vector<int> m_corners;
 
-    std::optional<SelfSeams> m_selfSeams;
+    std::optional<SmoothSeams> m_smoothSeams;
     std::vector<FreeBody> m_freeBodies; // components that nothing holds
 
     struct State {

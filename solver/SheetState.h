@@ -5,6 +5,9 @@
 
 namespace bolster {
 
+/// Columns of four numbers: x y z 0, or w x y z.
+using Columns = Eigen::Matrix4Xd;
+
 /// Column-wise: positions of the unknowns in mm (free ones first, then fixed ones), unit quaternions (w, x, y, z)
 /// of the vertices' frames. A frame turns the pattern plane into the tangent plane.
 struct SheetState {

@@ -37,8 +37,9 @@ SolvePlan compare(const FixationCurve& a, const FixationCurve& b)
 
 SolvePlan compare(const Seam& a, const Seam& b)
 {
-    return a.a == b.a && a.b == b.b && a.reversed == b.reversed && a.match == b.match ? SolvePlan::Nothing
-                                                                                      : SolvePlan::Resew;
+    if (!(a.a == b.a && a.b == b.b && a.reversed == b.reversed && a.match == b.match))
+        return SolvePlan::Resew;
+    return a.continuity == b.continuity ? SolvePlan::Nothing : SolvePlan::Refactor;
 }
 
 SolvePlan compare(const FixationSeam& a, const FixationSeam& b)

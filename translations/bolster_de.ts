@@ -1274,10 +1274,6 @@
         <translation>eine Kurve hat höchstens %1 Punkte</translation>
     </message>
     <message>
-        <source>this version of Bolster computes every seam as a sharp edge (&quot;C0&quot;); what is chosen here is kept for later ones</source>
-        <translation>diese Version von Bolster berechnet jede Naht als scharfe Kante (&quot;C0&quot;); was hier gewählt ist, bleibt für spätere erhalten</translation>
-    </message>
-    <message>
         <source>the usual values of a fabric are used instead</source>
         <translation>stattdessen werden die üblichen Werte eines Stoffs verwendet</translation>
     </message>

@@ -280,10 +280,6 @@ void ElementRules::rules(const Seam& seam)
             warn("reversed", std::move(message));
         else
             error("reversed", std::move(message)); // the surface could not be smooth across it
-    } else if (seam.continuity != Continuity::C0) {
-        warn("continuity",
-             {QT_TRANSLATE_NOOP("Message", "this version of Bolster computes every seam as a sharp edge "
-                                           "(\"C0\"); what is chosen here is kept for later ones")});
     }
     const double lengthA = lengthOf(seam.a, a->outline);
     const double lengthB = lengthOf(seam.b, b->outline);

@@ -214,8 +214,6 @@ INSTANTIATE_TEST_SUITE_P(
                  p.seam.continuity = Continuity::G1;
              },
              6, "reversed", "wrong side"},
-        Rule{"SmoothSeam", [](Parts& p) { p.seam.continuity = Continuity::G1; }, 6, "continuity", "sharp edge",
-             Severity::Warning},
         Rule{"Ease",
              [](Parts& p) {
                  p.seam.b = {ElementId{3}, 3, 0.25};

@@ -128,6 +128,8 @@ TEST(SolvePlan, AsksForAsLittleAsPossible)
     EXPECT_EQ(planSolve(design, withOutlineMoved(design, Vec2(3, 0))), SolvePlan::Rebuild);
     ElementId seam{};
     design.each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+    EXPECT_EQ(planSolve(design, changed<Seam>(design, seam, [](Seam& s) { s.continuity = Continuity::G1; })),
+              SolvePlan::Refactor);
     EXPECT_EQ(planSolve(design, design.with({{}, {{seam, design.element(seam), nullptr}}})), SolvePlan::Resew);
 }
 
