@@ -10,7 +10,8 @@
 
 namespace bolster {
 
-/// By element. What is still being read, or cannot be read, is not here; a mesh or cloud that is here never changes.
+/// By element. What is still being read, or cannot be read, is not here; a mesh or cloud that is here never
+/// changes.
 struct DesignFiles {
     std::map<ElementId, std::shared_ptr<const TriangleMesh>> meshes;
     std::map<ElementId, std::shared_ptr<const PointCloud>> clouds;
