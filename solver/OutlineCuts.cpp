@@ -100,7 +100,11 @@ OutlineCuts::OutlineCuts(const Design& design)
         m_seams.push_back({id, &seam, span(seam.a), span(seam.b)});
     });
     design.each<FixationSeam>([&](ElementId id, const FixationSeam& fixation) {
-        m_fixations.push_back({id, &fixation, span(fixation.stretch)});
+        const FixationSpan held{id, &fixation, span(fixation.stretch)};
+        if (fixation.hasCurve())
+            m_fixations.push_back(held);
+        if (!fixation.orientation.empty())
+            m_orientations.push_back(held);
     });
 }
 
@@ -154,8 +158,9 @@ void OutlineCuts::cutAtCornersAndEnds()
         ends(seam.a);
         ends(seam.b);
     }
-    for (const FixationSpan& fixation : m_fixations)
-        ends(fixation.span);
+    for (const auto* held : {&m_fixations, &m_orientations})
+        for (const FixationSpan& fixation : *held)
+            ends(fixation.span);
     for (CutOutline& outline : m_outlines) {
         for (double t : outline.curve->corners())
             outline.add(t, tiny);

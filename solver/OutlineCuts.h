@@ -91,7 +91,8 @@ public:
 
     const std::vector<CutOutline>& outlines() const { return m_outlines; }
     const std::vector<SeamSpans>& seams() const { return m_seams; }
-    const std::vector<FixationSpan>& fixations() const { return m_fixations; }
+    const std::vector<FixationSpan>& fixations() const { return m_fixations; }       ///< those with a curve
+    const std::vector<FixationSpan>& orientations() const { return m_orientations; } ///< those with directions
     double edgeLength() const { return m_edge; }
     /// The cuts of a stretch, both ends included, in increasing parameter, or backwards.
     std::vector<Along> along(const OutlineSpan& span, Match match, bool backwards = false) const;
@@ -110,6 +111,7 @@ private:
     std::vector<CutOutline> m_outlines; // by increasing patch id
     std::vector<SeamSpans> m_seams;
     std::vector<FixationSpan> m_fixations;
+    std::vector<FixationSpan> m_orientations;
 };
 
 } // namespace bolster

@@ -224,6 +224,8 @@ public:
                                           samplesAlong(fixation.span),
                                           {},
                                           {}});
+        for (const FixationSpan& held : m_cuts.orientations())
+            m_result.orientations.push_back({held.id, held.span.outline, samplesAlong(held.span), {}});
     }
 
 private:
@@ -247,33 +249,50 @@ private:
     std::vector<std::vector<int>> m_firstSample; // per outline and piece
 };
 
+/// How far along a stretch its k-th sample of `samples` lies.
+double fractionAlong(const OutlineSpan& span, const CutOutline& outline, const std::vector<double>& parameters,
+                     const std::vector<int>& samples, std::size_t k, Match match)
+{
+    if (k == 0 || k + 1 == samples.size())
+        return k == 0 ? 0 : 1;
+    double t = parameters[samples[k]];
+    while (t < span.t0)
+        t += outline.curve->period();
+    while (t > span.t1)
+        t -= outline.curve->period();
+    return match == Match::Parameter ? (t - span.t0) / (span.t1 - span.t0)
+                                     : (outline.length.at(t) - span.s0) / (span.s1 - span.s0);
+}
+
 /// Where each sample of the chain belongs on its curve.
 void aim(OutlineSampling::FixedChain& chain, const FixationSpan& fixation, const OutlineCuts& cuts,
          const std::vector<double>& parameters, const Design& design)
 {
     const Match match = fixation.fixation->match;
     const CurveSpan curve(design, *fixation.fixation);
-    const CutOutline& outline = cuts.outlines()[chain.outline];
-    const OutlineSpan& span = fixation.span;
     chain.targets.clear();
     chain.curveParameters.clear();
     for (std::size_t k = 0; k < chain.samples.size(); ++k) {
-        double fraction = k == 0 ? 0 : 1;
-        if (k > 0 && k + 1 < chain.samples.size()) {
-            double t = parameters[chain.samples[k]];
-            while (t < span.t0)
-                t += outline.curve->period();
-            while (t > span.t1)
-                t -= outline.curve->period();
-            fraction = match == Match::Parameter ? (t - span.t0) / (span.t1 - span.t0)
-                                                 : (outline.length.at(t) - span.s0) / (span.s1 - span.s0);
-        }
+        double fraction =
+            fractionAlong(fixation.span, cuts.outlines()[chain.outline], parameters, chain.samples, k, match);
         if (fixation.fixation->reversed)
             fraction = 1 - fraction;
         const double t = curve.parameterAt(fraction, match);
         chain.curveParameters.push_back(t);
         chain.targets.push_back(curve.curve->at(t));
     }
+}
+
+void direct(OutlineSampling::OrientedChain& chain, const FixationSpan& held, const OutlineCuts& cuts,
+            const std::vector<double>& parameters)
+{
+    const Orientation& orientation = held.fixation->orientation;
+    chain.kind = orientation.kind;
+    chain.weight = orientation.weight;
+    chain.directions.clear();
+    for (std::size_t k = 0; k < chain.samples.size(); ++k)
+        chain.directions.push_back(orientation.at(
+            fractionAlong(held.span, cuts.outlines()[chain.outline], parameters, chain.samples, k, Match::Length)));
 }
 
 /// Two fixations may hold one vertex only in the same place.
@@ -314,6 +333,10 @@ void aimAll(OutlineSampling& sampling, const OutlineCuts& cuts, const Design& de
     for (std::size_t k = 0; k < sampling.fixations.size(); ++k) {
         OutlineSampling::FixedChain& chain = sampling.fixations[k];
         aim(chain, cuts.fixations()[k], cuts, sampling.outlines[chain.outline].parameters, design);
+    }
+    for (std::size_t k = 0; k < sampling.orientations.size(); ++k) {
+        OutlineSampling::OrientedChain& chain = sampling.orientations[k];
+        direct(chain, cuts.orientations()[k], cuts, sampling.outlines[chain.outline].parameters);
     }
     findConflicts(sampling, design);
 }

@@ -34,9 +34,19 @@ struct OutlineSampling {
         std::vector<Vec3> targets;           ///< mm
     };
 
+    struct OrientedChain {
+        ElementId owner{};
+        int outline = 0;
+        std::vector<int> samples;
+        std::vector<Vec3> directions; ///< unit, or zero, per sample
+        Orientation::Kind kind = Orientation::Kind::Normal;
+        double weight = 1;
+    };
+
     std::vector<Outline> outlines; ///< by increasing patch id
     std::vector<SewnChain> seams;
     std::vector<FixedChain> fixations;
+    std::vector<OrientedChain> orientations;
     int clusterCount = 0;
     Problems problems; ///< seams that cannot be matched, two targets for one vertex ...
 };
@@ -44,7 +54,7 @@ struct OutlineSampling {
 /// The design must be free of errors (usablePart).
 OutlineSampling sampleOutlines(const Design& design);
 
-/// The targets again after fixation curves have moved, the samples being kept.
+/// Targets and directions again after fixation curves or directions have changed, the samples being kept.
 void retarget(OutlineSampling& sampling, const Design& design);
 
 } // namespace bolster

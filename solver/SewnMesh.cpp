@@ -176,6 +176,10 @@ void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, c
         topology.seams.push_back({seam.seam, vertices(seam.outlineA, seam.a), vertices(seam.outlineB, seam.b)});
     for (const auto& chain : sampling.fixations)
         topology.fixations.push_back({chain.fixation, vertices(chain.outline, chain.samples), {}});
+    for (const auto& chain : sampling.orientations)
+        if (std::ranges::none_of(sampling.fixations,
+                                 [&](const auto& held) { return held.fixation == chain.owner; }))
+            topology.fixations.push_back({chain.owner, vertices(chain.outline, chain.samples), {}});
 }
 
 std::uint64_t nextSerial()
@@ -266,6 +270,12 @@ void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling)
             mesh.targets[mesh.topology->unknown[vertex] - static_cast<std::uint32_t>(mesh.freeCount)] =
                 chain.targets[k];
         }
+    mesh.oriented.clear();
+    for (const auto& chain : sampling.orientations)
+        for (std::size_t k = 0; k < chain.samples.size(); ++k)
+            if (chain.weight > 0 && chain.directions[k] != Vec3::Zero())
+                mesh.oriented.push_back({mesh.parts[chain.outline].firstVertex + chain.samples[k], chain.outline,
+                                         chain.directions[k], chain.kind, chain.weight});
 }
 
 } // namespace bolster

@@ -39,6 +39,15 @@ struct SewnMesh {
         Vec2 rest = Vec2::Zero(); ///< e_ij, mm
     };
 
+    /// A vertex whose normal is held.
+    struct Oriented {
+        int vertex = 0;
+        int part = 0;
+        Vec3 direction = Vec3::Zero(); ///< unit
+        Orientation::Kind kind = Orientation::Kind::Normal;
+        double weight = 1;
+    };
+
     std::shared_ptr<const SurfaceTopology> topology;
     std::vector<Part> parts;
     std::vector<double> area;   ///< A_i, mm^2
@@ -46,7 +55,8 @@ struct SewnMesh {
     std::vector<RingEdge> ring;
     std::vector<Continuity> continuity; ///< of the topology's seams
     int freeCount = 0;
-    std::vector<Vec3> targets;    ///< of the fixed unknowns freeCount, freeCount + 1 ...
+    std::vector<Vec3> targets; ///< of the fixed unknowns freeCount, freeCount + 1 ...
+    std::vector<Oriented> oriented;
     std::vector<double> diameter; ///< D per sewn component, mm
     std::vector<char> anchored;   ///< per component: some vertex is fixed
 
@@ -64,7 +74,7 @@ Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t
 
 /// Fabric, pressure and continuity values again, when only these have changed.
 void updateMaterials(SewnMesh& mesh, const Design& design);
-/// Fixation targets again, when only these have changed.
+/// Fixation targets and held normals again, when only these have changed.
 void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling);
 
 } // namespace bolster

@@ -2,6 +2,7 @@
 
 #include "FrameSigns.h"
 #include "LocalStep.h"
+#include "Orientations.h"
 #include "StartPlacement.h"
 
 #include <algorithm>
@@ -100,16 +101,18 @@ Eigen::SparseMatrix<double> SheetOptimizer::positionMatrix() const
     return matrix;
 }
 
-/// diag(A) + 2 lambda^2 L per patch.
+/// diag(A) + 2 lambda^2 L per patch, and what smooth seams and held normals add.
 Eigen::SparseMatrix<double> SheetOptimizer::frameMatrix() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
-    const std::vector<double> damping = m_smoothSeams->damping();
+    std::vector<double> rows = m_smoothSeams->damping();
+    for (const SewnMesh::Oriented& held : m_mesh.oriented)
+        rows[held.vertex] += orientationWeight(m_mesh, held);
     for (const SewnMesh::Part& part : m_mesh.parts) {
         const double bending = 2 * part.bendingSquared();
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            double diagonal = m_mesh.area[v] + damping[v];
+            double diagonal = m_mesh.area[v] + rows[v];
             for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
                 diagonal += bending * m_mesh.ring[k].weight;
                 if (m_mesh.ring[k].vertex < v) // kept even where it is 0, so that the pattern stays
@@ -251,7 +254,9 @@ void SheetOptimizer::fit()
         fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, begin, end, m_frameRight,
                   m_stretch);
     });
-    m_smoothSeams->correct({m_mesh, m_ahead.positions, m_ahead.frames}, m_pool, m_frameRight);
+    const SheetView now{m_mesh, m_ahead.positions, m_ahead.frames};
+    m_smoothSeams->correct(now, m_pool, m_frameRight);
+    addOrientations(now, m_frameRight);
 }
 
 /// L2 in delta form.

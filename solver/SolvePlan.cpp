@@ -44,7 +44,15 @@ SolvePlan compare(const Seam& a, const Seam& b)
 
 SolvePlan compare(const FixationSeam& a, const FixationSeam& b)
 {
-    return a == b ? SolvePlan::Nothing : SolvePlan::Resew;
+    FixationSeam held = b;
+    held.orientation = a.orientation;
+    if (!(held == a))
+        return SolvePlan::Resew;
+    if (a.orientation.empty() != b.orientation.empty())
+        return SolvePlan::Rebuild;
+    if (a.orientation.weight != b.orientation.weight)
+        return SolvePlan::Refactor;
+    return a.orientation == b.orientation ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
 
 SolvePlan compare(const Frame&, const Frame&)

@@ -98,6 +98,10 @@
         <source>%1 and %2, ease %3</source>
         <translation>%1 und %2, Mehrweite %3</translation>
     </message>
+    <message>
+        <source>%1, normal held</source>
+        <translation>%1, Normale gehalten</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -478,6 +482,10 @@
     <message>
         <source>It keeps its text and is saved as it is.</source>
         <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -1328,6 +1336,61 @@
     <message>
         <source>%1 of %2 triangles of the cover lie upside down. Look for cloth pressed into too little room, or a bending length that is long for its patch.</source>
         <translation>%1 von %2 Dreiecken des Bezugs liegen verkehrt herum. Suchen Sie nach Stoff, der zu wenig Platz hat, oder nach einer Biegelänge, die für ihr Teil zu groß ist.</translation>
+    </message>
+    <message>
+        <source>there is either a normal or a tangent; remove one of them</source>
+        <translation>es gibt entweder eine Normale oder eine Tangente; entfernen Sie eine davon</translation>
+    </message>
+    <message>
+        <source>there are %1 directions, but at most %2 are possible</source>
+        <translation>es sind %1 Richtungen, aber höchstens %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>a direction must be three numbers that are not all 0</source>
+        <translation>eine Richtung muss aus drei Zahlen bestehen, die nicht alle 0 sind</translation>
+    </message>
+    <message>
+        <source>direction %1 is opposite to the one before, so that it is not known on which way to turn; add one between them</source>
+        <translation>Richtung %1 ist der vorigen entgegengesetzt, sodass unklar ist, wie herum gedreht wird; fügen Sie eine dazwischen ein</translation>
+    </message>
+    <message>
+        <source>there is no curve; name one, or leave out curve_from and curve_to</source>
+        <translation>es gibt keine Kurve; nennen Sie eine, oder lassen Sie curve_from und curve_to weg</translation>
+    </message>
+    <message>
+        <source>Change the normal held by %1</source>
+        <translation>Von %1 gehaltene Normale ändern</translation>
+    </message>
+</context>
+<context>
+    <name>OrientationFields</name>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Normal held</source>
+        <translation>Normale gehalten</translation>
+    </message>
+    <message>
+        <source>Tangent plane held</source>
+        <translation>Tangentialebene gehalten</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>%1 directions, interpolated along the curve; the first is shown.</source>
+        <translation>%1 Richtungen, entlang der Kurve interpoliert; gezeigt wird die erste.</translation>
     </message>
 </context>
 <context>

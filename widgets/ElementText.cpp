@@ -84,6 +84,9 @@ QString displayName(const Design& design, ElementId id)
     if (const Seam* seam = design.find<Seam>(id))
         return QStringLiteral("%1 \u2013 %2")
             .arg(nameOrNumber(design, seam->a.patch), nameOrNumber(design, seam->b.patch));
+    if (const FixationSeam* fixation = design.find<FixationSeam>(id); fixation && !fixation->hasCurve())
+        return QCoreApplication::translate("ElementText", "%1, normal held")
+            .arg(nameOrNumber(design, fixation->stretch.patch));
     if (const FixationSeam* fixation = design.find<FixationSeam>(id))
         return QStringLiteral("%1 \u2192 %2")
             .arg(nameOrNumber(design, fixation->stretch.patch), nameOrNumber(design, fixation->curve));

@@ -5,6 +5,7 @@
 #include "FrameAngles.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
+#include "OrientationFields.h"
 #include "PatchEdits.h"
 #include "ProblemSet.h"
 #include "Selection.h"
@@ -273,6 +274,8 @@ void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
         return tr("%1, %2").arg(displayName(design, f.stretch.patch), lengthText(stretchLength(design, f.stretch)));
     });
     fixation.info(tr("Curve"), [](const Design& design, const FixationSeam& f) {
+        if (!f.hasCurve())
+            return tr("none");
         const FixationCurve* curve = design.find<FixationCurve>(f.curve);
         if (!curve || curve->curve.empty())
             return displayName(design, f.curve);
@@ -284,6 +287,7 @@ void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
     fixation.choice(tr("Match"), matchNames(), &FixationSeam::match,
                     QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
     fixation.check(tr("Curve runs backwards"), &FixationSeam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
+    OrientationFields::add(form, fixation);
 }
 
 void InspectorForms::addFrame(PropertyForm& form, ElementId id) const

@@ -120,7 +120,7 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
     // The inner half of a line twice as wide: the band ends exactly at the outline.
     m_painter.setClipPath(outline, Qt::IntersectClip);
     for (const auto& [owner, stretch] : m_in.scene.stretches()) {
-        if (stretch.patch != patch.id || stretch.fixation())
+        if (stretch.patch != patch.id || stretch.fixation)
             continue;
         const auto color = m_in.seamColors.find(owner);
         if (color == m_in.seamColors.end())
@@ -137,7 +137,7 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
     for (const auto& [owner, stretch] : m_in.scene.stretches()) {
-        if (stretch.patch != patch.id || !stretch.fixation())
+        if (stretch.patch != patch.id || !stretch.fixation)
             continue;
         const bool isSelected = selected(owner) || selected(stretch.curve);
         const QColor color = m_in.problems.hasError(owner) ? m_in.colors.error

@@ -113,15 +113,20 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
 void PatternScene::updateStretches(const Design& design, ElementId owner)
 {
     m_stretches.erase(owner);
+    PatternStretch side;
+    side.owner = owner;
     if (const Seam* seam = design.find<Seam>(owner)) {
-        addStretch(owner, seam->a, settingsId, false);
-        addStretch(owner, seam->b, settingsId, seam->reversed);
+        addStretch(side, seam->a);
+        side.backwards = seam->reversed;
+        addStretch(side, seam->b);
     } else if (const FixationSeam* fixation = design.find<FixationSeam>(owner)) {
-        addStretch(owner, fixation->stretch, fixation->curve, false);
+        side.fixation = true;
+        side.curve = fixation->curve;
+        addStretch(side, fixation->stretch);
     }
 }
 
-void PatternScene::addStretch(ElementId owner, const Stretch& stretch, ElementId curve, bool reversed)
+void PatternScene::addStretch(PatternStretch added, const Stretch& stretch)
 {
     const PatternPatch* entry = patch(stretch.patch);
     if (!entry)
@@ -130,10 +135,13 @@ void PatternScene::addStretch(ElementId owner, const Stretch& stretch, ElementId
     const std::optional<double> to = endOf(stretch, on.outline);
     if (!to)
         return;
-    QPainterPath path = curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
-    if (reversed)
-        path = path.toReversed();
-    m_stretches.emplace(owner, PatternStretch{owner, stretch.patch, stretch.from, *to, curve, reversed, path});
+    added.patch = stretch.patch;
+    added.from = stretch.from;
+    added.to = *to;
+    added.path = curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
+    if (added.backwards)
+        added.path = added.path.toReversed();
+    m_stretches.emplace(added.owner, added);
 }
 
 const PatternPatch* PatternScene::patch(ElementId id) const

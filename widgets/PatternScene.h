@@ -34,11 +34,11 @@ struct PatternStretch {
     ElementId patch{};
     double from = 0;
     double to = 0;                ///< unwrapped: larger than `from`
-    ElementId curve = settingsId; ///< of a fixation seam
+    bool fixation = false;        ///< of a fixation seam
+    ElementId curve = settingsId; ///< of a fixation seam that has one
     bool backwards = false;       ///< the seam walks it from `to` to `from`
     QPainterPath path;            ///< in the direction in which the seam walks it
 
-    bool fixation() const { return curve != settingsId; }
     bool contains(const BSpline2& outline, double parameter) const;
 };
 
@@ -79,7 +79,7 @@ public:
 private:
     void updatePatch(const Design& design, ElementId id);
     void updateStretches(const Design& design, ElementId owner);
-    void addStretch(ElementId owner, const Stretch& stretch, ElementId curve, bool reversed);
+    void addStretch(PatternStretch added, const Stretch& stretch);
     std::optional<PatternHit> hitPoint(const Vec2& at, double tolerance,
                                        const std::function<bool(ElementId)>& pointsShown) const;
     std::optional<PatternHit> hitOutline(const Vec2& at, double tolerance) const;

@@ -50,6 +50,8 @@ void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, 
         if (m_shown.seams)
             addSeams(scene);
         addOutlines(scene);
+        if (m_shown.curves)
+            addHeldNormals(scene);
     }
     if (m_shown.curves) {
         for (const auto& [id, curve] : m_curves.all())
@@ -102,6 +104,32 @@ void SurfaceMarks::addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurv
     line.hidden = selected || hovered ? 0.6F : 0.22F;
     line.casing = 0.8F;
     scene.lines.push_back(std::move(line));
+}
+
+/// Short lines that stand on the cover where a normal is held, or lie in it where a tangent is.
+void SurfaceMarks::addHeldNormals(SurfaceScene& scene) const
+{
+    constexpr std::size_t most = 9;       // along a stretch
+    constexpr double relativeSize = 0.03; // of the cover
+    const SurfaceMesh& mesh = *scene.surface;
+    const double size = relativeSize * mesh.boundingBox().diagonal().norm();
+    for (const SurfaceTopology::Chain& chain : mesh.topology->fixations) {
+        const FixationSeam* held = m_design.find<FixationSeam>(chain.seam);
+        if (!held || held->orientation.empty() || chain.a.size() < 2)
+            continue;
+        const bool marked = m_selection.contains(chain.seam) || m_selection.hovered() == chain.seam;
+        const QColor color = marked ? scene.colors.accent : fixationCurveColor(scene.colors);
+        const std::size_t count = std::min(most, chain.a.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t k = i * (chain.a.size() - 1) / (count - 1);
+            const double fraction = static_cast<double>(k) / static_cast<double>(chain.a.size() - 1);
+            const Vec3 foot = mesh.positions[chain.a[k]];
+            const Vec3 tip = foot + size * held->orientation.at(fraction);
+            if (foot.allFinite())
+                scene.lines.push_back(
+                    {pointsOf(std::vector<Vec3>{foot, tip}), color, marked ? 2.4F : 1.6F, 0.3F, 0.8F});
+        }
+    }
 }
 
 void SurfaceMarks::addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const

@@ -19,8 +19,9 @@ public:
         bool curves = true;
     };
 
-    SurfaceMarks(const SurfaceCurves& curves, const Selection& selection, Shown shown)
-        : m_curves(curves)
+    SurfaceMarks(const Design& design, const SurfaceCurves& curves, const Selection& selection, Shown shown)
+        : m_design(design)
+        , m_curves(curves)
         , m_selection(selection)
         , m_shown(shown)
     {}
@@ -31,8 +32,10 @@ private:
     void addSeams(SurfaceScene& scene) const;
     void addOutlines(SurfaceScene& scene) const;
     void addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve) const;
+    void addHeldNormals(SurfaceScene& scene) const;
     void addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const;
 
+    const Design& m_design;
     const SurfaceCurves& m_curves;
     const Selection& m_selection;
     Shown m_shown;

@@ -235,7 +235,7 @@ void SurfaceView::updateLooks()
 void SurfaceView::updateMarks()
 {
     const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves)};
-    SurfaceMarks(m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
+    SurfaceMarks(m_document.design(), m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
 }

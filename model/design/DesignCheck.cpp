@@ -35,8 +35,10 @@ void warnOfFreePatches(const Design& design, Problems& problems)
     Components components;
     design.each<Seam>([&](ElementId, const Seam& seam) { components.join(seam.a.patch, seam.b.patch); });
     std::set<ElementId> fixed;
-    design.each<FixationSeam>(
-        [&](ElementId, const FixationSeam& seam) { fixed.insert(components.root(seam.stretch.patch)); });
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
+        if (seam.hasCurve())
+            fixed.insert(components.root(seam.stretch.patch));
+    });
 
     std::map<ElementId, std::vector<ElementId>> free;
     design.each<Patch>([&](ElementId id, const Patch&) {

@@ -152,14 +152,28 @@ void addFields(Line& line, const FixationCurve& fixation)
     line.quoted("name", fixation.name).raw("curve", curveText(fixation.curve));
 }
 
+void addOrientation(Line& line, const Orientation& orientation)
+{
+    const auto& directions = orientation.directions;
+    std::string all;
+    for (const Vec3& direction : directions)
+        all.append(all.empty() ? "" : ", ").append(list(direction));
+    if (!directions.empty())
+        line.raw(orientation.kind == Orientation::Kind::Normal ? "normal" : "tangent",
+                 directions.size() == 1 ? all : "[" + all + "]");
+    line.unless(1.0, "normal_weight", orientation.weight);
+}
+
 void addFields(Line& line, const FixationSeam& seam)
 {
     addStretch(line, seam.stretch);
-    line.add("curve", seam.curve);
+    if (seam.hasCurve())
+        line.add("curve", seam.curve);
     if (seam.curveRange)
         line.add("curve_from", seam.curveRange->first).add("curve_to", seam.curveRange->second);
     line.unless(false, "reversed", seam.reversed);
     addMatch(line, seam.match);
+    addOrientation(line, seam.orientation);
 }
 
 void addPlacement(Line& line, const Placement& placement)

@@ -188,11 +188,49 @@ FixationCurve readFixationCurve(Fields& fields)
     return fixation;
 }
 
+/// One direction or a list of them.
+std::vector<Vec3> readDirections(Fields& fields, std::string_view key)
+{
+    const Value* value = fields.required(key);
+    const std::string field = fields.fieldOf(key);
+    bool isList = false;
+    if (value && value->isArray())
+        value->eachItem([&](std::size_t, const Value& item) { isList = isList || item.isArray(); });
+    std::vector<Vec3> directions;
+    if (value && !isList)
+        directions.push_back(vectorIn<3>(*value, field, fields.report(), largestCoordinate));
+    else if (value)
+        value->eachItem([&](std::size_t i, const Value& item) {
+            directions.push_back(
+                vectorIn<3>(item, field + "[" + std::to_string(i) + "]", fields.report(), largestCoordinate));
+        });
+    return directions;
+}
+
+Orientation readOrientation(Fields& fields)
+{
+    Orientation orientation;
+    if (fields.has("normal") && fields.has("tangent"))
+        fields.report().add("tangent",
+                            {QT_TRANSLATE_NOOP("Message", "there is either a normal or a tangent; remove "
+                                                          "one of them")});
+    if (fields.has("normal"))
+        orientation.directions = readDirections(fields, "normal");
+    if (fields.has("tangent")) {
+        orientation.kind = Orientation::Kind::Tangent;
+        orientation.directions = readDirections(fields, "tangent");
+    }
+    orientation.weight = fields.number("normal_weight", orientation.weight);
+    return orientation;
+}
+
 FixationSeam readFixationSeam(Fields& fields)
 {
     FixationSeam seam;
     seam.stretch = readStretch(fields);
-    seam.curve = fields.id("curve");
+    seam.orientation = readOrientation(fields);
+    if (fields.has("curve") || seam.orientation.empty())
+        seam.curve = fields.id("curve");
     if (fields.has("curve_from") || fields.has("curve_to")) {
         const double from = fields.number("curve_from");
         seam.curveRange = {from, fields.number("curve_to")};

@@ -16,6 +16,9 @@ constexpr double mostEase = 0.05;
 constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
+constexpr std::size_t mostDirections = 10'000;
+constexpr double shortestDirection = 1e-6;
+constexpr double mostNormalWeight = 100;
 
 bool isColor(const std::string& text)
 {
@@ -297,9 +300,41 @@ void ElementRules::rules(const FixationCurve& fixation)
         error("curve.points", {QT_TRANSLATE_NOOP("Message", "the curve has no length; move its points apart")});
 }
 
+void ElementRules::orientation(const Orientation& orientation)
+{
+    const std::string field = orientation.kind == Orientation::Kind::Normal ? "normal" : "tangent";
+    const std::size_t count = orientation.directions.size();
+    if (count > mostDirections)
+        error(field, {QT_TRANSLATE_NOOP("Message", "there are %1 directions, but at most %2 are possible"),
+                      {std::to_string(count), std::to_string(mostDirections)}});
+    for (const Vec3& direction : orientation.directions)
+        if (!direction.allFinite() || !(direction.norm() >= shortestDirection)) {
+            error(field,
+                  {QT_TRANSLATE_NOOP("Message", "a direction must be three numbers that are not all 0"), {}});
+            return;
+        }
+    for (std::size_t k = 1; k < count; ++k)
+        if (orientation.directions[k - 1].normalized().dot(orientation.directions[k].normalized()) < -0.99) {
+            error(field,
+                  {QT_TRANSLATE_NOOP("Message", "direction %1 is opposite to the one before, so that it is not "
+                                                "known on which way to turn; add one between them"),
+                   {std::to_string(k + 1)}});
+            return;
+        }
+    inRange("normal_weight", orientation.weight, 0, mostNormalWeight);
+}
+
 void ElementRules::rules(const FixationSeam& seam)
 {
     stretch("", seam.stretch);
+    orientation(seam.orientation);
+    if (!seam.hasCurve() && seam.curveRange)
+        error("curve_from",
+              {QT_TRANSLATE_NOOP("Message", "there is no curve; name one, or leave out curve_from and "
+                                            "curve_to"),
+               {}});
+    if (!seam.hasCurve() && !seam.orientation.empty())
+        return;
     const auto* fixation = reference<FixationCurve>("curve", seam.curve);
     if (!fixation || fixation->curve.empty() || !seam.curveRange)
         return;

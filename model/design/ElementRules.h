@@ -39,6 +39,7 @@ private:
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);
+    void orientation(const Orientation& orientation);
     bool sewsAnew(const Seam& seam);
     bool overlapsItself(const Seam& seam, const BSpline2& outline) const;
     bool joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const;

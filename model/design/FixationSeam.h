@@ -1,6 +1,8 @@
-// A seam between a stretch of an outline and a fixation curve: ((i, r, s), j) of the paper, section 3.1.
+// Holds a stretch of an outline: its place by a fixation curve, ((i, r, s), j) of the paper, section 3.1, and how
+// the cover leans there.
 #pragma once
 
+#include "Orientation.h"
 #include "Stretch.h"
 
 #include <optional>
@@ -10,10 +12,13 @@ namespace bolster {
 
 struct FixationSeam {
     Stretch stretch;
-    ElementId curve{};
+    ElementId curve{};                                   ///< none: only the orientation is held
     std::optional<std::pair<double, double>> curveRange; ///< from, to on the curve; nothing: the whole curve
     bool reversed = false;                               ///< the curve is walked backwards
     Match match = Match::Length;
+    Orientation orientation; ///< from the stretch's start to its end
+
+    bool hasCurve() const { return curve != ElementId{}; }
 
     friend bool operator==(const FixationSeam&, const FixationSeam&) = default;
 };

@@ -26,7 +26,7 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
     if (const auto* fixation = std::get_if<FixationSeam>(&element)) {
         if (!design.find<Patch>(fixation->stretch.patch))
             return fixation->stretch.patch;
-        if (!design.find<FixationCurve>(fixation->curve))
+        if (fixation->hasCurve() && !design.find<FixationCurve>(fixation->curve))
             return fixation->curve;
     }
     return std::nullopt;

@@ -214,6 +214,26 @@ INSTANTIATE_TEST_SUITE_P(
                  p.seam.continuity = Continuity::G1;
              },
              6, "reversed", "wrong side"},
+        Rule{"NormalZero", [](Parts& p) { p.fixation.orientation.directions = {Vec3(0, 0, 0)}; }, 5, "normal",
+             "not all 0"},
+        Rule{"NormalTurnsRound",
+             [](Parts& p) {
+                 p.fixation.orientation.directions = {Vec3(0, 0, 1), Vec3(0, 0, -2)};
+             },
+             5, "normal", "opposite"},
+        Rule{"TangentNaN",
+             [](Parts& p) {
+                 p.fixation.orientation = {Orientation::Kind::Tangent, {Vec3(0, nan, 1)}, 1};
+             },
+             5, "tangent", "three numbers"},
+        Rule{"NormalWeight", [](Parts& p) { p.fixation.orientation.weight = -1; }, 5, "normal_weight", "-1"},
+        Rule{"RangeOfNoCurve",
+             [](Parts& p) {
+                 p.fixation.curve = {};
+                 p.fixation.curveRange = std::pair(0.0, 1.0);
+                 p.fixation.orientation.directions = {Vec3(0, 0, 1)};
+             },
+             5, "curve_from", "no curve"},
         Rule{"Ease",
              [](Parts& p) {
                  p.seam.b = {ElementId{3}, 3, 0.25};

@@ -116,14 +116,20 @@ Design unusualDesign()
     Patch cornered = patch;
     cornered.outline = BSpline2::withCorners({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 2}, {1, 3}, {0.5, 1}}, {0, 3});
     FixationCurve curve{"", BSpline3(1, true, {{0, 0, 0}, {1, 0, 1}, {1, 1, 2}})};
-    FixationSeam fixation{{ElementId{2}, 0.5, 0.5}, ElementId{9}, std::pair(2.5, 0.5), true, Match::Parameter};
+    FixationSeam fixation{
+        {ElementId{2}, 0.5, 0.5}, ElementId{9},
+        std::pair(2.5, 0.5),      true,
+        Match::Parameter,         {Orientation::Kind::Normal, {Vec3(0.1, 0, 2), Vec3(-1, 3e-5, 0)}, 0.3}};
+    FixationSeam leaning;
+    leaning.stretch = {ElementId{2}, 0, 1};
+    leaning.orientation = {Orientation::Kind::Tangent, {Vec3(0, 0, -2)}, 1};
     Seam seam{{ElementId{2}, 0, 1}, {ElementId{3}, 6.5, 1}, false, Match::Parameter, Continuity::G1};
     Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
-                                              makeElement(frame),    makeElement(curve)};
+                                              makeElement(frame),    makeElement(curve),    makeElement(leaning)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});

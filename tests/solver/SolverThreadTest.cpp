@@ -126,6 +126,17 @@ TEST(SolvePlan, AsksForAsLittleAsPossible)
     EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.bendingLength = 3; })),
               SolvePlan::Refactor);
     EXPECT_EQ(planSolve(design, withOutlineMoved(design, Vec2(3, 0))), SolvePlan::Rebuild);
+    ElementId held{};
+    design.each<FixationSeam>([&](ElementId id, const FixationSeam&) { held = id; });
+    const auto leaning = [&](const Design& from, const Vec3& normal, double weight) {
+        return changed<FixationSeam>(from, held, [&](FixationSeam& f) {
+            f.orientation = {Orientation::Kind::Normal, {normal}, weight};
+        });
+    };
+    const Design up = leaning(design, Vec3(0, 0, 1), 1);
+    EXPECT_EQ(planSolve(design, up), SolvePlan::Rebuild);
+    EXPECT_EQ(planSolve(up, leaning(up, Vec3(0, 1, 1), 1)), SolvePlan::Retarget);
+    EXPECT_EQ(planSolve(up, leaning(up, Vec3(0, 0, 1), 2)), SolvePlan::Refactor);
     ElementId seam{};
     design.each<Seam>([&](ElementId id, const Seam&) { seam = id; });
     EXPECT_EQ(planSolve(design, changed<Seam>(design, seam, [](Seam& s) { s.continuity = Continuity::G1; })),
