@@ -1,37 +1,34 @@
-// A symmetric positive definite system: the constructor factors, solve() is cheap.
+// A symmetric positive definite system that is cheap to solve, again and again.
 #pragma once
 
 #include "PackedFactor.h"
 
 #include <Eigen/SparseCore>
 
-#include <memory>
-
 namespace bolster {
 
-/// Factored by CHOLMOD in double precision on one thread, solved with in single precision (PackedFactor): for
-/// corrections, which the next residual puts right. Not safe to share between threads, because solve() uses a
-/// workspace. A system without unknowns is solved, too.
+/// Factored in double precision, solved with in single precision (PackedFactor): for corrections, which the next
+/// residual puts right. Not safe to share between threads, because solve() uses a workspace. A system without
+/// unknowns is solved, too.
 class FactoredSystem {
 public:
-    /// The lower triangle of the matrix is read; `places` says where its unknowns lie (for the elimination order).
+    /// Finds the order of elimination and the structure of the factor. The lower triangle of the matrix is read;
+    /// every column has a diagonal entry. `places` says where its unknowns lie: neighbours should be near each
+    /// other.
     FactoredSystem(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix3Xd& places);
-    ~FactoredSystem();
-    FactoredSystem(FactoredSystem&&) noexcept;
-    FactoredSystem& operator=(FactoredSystem&&) noexcept;
 
-    /// False when the matrix was not positive definite or not finite; solve() must not be called then.
+    /// The numbers of this matrix or another of the same pattern. Returns ok(): false when it was not positive
+    /// definite or not finite, or when stopped; solve() must not be called then.
+    bool factor(const Eigen::SparseMatrix<double>& matrix, WorkerPool& pool, const std::stop_token& stop = {});
     bool ok() const { return m_ok; }
-    /// Same pattern, other values: keeps the symbolic analysis. Returns ok().
-    bool refactor(const Eigen::SparseMatrix<double>& matrix);
     /// Where each unknown lies in the vectors of solve().
     const std::vector<int>& slots() const { return m_packed.slots(); }
     /// x := A^-1 x for four right-hand sides.
     void solve(PackedFactor::Vectors& x, WorkerPool& pool) { m_packed.solve(x, pool); }
+    /// Memory that a solve reads twice.
+    std::size_t bytes() const { return m_packed.bytes(); }
 
 private:
-    struct Cholmod;
-    std::unique_ptr<Cholmod> m_cholmod;
     PackedFactor m_packed;
     bool m_ok = false;
 };

@@ -2,15 +2,14 @@
 #pragma once
 
 #include "PackedKernels.h"
+#include "SymbolicFactor.h"
 #include "WorkerPool.h"
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <vector>
-
-struct cholmod_factor_struct;
 
 namespace bolster {
 
@@ -21,13 +20,13 @@ public:
     using Vectors = Eigen::Matrix<float, 4, Eigen::Dynamic>;
 
     PackedFactor() = default;
-    /// From CHOLMOD's supernodal factor L L^T.
-    explicit PackedFactor(const cholmod_factor_struct& factor);
+    explicit PackedFactor(SymbolicFactor symbolic);
 
-    /// Other numbers in a factor of the same structure.
-    void update(const cholmod_factor_struct& factor);
+    /// Computes the numbers, in double precision. `values` are those of the matrix that `symbolic` was made of.
+    /// False when it is not positive definite or not finite, or when stopped.
+    bool factor(const double* values, WorkerPool& pool, const std::stop_token& stop = {});
 
-    const std::vector<int>& slots() const { return m_slots; }
+    const std::vector<int>& slots() const { return m_symbolic.slots; }
     /// x := A^-1 x, one column per unknown. The same bits on any number of threads: the work is always split at the
     /// same place.
     void solve(Vectors& x, WorkerPool& pool);
@@ -41,16 +40,11 @@ private:
     using Memory = std::unique_ptr<float[], Free>;
     static Memory allocate(std::size_t count);
 
-    void findHalves(const std::vector<int>& parent, const std::vector<double>& work, std::vector<int>& half) const;
+    void pack(const PackedNode& node, const Eigen::Ref<const Eigen::MatrixXd>& block);
     std::span<const PackedNode> part(int part) const;
 
-    std::vector<int> m_slots;
-    std::vector<PackedNode> m_nodes;          // first half, second half, what parts them
-    std::vector<int> m_source;                // CHOLMOD's number of each node
-    std::array<std::size_t, 4> m_partStart{}; // in the nodes
-    int m_outside = 0;                        // the first column of the third part
-    int m_longest = 0;                        // rows or columns of a node
-    std::vector<int> m_rows;
+    SymbolicFactor m_symbolic;
+    std::vector<PackedNode> m_nodes; // as in m_symbolic
     Memory m_values;
     std::size_t m_valueCount = 0;
     Memory m_x, m_spill[2], m_scratch[2];

@@ -6,6 +6,7 @@
 #include "StartPlacement.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <utility>
@@ -33,21 +34,24 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     precomputeRings();
     // Where patches lie to begin with is good enough to tell what is near what, and the same on every run.
     const Eigen::Matrix3Xd places = startPlacement(mesh).positions;
+    std::array<Eigen::SparseMatrix<double>, 2> matrices;
+    pool.forTasks(2, [&](int system) {
+        if (stop.stop_requested())
+            return;
+        matrices[system] = system == 0 ? positionMatrix() : frameMatrix();
+        if (system == 0)
+            m_positions.emplace(matrices[0], places.leftCols(mesh.freeCount));
+        else
+            m_frames.emplace(matrices[1], places(Eigen::all, mesh.topology->unknown));
+    });
     if (!stop.stop_requested())
-        m_positions.emplace(positionMatrix(), places.leftCols(mesh.freeCount));
-    if (stop.stop_requested())
-        return;
-    Eigen::Matrix3Xd vertexPlaces(3, mesh.vertexCount());
-    for (int v = 0; v < mesh.vertexCount(); ++v)
-        vertexPlaces.col(v) = places.col(mesh.topology->unknown[v]);
-    m_frames.emplace(frameMatrix(), vertexPlaces);
+        m_positions->factor(matrices[0], pool, stop) && m_frames->factor(matrices[1], pool, stop);
 }
 
 bool SheetOptimizer::refactor()
 {
     m_smoothSeams.emplace(m_mesh, m_rest);
-    const bool positions = m_positions->refactor(positionMatrix());
-    return m_frames->refactor(frameMatrix()) && positions;
+    return m_positions->factor(positionMatrix(), m_pool) && m_frames->factor(frameMatrix(), m_pool);
 }
 
 bool SheetOptimizer::replaceGhosts(Ghosts ghosts)

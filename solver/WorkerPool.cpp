@@ -1,6 +1,7 @@
 #include "WorkerPool.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bolster {
 
@@ -71,6 +72,8 @@ void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
     for (int done = m_done.load(std::memory_order_acquire); done != count;
          done = m_done.load(std::memory_order_acquire))
         waitForChange(m_done, done);
+    if (m_thrown.exchange(false))
+        std::rethrow_exception(std::exchange(m_exception, nullptr));
 }
 
 void WorkerPool::work()
@@ -95,7 +98,12 @@ void WorkerPool::runTasks(std::uint32_t region)
             return;
         if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
             continue;
-        (*body)(task);
+        try {
+            (*body)(task);
+        } catch (...) {
+            if (!m_thrown.exchange(true))
+                m_exception = std::current_exception();
+        }
         if (m_done.fetch_add(1, std::memory_order_acq_rel) + 1 == count)
             m_done.notify_all();
         next = m_next.load(std::memory_order_acquire);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -20,10 +21,11 @@ public:
     static constexpr int chunkSize = 512;
     static int chunkCount(int count) { return (count + chunkSize - 1) / chunkSize; }
 
-    /// Calls body(0) ... body(count - 1), each once, and returns when all are done. The body must not throw.
+    /// Calls body(0) ... body(count - 1), each once, and returns when all are done. Throws one of the exceptions
+    /// that bodies have thrown.
     void forTasks(int count, const std::function<void(int)>& body);
-    /// Calls body(chunk, begin, end) for every chunk of 0 .. count-1 and returns when all are done. The body must
-    /// not throw, and chunks must not write to the same place.
+    /// Calls body(chunk, begin, end) for every chunk of 0 .. count-1 and returns when all are done. Chunks must
+    /// not write to the same place.
     void forChunks(int count, const std::function<void(int, int, int)>& body);
 
 private:
@@ -37,6 +39,8 @@ private:
     std::atomic<std::uint64_t> m_next{0};
     std::atomic<int> m_done{0};
     std::atomic<std::uint32_t> m_region{0};
+    std::atomic<bool> m_thrown{false}; // whoever sets it writes m_exception
+    std::exception_ptr m_exception;
     std::atomic<bool> m_stopping{false};
     std::vector<std::jthread> m_threads; // last, so that they have ended before the rest goes
 };

@@ -132,6 +132,8 @@ struct Grid {
     }
 };
 
+WorkerPool onePool(1);
+
 PackedFactor::Vectors solution(FactoredSystem& system, const Eigen::MatrixXd& right, int threads)
 {
     WorkerPool pool(threads);
@@ -157,7 +159,7 @@ TEST(FactoredSystem, SolvesGridsOfAnySize)
     for (const auto& [columns, rows] : {std::pair(1, 1), {3, 1}, {1, 50}, {7, 5}, {40, 33}, {90, 70}}) {
         const Grid grid(columns, rows);
         FactoredSystem system(grid.matrix, grid.places);
-        ASSERT_TRUE(system.ok());
+        ASSERT_TRUE(system.factor(grid.matrix, onePool));
         const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, columns * rows);
         const PackedFactor::Vectors x = solution(system, right, 1);
         EXPECT_LT(error(grid.matrix, x, right), 1e-5) << columns << " x " << rows;
@@ -171,6 +173,7 @@ TEST(FactoredSystem, SolvesWhatDoesNotHangTogether)
     Eigen::SparseMatrix<double> matrix(1000, 1000);
     matrix.setIdentity();
     FactoredSystem system(matrix, line(1000));
+    ASSERT_TRUE(system.factor(matrix, onePool));
     const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, 1000);
     EXPECT_LT(error(matrix, solution(system, right, 2), right), 1e-6);
 }
@@ -179,21 +182,57 @@ TEST(FactoredSystem, TakesOtherNumbers)
 {
     const Grid grid(30, 20);
     FactoredSystem system(grid.matrix, grid.places);
+    ASSERT_TRUE(system.factor(grid.matrix, onePool));
     const Eigen::SparseMatrix<double> other = 3 * grid.matrix;
-    ASSERT_TRUE(system.refactor(other));
+    ASSERT_TRUE(system.factor(other, onePool));
     const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, 600);
     EXPECT_LT(error(other, solution(system, right, 1), right), 1e-5);
 }
 
 TEST(FactoredSystem, NoticesWhatCannotBeSolved)
 {
-    EXPECT_FALSE(FactoredSystem(chain(50, std::numeric_limits<double>::quiet_NaN()), line(50)).ok());
-    EXPECT_FALSE(FactoredSystem(chain(50, -1), line(50)).ok());
-    EXPECT_FALSE(FactoredSystem(chain(50, 0), line(50)).ok());
     FactoredSystem system(chain(50, 3), line(50));
-    EXPECT_TRUE(system.ok());
-    EXPECT_FALSE(system.refactor(chain(50, std::numeric_limits<double>::infinity())));
-    EXPECT_TRUE(system.refactor(chain(50, 3)));
+    EXPECT_FALSE(system.ok());
+    for (const double diagonal :
+         {std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, std::numeric_limits<double>::infinity()})
+        EXPECT_FALSE(system.factor(chain(50, diagonal), onePool)) << diagonal;
+    EXPECT_TRUE(system.factor(chain(50, 3), onePool));
+    std::stop_source stopped;
+    stopped.request_stop();
+    EXPECT_FALSE(system.factor(chain(50, 3), onePool, stopped.get_token()));
+}
+
+/// Deep and broad fronts, whose dense parts go other ways through the code than those of meshes.
+TEST(FactoredSystem, FactorsDenseMatrices)
+{
+    for (const int n : {1, 4, 47, 48, 49, 130}) {
+        Eigen::MatrixXd full = Eigen::MatrixXd::Random(n, n);
+        full = (full * full.transpose() + Eigen::MatrixXd::Identity(n, n)).eval();
+        const Eigen::SparseMatrix<double> matrix =
+            Eigen::MatrixXd(full.triangularView<Eigen::Lower>()).sparseView();
+        FactoredSystem system(matrix, line(n));
+        ASSERT_TRUE(system.factor(matrix, onePool));
+        const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, n);
+        EXPECT_LT(error(matrix, solution(system, right, 2), right), 1e-4) << n;
+    }
+}
+
+TEST(WorkerPool, PassesOnWhatABodyThrows)
+{
+    WorkerPool pool(2);
+    for (int round = 0; round < 50; ++round) {
+        std::atomic<int> done = 0;
+        EXPECT_THROW(pool.forTasks(8,
+                                   [&](int task) {
+                                       ++done;
+                                       if (task % 3 == 1)
+                                           throw std::bad_alloc();
+                                   }),
+                     std::bad_alloc);
+        EXPECT_EQ(done, 8);
+        pool.forTasks(4, [&](int) { ++done; });
+        EXPECT_EQ(done, 12) << "it goes on working";
+    }
 }
 
 TEST(Convergence, IsNotDeceivedBySlowMoves)
