@@ -2,6 +2,7 @@
 
 #include "FrameSigns.h"
 #include "LocalStep.h"
+#include "SheetMatrices.h"
 #include "StartPlacement.h"
 
 #include <algorithm>
@@ -18,20 +19,10 @@ Vec3 SheetView::outside(const SewnMesh::Part& part, int vertex) const
 
 namespace {
 
-// Keeps a cover without fixations solvable. It is in the matrix only, so the fixed point does not feel it.
-constexpr double proximity = 1e-2;
-// The mesh adds bending of its own: lambda_eff^2 = lambda^2 + meshBending h^2.
-constexpr double meshBending = 0.12;
 // Below 4/3, see stableStep().
 constexpr double stableGain = 1.3;
 // A vertex further out than this many D has been thrown away by an instability.
 constexpr double farthest = 1e4;
-
-double bendingSquared(const SewnMesh::Part& part)
-{
-    const double lambda = part.material.bendingLength;
-    return std::max(0.0, lambda * lambda - meshBending * part.meanEdge * part.meanEdge);
-}
 
 } // namespace
 
@@ -46,19 +37,19 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     // Where patches lie to begin with is good enough to tell what is near what, and the same on every run.
     const Eigen::Matrix3Xd places = startPlacement(mesh).positions;
     if (!stop.stop_requested())
-        m_positions.emplace(positionMatrix(), places.leftCols(mesh.freeCount));
+        m_positions.emplace(positionMatrix(m_mesh, m_ghostWeights), places.leftCols(mesh.freeCount));
     if (stop.stop_requested())
         return;
     Eigen::Matrix3Xd vertexPlaces(3, mesh.vertexCount());
     for (int v = 0; v < mesh.vertexCount(); ++v)
         vertexPlaces.col(v) = places.col(mesh.topology->unknown[v]);
-    m_frames.emplace(frameMatrix(), vertexPlaces);
+    m_frames.emplace(frameMatrix(m_mesh), vertexPlaces);
 }
 
 bool SheetOptimizer::refactor()
 {
-    const bool positions = m_positions->refactor(positionMatrix());
-    return m_frames->refactor(frameMatrix()) && positions;
+    const bool positions = m_positions->refactor(positionMatrix(m_mesh, m_ghostWeights));
+    return m_frames->refactor(frameMatrix(m_mesh)) && positions;
 }
 
 bool SheetOptimizer::replaceGhosts(Ghosts ghosts)
@@ -77,61 +68,6 @@ std::vector<double> SheetOptimizer::ghostWeights(const Ghosts& ghosts) const
         weights.push_back(gamma / (m_mesh.diameter[part.component] * m_mesh.diameter[part.component]));
     }
     return weights;
-}
-
-/// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends. And
-/// the rows of ghosts.
-Eigen::SparseMatrix<double> SheetOptimizer::positionMatrix() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
-    const auto& unknown = m_mesh.topology->unknown;
-    for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
-        const SewnMesh::Part& part = m_mesh.parts[p];
-        const double d = m_mesh.diameter[part.component];
-        const double soft = proximity / (d * d) + m_ghostWeights[p];
-        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            const int row = static_cast<int>(unknown[v]);
-            if (row >= m_mesh.freeCount)
-                continue;
-            double diagonal = soft * m_mesh.area[v];
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                const int column = static_cast<int>(unknown[m_mesh.ring[k].vertex]);
-                const double weight = 2 * part.material.stiffness * m_mesh.ring[k].weight;
-                if (column == row)
-                    continue;
-                diagonal += weight;
-                if (column < row)
-                    entries.emplace_back(row, column, -weight);
-            }
-            entries.emplace_back(row, row, diagonal);
-        }
-    }
-    Eigen::SparseMatrix<double> matrix(m_mesh.freeCount, m_mesh.freeCount);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
-/// diag(A) + 2 lambda^2 L per patch.
-Eigen::SparseMatrix<double> SheetOptimizer::frameMatrix() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
-    for (const SewnMesh::Part& part : m_mesh.parts) {
-        const double bending = 2 * bendingSquared(part);
-        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            double diagonal = m_mesh.area[v];
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                diagonal += bending * m_mesh.ring[k].weight;
-                if (m_mesh.ring[k].vertex < v) // kept even where it is 0, so that the pattern stays
-                    entries.emplace_back(v, m_mesh.ring[k].vertex, -bending * m_mesh.ring[k].weight);
-            }
-            entries.emplace_back(v, v, diagonal);
-        }
-    }
-    Eigen::SparseMatrix<double> matrix(m_mesh.vertexCount(), m_mesh.vertexCount());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
 }
 
 void SheetOptimizer::precomputeRings()

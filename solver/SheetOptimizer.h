@@ -52,8 +52,6 @@ public:
 private:
     using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-    Eigen::SparseMatrix<double> positionMatrix() const;
-    Eigen::SparseMatrix<double> frameMatrix() const;
     void precomputeRings();
     template <class Body>
     void forParts(const Body& body);
