@@ -70,7 +70,7 @@ Design ofSize(int vertices, double area, const Make& make)
         const double count = prepareSheet(design, cache)->mesh.unknownCount();
         if (std::abs(count / vertices - 1) < within)
             return design;
-        edge *= std::sqrt(count / vertices);
+        edge *= std::pow(count / vertices, 0.4); // a little less than the root, or it may jump to and fro
     }
     throw std::runtime_error("a benchmark's mesh of " + std::to_string(vertices) + " vertices could not be made");
 }
