@@ -25,9 +25,9 @@ struct Benchmark {
 
     std::string name;
     std::vector<std::string> peers;
-    std::function<std::vector<Lap>()> prepare; ///< Bolster's lap, then the peers'
-    std::optional<Published> published = std::nullopt;        ///< a peer that cannot be run here
-    bool listed = true;                        ///< one of those that results are compared by
+    std::function<std::vector<Lap>()> prepare;         ///< Bolster's lap, then the peers'
+    std::optional<Published> published = std::nullopt; ///< a peer that cannot be run here
+    bool listed = true;                                ///< one of those that results are compared by
 };
 
 std::vector<Benchmark> benchmarks(Extent extent);

@@ -62,7 +62,7 @@ private:
 template <class Make>
 Design ofSize(int vertices, double area, const Make& make)
 {
-    const double within = vertices < 3000 ? 0.1 : 0.01; // coarse meshes do not come in all sizes
+    const double within = vertices < 3000 ? 0.1 : 0.01;           // coarse meshes do not come in all sizes
     double edge = std::sqrt(area / (vertices * std::sqrt(0.75))); // all triangles equilateral
     for (int round = 0; round < 20; ++round) {
         const Design design = make(edge);
@@ -75,13 +75,10 @@ Design ofSize(int vertices, double area, const Make& make)
     throw std::runtime_error("a benchmark's mesh of " + std::to_string(vertices) + " vertices could not be made");
 }
 
-// The strip, mm.
-constexpr double length = 120; // short, because the peers take ever longer on long ones
-constexpr double width = 1600;
-constexpr double clamp = 20; // so much of both ends is held on three sides, which holds its direction, too
+constexpr double clamp = 20; // mm: so much of both ends is held on three sides, which holds its direction, too
 constexpr double bend = EIGEN_PI / 6;
 
-Design bentStripWithEdges(double edgeLength)
+Design bentStripWithEdges(double edgeLength, double length, double width)
 {
     Builder b(edgeLength);
     const ElementId strip = b.patch("Strip", {{0, 0},
@@ -156,9 +153,9 @@ Design seatWithEdges(double edgeLength, Continuity topSeams)
 
 } // namespace
 
-Design bentStrip(int vertices)
+Design bentStrip(int vertices, double length, double width)
 {
-    return ofSize(vertices, length * width, bentStripWithEdges);
+    return ofSize(vertices, length * width, [&](double edge) { return bentStripWithEdges(edge, length, width); });
 }
 
 Eigen::Matrix3Xd flatPlaces(const SewnMesh& mesh)

@@ -7,8 +7,8 @@
 namespace bolster::bench {
 
 /// A strip clamped at both ends, one of which has been moved along and turned with an arc of the strip's length: it
-/// bends without buckling, so every method has one shape to go to. With so many vertices within 1 %.
-Design bentStrip(int vertices);
+/// bends without buckling, so every method has one shape to go to. With so many vertices within 1 %; sizes in mm.
+Design bentStrip(int vertices, double length, double width);
 /// Where the unknowns lie in the pattern of a design of one patch.
 Eigen::Matrix3Xd flatPlaces(const SewnMesh& mesh);
 /// A design of one patch for those who know no patterns: flat, with the targets of the held vertices. Vertices are
