@@ -65,22 +65,24 @@ std::string machine()
 
 const char* const explanation = R"(# Performance
 
-The result of `bolster bench --markdown docs/performance.md`.
+The result of `bolster bench --markdown docs/performance.md`, on a machine with nothing else to do.
 
-**How it is measured.** All in one run, two threads for Bolster, times in milliseconds, medians. Contestants have the same
-triangles and the same held vertices, are factored beforehand, and run in turns (A B A B ...) for some milliseconds each, so
-that a busy machine hits all alike. `ratio` is peer / ours. Everything is compiled with the same options (-O3); Bolster
-chooses its vector instructions at run time. CGAL's Surface_mesh_deformation solves with UMFPACK without iterative
-refinement, which is faster than its default (Eigen's SparseLU) and than SparseLU with AMD; its matrix is not symmetric,
-so Cholesky factors are out of the question. CHOLMOD keeps the best of AMD, METIS and nested dissection, Eigen's LDLT
-uses AMD; both solve L1 for three right-hand sides in double precision, Bolster for four in single precision, each in the
-order of its factor. `converge_bend_11k` is a strip bent by turning one clamped end: the time until the estimated
-distance to the method's own limit is below 1e-4 of its size D. `table1_...` are iterations on a car seat with the
-paper's numbers of vertices. `setup_11k` is what lies between the triangles and the first iteration. `drag_11k` and `release_11k`
-go through the solver's thread like the workbench's drags: the time until the surface for the newest pattern, and until
-the first one on new triangles. `floor_fraction_45k` compares a solve with two reads of an array of the factor's size by
-the same threads: the ratio is the share of the solve that cannot be avoided. The ratio of `growth_...` is that of the
-times of an iteration on meshes of four times as many vertices.
+**How it is measured.** All in one run, times in milliseconds, medians. Contestants have the same triangles and the same
+held vertices, are factored beforehand, and run in turns (A B A B ...) for some milliseconds each, so that a busy machine
+hits all alike; `ratio` is peer / ours. Everything is compiled with the same options (-O3); Bolster has two threads and
+chooses its vector instructions at run time, the peers have one thread. `iteration_...` is on a square whose clamped ends
+are bent. CGAL's Surface_mesh_deformation solves with UMFPACK without iterative refinement, which is faster than its
+default, Eigen's SparseLU, with any order; its matrix is not symmetric, so it has no Cholesky factor. `converge_bend_11k`
+is a strip bent by turning one clamped end, from flat until the estimated distance to the method's own limit is below
+1e-4 of the size D; for CGAL it is the number of iterations, counted beforehand, times the time of one. `solve_...` is
+L and L^T of L1, in the order of the factor: Bolster with four right-hand sides in single precision, the others with the
+three that are needed in double precision. CHOLMOD keeps the best of AMD, METIS and nested dissection; Eigen uses AMD.
+`table1_...` are iterations on a car seat with the paper's numbers of vertices. `setup_11k` is what lies between the
+triangles and the first iteration. `drag_11k` and `release_11k` go through the solver's thread like the workbench's
+drags: the time until the surface for the newest pattern is there, and until the first one on new triangles.
+`floor_fraction_45k` compares a solve with two reads of an array of the factor's size by the same threads: the ratio is
+the share of the solve that cannot be avoided. The ratio of `growth_...` is that of the times of an iteration on meshes
+of four times as many vertices.
 )";
 
 } // namespace

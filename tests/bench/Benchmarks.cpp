@@ -223,6 +223,8 @@ std::vector<Benchmark> benchmarks(Extent extent)
 std::vector<Row> run(const Benchmark& benchmark, Extent extent, const std::stop_token& stop)
 {
     const double seconds = extent == Extent::Full ? 6 : extent == Extent::Quick ? 1 : 0;
+    if (stop.stop_requested())
+        return {};
     const std::vector<Lap> laps = benchmark.prepare();
     const std::vector<double> times = race(laps, seconds, stop);
     std::vector<Row> rows;

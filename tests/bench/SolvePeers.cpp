@@ -14,12 +14,6 @@ namespace {
 
 constexpr int rightSides = 3; // x, y, z
 
-/// The numbers do not matter, only that they are neither huge nor denormal in the answer.
-Eigen::MatrixXd someRightSides(Eigen::Index unknowns)
-{
-    return Eigen::MatrixXd::Constant(unknowns, rightSides, 1);
-}
-
 class Cholmod {
 public:
     explicit Cholmod(int supernodal)
@@ -107,7 +101,7 @@ struct EigenPeer {
 
     explicit EigenPeer(const Eigen::SparseMatrix<double>& lower)
         : factor(lower)
-        , right(someRightSides(lower.rows()))
+        , right(Eigen::MatrixXd::Ones(lower.rows(), rightSides))
     {}
     void solve()
     {
