@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <span>
 
 namespace bolster {
 
@@ -91,16 +93,37 @@ void openSewnCorners(SurfaceTopology& topology)
         }
 }
 
+/// Where in a list of half edges those of each vertex begin: two for each of its triangles.
+std::vector<int> halfEdgeStarts(const SurfaceTopology& topology)
+{
+    std::vector<int> start(topology.pattern.size() + 1, 0);
+    for (const auto& triangle : topology.triangles)
+        for (const std::uint32_t vertex : triangle)
+            start[vertex + 1] += 2;
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    return start;
+}
+
+/// The half edges of one vertex become its ring: those to the same neighbour are one edge.
+void appendRing(std::span<SewnMesh::RingEdge> halves, std::vector<SewnMesh::RingEdge>& ring)
+{
+    std::ranges::sort(halves, {}, &SewnMesh::RingEdge::vertex);
+    for (std::size_t k = 0; k < halves.size();) {
+        SewnMesh::RingEdge edge = halves[k];
+        for (++k; k < halves.size() && halves[k].vertex == edge.vertex; ++k)
+            edge.weight += halves[k].weight;
+        edge.weight = std::max(0.0, edge.weight);
+        ring.push_back(edge);
+    }
+}
+
 /// Cotangent weights, clamped at 0, and a third of each triangle's area for its corners.
 void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
 {
-    struct HalfEdge {
-        int from = 0;
-        SewnMesh::RingEdge edge;
-    };
     mesh.area.assign(topology.pattern.size(), 0);
-    std::vector<HalfEdge> halves;
-    halves.reserve(topology.triangles.size() * 6);
+    const std::vector<int> start = halfEdgeStarts(topology);
+    std::vector<int> next(start.begin(), start.end() - 1);
+    std::vector<SewnMesh::RingEdge> halves(static_cast<std::size_t>(start.back()));
     for (const auto& triangle : topology.triangles) {
         for (int k = 0; k < 3; ++k) {
             const int a = static_cast<int>(triangle[k]), b = static_cast<int>(triangle[(k + 1) % 3]);
@@ -109,26 +132,17 @@ void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
             const double doubleArea = std::abs(cross(u, v));
             const double halfCot = 0.5 * u.dot(v) / doubleArea;
             const Vec2 e = topology.pattern[b] - topology.pattern[a];
-            halves.push_back({a, {b, halfCot, e}});
-            halves.push_back({b, {a, halfCot, -e}});
+            halves[next[a]++] = {b, halfCot, e};
+            halves[next[b]++] = {a, halfCot, -e};
             mesh.area[a] += doubleArea / 6;
         }
     }
-    std::sort(halves.begin(), halves.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::pair(a.from, a.edge.vertex) < std::pair(b.from, b.edge.vertex);
-    });
-    mesh.ringStart.assign(1, 0);
-    for (std::size_t k = 0; k < halves.size();) {
-        SewnMesh::RingEdge edge = halves[k].edge;
-        const int from = halves[k].from;
-        for (++k; k < halves.size() && halves[k].from == from && halves[k].edge.vertex == edge.vertex; ++k)
-            edge.weight += halves[k].edge.weight;
-        edge.weight = std::max(0.0, edge.weight);
-        while (std::ssize(mesh.ringStart) <= from)
-            mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
-        mesh.ring.push_back(edge);
+    mesh.ring.reserve(halves.size() / 2 + topology.pattern.size());
+    for (std::size_t v = 0; v < topology.pattern.size(); ++v) {
+        mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
+        appendRing(std::span(halves).subspan(start[v], start[v + 1] - start[v]), mesh.ring);
     }
-    mesh.ringStart.resize(topology.pattern.size() + 1, static_cast<int>(mesh.ring.size()));
+    mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
 }
 
 void measureParts(SewnMesh& mesh)

@@ -3,6 +3,7 @@
 #include "FrameSigns.h"
 #include "LocalStep.h"
 #include "Orientations.h"
+#include "SheetMatrices.h"
 #include "StartPlacement.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace bolster {
 
 namespace {
 
-// Keeps a cover without fixations solvable. It is in the matrix only, so the fixed point does not feel it.
-constexpr double proximity = 1e-2;
 // Below 4/3, see stableStep().
 constexpr double stableGain = 1.3;
 // A vertex further out than this many D has been thrown away by an instability.
@@ -38,7 +37,7 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     pool.forTasks(2, [&](int system) {
         if (stop.stop_requested())
             return;
-        matrices[system] = system == 0 ? positionMatrix() : frameMatrix();
+        matrices[system] = system == 0 ? positionMatrix(mesh, m_ghostWeights) : frameMatrix(mesh, frameRows());
         if (system == 0)
             m_positions.emplace(matrices[0], places.leftCols(mesh.freeCount));
         else
@@ -51,7 +50,17 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
 bool SheetOptimizer::refactor()
 {
     m_smoothSeams.emplace(m_mesh, m_rest);
-    return m_positions->factor(positionMatrix(), m_pool) && m_frames->factor(frameMatrix(), m_pool);
+    return m_positions->factor(positionMatrix(m_mesh, m_ghostWeights), m_pool) &&
+           m_frames->factor(frameMatrix(m_mesh, frameRows()), m_pool);
+}
+
+/// What smooth seams and held normals add to L2's diagonal.
+std::vector<double> SheetOptimizer::frameRows() const
+{
+    std::vector<double> rows = m_smoothSeams->damping();
+    for (const SewnMesh::Oriented& held : m_mesh.oriented)
+        rows[held.vertex] += orientationWeight(m_mesh, held);
+    return rows;
 }
 
 bool SheetOptimizer::replaceGhosts(Ghosts ghosts)
@@ -70,64 +79,6 @@ std::vector<double> SheetOptimizer::ghostWeights(const Ghosts& ghosts) const
         weights.push_back(gamma / (m_mesh.diameter[part.component] * m_mesh.diameter[part.component]));
     }
     return weights;
-}
-
-/// 2 L per free unknown, each patch's weights scaled by its stiffness: an edge counts from both of its ends. And
-/// the rows of ghosts.
-Eigen::SparseMatrix<double> SheetOptimizer::positionMatrix() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
-    const auto& unknown = m_mesh.topology->unknown;
-    for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
-        const SewnMesh::Part& part = m_mesh.parts[p];
-        const double d = m_mesh.diameter[part.component];
-        const double soft = proximity / (d * d) + m_ghostWeights[p];
-        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            const int row = static_cast<int>(unknown[v]);
-            if (row >= m_mesh.freeCount)
-                continue;
-            double diagonal = soft * m_mesh.area[v];
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                const int column = static_cast<int>(unknown[m_mesh.ring[k].vertex]);
-                const double weight = 2 * part.material.stiffness * m_mesh.ring[k].weight;
-                if (column == row)
-                    continue;
-                diagonal += weight;
-                if (column < row)
-                    entries.emplace_back(row, column, -weight);
-            }
-            entries.emplace_back(row, row, diagonal);
-        }
-    }
-    Eigen::SparseMatrix<double> matrix(m_mesh.freeCount, m_mesh.freeCount);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
-/// diag(A) + 2 lambda^2 L per patch, and what smooth seams and held normals add.
-Eigen::SparseMatrix<double> SheetOptimizer::frameMatrix() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(m_mesh.ring.size() + m_mesh.area.size());
-    std::vector<double> rows = m_smoothSeams->damping();
-    for (const SewnMesh::Oriented& held : m_mesh.oriented)
-        rows[held.vertex] += orientationWeight(m_mesh, held);
-    for (const SewnMesh::Part& part : m_mesh.parts) {
-        const double bending = 2 * part.bendingSquared();
-        for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
-            double diagonal = m_mesh.area[v] + rows[v];
-            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k) {
-                diagonal += bending * m_mesh.ring[k].weight;
-                if (m_mesh.ring[k].vertex < v) // kept even where it is 0, so that the pattern stays
-                    entries.emplace_back(v, m_mesh.ring[k].vertex, -bending * m_mesh.ring[k].weight);
-            }
-            entries.emplace_back(v, v, diagonal);
-        }
-    }
-    Eigen::SparseMatrix<double> matrix(m_mesh.vertexCount(), m_mesh.vertexCount());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
 }
 
 void SheetOptimizer::precomputeRings()

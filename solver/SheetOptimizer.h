@@ -51,8 +51,7 @@ public:
     const SewnMesh& mesh() const { return m_mesh; }
 
 private:
-    Eigen::SparseMatrix<double> positionMatrix() const;
-    Eigen::SparseMatrix<double> frameMatrix() const;
+    std::vector<double> frameRows() const;
     void precomputeRings();
     template <class Body>
     void forParts(const Body& body);

@@ -53,7 +53,9 @@ public:
         double bestDistance = std::numeric_limits<double>::max();
         const auto [c, r] = cellOf(p);
         const int rings = std::max(m_columns, m_rows);
-        for (int ring = 0; ring <= rings && bestDistance > std::pow((ring - 1) * m_cell, 2); ++ring)
+        const double found = 1e-20 * m_cell * m_cell; // no nearer one is possible, but for rounding
+        for (int ring = 0; ring <= rings && bestDistance > std::max(found, std::pow((ring - 1) * m_cell, 2));
+             ++ring)
             for (int row = r - ring; row <= r + ring; ++row)
                 for (int column = c - ring; column <= c + ring; ++column)
                     if (std::max(std::abs(row - r), std::abs(column - c)) == ring && inside(column, row))

@@ -83,6 +83,12 @@ QString Arguments::onlyFile(const std::string& what) const
     return QString::fromStdString(m_positional.front());
 }
 
+void Arguments::expectNoFile() const
+{
+    if (!m_positional.empty())
+        throw UsageError("unexpected argument \"" + m_positional.front() + "\"");
+}
+
 std::optional<std::string> Arguments::value(std::string_view option) const
 {
     const auto found = m_options.find(option);

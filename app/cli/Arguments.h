@@ -38,6 +38,8 @@ public:
 
     /// The only positional argument; throws UsageError when there is another number of them.
     QString onlyFile(const std::string& what) const;
+    /// Throws UsageError when there are positional arguments.
+    void expectNoFile() const;
 
 private:
     std::optional<std::string> value(std::string_view option) const;

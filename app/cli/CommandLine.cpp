@@ -14,6 +14,7 @@ namespace {
 const char* const help = R"(Usage: bolster [DESIGN]             open the workbench
        bolster solve DESIGN ...     solve a design and write the cover
        bolster check DESIGN         report everything that is wrong with a design
+       bolster bench                measure the solver against other libraries
        bolster COMMAND --help       explain a command
        bolster --version            print the version
 
@@ -27,7 +28,9 @@ struct Command {
     int (*run)(std::span<const std::string> words);
 };
 
-const Command commands[] = {{"solve", cli::solveHelp, cli::solve}, {"check", cli::checkHelp, cli::check}};
+const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
+                            {"check", cli::checkHelp, cli::check},
+                            {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {
