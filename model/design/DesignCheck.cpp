@@ -37,6 +37,8 @@ void warnOfFreePatches(const Design& design, Problems& problems)
     std::set<ElementId> fixed;
     design.each<FixationSeam>(
         [&](ElementId, const FixationSeam& seam) { fixed.insert(components.root(seam.stretch.patch)); });
+    design.each<HandleCurve>(
+        [&](ElementId, const HandleCurve& handle) { fixed.insert(components.root(handle.patch)); });
 
     std::map<ElementId, std::vector<ElementId>> free;
     design.each<Patch>([&](ElementId id, const Patch&) {
