@@ -1,5 +1,6 @@
 #include "PatternMarks.h"
 
+#include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
@@ -107,6 +108,47 @@ void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath&
         painter.drawLine(first.at(share * first.length()).at, second.at(share * second.length()).at);
     painter.setPen(QPen(color, 1.6));
     painter.drawLine(first.at(first.length() / 2).at, second.at(second.length() / 2).at);
+}
+
+void paintFancyStrip(QPainter& painter, const QPainterPath& middle, double width, const QColor& color, bool strong)
+{
+    constexpr double narrowest = 3; // narrower ones would be one thick line
+    painter.setBrush(Qt::NoBrush);
+    if (width >= narrowest) {
+        QPainterPathStroker stroker;
+        stroker.setWidth(width);
+        stroker.setCapStyle(Qt::FlatCap);
+        stroker.setJoinStyle(Qt::MiterJoin);
+        QColor fill = color;
+        fill.setAlphaF(strong ? 0.30F : 0.18F);
+        const QPainterPath strip = stroker.createStroke(middle).simplified();
+        painter.fillPath(strip, fill);
+        painter.strokePath(strip, QPen(color, strong ? 1.3 : 0.8));
+    }
+    QPen stitches(color, strong ? 2.2 : 1.5, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    stitches.setDashPattern({4, 2.5});
+    painter.strokePath(middle, stitches);
+}
+
+void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, const QColor& color,
+                   const QColor& ground)
+{
+    const Walk walk(line);
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(name) + 6, metrics.height());
+    if (walk.length() < 1.5 * size.width())
+        return;
+    const Spot spot = walk.at(walk.length() / 2);
+    const QPointF across(-spot.along.y(), spot.along.x());
+    QRectF box(QPointF(), size);
+    box.moveCenter(spot.at + across * (0.5 * std::abs(across.x()) * size.width() + 0.5 * size.height() + 5));
+    QColor veil = ground;
+    veil.setAlphaF(0.78F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(veil);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(color);
+    painter.drawText(box, Qt::AlignCenter, name);
 }
 
 void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color)

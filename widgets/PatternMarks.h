@@ -22,6 +22,11 @@ struct SeamArrow {
 void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
+/// A fancy seam of this width: its outer lines, and stitches in the middle.
+void paintFancyStrip(QPainter& painter, const QPainterPath& middle, double width, const QColor& color, bool strong);
+/// Beside the middle of a line, if it is long enough, on a ground that keeps it readable.
+void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, const QColor& color,
+                   const QColor& ground);
 /// A double arrow along the warp.
 void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color);
 

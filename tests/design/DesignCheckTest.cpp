@@ -331,6 +331,8 @@ TEST(DesignCheck, WarnsOfEachComponentThatIsFreeInSpace)
 {
     Parts parts;
     Design design = parts.design().with({{}, {{ElementId{5}, nullptr, nullptr}}});
+    EXPECT_TRUE(checkDesign(design).empty()) << "a handle holds it";
+    design = design.with({{}, {{ElementId{8}, nullptr, nullptr}}});
     Problems problems = checkDesign(design);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].element, ElementId{2});

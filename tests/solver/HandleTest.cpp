@@ -2,7 +2,9 @@
 #include "TestDesigns.h"
 
 #include "DesignCheck.h"
+#include "HandleEdits.h"
 #include "OutlineSampling.h"
+#include "PatternLocator.h"
 #include "PreparedSheet.h"
 #include "SolvePlan.h"
 
@@ -191,6 +193,65 @@ TEST(Handle, AloneHoldsAPatch)
     EXPECT_LT(result.report.handles[0].value, 1e-9);
     EXPECT_GT(result.surface->normals[0].z(), 0.9) << "right side up";
     EXPECT_EQ(lineOf(*result.surface, id).element, id);
+}
+
+/// The largest distance of two covers, vertex by vertex of b through the pattern.
+double largestDistance(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+    double largest = 0;
+    for (std::size_t p = 0; p < b.topology->patches.size(); ++p) {
+        const PatternLocator locator(*a.topology, a.topology->patches[p]);
+        const auto& range = b.topology->patches[p];
+        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+            const PatternPlace at = locator.locate(b.topology->pattern[v]);
+            Vec3 there = Vec3::Zero();
+            for (int k = 0; k < 3; ++k)
+                there += at.weights[k] * a.positions[at.corners[static_cast<std::size_t>(k)]];
+            largest = std::max(largest, (there - b.positions[v]).norm());
+        }
+    }
+    return largest;
+}
+
+TEST(Handle, AddingOneLeavesTheSurfaceAsItIs)
+{
+    // A sheet bent over a half circle, stretched unevenly.
+    DesignBuilder b(12);
+    const ElementId patch = b.patch(rectangle(300, 400), b.fabric(0.3, 6));
+    const auto arch = [](double x, double radius) {
+        std::vector<Vec3> points;
+        for (int k = 0; k <= 40; ++k)
+            points.emplace_back(x, -radius * std::cos(std::numbers::pi * k / 40),
+                                radius * std::sin(std::numbers::pi * k / 40));
+        return polyline(points);
+    };
+    b.fix({patch, 1, 2}, arch(300, 127));
+    b.fix({patch, 3, 4}, arch(0, 133), true);
+    const SolveResult before = solved(b.design());
+    const struct {
+        const char* name;
+        std::optional<BSpline2> curve;
+    } cases[] = {{"straight", edits::drawnCurve({{60, 80}, {240, 300}}, false, false)},
+                 {"corner", edits::drawnCurve({{60, 80}, {220, 120}, {120, 340}}, false, false)},
+                 {"smooth", edits::drawnCurve({{60, 80}, {220, 120}, {80, 250}, {240, 340}}, false, true)},
+                 {"loop", edits::drawnCurve({{60, 80}, {240, 100}, {220, 300}, {80, 320}}, true, true)},
+                 {"square", edits::drawnCurve({{60, 80}, {240, 100}, {220, 300}, {80, 320}}, true, false)},
+                 {"across", edits::drawnCurve({{150, 0}, {170, 400}}, false, false)}};
+    for (const auto& [name, curve] : cases) {
+        SCOPED_TRACE(name);
+        const Edit edit = edits::addHandleCurve(b.design(), *before.surface, patch, *curve, "Handle");
+        ASSERT_EQ(edit.changes.size(), 1u);
+        const Design with = b.design().with(edit);
+        const auto& added = *with.find<HandleCurve>(edit.changes[0].id);
+        EXPECT_EQ(added.target.closed(), curve->closed());
+        EXPECT_LT(added.target.pointCount(), 24);
+        const SolveResult after = solved(with);
+        EXPECT_LT(largestDistance(*before.surface, *after.surface), 0.3);
+        RecordProperty(name, std::to_string(largestDistance(*before.surface, *after.surface)));
+        std::cout << name << " " << added.target.pointCount() << " points, "
+                  << largestDistance(*before.surface, *after.surface) << " mm\n";
+    }
+    EXPECT_TRUE(edits::addHandleCurve(b.design(), *before.surface, ElementId{99}, *cases[0].curve, "").empty());
 }
 
 struct Refusal {
