@@ -130,25 +130,26 @@ void paintFancyStrip(QPainter& painter, const QPainterPath& middle, double width
     painter.strokePath(middle, stitches);
 }
 
-void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, const QColor& color,
-                   const QColor& ground)
+void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, double gap,
+                   const QColor& color, bool wanted)
 {
     const Walk walk(line);
     const QFontMetricsF metrics(painter.font());
-    const QSizeF size(metrics.horizontalAdvance(name) + 6, metrics.height());
-    if (walk.length() < 1.5 * size.width())
+    const double width = metrics.horizontalAdvance(name);
+    if (walk.length() < (wanted ? 1.1 : 6) * width)
         return;
-    const Spot spot = walk.at(walk.length() / 2);
-    const QPointF across(-spot.along.y(), spot.along.x());
-    QRectF box(QPointF(), size);
-    box.moveCenter(spot.at + across * (0.5 * std::abs(across.x()) * size.width() + 0.5 * size.height() + 5));
-    QColor veil = ground;
-    veil.setAlphaF(0.78F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(veil);
-    painter.drawRoundedRect(box, 3, 3);
+    // Along the chord that it will lie beside, read from the left or from below.
+    const double middle = 0.5 * walk.length();
+    const QPointF from = walk.at(middle - 0.5 * width).at, to = walk.at(middle + 0.5 * width).at;
+    double angle = std::atan2(to.y() - from.y(), to.x() - from.x()) * 180 / M_PI;
+    if (angle > 89 || angle < -91)
+        angle -= 180;
+    painter.save();
+    painter.translate((from + to) / 2);
+    painter.rotate(angle);
     painter.setPen(color);
-    painter.drawText(box, Qt::AlignCenter, name);
+    painter.drawText(QPointF(-0.5 * width, -gap - metrics.descent() - 2), name);
+    painter.restore();
 }
 
 void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color)

@@ -41,13 +41,13 @@ void PatternPainter::paint()
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintPatch(patch);
+    for (const auto& [id, line] : m_in.scene.lines())
+        paintLine(line);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintInside(patch);
     if (m_in.layers.seams)
         paintSeamLinks();
-    for (const auto& [id, line] : m_in.scene.lines())
-        paintLine(line);
     if (m_in.layers.points)
         paintAllPoints();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
@@ -209,10 +209,12 @@ void PatternPainter::paintLine(const PatternLine& line)
                          : selected(line.id)             ? colors.accent
                          : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
                                                          : own;
+    double width = 0;
     if (const FancySeam* fancy = line.fancy()) {
+        width = fancy->width * m_in.transform.scale();
         m_painter.save();
         m_painter.setClipPath(inPixels(on->path), Qt::IntersectClip);
-        paintFancyStrip(m_painter, path, fancy->width * m_in.transform.scale(), color, strong);
+        paintFancyStrip(m_painter, path, width, color, strong);
         m_painter.restore();
     } else {
         m_painter.strokePath(path, QPen(mixed(color, colors.canvas, 0.7), strong ? 5 : 4));
@@ -220,7 +222,7 @@ void PatternPainter::paintLine(const PatternLine& line)
     }
     const std::string& name = elementName(*line.element);
     if (m_in.layers.labels && !name.empty())
-        paintLineName(m_painter, path, QString::fromStdString(name), color, colors.canvas);
+        paintLineName(m_painter, path, QString::fromStdString(name), width / 2, color, strong);
 }
 
 void PatternPainter::paintAllPoints()

@@ -71,7 +71,7 @@ int spacePoint(const Design& design, const Selection::Point& point)
     const ElementPtr element = design.element(point.first);
     const BSpline3* curve = element ? spaceCurve(*element) : nullptr;
     const int index = curve && planeCurve(*element) ? point.second - firstSpacePoint : point.second;
-    return curve && index < curve->pointCount() ? index : -1;
+    return curve && index >= 0 && index < curve->pointCount() ? index : -1;
 }
 
 int planePoint(const Design& design, const Selection::Point& point)

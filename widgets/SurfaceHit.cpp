@@ -152,7 +152,7 @@ SurfaceHit SurfaceHitTest::hitSeam(const Question& question, const Vec2& pixel, 
     for (const SurfaceTopology::Chain& chain : m_surface->topology->seams)
         tryAlong(chain.seam, chain.a);
     for (const SurfaceTopology::Line& line : m_surface->topology->lines)
-        if (line.across == 0)
+        if (line.across == 0 || std::abs(line.across) == 1)
             tryAlong(line.element, line.vertices);
     return best;
 }

@@ -85,22 +85,23 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
     }
 }
 
-/// Its groove shows a fancy seam; the line in the middle says that it can be selected.
+/// The groove hides its middle from the side, the outer lines are always seen.
 void SurfaceMarks::addFancySeams(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
     for (const SurfaceTopology::Line& line : mesh.topology->lines) {
         const bool selected = m_selection.contains(line.element), hovered = m_selection.hovered() == line.element;
         const bool middle = line.across == 0, outer = std::abs(line.across) == 1;
-        if (m_curves.all().contains(line.element) || !(middle || (outer && (selected || hovered))))
+        if (m_curves.all().contains(line.element) || !(middle || outer))
             continue;
         if (selected || hovered)
             scene.lines.push_back({pointsOf(mesh, line.vertices),
                                    selected ? scene.colors.accent : scene.colors.hover, middle ? 2.4F : 1.2F,
                                    0.3F});
         else
-            scene.lines.push_back(
-                {pointsOf(mesh, line.vertices), withAlpha(scene.colors.fancySeam, 0.7F), 1.2F, 0});
+            scene.lines.push_back({pointsOf(mesh, line.vertices),
+                                   withAlpha(scene.colors.fancySeam, middle ? 0.7F : 0.4F), middle ? 1.2F : 0.8F,
+                                   0});
     }
 }
 
