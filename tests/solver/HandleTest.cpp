@@ -247,9 +247,6 @@ TEST(Handle, AddingOneLeavesTheSurfaceAsItIs)
         EXPECT_LT(added.target.pointCount(), 24);
         const SolveResult after = solved(with);
         EXPECT_LT(largestDistance(*before.surface, *after.surface), 0.3);
-        RecordProperty(name, std::to_string(largestDistance(*before.surface, *after.surface)));
-        std::cout << name << " " << added.target.pointCount() << " points, "
-                  << largestDistance(*before.surface, *after.surface) << " mm\n";
     }
     EXPECT_TRUE(edits::addHandleCurve(b.design(), *before.surface, ElementId{99}, *cases[0].curve, "").empty());
 }
@@ -346,18 +343,6 @@ TEST(Handle, RetargetingIsTheSameAsSamplingAgain)
     EXPECT_EQ(sampling.handles[0].targets, sampleOutlines(after).handles[0].targets);
 }
 
-double leastAngle(const PreparedSheet& sheet)
-{
-    double least = 180;
-    for (const auto& triangle : sheet.mesh.topology->triangles)
-        for (int k = 0; k < 3; ++k) {
-            const auto at = [&](int i) { return sheet.mesh.rest()[triangle[(k + i) % 3]]; };
-            const Vec2 u = (at(1) - at(0)).normalized(), v = (at(2) - at(0)).normalized();
-            least = std::min(least, std::acos(u.dot(v)) * 180 / std::numbers::pi);
-        }
-    return least;
-}
-
 TEST(Handle, RandomCurvesAreEmbeddedOrRefused)
 {
     std::mt19937 random(7);
@@ -393,12 +378,10 @@ TEST(Handle, RandomCurvesAreEmbeddedOrRefused)
             EXPECT_TRUE(edges.contains(std::minmax(vertices[k], vertices[k + 1]))) << k;
         for (std::uint32_t v : vertices)
             EXPECT_LT(curve.closest(sheet.mesh.rest()[v]).distance, 2.6) << "moved at most to the outline";
-        least = std::min(least, leastAngle(sheet));
-        EXPECT_GT(leastAngle(sheet), 8);
+        least = std::min(least, leastAngle(sheet.mesh));
     }
     EXPECT_GT(embedded, 30);
-    RecordProperty("least_angle", std::to_string(least));
-    std::cout << embedded << " embedded, least angle " << least << "\n";
+    EXPECT_GT(least, 12);
 }
 
 } // namespace
