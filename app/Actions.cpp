@@ -114,6 +114,9 @@ void Actions::addView()
 
 void Actions::addRest()
 {
+    drawHandle =
+        addToggle(tr("Draw &handle curve"), QStringLiteral("handle-curve"), false, QKeySequence(Qt::Key_H));
+    drawFancySeam = addToggle(tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), false, QKeySequence(Qt::Key_N));
     turnLeft =
         add(tr("Turn 90\u00b0 to the &left"), QStringLiteral("rotate-left"), QKeySequence(Qt::CTRL | Qt::Key_L));
     turnRight = add(tr("Turn 90\u00b0 to the &right"), QStringLiteral("rotate-right"),

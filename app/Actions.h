@@ -45,6 +45,8 @@ public:
     QAction* showGround;
     QList<QAction*> themes; ///< data: Theme
     // Pattern
+    QAction* drawHandle;
+    QAction* drawFancySeam;
     QAction* turnLeft;
     QAction* turnRight;
     // Surface

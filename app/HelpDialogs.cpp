@@ -63,14 +63,18 @@ void showText(QWidget* parent, const QString& title, const QString& html, const 
 
 Rows mouseInPattern()
 {
-    return {{HelpDialogs::tr("Select"), HelpDialogs::tr("click; Shift+click adds; drag a box")},
-            {HelpDialogs::tr("Move control points or patches"),
-             HelpDialogs::tr("drag; Shift keeps to one axis; Esc takes it back")},
-            {HelpDialogs::tr("Turn patches"), HelpDialogs::tr("drag the round handle; Shift in steps of 15\u00b0")},
-            {HelpDialogs::tr("Add a control point"), HelpDialogs::tr("double click on an outline")},
-            {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
-            {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
-            {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
+    return {
+        {HelpDialogs::tr("Select"), HelpDialogs::tr("click; Shift+click adds; drag a box")},
+        {HelpDialogs::tr("Move control points or patches"),
+         HelpDialogs::tr("drag; Shift keeps to one axis; Esc takes it back")},
+        {HelpDialogs::tr("Turn patches"), HelpDialogs::tr("drag the round handle; Shift in steps of 15\u00b0")},
+        {HelpDialogs::tr("Add a control point"), HelpDialogs::tr("double click on an outline or curve")},
+        {HelpDialogs::tr("Draw a handle curve or a fancy seam"),
+         HelpDialogs::tr("click points; Enter or double click ends; click the first one to close; B: straight or "
+                         "smooth")},
+        {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
+        {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
+        {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
 }
 
 Rows mouseInCover()
@@ -78,7 +82,7 @@ Rows mouseInCover()
     return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
             {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button")},
             {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
-            {HelpDialogs::tr("Move control points of fixation curves"), HelpDialogs::tr("drag")}};
+            {HelpDialogs::tr("Move control points of curves"), HelpDialogs::tr("drag")}};
 }
 
 } // namespace

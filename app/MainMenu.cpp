@@ -86,6 +86,8 @@ private:
     void addPattern()
     {
         QMenu* menu = m_bar.addMenu(tr("&Pattern"));
+        menu->addActions({m_actions.drawHandle, m_actions.drawFancySeam});
+        menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
     }
 

@@ -92,6 +92,8 @@ void MainWindow::buildToolBars()
     bar->addSeparator();
     bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
     bar->addSeparator();
+    bar->addActions({m_actions->drawHandle, m_actions->drawFancySeam});
+    bar->addSeparator();
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,

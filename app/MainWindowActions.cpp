@@ -44,6 +44,14 @@ void MainWindow::connectActions()
         m_selection.set(std::move(all));
     });
     on(m_actions->selectNone, [this] { m_selection.clear(); });
+    const std::pair<QAction*, DrawnKind> drawActions[] = {{m_actions->drawHandle, DrawnKind::HandleCurve},
+                                                          {m_actions->drawFancySeam, DrawnKind::FancySeam}};
+    for (const auto& [action, kind] : drawActions) {
+        on(action,
+           [this, kind = kind](bool begin) { m_pattern->draw(begin ? std::optional(kind) : std::nullopt); });
+        connect(m_pattern, &PatternView::drawingChanged, action,
+                [this, action = action, kind = kind] { action->setChecked(m_pattern->drawing() == kind); });
+    }
     on(m_actions->turnLeft, [this] { turnSelection(90); });
     on(m_actions->turnRight, [this] { turnSelection(-90); });
 

@@ -59,11 +59,15 @@ bool CutOutline::add(double t, double tolerance)
     return true;
 }
 
+CurveSpan::CurveSpan(const BSpline3& whole)
+    : curve(&whole)
+    , length(std::make_shared<const ArcLength3>(whole))
+    , t0(whole.domainStart())
+    , t1(whole.domainEnd())
+{}
+
 CurveSpan::CurveSpan(const Design& design, const FixationSeam& fixation)
-    : curve(&design.find<FixationCurve>(fixation.curve)->curve)
-    , length(std::make_shared<const ArcLength3>(*curve))
-    , t0(curve->domainStart())
-    , t1(curve->domainEnd())
+    : CurveSpan(design.find<FixationCurve>(fixation.curve)->curve)
 {
     if (fixation.curveRange) {
         t0 = fixation.curveRange->first;
@@ -120,9 +124,11 @@ OutlineSpan OutlineCuts::span(const Stretch& stretch) const
     return span;
 }
 
-Problems OutlineCuts::cut()
+Problems OutlineCuts::cut(const std::vector<LineEnd>& lineEnds)
 {
     cutAtCornersAndEnds();
+    for (const LineEnd& end : lineEnds)
+        m_outlines[end.outline].add(end.t, end.reach);
     for (bool changed = true; changed;) {
         changed = false;
         for (const SeamSpans& seam : m_seams) {

@@ -49,13 +49,14 @@ struct OutlineSpan {
     double s0 = 0, s1 = 0;
 };
 
-/// A walked part of a fixation curve.
+/// A walked part of a fixation curve, or the whole target of a handle.
 struct CurveSpan {
     const BSpline3* curve = nullptr;
     std::shared_ptr<const ArcLength3> length;
     double t0 = 0, t1 = 0;
 
     CurveSpan(const Design& design, const FixationSeam& fixation);
+    explicit CurveSpan(const BSpline3& whole);
     double parameterAt(double fraction, Match match) const;
     double fractionOf(double t, Match match) const;
 };
@@ -85,14 +86,22 @@ public:
     /// Knows the spans; makes no cuts yet.
     explicit OutlineCuts(const Design& design);
 
-    /// Cuts at corners, stretch ends and corners of fixation curves, and carries the cuts across the seams until
-    /// both sides of each have the same. Returns what could not be matched.
-    Problems cut();
+    /// A line inside a patch that ends at its outline. A cut within `reach` (mm) of it is its end.
+    struct LineEnd {
+        int outline = 0;
+        double t = 0;
+        double reach = 0;
+    };
+
+    /// Cuts at corners, stretch ends, corners of fixation curves and line ends, and carries the cuts across the
+    /// seams until both sides of each have the same. Returns what could not be matched.
+    Problems cut(const std::vector<LineEnd>& lineEnds = {});
 
     const std::vector<CutOutline>& outlines() const { return m_outlines; }
     const std::vector<SeamSpans>& seams() const { return m_seams; }
     const std::vector<FixationSpan>& fixations() const { return m_fixations; }       ///< those with a curve
     const std::vector<FixationSpan>& orientations() const { return m_orientations; } ///< those with directions
+    int outlineOf(ElementId patch) const { return m_index.at(patch); }
     double edgeLength() const { return m_edge; }
     /// The cuts of a stretch, both ends included, in increasing parameter, or backwards.
     std::vector<Along> along(const OutlineSpan& span, Match match, bool backwards = false) const;

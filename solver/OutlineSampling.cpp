@@ -1,51 +1,24 @@
 #include "OutlineSampling.h"
 
+#include "CurveDivision.h"
+#include "FixationTargets.h"
 #include "OutlineCuts.h"
+#include "PatchLines.h"
 #include "UnionFind.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bolster {
 
 namespace {
 
-// An edge may be this much shorter than asked for where the outline bends sharply.
-constexpr double shortestEdge = 0.4;
-constexpr double largestTurnPerEdge = std::numbers::pi / 6;
-constexpr double conflictDistance = 0.01; // mm between two targets of one vertex
-
-/// How sharply a piece bends in all, in radians, its ends left out.
-double turning(const CutOutline& outline, double s0, double s1, int probes)
-{
-    double turn = 0;
-    Vec2 previous = Vec2::Zero();
-    for (int k = 0; k <= probes; ++k) {
-        // A hair inside the ends, where a corner would turn as well.
-        const double s = s0 + (s1 - s0) * std::clamp(double(k) / probes, 1e-6, 1 - 1e-6);
-        const Vec2 tangent = outline.curve->derivative(outline.length.parameterAt(s)).normalized();
-        if (k > 0 && tangent.allFinite() && previous.allFinite())
-            turn += std::acos(std::clamp(tangent.dot(previous), -1.0, 1.0));
-        previous = tangent;
-    }
-    return turn;
-}
-
-/// Length and turning of a piece decide how many edges it needs.
+/// A polygon needs three edges.
 int wantedEdges(const CutOutline& outline, int piece, double edgeLength)
 {
     const auto [s0, s1] = outline.pieceLengths(piece);
-    const double length = s1 - s0;
-    int edges = std::max(1, static_cast<int>(std::lround(length / edgeLength)));
-    const double turn = turning(outline, s0, s1, std::max(4, 2 * edges));
-    const int forTurn = static_cast<int>(std::ceil(turn / largestTurnPerEdge - 1e-6));
-    const int most = std::max(1, static_cast<int>(length / (shortestEdge * edgeLength)));
-    edges = std::max(edges, std::min(forTurn, most));
-    if (turn > 0.5)
-        edges = std::max(edges, 2); // a single edge would flatten the bend altogether
-    // A polygon needs three edges.
-    return std::max(edges, outline.pieceCount() == 1 ? 3 : outline.pieceCount() == 2 ? 2 : 1);
+    const int fewest = outline.pieceCount() == 1 ? 3 : outline.pieceCount() == 2 ? 2 : 1;
+    return std::max(edgesOf(*outline.curve, outline.length, s0, s1, edgeLength), fewest);
 }
 
 /// Divides the pieces between cuts, those that belong together through seams alike.
@@ -221,6 +194,7 @@ public:
             m_result.fixations.push_back({fixation.id,
                                           fixation.fixation->curve,
                                           fixation.span.outline,
+                                          -1,
                                           samplesAlong(fixation.span),
                                           {},
                                           {}});
@@ -228,7 +202,33 @@ public:
             m_result.orientations.push_back({held.id, held.span.outline, samplesAlong(held.span), {}});
     }
 
+    void placeLines(const std::vector<PatchLine>& lines)
+    {
+        for (const PatchLine& line : lines) {
+            const int o = m_cuts.outlineOf(line.patch);
+            OutlineSampling::Outline& outline = m_result.outlines[o];
+            InnerLine shape{line.points, line.closed, sampleAt(o, line.onOutline[0], line.reach),
+                            sampleAt(o, line.onOutline[1], line.reach)};
+            if (shape.startSample >= 0)
+                shape.points.front() = outline.points[shape.startSample];
+            if (shape.endSample >= 0)
+                shape.points.back() = outline.points[shape.endSample];
+            if (!line.fractions.empty())
+                m_result.handles.push_back(
+                    {line.element, line.element, o, static_cast<int>(outline.lines.size()), {}, {}, {}});
+            outline.lines.push_back({line.element, std::move(shape), line.fractions, line.across});
+        }
+    }
+
 private:
+    int sampleAt(int outline, std::optional<double> t, double reach) const
+    {
+        if (!t)
+            return -1;
+        const CutOutline& cuts = m_cuts.outlines()[outline];
+        return m_firstSample[outline][cuts.near(cuts.length.at(*t), reach)];
+    }
+
     /// The samples of a stretch in increasing parameter, both ends included.
     std::vector<int> samplesAlong(const OutlineSpan& span) const
     {
@@ -249,96 +249,14 @@ private:
     std::vector<std::vector<int>> m_firstSample; // per outline and piece
 };
 
-/// How far along a stretch its k-th sample of `samples` lies.
-double fractionAlong(const OutlineSpan& span, const CutOutline& outline, const std::vector<double>& parameters,
-                     const std::vector<int>& samples, std::size_t k, Match match)
+std::vector<OutlineCuts::LineEnd> endsOf(const std::vector<PatchLine>& lines, const OutlineCuts& cuts)
 {
-    if (k == 0 || k + 1 == samples.size())
-        return k == 0 ? 0 : 1;
-    double t = parameters[samples[k]];
-    while (t < span.t0)
-        t += outline.curve->period();
-    while (t > span.t1)
-        t -= outline.curve->period();
-    return match == Match::Parameter ? (t - span.t0) / (span.t1 - span.t0)
-                                     : (outline.length.at(t) - span.s0) / (span.s1 - span.s0);
-}
-
-/// Where each sample of the chain belongs on its curve.
-void aim(OutlineSampling::FixedChain& chain, const FixationSpan& fixation, const OutlineCuts& cuts,
-         const std::vector<double>& parameters, const Design& design)
-{
-    const Match match = fixation.fixation->match;
-    const CurveSpan curve(design, *fixation.fixation);
-    chain.targets.clear();
-    chain.curveParameters.clear();
-    for (std::size_t k = 0; k < chain.samples.size(); ++k) {
-        double fraction =
-            fractionAlong(fixation.span, cuts.outlines()[chain.outline], parameters, chain.samples, k, match);
-        if (fixation.fixation->reversed)
-            fraction = 1 - fraction;
-        const double t = curve.parameterAt(fraction, match);
-        chain.curveParameters.push_back(t);
-        chain.targets.push_back(curve.curve->at(t));
-    }
-}
-
-void direct(OutlineSampling::OrientedChain& chain, const FixationSpan& held, const OutlineCuts& cuts,
-            const std::vector<double>& parameters)
-{
-    const Orientation& orientation = held.fixation->orientation;
-    chain.kind = orientation.kind;
-    chain.weight = orientation.weight;
-    chain.directions.clear();
-    for (std::size_t k = 0; k < chain.samples.size(); ++k)
-        chain.directions.push_back(orientation.at(
-            fractionAlong(held.span, cuts.outlines()[chain.outline], parameters, chain.samples, k, Match::Length)));
-}
-
-/// Two fixations may hold one vertex only in the same place.
-void findConflicts(OutlineSampling& sampling, const Design& design)
-{
-    struct Held {
-        Vec3 target = Vec3::Zero();
-        const OutlineSampling::FixedChain* chain = nullptr;
-    };
-    auto name = [&](ElementId id) { return elementLabel(id, *design.element(id)); };
-    std::vector<Held> held(sampling.clusterCount);
-    for (const OutlineSampling::FixedChain& chain : sampling.fixations) {
-        for (std::size_t k = 0; k < chain.samples.size(); ++k) {
-            Held& other = held[sampling.outlines[chain.outline].cluster[chain.samples[k]]];
-            if (!other.chain) {
-                other = {chain.targets[k], &chain};
-                continue;
-            }
-            const double apart = (other.target - chain.targets[k]).norm();
-            if (apart <= conflictDistance)
-                continue;
-            sampling.problems.push_back(
-                {chain.fixation,
-                 name(chain.fixation),
-                 "curve",
-                 {QT_TRANSLATE_NOOP("Message",
-                                    "%1 and %2 hold the same point of the cover in two places, %3 mm apart. "
-                                    "Let both curves meet there, or end one stretch earlier."),
-                  {name(other.chain->curve), name(chain.curve), numberText(apart)}},
-                 Severity::Error});
-            break;
-        }
-    }
-}
-
-void aimAll(OutlineSampling& sampling, const OutlineCuts& cuts, const Design& design)
-{
-    for (std::size_t k = 0; k < sampling.fixations.size(); ++k) {
-        OutlineSampling::FixedChain& chain = sampling.fixations[k];
-        aim(chain, cuts.fixations()[k], cuts, sampling.outlines[chain.outline].parameters, design);
-    }
-    for (std::size_t k = 0; k < sampling.orientations.size(); ++k) {
-        OutlineSampling::OrientedChain& chain = sampling.orientations[k];
-        direct(chain, cuts.orientations()[k], cuts, sampling.outlines[chain.outline].parameters);
-    }
-    findConflicts(sampling, design);
+    std::vector<OutlineCuts::LineEnd> ends;
+    for (const PatchLine& line : lines)
+        for (const std::optional<double>& t : line.onOutline)
+            if (t)
+                ends.push_back({cuts.outlineOf(line.patch), *t, line.reach});
+    return ends;
 }
 
 } // namespace
@@ -346,8 +264,13 @@ void aimAll(OutlineSampling& sampling, const OutlineCuts& cuts, const Design& de
 OutlineSampling sampleOutlines(const Design& design)
 {
     OutlineSampling sampling;
+    PatchLines lines = drawPatchLines(design);
+    if (!lines.problems.empty()) {
+        sampling.problems = std::move(lines.problems);
+        return sampling;
+    }
     OutlineCuts cuts(design);
-    sampling.problems = cuts.cut();
+    sampling.problems = cuts.cut(endsOf(lines.lines, cuts));
     if (!sampling.problems.empty())
         return sampling;
     PieceDivider divider(cuts);
@@ -355,14 +278,9 @@ OutlineSampling sampleOutlines(const Design& design)
     Chainer chainer(cuts, divider, sampling);
     chainer.chainSeams();
     chainer.chainFixations();
-    aimAll(sampling, cuts, design);
+    chainer.placeLines(lines.lines);
+    aimFixations(sampling, cuts, design);
     return sampling;
-}
-
-void retarget(OutlineSampling& sampling, const Design& design)
-{
-    sampling.problems.clear();
-    aimAll(sampling, OutlineCuts(design), design);
 }
 
 } // namespace bolster

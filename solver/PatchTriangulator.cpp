@@ -1,5 +1,7 @@
 #include "PatchTriangulator.h"
 
+#include "SegmentGrid.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -29,69 +31,8 @@ public:
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, SidedFace<>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::Exact_predicates_tag>;
 
-constexpr double boundaryGap = 0.55; // seeds keep this many edge lengths away from the outline
+constexpr double seedGap = 0.55; // seeds keep this many edge lengths away from the outline and inner lines
 constexpr int smoothingRounds = 3;
-
-/// Distance queries to the outline's edges through a grid of cells of one edge length.
-class BoundaryGrid {
-public:
-    BoundaryGrid(const std::vector<Vec2>& boundary, double cell)
-        : m_boundary(boundary)
-        , m_cell(cell)
-    {
-        for (const Vec2& p : boundary)
-            m_box.extend(p);
-        m_columns = static_cast<int>(m_box.sizes().x() / cell) + 1;
-        m_rows = static_cast<int>(m_box.sizes().y() / cell) + 1;
-        m_cells.resize(static_cast<std::size_t>(m_columns) * m_rows);
-        for (int i = 0; i < std::ssize(boundary); ++i)
-            addSegment(i);
-    }
-
-    bool nearerThan(const Vec2& p, double distance) const
-    {
-        const auto [c0, r0] = cellOf(p - Vec2::Constant(distance));
-        const auto [c1, r1] = cellOf(p + Vec2::Constant(distance));
-        for (int r = r0; r <= r1; ++r)
-            for (int c = c0; c <= c1; ++c)
-                for (int i : m_cells[static_cast<std::size_t>(r) * m_columns + c])
-                    if (squaredDistance(p, i) < distance * distance)
-                        return true;
-        return false;
-    }
-
-private:
-    std::pair<int, int> cellOf(const Vec2& p) const
-    {
-        const Vec2 q = (p - m_box.min()) / m_cell;
-        return {std::clamp(static_cast<int>(q.x()), 0, m_columns - 1),
-                std::clamp(static_cast<int>(q.y()), 0, m_rows - 1)};
-    }
-
-    const Vec2& end(int i) const { return m_boundary[(i + 1) % m_boundary.size()]; }
-
-    void addSegment(int i)
-    {
-        const auto [c0, r0] = cellOf(m_boundary[i].cwiseMin(end(i)));
-        const auto [c1, r1] = cellOf(m_boundary[i].cwiseMax(end(i)));
-        for (int r = r0; r <= r1; ++r)
-            for (int c = c0; c <= c1; ++c)
-                m_cells[static_cast<std::size_t>(r) * m_columns + c].push_back(i);
-    }
-
-    double squaredDistance(const Vec2& p, int i) const
-    {
-        const Vec2 edge = end(i) - m_boundary[i];
-        const double t = std::clamp((p - m_boundary[i]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-        return (m_boundary[i] + t * edge - p).squaredNorm();
-    }
-
-    const std::vector<Vec2>& m_boundary;
-    double m_cell;
-    Box2 m_box;
-    int m_columns = 0, m_rows = 0;
-    std::vector<std::vector<int>> m_cells;
-};
 
 /// Where a horizontal line enters and leaves the outline, increasing.
 std::vector<double> crossings(const std::vector<Vec2>& boundary, double y)
@@ -107,12 +48,15 @@ std::vector<double> crossings(const std::vector<Vec2>& boundary, double y)
     return xs;
 }
 
-std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, double edge)
+std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, const std::vector<InnerLine>& lines, double edge)
 {
-    const BoundaryGrid grid(boundary, edge);
     Box2 box;
     for (const Vec2& p : boundary)
         box.extend(p);
+    SegmentGrid grid(box, edge);
+    grid.addPolyline(boundary, true);
+    for (const InnerLine& line : lines)
+        grid.addPolyline(line.points, line.closed);
     const double height = edge * std::sqrt(3.0) / 2;
     // The rows are centred, so that a symmetric patch gets a symmetric mesh as far as rows can be.
     const int rows = static_cast<int>(box.sizes().y() / height);
@@ -125,7 +69,7 @@ std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, double edge)
         for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
             for (double i = std::ceil((xs[k] - shift) / edge); shift + i * edge < xs[k + 1]; ++i) {
                 const Vec2 p(shift + i * edge, y);
-                if (!grid.nearerThan(p, boundaryGap * edge))
+                if (!grid.nearerThan(p, seedGap * edge))
                     points.push_back(p);
             }
     }
@@ -133,8 +77,15 @@ std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, double edge)
 }
 
 /// Marks every face as inside or outside by walking from the infinite face across the outline.
-void markSides(Triangulation& triangulation)
+void markSides(Triangulation& triangulation, int boundaryCount)
 {
+    const auto onOutline = [&](const Triangulation::Face_handle& face, int i) {
+        if (!face->is_constrained(i))
+            return false;
+        const auto [a, b] =
+            std::minmax(face->vertex(Triangulation::cw(i))->info(), face->vertex(Triangulation::ccw(i))->info());
+        return b < boundaryCount && (b - a == 1 || (a == 0 && b == boundaryCount - 1));
+    };
     for (auto face : triangulation.all_face_handles())
         face->side = -1;
     std::vector<std::pair<Triangulation::Face_handle, int>> open{{triangulation.infinite_face(), 0}};
@@ -145,7 +96,7 @@ void markSides(Triangulation& triangulation)
             continue;
         face->side = side;
         for (int i = 0; i < 3; ++i)
-            open.emplace_back(face->neighbor(i), face->is_constrained(i) ? 1 - side : side);
+            open.emplace_back(face->neighbor(i), onOutline(face, i) ? 1 - side : side);
     }
 }
 
@@ -154,8 +105,22 @@ Kernel::Point_2 toCgal(const Vec2& p)
     return {p.x(), p.y()};
 }
 
-/// False when edges of the boundary cross or touch: CGAL makes vertices of its own then, or splits edges.
-bool triangulate(PatchMesh& mesh)
+using Edges = std::vector<std::pair<int, int>>;
+
+/// What the triangles must keep: the outline and the inner lines.
+Edges constraintsOf(const PatchMesh& mesh)
+{
+    Edges edges;
+    for (int i = 0; i < mesh.boundaryCount; ++i)
+        edges.emplace_back(i, (i + 1) % mesh.boundaryCount);
+    for (const std::vector<int>& line : mesh.lines)
+        for (std::size_t k = 0; k + 1 < line.size(); ++k)
+            edges.emplace_back(line[k], line[k + 1]);
+    return edges;
+}
+
+/// False when constraints cross or touch: CGAL makes vertices of its own then, or splits edges.
+bool triangulate(PatchMesh& mesh, const Edges& constraints)
 {
     std::vector<std::pair<Kernel::Point_2, int>> points;
     points.reserve(mesh.points.size());
@@ -168,14 +133,14 @@ bool triangulate(PatchMesh& mesh)
         return false;
     for (auto vertex : triangulation.finite_vertex_handles())
         vertices[vertex->info()] = vertex;
-    for (int i = 0; i < mesh.boundaryCount; ++i)
-        triangulation.insert_constraint(vertices[i], vertices[(i + 1) % mesh.boundaryCount]);
+    for (const auto& [a, b] : constraints)
+        triangulation.insert_constraint(vertices[a], vertices[b]);
     if (triangulation.number_of_vertices() != mesh.points.size())
         return false;
-    for (int i = 0; i < mesh.boundaryCount; ++i) // an edge through another vertex has been split there
-        if (!triangulation.is_edge(vertices[i], vertices[(i + 1) % mesh.boundaryCount]))
+    for (const auto& [a, b] : constraints) // an edge through another vertex has been split there
+        if (!triangulation.is_edge(vertices[a], vertices[b]))
             return false;
-    markSides(triangulation);
+    markSides(triangulation, mesh.boundaryCount);
     mesh.triangles.clear();
     for (auto face : triangulation.finite_face_handles())
         if (face->side == 1)
@@ -187,7 +152,8 @@ bool triangulate(PatchMesh& mesh)
     return true;
 }
 
-void smooth(PatchMesh& mesh)
+/// Moves the vertices from `first` on.
+void smooth(PatchMesh& mesh, std::size_t first)
 {
     std::vector<Vec2> sum(mesh.points.size(), Vec2::Zero());
     std::vector<double> weight(mesh.points.size(), 0);
@@ -201,28 +167,48 @@ void smooth(PatchMesh& mesh)
             weight[i] += area;
         }
     }
-    for (std::size_t i = mesh.boundaryCount; i < mesh.points.size(); ++i)
+    for (std::size_t i = first; i < mesh.points.size(); ++i)
         if (weight[i] > 0)
             mesh.points[i] = sum[i] / weight[i];
 }
 
+/// Appends a line's points that are not samples of the outline.
+void addLine(PatchMesh& mesh, const InnerLine& line)
+{
+    std::vector<int>& vertices = mesh.lines.emplace_back();
+    const int last = static_cast<int>(line.points.size()) - 1;
+    for (int k = 0; k <= last; ++k) {
+        const int sample = k == 0 ? line.startSample : k == last ? line.endSample : -1;
+        vertices.push_back(sample >= 0 ? sample : static_cast<int>(mesh.points.size()));
+        if (sample < 0)
+            mesh.points.push_back(line.points[k]);
+    }
+    if (line.closed)
+        vertices.push_back(vertices.front());
+}
+
 } // namespace
 
-PatchMesh triangulatePatch(const std::vector<Vec2>& boundary, double edgeLength)
+PatchMesh triangulatePatch(const std::vector<Vec2>& boundary, double edgeLength,
+                           const std::vector<InnerLine>& lines)
 {
     PatchMesh mesh;
     mesh.points = boundary;
     mesh.boundaryCount = static_cast<int>(boundary.size());
-    const std::vector<Vec2> inner = seeds(boundary, edgeLength);
+    for (const InnerLine& line : lines)
+        addLine(mesh, line);
+    const std::size_t keptCount = mesh.points.size();
+    const Edges constraints = constraintsOf(mesh);
+    const std::vector<Vec2> inner = seeds(boundary, lines, edgeLength);
     mesh.points.insert(mesh.points.end(), inner.begin(), inner.end());
-    if (!triangulate(mesh)) {
+    if (!triangulate(mesh, constraints)) {
         mesh.triangles.clear();
         return mesh;
     }
     for (int round = 0; round < smoothingRounds; ++round) {
-        smooth(mesh);
+        smooth(mesh, keptCount);
         if (round + 1 == smoothingRounds)
-            triangulate(mesh);
+            triangulate(mesh, constraints);
     }
     return mesh;
 }

@@ -11,8 +11,11 @@ namespace bolster {
 const PatchMesh& TriangulationCache::mesh(const OutlineSampling::Outline& outline, double edgeLength)
 {
     Entry& entry = m_entries[outline.patch];
-    if (entry.edgeLength != edgeLength || entry.boundary != outline.points)
-        entry = {outline.points, edgeLength, triangulatePatch(outline.points, edgeLength)};
+    std::vector<InnerLine> lines;
+    for (const OutlineSampling::Line& line : outline.lines)
+        lines.push_back(line.shape);
+    if (entry.edgeLength != edgeLength || entry.boundary != outline.points || entry.lines != lines)
+        entry = {outline.points, lines, edgeLength, triangulatePatch(outline.points, edgeLength, lines)};
     return entry.mesh;
 }
 
@@ -35,7 +38,18 @@ Problems triangulateAll(const Design& design, const OutlineSampling& sampling, T
         if (stop.stop_requested())
             break;
         meshes.push_back(cache.mesh(outline, design.settings().edgeLength));
-        if (meshes.back().triangles.empty())
+        if (!meshes.back().triangles.empty())
+            continue;
+        for (const OutlineSampling::Line& line : outline.lines)
+            if (problems.empty() || problems.back().element != line.element)
+                problems.push_back({line.element,
+                                    elementLabel(line.element, *design.element(line.element)),
+                                    "curve",
+                                    {QT_TRANSLATE_NOOP("Message", "the patch cannot be triangulated along it with "
+                                                                  "edges of %1 mm. Choose a smaller edge length."),
+                                     {numberText(design.settings().edgeLength)}},
+                                    Severity::Error});
+        if (outline.lines.empty())
             problems.push_back(
                 {outline.patch,
                  elementLabel(outline.patch, *design.element(outline.patch)),

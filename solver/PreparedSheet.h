@@ -12,7 +12,7 @@
 
 namespace bolster {
 
-/// Triangulations by patch, kept while a patch's outline samples stay as they are.
+/// Triangulations by patch, kept while a patch's outline samples and inner lines stay as they are.
 class TriangulationCache {
 public:
     const PatchMesh& mesh(const OutlineSampling::Outline& outline, double edgeLength);
@@ -21,6 +21,7 @@ public:
 private:
     struct Entry {
         std::vector<Vec2> boundary;
+        std::vector<InnerLine> lines;
         double edgeLength = 0;
         PatchMesh mesh;
     };

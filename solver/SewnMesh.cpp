@@ -1,5 +1,6 @@
 #include "SewnMesh.h"
 
+#include "Relief.h"
 #include "UnionFind.h"
 
 #include <algorithm>
@@ -26,13 +27,28 @@ std::vector<int> firstVertices(const std::vector<PatchMesh>& meshes)
     return first;
 }
 
+/// Calls visit(vertex, target) for all that fixation seams and handles hold.
+template <class Visit>
+void eachHeld(const SewnMesh& mesh, const SurfaceTopology& topology, const OutlineSampling& sampling, Visit visit)
+{
+    for (const auto& chain : sampling.fixations)
+        for (std::size_t k = 0; k < chain.samples.size(); ++k)
+            visit(mesh.parts[chain.outline].firstVertex + chain.samples[k], chain.targets[k]);
+    for (const auto& chain : sampling.handles) {
+        const SurfaceTopology::Line& line = topology.lines[mesh.firstLine[chain.outline] + chain.line];
+        for (std::size_t k = 0; k < chain.targets.size(); ++k)
+            visit(static_cast<int>(line.vertices[k]), chain.targets[k]);
+    }
+}
+
 /// Numbers the unknowns: free ones first, in order of appearance, then the fixed ones.
 void numberUnknowns(SewnMesh& mesh, SurfaceTopology& topology, const OutlineSampling& sampling)
 {
-    std::vector<char> isFixed(sampling.clusterCount, 0);
-    for (const auto& chain : sampling.fixations)
-        for (int sample : chain.samples)
-            isFixed[sampling.outlines[chain.outline].cluster[sample]] = 1;
+    std::vector<char> isFixed(sampling.clusterCount, 0), isHeld(topology.pattern.size(), 0);
+    eachHeld(mesh, topology, sampling, [&](int vertex, const Vec3&) { isHeld[vertex] = 1; });
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p)
+        for (int i = 0; i < mesh.parts[p].boundaryCount; ++i)
+            isFixed[sampling.outlines[p].cluster[i]] |= isHeld[mesh.parts[p].firstVertex + i];
     std::vector<std::uint32_t> ofCluster(sampling.clusterCount, UINT32_MAX);
     std::uint32_t next = 0;
     topology.unknown.resize(topology.pattern.size());
@@ -42,7 +58,7 @@ void numberUnknowns(SewnMesh& mesh, SurfaceTopology& topology, const OutlineSamp
             for (int i = 0; i < part.vertexCount; ++i) {
                 const bool onOutline = i < part.boundaryCount;
                 const int cluster = onOutline ? sampling.outlines[p].cluster[i] : -1;
-                if ((onOutline && isFixed[cluster]) != fixedOnes)
+                if ((onOutline ? isFixed[cluster] : isHeld[part.firstVertex + i]) != fixedOnes)
                     continue;
                 std::uint32_t& number = onOutline ? ofCluster[cluster] : topology.unknown[part.firstVertex + i];
                 if (!onOutline || number == UINT32_MAX)
@@ -174,6 +190,8 @@ void findComponents(SewnMesh& mesh, const OutlineSampling& sampling)
     }
     for (const auto& chain : sampling.fixations)
         mesh.anchored[label[chain.outline]] = 1;
+    for (const auto& chain : sampling.handles)
+        mesh.anchored[label[chain.outline]] = 1;
     for (double a : area)
         mesh.diameter.push_back(std::sqrt(2 * a));
 }
@@ -194,6 +212,21 @@ void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, c
         if (std::ranges::none_of(sampling.fixations,
                                  [&](const auto& held) { return held.fixation == chain.owner; }))
             topology.fixations.push_back({chain.owner, vertices(chain.outline, chain.samples), {}});
+}
+
+void collectLines(SewnMesh& mesh, SurfaceTopology& topology, const OutlineSampling& sampling,
+                  const std::vector<PatchMesh>& meshes)
+{
+    for (std::size_t p = 0; p < meshes.size(); ++p) {
+        mesh.firstLine.push_back(static_cast<int>(topology.lines.size()));
+        for (std::size_t k = 0; k < meshes[p].lines.size(); ++k) {
+            const OutlineSampling::Line& line = sampling.outlines[p].lines[k];
+            topology.lines.push_back({line.element, {}, line.across});
+            for (int vertex : meshes[p].lines[k])
+                topology.lines.back().vertices.push_back(
+                    static_cast<std::uint32_t>(mesh.parts[p].firstVertex + vertex));
+        }
+    }
 }
 
 std::uint64_t nextSerial()
@@ -245,6 +278,7 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
                                            static_cast<std::uint32_t>(first[p] + c)});
         }
     }
+    collectLines(mesh, *topology, sampling, meshes);
     numberUnknowns(mesh, *topology, sampling);
     openSewnCorners(*topology);
     measureRestShape(mesh, *topology);
@@ -254,6 +288,8 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     mesh.topology = std::move(topology);
     updateMaterials(mesh, design);
     updateTargets(mesh, sampling);
+    mesh.reliefs = makeReliefs(mesh, sampling, design);
+    updateReliefs(mesh, design);
     return mesh;
 }
 
@@ -278,12 +314,10 @@ void updateMaterials(SewnMesh& mesh, const Design& design)
 void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling)
 {
     mesh.targets.resize(static_cast<std::size_t>(mesh.unknownCount() - mesh.freeCount));
-    for (const auto& chain : sampling.fixations)
-        for (std::size_t k = 0; k < chain.samples.size(); ++k) {
-            const int vertex = mesh.parts[chain.outline].firstVertex + chain.samples[k];
-            mesh.targets[mesh.topology->unknown[vertex] - static_cast<std::uint32_t>(mesh.freeCount)] =
-                chain.targets[k];
-        }
+    const SurfaceTopology& topology = *mesh.topology;
+    eachHeld(mesh, topology, sampling, [&](int vertex, const Vec3& target) {
+        mesh.targets[topology.unknown[vertex] - static_cast<std::uint32_t>(mesh.freeCount)] = target;
+    });
     mesh.oriented.clear();
     for (const auto& chain : sampling.orientations)
         for (std::size_t k = 0; k < chain.samples.size(); ++k)

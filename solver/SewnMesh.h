@@ -11,7 +11,7 @@
 namespace bolster {
 
 /// Vertices belong to one patch each; `unknown` says which of them share a position. Unknowns are numbered free
-/// ones first, then those held by fixation curves. Symbols are those of docs/solver.md.
+/// ones first, then those held by fixation curves and handles. Symbols are those of docs/solver.md.
 struct SewnMesh {
     struct Material {
         double poisson = 0.3;     ///< nu
@@ -48,6 +48,20 @@ struct SewnMesh {
         double weight = 1;
     };
 
+    /// A fancy seam on the published surface: each of its vertices is moved by -depth * share * profile(across)
+    /// along the outside normal.
+    struct Relief {
+        struct Point {
+            int vertex = 0;
+            double across = 0; ///< -1 to 1
+            double share = 1;  ///< less than 1 where the seam fades out
+        };
+        ElementId seam{};
+        double depth = 0; ///< mm
+        Profile profile = Profile::Round;
+        std::vector<Point> points;
+    };
+
     std::shared_ptr<const SurfaceTopology> topology;
     std::vector<Part> parts;
     std::vector<double> area;   ///< A_i, mm^2
@@ -59,6 +73,8 @@ struct SewnMesh {
     std::vector<Oriented> oriented;
     std::vector<double> diameter; ///< D per sewn component, mm
     std::vector<char> anchored;   ///< per component: some vertex is fixed
+    std::vector<int> firstLine;   ///< per part: of the topology's lines
+    std::vector<Relief> reliefs;  ///< by fancy seam
 
     int vertexCount() const { return static_cast<int>(area.size()); }
     int unknownCount() const { return static_cast<int>(topology->unknownCount); }

@@ -26,13 +26,31 @@ SolvePlan compare(const Patch& a, const Patch& b)
     return a.pressure == b.pressure ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
 
+SolvePlan compare(const BSpline3& a, const BSpline3& b)
+{
+    if (a == b)
+        return SolvePlan::Nothing;
+    const bool sameKind = a.degree() == b.degree() && a.closed() == b.closed() && a.knots() == b.knots();
+    return sameKind ? SolvePlan::Retarget : SolvePlan::Rebuild;
+}
+
 SolvePlan compare(const FixationCurve& a, const FixationCurve& b)
 {
-    if (a.curve == b.curve)
-        return SolvePlan::Nothing;
-    const bool sameKind = a.curve.degree() == b.curve.degree() && a.curve.closed() == b.curve.closed() &&
-                          a.curve.knots() == b.curve.knots();
-    return sameKind ? SolvePlan::Retarget : SolvePlan::Rebuild;
+    return compare(a.curve, b.curve);
+}
+
+SolvePlan compare(const HandleCurve& a, const HandleCurve& b)
+{
+    if (a.patch != b.patch || a.match != b.match || !(a.curve == b.curve))
+        return SolvePlan::Rebuild;
+    return compare(a.target, b.target);
+}
+
+SolvePlan compare(const FancySeam& a, const FancySeam& b)
+{
+    if (a.patch != b.patch || a.width != b.width || !(a.curve == b.curve))
+        return SolvePlan::Rebuild;
+    return a.depth == b.depth && a.profile == b.profile ? SolvePlan::Nothing : SolvePlan::Republish;
 }
 
 SolvePlan compare(const Seam& a, const Seam& b)
@@ -70,6 +88,8 @@ SolvePlan planOf(const Element& element)
     if (std::holds_alternative<Frame>(element) || std::holds_alternative<Quarantined>(element) ||
         std::holds_alternative<Fabric>(element) || std::holds_alternative<FixationCurve>(element))
         return SolvePlan::Nothing; // fabrics and curves matter through what uses them
+    if (patchCurve(element))
+        return SolvePlan::Rebuild; // a new handle begins where the surface is, so nothing is torn
     return SolvePlan::Resew;
 }
 

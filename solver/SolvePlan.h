@@ -6,11 +6,12 @@
 namespace bolster {
 
 enum class SolvePlan {
-    Nothing,  ///< names, colours, layout, frames: the surface stays
-    Retarget, ///< right-hand sides only: fixation curves moved, pressure, Poisson parameter
-    Refactor, ///< matrix values too: stiffness, bending length
-    Rebuild,  ///< outlines, edge length: triangulate again, positions and frames are carried over
-    Resew     ///< Rebuild, and seams or fixations came or went, so that the surface is torn
+    Nothing,   ///< names, colours, layout, frames: the surface stays
+    Republish, ///< depth and profile of fancy seams: the solution stays, what is shown of it changes
+    Retarget,  ///< right-hand sides only: fixation curves and targets of handles moved, pressure, Poisson parameter
+    Refactor,  ///< matrix values too: stiffness, bending length
+    Rebuild,   ///< outlines, curves in them, edge length: triangulate again, positions and frames are carried over
+    Resew      ///< Rebuild, and seams or fixations came or went, so that the surface is torn
 };
 
 /// Cheap: shared elements are not looked into, of others only the fields that matter are compared.

@@ -15,7 +15,7 @@ struct SolveReport {
     std::int64_t seams = 0;
 
     struct Constraints {
-        std::int64_t fixed = 0;       ///< merged vertices held by fixation curves
+        std::int64_t fixed = 0;       ///< merged vertices held by fixation curves and handles
         std::int64_t sewn = 0;        ///< pairs of vertices
         std::int64_t orientation = 0; ///< rows
         std::int64_t ghost = 0;       ///< rows
@@ -30,6 +30,12 @@ struct SolveReport {
     MaxMean seamGap;
     MaxMean fixationError;        ///< at vertices
     double fixationDeviation = 0; ///< largest distance of the curve from the fixed outline between vertices
+    struct OfElement {
+        ElementId element{};
+        double value = 0;
+    };
+    std::vector<OfElement> handles;    ///< largest distance of a vertex from its point on the target
+    std::vector<OfElement> fancySeams; ///< depth that is reached
     struct Strain {
         double max = 0; ///< of |principal stretch - 1|
         double p99 = 0;

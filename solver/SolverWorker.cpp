@@ -1,6 +1,7 @@
 #include "SolverWorker.h"
 
 #include "DesignCheck.h"
+#include "Relief.h"
 #include "StateTransfer.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -105,7 +106,7 @@ void SolverWorker::begin(Request request)
         m_report = {};
     }
     const SolvePlan plan = m_live ? planSolve(m_input, request.input) : SolvePlan::Resew;
-    const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
+    const bool light = plan > SolvePlan::Nothing && plan < SolvePlan::Rebuild;
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
     if (!light && plan != SolvePlan::Nothing && m_status.state != SolverStatus::State::Moving)
@@ -113,13 +114,13 @@ void SolverWorker::begin(Request request)
     const SolveInput inputBefore = std::exchange(m_input, std::move(request.input));
     m_designRevision = request.revision;
     m_settleWanted = request.settle;
-    if (plan == SolvePlan::Nothing) {
+    if (plan == SolvePlan::Nothing || (plan == SolvePlan::Republish && republishLive(m_input.design))) {
         if (m_settleWanted && m_resting && m_status.restingDistance)
             adoptResting();
         publish(m_status.state);
         return;
     }
-    const bool retargeted = light && retargetLive(m_input, plan);
+    const bool retargeted = light && plan != SolvePlan::Republish && retargetLive(m_input, plan);
     if (!retargeted && !rebuildLive(m_input, plan == SolvePlan::Resew)) {
         m_input = inputBefore; // given up for a newer request, which starts from what there is
         m_status = statusBefore;
@@ -139,6 +140,23 @@ void SolverWorker::begin(Request request)
         publish(SolverStatus::State::Idle);
 }
 
+/// Keeps the solution. False when the change asks for more after all.
+bool SolverWorker::republishLive(const Design& design)
+{
+    const Design usable = usablePart(design, checkDesign(design));
+    if (!sameElements(usable, m_live->prepared.design))
+        return false;
+    for (Sheet* sheet : {m_live.get(), m_resting.get()})
+        if (sheet) {
+            sheet->prepared.design = usable;
+            updateReliefs(sheet->prepared.mesh, usable);
+        }
+    if (m_status.state == SolverStatus::State::Settled)
+        m_report = reportOn(m_live->prepared, *m_live->relaxation);
+    publishSurface();
+    return true;
+}
+
 /// Keeps samples and triangles. False when the change asks for more after all.
 bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
 {
@@ -156,6 +174,7 @@ bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
     prepared.files = input.files;
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
+    updateReliefs(prepared.mesh, usable);
     if (plan == SolvePlan::Refactor)
         m_live->relaxation->refactor(ghostsFor(prepared, problems));
     else

@@ -47,6 +47,7 @@ private:
     static bool running(const Sheet& sheet);
     bool step();
     void begin(Request request);
+    bool republishLive(const Design& design);
     bool retargetLive(const SolveInput& input, SolvePlan plan);
     bool rebuildLive(const SolveInput& input, bool torn);
     std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);

@@ -56,7 +56,7 @@ private:
         std::vector<int> count(m_mesh.diameter.size(), 0);
         for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
             const SewnMesh::Part& part = m_mesh.parts[p];
-            for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v) {
+            for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
                 const int fixed = static_cast<int>(topology.unknown[v]) - m_mesh.freeCount;
                 if (fixed < 0)
                     continue;
@@ -292,6 +292,8 @@ void seedFolds(const SewnMesh& mesh, SheetState& state)
     for (const SewnMesh::Part& part : mesh.parts) {
         const double d = mesh.diameter[part.component];
         for (int v = part.firstVertex + part.boundaryCount; v < part.firstVertex + part.vertexCount; ++v) {
+            if (static_cast<int>(mesh.topology->unknown[v]) >= mesh.freeCount)
+                continue;
             const double compression = -leastStrain(mesh, state, v);
             if (compression <= least)
                 continue;

@@ -1,6 +1,7 @@
 #include "SurfaceMeasures.h"
 
 #include "Relaxation.h"
+#include "Relief.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,8 @@ double percentile99(std::vector<Weighted> values)
     return 0;
 }
 
-void measureTriangles(const SewnMesh& mesh, const SheetState& state, SolveReport& report)
+void measureTriangles(const SewnMesh& mesh, const SheetState& state, const std::vector<Vec3>& positions,
+                      SolveReport& report)
 {
     const SurfaceTopology& topology = *mesh.topology;
     std::vector<Weighted> strains;
@@ -43,7 +45,7 @@ void measureTriangles(const SewnMesh& mesh, const SheetState& state, SolveReport
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t v = topology.triangles[t][k];
                 rest[k] = topology.pattern[v];
-                place[k] = state.positions.col(topology.unknown[v]);
+                place[k] = positions[v];
                 frameNormal += part->outward * rotationOf(state.frames.col(v)).col(2);
             }
             const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
@@ -68,13 +70,12 @@ void addTo(SolveReport::MaxMean& measure, double value, std::int64_t& count)
     measure.mean += (value - measure.mean) / static_cast<double>(++count);
 }
 
-void measureSeams(const SewnMesh& mesh, const SheetState& state, SolveReport& report)
+void measureSeams(const SewnMesh& mesh, const std::vector<Vec3>& positions, SolveReport& report)
 {
     const SurfaceTopology& topology = *mesh.topology;
     for (const SurfaceTopology::Chain& chain : topology.seams)
         for (std::size_t k = 0; k < chain.a.size(); ++k) {
-            const Vec3 gap = state.positions.col(topology.unknown[chain.a[k]]) -
-                             state.positions.col(topology.unknown[chain.b[k]]);
+            const Vec3 gap = positions[chain.a[k]] - positions[chain.b[k]];
             addTo(report.seamGap, gap.norm(), report.constraints.sewn);
         }
 }
@@ -87,16 +88,14 @@ double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
     return (a + t * edge - p).norm();
 }
 
-void measureFixations(const PreparedSheet& sheet, const SheetState& state, SolveReport& report)
+void measureFixations(const PreparedSheet& sheet, const std::vector<Vec3>& positions, SolveReport& report)
 {
     constexpr int probes = 8;
     std::int64_t count = 0;
     for (const auto& chain : sheet.sampling.fixations) {
         const BSpline3& curve = sheet.design.find<FixationCurve>(chain.curve)->curve;
         const int first = sheet.mesh.parts[chain.outline].firstVertex;
-        auto place = [&](std::size_t k) -> Vec3 {
-            return state.positions.col(sheet.mesh.topology->unknown[first + chain.samples[k]]);
-        };
+        auto place = [&](std::size_t k) { return positions[first + chain.samples[k]]; };
         for (std::size_t k = 0; k < chain.samples.size(); ++k) {
             addTo(report.fixationError, (place(k) - chain.targets[k]).norm(), count);
             if (k == 0)
@@ -108,6 +107,28 @@ void measureFixations(const PreparedSheet& sheet, const SheetState& state, Solve
                     std::max(report.fixationDeviation, distanceToSegment(p, place(k - 1), place(k)));
             }
         }
+    }
+}
+
+void measureHandles(const PreparedSheet& sheet, const std::vector<Vec3>& positions, SolveReport& report)
+{
+    for (const auto& chain : sheet.sampling.handles) {
+        const SurfaceTopology::Line& line =
+            sheet.mesh.topology->lines[sheet.mesh.firstLine[chain.outline] + chain.line];
+        double error = 0;
+        for (std::size_t k = 0; k < chain.targets.size(); ++k)
+            error = std::max(error, (positions[line.vertices[k]] - chain.targets[k]).norm());
+        report.handles.push_back({chain.curve, error});
+    }
+}
+
+void measureFancySeams(const SewnMesh& mesh, SolveReport& report)
+{
+    for (const SewnMesh::Relief& relief : mesh.reliefs) {
+        double share = 0;
+        for (const SewnMesh::Relief::Point& point : relief.points)
+            share = std::max(share, point.share * fancyProfile(relief.profile, point.across));
+        report.fancySeams.push_back({relief.seam, relief.depth * share});
     }
 }
 
@@ -135,9 +156,12 @@ SolveReport measureSurface(const PreparedSheet& sheet, const SheetState& state)
     report.patches = static_cast<std::int64_t>(mesh.parts.size());
     report.seams = static_cast<std::int64_t>(mesh.topology->seams.size());
     report.constraints.fixed = static_cast<std::int64_t>(mesh.targets.size());
-    measureTriangles(mesh, state, report);
-    measureSeams(mesh, state, report);
-    measureFixations(sheet, state, report);
+    const std::vector<Vec3> positions = coverPositions(mesh, state);
+    measureTriangles(mesh, state, positions, report);
+    measureSeams(mesh, positions, report);
+    measureFixations(sheet, positions, report);
+    measureHandles(sheet, positions, report);
+    measureFancySeams(mesh, report);
     return report;
 }
 

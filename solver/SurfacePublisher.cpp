@@ -1,5 +1,7 @@
 #include "SurfacePublisher.h"
 
+#include "Relief.h"
+
 namespace bolster {
 
 SurfaceMeshPtr makeSurface(const SewnMesh& mesh, const SheetState& state, std::uint64_t revision)
@@ -7,19 +9,8 @@ SurfaceMeshPtr makeSurface(const SewnMesh& mesh, const SheetState& state, std::u
     auto surface = std::make_shared<SurfaceMesh>();
     surface->topology = mesh.topology;
     surface->revision = revision;
-    surface->positions.resize(mesh.vertexCount());
-    for (int v = 0; v < mesh.vertexCount(); ++v)
-        surface->positions[v] = state.positions.col(mesh.topology->unknown[v]);
-    surface->normals.assign(mesh.vertexCount(), Eigen::Vector3f::Zero());
-    for (const auto& [a, b, c] : mesh.topology->triangles) {
-        const auto& p = surface->positions;
-        const Eigen::Vector3f normal = (p[b] - p[a]).cross(p[c] - p[a]).cast<float>(); // weighted by area
-        surface->normals[a] += normal;
-        surface->normals[b] += normal;
-        surface->normals[c] += normal;
-    }
-    for (Eigen::Vector3f& normal : surface->normals)
-        normal = normal.squaredNorm() > 0 ? normal.normalized() : Eigen::Vector3f(Eigen::Vector3f::UnitZ());
+    surface->positions = coverPositions(mesh, state);
+    surface->normals = smoothNormals(*mesh.topology, surface->positions);
     return surface;
 }
 

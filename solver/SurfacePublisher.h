@@ -6,7 +6,7 @@
 
 namespace bolster {
 
-/// Vertex normals are smooth within a patch and point outside.
+/// With the reliefs of fancy seams. Vertex normals are smooth within a patch and point outside.
 SurfaceMeshPtr makeSurface(const SewnMesh& mesh, const SheetState& state, std::uint64_t revision);
 
 } // namespace bolster

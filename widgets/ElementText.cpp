@@ -35,6 +35,9 @@ constexpr KindTexts kindTexts[] = {
     {QT_TRANSLATE_NOOP("ElementText", "Fixation curve"), QT_TRANSLATE_NOOP("ElementText", "Fixation curves"),
      "fixation-curve"},
     {QT_TRANSLATE_NOOP("ElementText", "Fixation"), QT_TRANSLATE_NOOP("ElementText", "Fixations"), "fixation-seam"},
+    {QT_TRANSLATE_NOOP("ElementText", "Handle curve"), QT_TRANSLATE_NOOP("ElementText", "Handle curves"),
+     "handle-curve"},
+    {QT_TRANSLATE_NOOP("ElementText", "Fancy seam"), QT_TRANSLATE_NOOP("ElementText", "Fancy seams"), "fancy-seam"},
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
@@ -59,6 +62,8 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const FixationCurve&) const { return ElementKind::FixationCurve; }
         ElementKind operator()(const FixationSeam&) const { return ElementKind::FixationSeam; }
         ElementKind operator()(const Frame&) const { return ElementKind::Frame; }
+        ElementKind operator()(const HandleCurve&) const { return ElementKind::HandleCurve; }
+        ElementKind operator()(const FancySeam&) const { return ElementKind::FancySeam; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);

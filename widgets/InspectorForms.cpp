@@ -9,6 +9,7 @@
 #include "PatchEdits.h"
 #include "ProblemSet.h"
 #include "Selection.h"
+#include "SelectionEdits.h"
 #include "Translated.h"
 #include "Units.h"
 
@@ -79,6 +80,12 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
         break;
     case ElementKind::FixationSeam:
         addFixationSeam(form, id);
+        break;
+    case ElementKind::HandleCurve:
+        addHandleCurve(form, id);
+        break;
+    case ElementKind::FancySeam:
+        addFancySeam(form, id);
         break;
     case ElementKind::Frame:
         addFrame(form, id);
@@ -167,8 +174,7 @@ void InspectorForms::addFabricChoice(PropertyForm& form, ElementId id) const
 
 void InspectorForms::addPatch(PropertyForm& form, ElementId id) const
 {
-    if (m_selection.points().size() == 1)
-        addPatchPoint(form, id, m_selection.points().begin()->second);
+    addSelectedPoint(form, id);
     const InspectorSubject<Patch> patch(m_document, id, form);
     patch.name(tr("Name"));
     addFabricChoice(form, id);
@@ -193,13 +199,23 @@ void InspectorForms::addPatch(PropertyForm& form, ElementId id) const
     });
 }
 
+void InspectorForms::addSelectedPoint(PropertyForm& form, ElementId id) const
+{
+    if (m_selection.points().size() != 1)
+        return;
+    const int point = m_selection.points().begin()->second;
+    if (spacePoint(m_document.design(), {id, point}) >= 0)
+        addCurvePoint(form, id, point);
+    else
+        addPatchPoint(form, id, point);
+}
+
 void InspectorForms::addPatchPoint(PropertyForm& form, ElementId id, int point) const
 {
     const auto position = [this, id, point]() -> Vec2 {
-        const Patch* patch = m_document.design().find<Patch>(id);
-        return patch && point < patch->outline.pointCount()
-                   ? patch->outline.points()[static_cast<std::size_t>(point)]
-                   : Vec2(0, 0);
+        const ElementPtr element = m_document.design().element(id);
+        const BSpline2* curve = element ? planeCurve(*element) : nullptr;
+        return curve && point < curve->pointCount() ? curve->points()[static_cast<std::size_t>(point)] : Vec2(0, 0);
     };
     form.addNumbers(
         tr("Point"), lengthRange, 2, [position](int i) { return position()[i]; },
@@ -212,17 +228,18 @@ void InspectorForms::addPatchPoint(PropertyForm& form, ElementId id, int point) 
 
 void InspectorForms::addCurvePoint(PropertyForm& form, ElementId id, int point) const
 {
-    const auto position = [this, id, point]() -> Vec3 {
-        const FixationCurve* curve = m_document.design().find<FixationCurve>(id);
-        return curve && point < curve->curve.pointCount() ? curve->curve.points()[static_cast<std::size_t>(point)]
-                                                          : Vec3(0, 0, 0);
+    const auto index = [this, id, point] { return spacePoint(m_document.design(), {id, point}); };
+    const auto position = [this, id, index]() -> Vec3 {
+        const int i = index();
+        return i >= 0 ? spaceCurve(*m_document.design().element(id))->points()[static_cast<std::size_t>(i)]
+                      : Vec3(0, 0, 0);
     };
     form.addNumbers(
         tr("Point"), lengthRange, 3, [position](int i) { return position()[i]; },
-        [this, id, point, position](int i, double value) {
+        [this, id, index, position](int i, double value) {
             Vec3 delta = Vec3::Zero();
             delta[i] = value - position()[i];
-            m_document.commit(edits::moveCurvePoints(m_document.design(), id, std::array{point}, delta));
+            m_document.commit(edits::moveCurvePoints(m_document.design(), id, std::array{index()}, delta));
         });
 }
 
@@ -256,8 +273,7 @@ void InspectorForms::addSeam(PropertyForm& form, ElementId id) const
 
 void InspectorForms::addFixationCurve(PropertyForm& form, ElementId id) const
 {
-    if (m_selection.points().size() == 1)
-        addCurvePoint(form, id, m_selection.points().begin()->second);
+    addSelectedPoint(form, id);
     const InspectorSubject<FixationCurve> curve(m_document, id, form);
     curve.name(tr("Name"));
     curve.info(tr("Length"), [](const Design&, const FixationCurve& c) {

@@ -34,8 +34,12 @@ private:
     void addSeam(PropertyForm& form, ElementId id) const;
     void addFixationCurve(PropertyForm& form, ElementId id) const;
     void addFixationSeam(PropertyForm& form, ElementId id) const;
+    void addHandleCurve(PropertyForm& form, ElementId id) const;
+    void addFancySeam(PropertyForm& form, ElementId id) const;
     void addFrame(PropertyForm& form, ElementId id) const;
     void addUnusable(PropertyForm& form, ElementId id) const;
+    /// The coordinates of the only selected control point.
+    void addSelectedPoint(PropertyForm& form, ElementId id) const;
     void addPatchPoint(PropertyForm& form, ElementId id, int point) const;
     void addCurvePoint(PropertyForm& form, ElementId id, int point) const;
     void addFabricChoice(PropertyForm& form, ElementId patch) const;

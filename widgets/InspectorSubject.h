@@ -4,7 +4,10 @@
 #include "Document.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
+#include "Gesture.h"
 #include "PropertyForm.h"
+
+#include <memory>
 
 namespace bolster {
 
@@ -51,6 +54,30 @@ public:
         m_form->addNumber(
             label, range, [s = *this, member] { return s.now().*member; },
             [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); });
+    }
+
+    /// A number with a slider from `low` to `high` that shows its value while it is dragged, as one edit.
+    void slider(const QString& label, const NumberBox::Range& range, double low, double high, double T::*member,
+                const char* verb) const
+    {
+        const auto gesture = std::make_shared<std::unique_ptr<Gesture>>();
+        const auto preview = [s = *this, gesture, member, verb](double value) {
+            if (!*gesture || !(*gesture)->active())
+                *gesture = std::make_unique<Gesture>(*s.m_document);
+            const Design& start = (*gesture)->start();
+            T changed = s.now();
+            changed.*member = value;
+            (*gesture)->update(edits::replaceElement(start, s.m_id, makeElement(std::move(changed)),
+                                                     {verb, {displayName(start, s.m_id).toStdString()}}));
+        };
+        const auto finish = [gesture] {
+            if (const std::unique_ptr<Gesture> finished = std::move(*gesture))
+                finished->commit();
+        };
+        m_form->addSlider(
+            label, range, low, high, [s = *this, member] { return s.now().*member; },
+            [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); }, preview,
+            finish);
     }
 
     /// A row of numbers that `at` finds in the element.

@@ -1,5 +1,6 @@
 #include "PatternMarks.h"
 
+#include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
 #include <QVector>
@@ -107,6 +108,48 @@ void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath&
         painter.drawLine(first.at(share * first.length()).at, second.at(share * second.length()).at);
     painter.setPen(QPen(color, 1.6));
     painter.drawLine(first.at(first.length() / 2).at, second.at(second.length() / 2).at);
+}
+
+void paintFancyStrip(QPainter& painter, const QPainterPath& middle, double width, const QColor& color, bool strong)
+{
+    constexpr double narrowest = 3; // narrower ones would be one thick line
+    painter.setBrush(Qt::NoBrush);
+    if (width >= narrowest) {
+        QPainterPathStroker stroker;
+        stroker.setWidth(width);
+        stroker.setCapStyle(Qt::FlatCap);
+        stroker.setJoinStyle(Qt::MiterJoin);
+        QColor fill = color;
+        fill.setAlphaF(strong ? 0.30F : 0.18F);
+        const QPainterPath strip = stroker.createStroke(middle).simplified();
+        painter.fillPath(strip, fill);
+        painter.strokePath(strip, QPen(color, strong ? 1.3 : 0.8));
+    }
+    QPen stitches(color, strong ? 2.2 : 1.5, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    stitches.setDashPattern({4, 2.5});
+    painter.strokePath(middle, stitches);
+}
+
+void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, double gap,
+                   const QColor& color, bool wanted)
+{
+    const Walk walk(line);
+    const QFontMetricsF metrics(painter.font());
+    const double width = metrics.horizontalAdvance(name);
+    if (walk.length() < (wanted ? 1.1 : 6) * width)
+        return;
+    // Along the chord that it will lie beside, read from the left or from below.
+    const double middle = 0.5 * walk.length();
+    const QPointF from = walk.at(middle - 0.5 * width).at, to = walk.at(middle + 0.5 * width).at;
+    double angle = std::atan2(to.y() - from.y(), to.x() - from.x()) * 180 / M_PI;
+    if (angle > 89 || angle < -91)
+        angle -= 180;
+    painter.save();
+    painter.translate((from + to) / 2);
+    painter.rotate(angle);
+    painter.setPen(color);
+    painter.drawText(QPointF(-0.5 * width, -gap - metrics.descent() - 2), name);
+    painter.restore();
 }
 
 void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color)

@@ -22,6 +22,12 @@ struct SeamArrow {
 void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
+/// A fancy seam of this width: its outer lines, and stitches in the middle.
+void paintFancyStrip(QPainter& painter, const QPainterPath& middle, double width, const QColor& color, bool strong);
+/// Along the middle of a line, `gap` pixels beside it, where the line is much longer than its name; if `wanted`
+/// also where it is hardly longer.
+void paintLineName(QPainter& painter, const QPainterPath& line, const QString& name, double gap,
+                   const QColor& color, bool wanted);
 /// A double arrow along the warp.
 void paintGrainArrow(QPainter& painter, QPointF centre, QPointF half, const QColor& color);
 

@@ -41,14 +41,15 @@ void PatternPainter::paint()
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintPatch(patch);
+    for (const auto& [id, line] : m_in.scene.lines())
+        paintLine(line);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintInside(patch);
     if (m_in.layers.seams)
         paintSeamLinks();
-    for (const auto& [id, patch] : m_in.scene.patches())
-        if (m_in.layers.points && visible(patch) && (selected(id) || hovered(id)))
-            paintPoints(patch);
+    if (m_in.layers.points)
+        paintAllPoints();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
 }
 
@@ -195,27 +196,68 @@ bool PatternPainter::pointsReadable(const PatternPatch& patch, const PatternTran
     return around > leastPointGap * static_cast<double>(patch.points.size());
 }
 
-void PatternPainter::paintPoints(const PatternPatch& patch)
+void PatternPainter::paintLine(const PatternLine& line)
 {
-    if (!pointsReadable(patch, m_in.transform))
+    const PatternPatch* on = m_in.scene.patch(line.patch);
+    if (!on || !visible(*on))
         return;
+    const ViewColors& colors = m_in.colors;
+    const QPainterPath path = inPixels(line.path);
+    const bool strong = selected(line.id) || hovered(line.id);
+    const QColor own = line.fancy() ? colors.fancySeam : colors.handle;
+    const QColor color = m_in.problems.hasError(line.id) ? colors.error
+                         : selected(line.id)             ? colors.accent
+                         : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
+                                                         : own;
+    double width = 0;
+    if (const FancySeam* fancy = line.fancy()) {
+        width = fancy->width * m_in.transform.scale();
+        m_painter.save();
+        m_painter.setClipPath(inPixels(on->path), Qt::IntersectClip);
+        paintFancyStrip(m_painter, path, width, color, strong);
+        m_painter.restore();
+    } else {
+        m_painter.strokePath(path, QPen(mixed(color, colors.canvas, 0.7), strong ? 5 : 4));
+        m_painter.strokePath(path, QPen(color, strong ? 2.4 : 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    }
+    const std::string& name = elementName(*line.element);
+    if (m_in.layers.labels && !name.empty())
+        paintLineName(m_painter, path, QString::fromStdString(name), width / 2, color, strong);
+}
+
+void PatternPainter::paintAllPoints()
+{
+    for (const auto& [id, patch] : m_in.scene.patches())
+        if (visible(patch) && (selected(id) || hovered(id)) && pointsReadable(patch, m_in.transform))
+            paintPoints(id, patch.points, patch.corners, patch.patch().outline);
+    for (const auto& [id, line] : m_in.scene.lines())
+        if (selected(id) || hovered(id))
+            paintPoints(id, line.points, line.corners, line.curve());
+}
+
+void PatternPainter::paintPoints(ElementId id, const std::vector<Vec2>& points, const std::vector<char>& corners,
+                                 const BSpline2& curve)
+{
     QPolygonF pixels;
-    for (const Vec2& p : patch.points)
+    for (const Vec2& p : points)
         pixels << m_in.transform.toPixels(p);
     const ViewColors& colors = m_in.colors;
-    if (patch.patch().outline.degree() > 1) {
+    if (curve.degree() > 1) {
         m_painter.setPen(QPen(mixed(colors.canvas, colors.accent, 0.55), 1, Qt::DotLine));
         m_painter.setBrush(Qt::NoBrush);
-        m_painter.drawPolygon(pixels);
+        if (curve.closed())
+            m_painter.drawPolygon(pixels);
+        else
+            m_painter.drawPolyline(pixels);
     }
-    const QColor line = selected(patch.id) ? colors.accent : colors.hover;
+    const QColor line = selected(id) ? colors.accent : colors.hover;
     for (qsizetype i = 0; i < pixels.size(); ++i) {
-        const bool chosen = m_in.selection.contains(Selection::Point{patch.id, static_cast<int>(i)});
+        const bool chosen = m_in.selection.contains(Selection::Point{id, static_cast<int>(i)});
         m_painter.setPen(QPen(line, 1.4));
         m_painter.setBrush(chosen ? colors.accent : colors.pointFill);
         const double size = chosen ? pointSize + 2 : pointSize;
         const QRectF box(pixels[i] - QPointF(size, size) / 2, QSizeF(size, size));
-        if (patch.corners[static_cast<std::size_t>(i)])
+        if (corners[static_cast<std::size_t>(i)])
             m_painter.drawRect(box);
         else
             m_painter.drawEllipse(box);

@@ -62,7 +62,10 @@ private:
     void paintInside(const PatternPatch& patch);
     void paintSeamArrows(const PatternPatch& patch, const QRectF& written);
     void paintSeamLinks();
-    void paintPoints(const PatternPatch& patch);
+    void paintLine(const PatternLine& line);
+    void paintAllPoints();
+    void paintPoints(ElementId id, const std::vector<Vec2>& points, const std::vector<char>& corners,
+                     const BSpline2& curve);
 
     QPainter& m_painter;
     const Input& m_in;

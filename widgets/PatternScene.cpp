@@ -47,6 +47,7 @@ void PatternScene::reset(const Design& design)
 {
     m_patches.clear();
     m_stretches.clear();
+    m_lines.clear();
     std::set<ElementId> all;
     for (const auto& [id, element] : design.elements())
         all.insert(id);
@@ -74,8 +75,13 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         if (changed.contains(seam.stretch.patch))
             owners.insert(id);
     });
+    for (const auto& [id, element] : design.elements())
+        if (const PatchCurve* drawn = patchCurve(*element); drawn && changed.contains(drawn->patch))
+            owners.insert(id);
     for (const ElementId id : patches)
         updatePatch(design, id);
+    for (const ElementId id : owners)
+        updateLine(design, id);
     for (const ElementId id : owners)
         updateStretches(design, id);
 }
@@ -108,6 +114,22 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
     } else {
         entry.label = LabelPlace::inside(entry.path.toFillPolygon());
     }
+}
+
+void PatternScene::updateLine(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    const PatchCurve* drawn = element ? patchCurve(*element) : nullptr;
+    const Patch* on = drawn ? design.find<Patch>(drawn->patch) : nullptr;
+    if (!on || drawn->curve.empty()) {
+        m_lines.erase(id);
+        return;
+    }
+    PatternLine line{id, drawn->patch, element, {}, {}, cornerPoints(drawn->curve)};
+    line.path = curvePath(drawn->curve, [on](const Vec2& p) { return toLayout(*on, p); });
+    for (const Vec2& p : drawn->curve.points())
+        line.points.push_back(toLayout(*on, p));
+    m_lines.insert_or_assign(id, std::move(line));
 }
 
 void PatternScene::updateStretches(const Design& design, ElementId owner)
@@ -164,6 +186,10 @@ Box2 PatternScene::boundingBox(const std::set<ElementId>& ids) const
     for (const ElementId id : ids) {
         if (const PatternPatch* entry = patch(id))
             box.extend(entry->box);
+        if (const auto line = m_lines.find(id); line != m_lines.end()) {
+            const QRectF bounds = line->second.path.boundingRect();
+            box.extend(Box2(toVec(bounds.topLeft()), toVec(bounds.bottomRight())));
+        }
         const auto [first, last] = m_stretches.equal_range(id);
         for (auto stretch = first; stretch != last; ++stretch)
             if (const PatternPatch* entry = patch(stretch->second.patch))
@@ -177,6 +203,8 @@ PatternHit PatternScene::hit(const Vec2& at, double tolerance,
 {
     if (const std::optional<PatternHit> point = hitPoint(at, tolerance, pointsShown))
         return *point;
+    if (const std::optional<PatternHit> line = hitLine(at, tolerance))
+        return *line;
     if (const std::optional<PatternHit> outline = hitOutline(at, tolerance))
         return *outline;
     for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry)
@@ -190,17 +218,37 @@ std::optional<PatternHit> PatternScene::hitPoint(const Vec2& at, double toleranc
 {
     std::optional<PatternHit> best;
     double nearest = tolerance * tolerance;
-    for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry) {
-        if (!pointsShown(entry->first))
-            continue;
-        const std::vector<Vec2>& points = entry->second.points;
+    const auto offer = [&](ElementId id, const std::vector<Vec2>& points) {
+        if (!pointsShown(id))
+            return;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double distance = (points[i] - at).squaredNorm();
             if (distance < nearest) {
                 nearest = distance;
-                best = PatternHit{PatternHit::Kind::Point, entry->first, static_cast<int>(i)};
+                best = PatternHit{PatternHit::Kind::Point, id, static_cast<int>(i)};
             }
         }
+    };
+    for (const auto& [id, line] : m_lines)
+        offer(id, line.points);
+    for (auto entry = m_patches.rbegin(); entry != m_patches.rend(); ++entry)
+        offer(entry->first, entry->second.points);
+    return best;
+}
+
+std::optional<PatternHit> PatternScene::hitLine(const Vec2& at, double tolerance) const
+{
+    std::optional<PatternHit> best;
+    double nearest = tolerance;
+    for (const auto& [id, line] : m_lines) {
+        const PatternPatch* on = patch(line.patch);
+        if (!on || on->box.exteriorDistance(at) > tolerance)
+            continue;
+        const BSpline2::Closest closest = line.curve().closest(fromLayout(on->patch(), at));
+        if (closest.distance >= nearest)
+            continue;
+        nearest = closest.distance;
+        best = PatternHit{PatternHit::Kind::Line, line.patch, -1, closest.parameter, id};
     }
     return best;
 }

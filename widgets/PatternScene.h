@@ -42,15 +42,28 @@ struct PatternStretch {
     bool contains(const BSpline2& outline, double parameter) const;
 };
 
+/// A handle curve or fancy seam.
+struct PatternLine {
+    ElementId id{};
+    ElementId patch{};
+    ElementPtr element;
+    QPainterPath path;
+    std::vector<Vec2> points;  ///< control points
+    std::vector<char> corners; ///< per control point
+
+    const BSpline2& curve() const { return *planeCurve(*element); }
+    const FancySeam* fancy() const { return std::get_if<FancySeam>(element.get()); }
+};
+
 /// What lies at a place of the layout.
 struct PatternHit {
-    enum class Kind { Nothing, Inside, Outline, Point };
+    enum class Kind { Nothing, Inside, Outline, Line, Point };
 
     Kind kind = Kind::Nothing;
-    ElementId patch{};
+    ElementId patch{};           ///< Kind::Point: the element whose point it is
     int point = -1;              ///< Kind::Point
-    double parameter = 0;        ///< Kind::Outline
-    ElementId seam = settingsId; ///< Kind::Outline: the seam or fixation seam that runs there
+    double parameter = 0;        ///< Kind::Outline, Kind::Line
+    ElementId seam = settingsId; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line: the line
 
     explicit operator bool() const { return kind != Kind::Nothing; }
     /// The element that a click selects.
@@ -68,24 +81,29 @@ public:
     /// By owner; a seam has two.
     const std::multimap<ElementId, PatternStretch>& stretches() const { return m_stretches; }
 
+    const std::map<ElementId, PatternLine>& lines() const { return m_lines; }
+
     Box2 boundingBox() const;
-    /// Of patches, and of the patches at seams; empty when none of the ids lies in the layout.
+    /// Of patches, of lines in them, and of the patches at seams; empty when none of the ids lies in the layout.
     Box2 boundingBox(const std::set<ElementId>& ids) const;
 
-    /// Points before outlines before inside; upper patches before lower ones. `tolerance` in mm. Points are hit
-    /// only where `pointsShown`.
+    /// Points before lines before outlines before inside; upper patches before lower ones. `tolerance` in mm.
+    /// Points are hit only where `pointsShown`.
     PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown) const;
 
 private:
     void updatePatch(const Design& design, ElementId id);
+    void updateLine(const Design& design, ElementId id);
     void updateStretches(const Design& design, ElementId owner);
     void addStretch(PatternStretch added, const Stretch& stretch);
     std::optional<PatternHit> hitPoint(const Vec2& at, double tolerance,
                                        const std::function<bool(ElementId)>& pointsShown) const;
+    std::optional<PatternHit> hitLine(const Vec2& at, double tolerance) const;
     std::optional<PatternHit> hitOutline(const Vec2& at, double tolerance) const;
 
     std::map<ElementId, PatternPatch> m_patches; ///< later ones lie on top
     std::multimap<ElementId, PatternStretch> m_stretches;
+    std::map<ElementId, PatternLine> m_lines;
 };
 
 } // namespace bolster

@@ -1,5 +1,6 @@
 #include "PatternView.h"
 
+#include "ArcLength.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "PatternSelectTool.h"
@@ -62,6 +63,7 @@ void PatternView::designChanged(const std::set<ElementId>& ids)
 
 void PatternView::setSurface(const SurfaceMeshPtr& surface)
 {
+    m_surface = surface;
     const auto topology = surface ? surface->topology : nullptr;
     m_mesh.setTopology(topology);
     if (m_layers.mesh)
@@ -103,6 +105,34 @@ void PatternView::apply(const PatternTransform& transform)
     refresh();
 }
 
+void PatternView::draw(std::optional<DrawnKind> kind)
+{
+    if (kind == drawing())
+        return;
+    m_tool->leave();
+    PatternToolContext& context = *this;
+    if (kind) {
+        m_tool = std::make_unique<PatternDrawTool>(context, *kind);
+        setFocus();
+    } else {
+        m_tool = std::make_unique<PatternSelectTool>(context);
+    }
+    emit drawingChanged();
+    refresh();
+}
+
+std::optional<DrawnKind> PatternView::drawing() const
+{
+    const auto* tool = dynamic_cast<const PatternDrawTool*>(m_tool.get());
+    return tool ? std::optional(tool->kind()) : std::nullopt;
+}
+
+void PatternView::endTool()
+{
+    QMetaObject::invokeMethod(
+        this, [this] { draw({}); }, Qt::QueuedConnection);
+}
+
 QString PatternView::prompt() const
 {
     return m_tool->prompt();
@@ -116,6 +146,8 @@ PatternHit PatternView::hit(QPointF pixel) const
 
 bool PatternView::pointsShown(ElementId id) const
 {
+    if (m_scene.lines().contains(id))
+        return m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id);
     const PatternPatch* patch = m_scene.patch(id);
     return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id) &&
            PatternPainter::pointsReadable(*patch, m_transform);
@@ -155,7 +187,7 @@ bool PatternView::event(QEvent* event)
     if (event->type() == QEvent::ShortcutOverride) {
         // Space and the arrows are ours even where a window gives them another meaning.
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down))
+        if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || m_tool->wants(key))
             event->accept();
     }
     return QWidget::event(event);
@@ -173,6 +205,8 @@ QString PatternView::toolTipAt(QPointF pixel) const
         lines << seamSummary(design, *seam);
     } else if (const FixationSeam* fixation = design.find<FixationSeam>(id)) {
         lines << lengthText(stretchLength(design, fixation->stretch));
+    } else if (const auto line = m_scene.lines().find(id); line != m_scene.lines().end()) {
+        lines << lengthText(ArcLength2(line->second.curve()).total());
     } else if (const Patch* patch = design.find<Patch>(id)) {
         const Vec2 extent = patch->outline.boundingBox().sizes();
         lines << sizeText(extent.x(), extent.y());

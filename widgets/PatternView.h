@@ -1,6 +1,7 @@
 // The pattern view: the patches in their layout, with seams and fixations.
 #pragma once
 
+#include "PatternDrawTool.h"
 #include "PatternPainter.h"
 #include "PatternTool.h"
 #include "SurfaceMesh.h"
@@ -30,12 +31,18 @@ public:
     const PatternTransform& transform() const override { return m_transform; }
     void setTransform(const PatternTransform& transform);
 
+    /// Begins to draw, or goes back to selecting.
+    void draw(std::optional<DrawnKind> kind);
+    std::optional<DrawnKind> drawing() const;
+
     QString prompt() const;
     PatternHit hit(QPointF pixel) const override;
     QSize sizeHint() const override { return {640, 640}; }
 
 signals:
     void promptChanged(const QString& prompt);
+    /// Drawing began or ended.
+    void drawingChanged();
     void pointerMoved(const std::optional<bolster::Vec2>& layout);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
@@ -59,7 +66,9 @@ private:
     Document& document() override { return m_document; }
     Selection& selection() override { return m_selection; }
     const PatternScene& scene() const override { return m_scene; }
-    bool pointsShown(ElementId patch) const override;
+    SurfaceMeshPtr surface() const override { return m_surface; }
+    void endTool() override;
+    bool pointsShown(ElementId id) const override;
     void refresh() override;
     void report(const QString& problem) override;
 
@@ -74,6 +83,7 @@ private:
     ProblemSet& m_problems;
     PatternScene m_scene;
     PatternMesh m_mesh;
+    SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;

@@ -12,7 +12,10 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSlider>
 #include <QToolButton>
+
+#include <cmath>
 
 namespace bolster {
 
@@ -126,6 +129,39 @@ void PropertyForm::addNumber(const QString& label, const NumberBox::Range& range
     auto* box = new NumberBox(range, this);
     connect(box, &QDoubleSpinBox::valueChanged, this, write);
     addField(label, box, [box, read] { box->display(read()); });
+}
+
+void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range, double low, double high,
+                             const std::function<double()>& read, const std::function<void(double)>& write,
+                             const std::function<void(double)>& preview, const std::function<void()>& finish)
+{
+    constexpr int steps = 200;
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    auto* slider = new QSlider(Qt::Horizontal, row);
+    slider->setRange(0, steps);
+    slider->setPageStep(steps / 10);
+    slider->setMinimumWidth(60);
+    slider->setAccessibleName(label);
+    auto* box = new NumberBox(range, row);
+    layout->addWidget(slider, 1);
+    layout->addWidget(box);
+    connect(box, &QDoubleSpinBox::valueChanged, this, write);
+    connect(slider, &QSlider::valueChanged, this, [slider, low, high, preview, finish](int step) {
+        preview(low + (high - low) * step / steps);
+        if (!slider->isSliderDown())
+            finish(); // by a key, the wheel or a click beside the handle
+    });
+    connect(slider, &QSlider::sliderReleased, this, finish);
+    addField(label, row, [slider, box, low, high, read] {
+        box->display(read());
+        if (slider->isSliderDown())
+            return;
+        const QSignalBlocker quiet(slider);
+        slider->setValue(static_cast<int>(std::lround((read() - low) / (high - low) * steps)));
+    });
 }
 
 void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& range, int count,

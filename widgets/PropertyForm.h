@@ -32,6 +32,11 @@ public:
                  const std::function<void(const QString&)>& write);
     void addNumber(const QString& label, const NumberBox::Range& range, const std::function<double()>& read,
                    const std::function<void(double)>& write);
+    /// A number box with a slider from `low` to `high`; while that is dragged `preview` gets its value, then
+    /// `finish` is called.
+    void addSlider(const QString& label, const NumberBox::Range& range, double low, double high,
+                   const std::function<double()>& read, const std::function<void(double)>& write,
+                   const std::function<void(double)>& preview, const std::function<void()>& finish);
     /// Several numbers in a row; both functions get the place in the row.
     void addNumbers(const QString& label, const NumberBox::Range& range, int count,
                     const std::function<double(int)>& read, const std::function<void(int, double)>& write);

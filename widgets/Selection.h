@@ -14,7 +14,7 @@ class Selection : public QObject {
     Q_OBJECT
 
 public:
-    using Point = std::pair<ElementId, int>; ///< control point of a patch outline or a fixation curve
+    using Point = std::pair<ElementId, int>; ///< control point of a curve; see firstSpacePoint
     using Elements = std::set<ElementId>;
     using Points = std::set<Point>;
 

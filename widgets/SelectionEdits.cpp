@@ -24,24 +24,25 @@ PointsByElement byElement(const Selection::Points& points)
     return result;
 }
 
-int pointCount(const Design& design, ElementId id)
-{
-    if (const Patch* patch = design.find<Patch>(id))
-        return patch->outline.pointCount();
-    if (const FixationCurve* curve = design.find<FixationCurve>(id))
-        return curve->curve.pointCount();
-    return 0;
-}
-
 Edit removePoints(const Design& design, const Selection::Points& points)
 {
     EditChain chain(design);
     for (const auto& [id, indices] : byElement(points))
         for (auto index = indices.rbegin(); index != indices.rend();
-             ++index) // the last first: the others stay valid
-            chain.add(design.find<Patch>(id) ? edits::removePatchPoint(chain.design(), id, *index)
-                                             : edits::removeCurvePoint(chain.design(), id, *index));
+             ++index) { // the last first: the others stay valid
+            const int inSpace = spacePoint(chain.design(), {id, *index});
+            chain.add(inSpace < 0 ? edits::removePatchPoint(chain.design(), id, *index)
+                                  : edits::removeCurvePoint(chain.design(), id, inSpace));
+        }
     return chain.result({QT_TRANSLATE_NOOP("Message", "Remove %1 points"), {std::to_string(points.size())}});
+}
+
+/// The patch in whose coordinates the element's curve in the pattern is given.
+const Patch* patchOf(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    const PatchCurve* drawn = element ? patchCurve(*element) : nullptr;
+    return design.find<Patch>(drawn ? drawn->patch : id);
 }
 
 } // namespace
@@ -60,11 +61,31 @@ Edit EditChain::result(Message verb) const
     return editBetween(m_start, m_now, m_count == 1 ? m_verb : std::move(verb));
 }
 
+int selectionPoint(const Element& element, int index)
+{
+    return planeCurve(element) ? firstSpacePoint + index : index;
+}
+
+int spacePoint(const Design& design, const Selection::Point& point)
+{
+    const ElementPtr element = design.element(point.first);
+    const BSpline3* curve = element ? spaceCurve(*element) : nullptr;
+    const int index = curve && planeCurve(*element) ? point.second - firstSpacePoint : point.second;
+    return curve && index >= 0 && index < curve->pointCount() ? index : -1;
+}
+
+int planePoint(const Design& design, const Selection::Point& point)
+{
+    const ElementPtr element = design.element(point.first);
+    const BSpline2* curve = element ? planeCurve(*element) : nullptr;
+    return curve && point.second < curve->pointCount() ? point.second : -1;
+}
+
 Edit movePointsInLayout(const Design& design, const Selection::Points& points, const Vec2& delta)
 {
     EditChain chain(design);
     for (const auto& [id, indices] : byElement(points))
-        if (const Patch* patch = design.find<Patch>(id)) {
+        if (const Patch* patch = patchOf(design, id)) { // points in space lie beyond those of the curve
             const Vec2 moved = fromLayout(*patch, delta) - fromLayout(*patch, Vec2::Zero());
             chain.add(edits::movePatchPoints(chain.design(), id, indices, moved));
         }
@@ -96,7 +117,8 @@ void pruneSelection(Selection& selection, const Design& design)
     Selection::Elements elements = selection.elements();
     Selection::Points points = selection.points();
     std::erase_if(elements, [&](ElementId id) { return !design.element(id); });
-    std::erase_if(points, [&](const Selection::Point& p) { return p.second >= pointCount(design, p.first); });
+    std::erase_if(
+        points, [&](const Selection::Point& p) { return planePoint(design, p) < 0 && spacePoint(design, p) < 0; });
     selection.set(std::move(elements), std::move(points));
     if (selection.hovered() != settingsId && !design.element(selection.hovered()))
         selection.hover(settingsId);

@@ -43,7 +43,17 @@ std::vector<ElementId> selectedOf(const Design& design, const std::set<ElementId
     return result;
 }
 
-/// Moves the selected control points of outlines (given as in Selection) by `delta` in the layout, mm.
+/// A handle curve has control points in the pattern and in space: in a selection the latter are numbered from here.
+inline constexpr int firstSpacePoint = mostCurvePoints;
+/// The number in the selection of control point `index` of an element's curve in space.
+int selectionPoint(const Element& element, int index);
+/// The control point of the element's curve in space that is meant, or -1.
+int spacePoint(const Design& design, const std::pair<ElementId, int>& point);
+/// Likewise of its curve in the pattern.
+int planePoint(const Design& design, const std::pair<ElementId, int>& point);
+
+/// Moves the selected control points of outlines, handle curves and fancy seams (given as in Selection) by `delta`
+/// in the layout, mm.
 Edit movePointsInLayout(const Design& design, const std::set<std::pair<ElementId, int>>& points, const Vec2& delta);
 /// Moves the selected points or, without any, the selected patches in the layout.
 Edit nudge(const Design& design, const Selection& selection, const Vec2& delta);

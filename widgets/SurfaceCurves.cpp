@@ -25,8 +25,8 @@ void SurfaceCurves::update(const Design& design)
 {
     std::map<ElementId, SurfaceCurve> curves;
     for (const auto& [id, element] : design.elements()) {
-        const auto* fixation = std::get_if<FixationCurve>(element.get());
-        if (!fixation || fixation->curve.empty())
+        const BSpline3* curve = spaceCurve(*element);
+        if (!curve || curve->empty())
             continue;
         const auto known = m_curves.find(id);
         const bool unchanged = known != m_curves.end() && known->second.element == element;

@@ -1,4 +1,4 @@
-// The design's fixation curves as polylines, kept until the curves change.
+// The design's curves in space, fixation curves and targets of handles, as polylines, kept until the curves change.
 #pragma once
 
 #include "Design.h"
@@ -13,8 +13,8 @@ struct SurfaceCurve {
     std::vector<Vec3> points;       ///< along the curve, mm; a closed one ends where it starts
     std::vector<double> parameters; ///< of the points
 
-    const FixationCurve& fixation() const { return std::get<FixationCurve>(*element); }
-    const BSpline3& spline() const { return fixation().curve; }
+    bool handle() const { return std::holds_alternative<HandleCurve>(*element); }
+    const BSpline3& spline() const { return *spaceCurve(*element); }
 };
 
 class SurfaceCurves {

@@ -1,6 +1,7 @@
 #include "SurfaceHit.h"
 
 #include "Selection.h"
+#include "SelectionEdits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,8 @@ SurfaceHit SurfaceHitTest::hitPoint(const Question& question, const Vec2& pixel)
             const std::optional<Vec2> at = question.camera.pixel(points[i]);
             if (at && (*at - pixel).norm() < bestDistance) {
                 bestDistance = (*at - pixel).norm();
-                best = {SurfaceHit::Kind::Point, id, static_cast<int>(i), 0, points[i]};
+                best = {SurfaceHit::Kind::Point, id, selectionPoint(*curve.element, static_cast<int>(i)), 0,
+                        points[i]};
             }
         }
     }
@@ -130,23 +132,28 @@ SurfaceHit SurfaceHitTest::hitSeam(const Question& question, const Vec2& pixel, 
 {
     SurfaceHit best;
     double bestDistance = seamReach;
-    for (const SurfaceTopology::Chain& chain : m_surface->topology->seams) {
+    const auto tryAlong = [&](ElementId seam, const std::vector<std::uint32_t>& vertices) {
         std::optional<Vec2> last;
-        for (std::size_t i = 0; i < chain.a.size(); ++i) {
-            const Vec3& here = m_surface->positions[chain.a[i]];
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const Vec3& here = m_surface->positions[vertices[i]];
             const std::optional<Vec2> next = question.camera.pixel(here);
             if (last && next) {
                 const OnSegment near = nearest(pixel, *last, *next);
-                const Vec3& before = m_surface->positions[chain.a[i - 1]];
+                const Vec3& before = m_surface->positions[vertices[i - 1]];
                 const Vec3 at = before + near.share * (here - before);
                 if (near.distance < bestDistance && !hidden(question.camera, at, solid)) {
                     bestDistance = near.distance;
-                    best = {SurfaceHit::Kind::Seam, chain.seam, -1, 0, at};
+                    best = {SurfaceHit::Kind::Seam, seam, -1, 0, at};
                 }
             }
             last = next;
         }
-    }
+    };
+    for (const SurfaceTopology::Chain& chain : m_surface->topology->seams)
+        tryAlong(chain.seam, chain.a);
+    for (const SurfaceTopology::Line& line : m_surface->topology->lines)
+        if (line.across == 0 || std::abs(line.across) == 1)
+            tryAlong(line.element, line.vertices);
     return best;
 }
 

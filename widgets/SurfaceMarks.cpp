@@ -1,7 +1,10 @@
 #include "SurfaceMarks.h"
 
 #include "Selection.h"
+#include "SelectionEdits.h"
 #include "SurfaceEdges.h"
+
+#include <cmath>
 
 namespace bolster {
 
@@ -29,6 +32,11 @@ Points pointsOf(const std::vector<Vec3>& positions, bool closed = false)
     return points;
 }
 
+QColor curveColor(const ViewColors& colors, const SurfaceCurve& curve)
+{
+    return curve.handle() ? colors.handle : fixationCurveColor(colors);
+}
+
 QColor withAlpha(QColor color, float alpha)
 {
     color.setAlphaF(alpha);
@@ -47,8 +55,10 @@ void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, 
     scene.lines.clear();
     scene.dots.clear();
     if (scene.surface) {
-        if (m_shown.seams)
+        if (m_shown.seams) {
             addSeams(scene);
+            addFancySeams(scene);
+        }
         addOutlines(scene);
         if (m_shown.curves)
             addHeldNormals(scene);
@@ -77,6 +87,26 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
     }
 }
 
+/// The groove hides its middle from the side, the outer lines are always seen.
+void SurfaceMarks::addFancySeams(SurfaceScene& scene) const
+{
+    const SurfaceMesh& mesh = *scene.surface;
+    for (const SurfaceTopology::Line& line : mesh.topology->lines) {
+        const bool selected = m_selection.contains(line.element), hovered = m_selection.hovered() == line.element;
+        const bool middle = line.across == 0, outer = std::abs(line.across) == 1;
+        if (m_curves.all().contains(line.element) || !(middle || outer))
+            continue;
+        if (selected || hovered)
+            scene.lines.push_back({pointsOf(mesh, line.vertices),
+                                   selected ? scene.colors.accent : scene.colors.hover, middle ? 2.4F : 1.2F,
+                                   0.3F});
+        else
+            scene.lines.push_back({pointsOf(mesh, line.vertices),
+                                   withAlpha(scene.colors.fancySeam, middle ? 0.7F : 0.4F), middle ? 1.2F : 0.8F,
+                                   0});
+    }
+}
+
 void SurfaceMarks::addOutlines(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
@@ -99,7 +129,7 @@ void SurfaceMarks::addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurv
     const bool selected = m_selection.contains(id), hovered = m_selection.hovered() == id;
     SurfaceLine line;
     line.points = pointsOf(curve.points);
-    line.color = selected ? scene.colors.accent : fixationCurveColor(scene.colors);
+    line.color = selected ? scene.colors.accent : curveColor(scene.colors, curve);
     line.width = selected || hovered ? 3.2F : 2.2F;
     line.hidden = selected || hovered ? 0.6F : 0.22F;
     line.casing = 0.8F;
@@ -134,18 +164,19 @@ void SurfaceMarks::addHeldNormals(SurfaceScene& scene) const
 
 void SurfaceMarks::addControlPoints(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve, int hovered) const
 {
-    const QColor color = m_selection.contains(id) ? scene.colors.accent : fixationCurveColor(scene.colors);
+    const QColor color = m_selection.contains(id) ? scene.colors.accent : curveColor(scene.colors, curve);
     const std::vector<Vec3>& points = curve.spline().points();
     if (curve.spline().degree() > 1)
         scene.lines.push_back(
             {pointsOf(points, curve.spline().closed()), withAlpha(mixed(color, Qt::white, 0.35), 0.75F), 1, 0.5F});
     for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-        const bool selected = m_selection.contains(Selection::Point{id, i});
+        const int point = selectionPoint(*curve.element, i);
+        const bool selected = m_selection.contains(Selection::Point{id, point});
         SurfaceDot dot;
         dot.at = points[static_cast<std::size_t>(i)].cast<float>();
         dot.fill = selected ? scene.colors.accent : QColor(Qt::white);
         dot.rim = selected ? QColor(Qt::white) : color.darker(125);
-        dot.radius = i == hovered ? 6.5F : selected ? 5.5F : 4.5F;
+        dot.radius = point == hovered ? 6.5F : selected ? 5.5F : 4.5F;
         scene.dots.push_back(dot);
     }
 }

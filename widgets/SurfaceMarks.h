@@ -1,4 +1,4 @@
-// Everything on the cover that is drawn as a line or a handle: seams, borders, fixation curves, what is selected.
+// Everything on the cover that is drawn as a line or a dot: seams, borders, curves in space, what is selected.
 #pragma once
 
 #include "SurfaceCurves.h"
@@ -30,6 +30,7 @@ public:
 
 private:
     void addSeams(SurfaceScene& scene) const;
+    void addFancySeams(SurfaceScene& scene) const;
     void addOutlines(SurfaceScene& scene) const;
     void addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurve& curve) const;
     void addHeldNormals(SurfaceScene& scene) const;

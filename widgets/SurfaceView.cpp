@@ -29,7 +29,8 @@ constexpr int cubeMargin = 8;          ///< pixels
 /// The surface brings what such an element changes; everything else is drawn from the design.
 bool seenInSurface(const Design& design, ElementId id)
 {
-    return design.find<Patch>(id) || design.find<Seam>(id) || design.find<FixationSeam>(id);
+    return design.find<Patch>(id) || design.find<Seam>(id) || design.find<FixationSeam>(id) ||
+           design.find<FancySeam>(id);
 }
 
 } // namespace

@@ -15,9 +15,11 @@ struct ViewColors {
     QColor label;
     QColor mutedLabel;
     QColor mesh;
-    QColor accent;   ///< what is selected
-    QColor hover;    ///< what lies under the pointer
-    QColor fixation; ///< stretches that are fixed to the frame
+    QColor accent;    ///< what is selected
+    QColor hover;     ///< what lies under the pointer
+    QColor fixation;  ///< stretches that are fixed to the frame
+    QColor handle;    ///< handle curves
+    QColor fancySeam; ///< fancy seams
     QColor pointFill;
     QColor error;
     QColor warning;

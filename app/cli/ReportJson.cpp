@@ -43,6 +43,14 @@ Json json(const SolveReport::MaxMean& value)
     return {{"max", value.max}, {"mean", value.mean}};
 }
 
+Json json(const std::vector<SolveReport::OfElement>& values, const char* key)
+{
+    Json list = Json::array();
+    for (const SolveReport::OfElement& value : values)
+        list.push_back({{"element", number(value.element)}, {key, value.value}});
+    return list;
+}
+
 } // namespace
 
 std::string reportJson(const SolveResult& result)
@@ -67,6 +75,8 @@ std::string reportJson(const SolveResult& result)
         {"seam_gap_mm", json(report.seamGap)},
         {"fixation_error_mm", json(report.fixationError)},
         {"fixation_deviation_mm", {{"max", report.fixationDeviation}}},
+        {"handles", json(report.handles, "error_mm")},
+        {"fancy_seams", json(report.fancySeams, "depth_mm")},
         {"strain", {{"max", report.strain.max}, {"p99", report.strain.p99}, {"rms", report.strain.rms}}},
         {"area_mm2", report.area},
         {"rest_area_mm2", report.restArea},

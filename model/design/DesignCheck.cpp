@@ -39,6 +39,8 @@ void warnOfFreePatches(const Design& design, Problems& problems)
         if (seam.hasCurve())
             fixed.insert(components.root(seam.stretch.patch));
     });
+    design.each<HandleCurve>(
+        [&](ElementId, const HandleCurve& handle) { fixed.insert(components.root(handle.patch)); });
 
     std::map<ElementId, std::vector<ElementId>> free;
     design.each<Patch>([&](ElementId id, const Patch&) {

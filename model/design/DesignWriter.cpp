@@ -190,6 +190,28 @@ void addFields(Line& line, const Frame& frame)
     addPlacement(line, frame);
 }
 
+void addPatchCurve(Line& line, const PatchCurve& drawn)
+{
+    line.quoted("name", drawn.name).add("patch", drawn.patch).raw("curve", curveText(drawn.curve));
+}
+
+void addFields(Line& line, const HandleCurve& handle)
+{
+    addPatchCurve(line, handle);
+    line.raw("target", curveText(handle.target));
+    addMatch(line, handle.match);
+}
+
+void addFields(Line& line, const FancySeam& seam)
+{
+    static constexpr std::array<const char*, 3> profiles = {"round", "sharp", "welt"};
+    const FancySeam normal;
+    addPatchCurve(line, seam);
+    line.unless(normal.width, "width", seam.width).unless(normal.depth, "depth", seam.depth);
+    if (seam.profile != normal.profile)
+        line.quoted("profile", profiles[static_cast<std::size_t>(seam.profile)]);
+}
+
 std::string elementText(ElementId id, const Element& element)
 {
     if (const auto* quarantined = std::get_if<Quarantined>(&element))

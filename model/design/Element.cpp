@@ -8,7 +8,8 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings", "fabric", "patch", "seam", "fixation_curve", "fixation_seam", "frame", "unreadable"};
+        "settings",      "fabric", "patch",        "seam",       "fixation_curve",
+        "fixation_seam", "frame",  "handle_curve", "fancy_seam", "unreadable"};
     return names[element.index()];
 }
 
@@ -43,6 +44,68 @@ ElementPtr withFile(const Element& element, std::string file)
         [&](auto value) {
             if constexpr (requires { value.file; })
                 value.file = std::move(file);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
+const PatchCurve* patchCurve(const Element& element)
+{
+    if (const auto* handle = std::get_if<HandleCurve>(&element))
+        return handle;
+    return std::get_if<FancySeam>(&element);
+}
+
+namespace {
+
+/// The curve of either kind, by the member that holds it.
+constexpr auto planeCurveOf = [](auto& value) {
+    if constexpr (requires { value.outline; })
+        return &value.outline;
+    else if constexpr (std::is_base_of_v<PatchCurve, std::remove_const_t<std::remove_reference_t<decltype(value)>>>)
+        return &value.curve;
+    else
+        return static_cast<const BSpline2*>(nullptr);
+};
+
+constexpr auto spaceCurveOf = [](auto& value) {
+    if constexpr (requires { value.target; })
+        return &value.target;
+    else if constexpr (std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(value)>>, FixationCurve>)
+        return &value.curve;
+    else
+        return static_cast<const BSpline3*>(nullptr);
+};
+
+} // namespace
+
+const BSpline2* planeCurve(const Element& element)
+{
+    return std::visit([](const auto& value) -> const BSpline2* { return planeCurveOf(value); }, element);
+}
+
+const BSpline3* spaceCurve(const Element& element)
+{
+    return std::visit([](const auto& value) -> const BSpline3* { return spaceCurveOf(value); }, element);
+}
+
+ElementPtr withPlaneCurve(const Element& element, BSpline2 curve)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_same_v<decltype(planeCurveOf(value)), BSpline2*>)
+                *planeCurveOf(value) = std::move(curve);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
+ElementPtr withSpaceCurve(const Element& element, BSpline3 curve)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_same_v<decltype(spaceCurveOf(value)), BSpline3*>)
+                *spaceCurveOf(value) = std::move(curve);
             return makeElement(std::move(value));
         },
         element);

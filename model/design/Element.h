@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Fabric.h"
+#include "FancySeam.h"
 #include "FixationCurve.h"
 #include "FixationSeam.h"
 #include "Frame.h"
+#include "HandleCurve.h"
 #include "Patch.h"
 #include "Quarantined.h"
 #include "Seam.h"
@@ -16,7 +18,8 @@
 
 namespace bolster {
 
-using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, Quarantined>;
+using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
+                             FancySeam, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>
@@ -33,6 +36,16 @@ const std::string& elementName(const Element& element);
 const std::string* elementFile(const Element& element);
 /// The same element with another file; it must be of a kind with one.
 ElementPtr withFile(const Element& element, std::string file);
+/// What a handle curve or fancy seam draws in a patch, or null for other kinds.
+const PatchCurve* patchCurve(const Element& element);
+/// The curve in outline coordinates: of a patch its outline, of handle curves and fancy seams the drawn one; or
+/// null.
+const BSpline2* planeCurve(const Element& element);
+/// The curve in space: of a fixation curve, or the target of a handle curve; or null.
+const BSpline3* spaceCurve(const Element& element);
+/// The same element with another one of these curves; it must be of a kind with one.
+ElementPtr withPlaneCurve(const Element& element, BSpline2 curve);
+ElementPtr withSpaceCurve(const Element& element, BSpline3 curve);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);

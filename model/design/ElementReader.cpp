@@ -265,6 +265,32 @@ Frame readFrame(Fields& fields)
     return frame;
 }
 
+void readPatchCurve(Fields& fields, PatchCurve& line)
+{
+    line.name = fields.text("name");
+    line.patch = fields.id("patch");
+    line.curve = readCurve<2>(fields, "curve");
+}
+
+HandleCurve readHandleCurve(Fields& fields)
+{
+    HandleCurve handle;
+    readPatchCurve(fields, handle);
+    handle.target = readCurve<3>(fields, "target");
+    handle.match = readMatch(fields);
+    return handle;
+}
+
+FancySeam readFancySeam(Fields& fields)
+{
+    FancySeam seam;
+    readPatchCurve(fields, seam);
+    seam.width = fields.number("width", seam.width);
+    seam.depth = fields.number("depth", seam.depth);
+    seam.profile = static_cast<Profile>(fields.choice("profile", {"round", "sharp", "welt"}));
+    return seam;
+}
+
 template <class T>
 ElementPtr finished(T value, Fields& fields)
 {
@@ -339,9 +365,14 @@ ElementPtr readElement(const Value& object, Report& report)
         return finished(readFixationSeam(fields), fields);
     if (kind == "frame")
         return finished(readFrame(fields), fields);
+    if (kind == "handle_curve")
+        return finished(readHandleCurve(fields), fields);
+    if (kind == "fancy_seam")
+        return finished(readFancySeam(fields), fields);
     if (fields.has("kind") && fields.report().clean())
         report.add("kind", {QT_TRANSLATE_NOOP("Message", "the kind %1 is unknown; there are fabric, patch, seam, "
-                                                         "fixation_curve, fixation_seam and frame"),
+                                                         "fixation_curve, fixation_seam, frame, handle_curve and "
+                                                         "fancy_seam"),
                             {quoted(kind)}});
     return nullptr;
 }

@@ -19,6 +19,8 @@ constexpr double mostPressure = 1000;
 constexpr std::size_t mostDirections = 10'000;
 constexpr double shortestDirection = 1e-6;
 constexpr double mostNormalWeight = 100;
+constexpr double leastFancySize = 0.1; // mm: of a fancy seam
+constexpr double mostFancySize = 1000;
 
 bool isColor(const std::string& text)
 {
@@ -294,10 +296,16 @@ void ElementRules::rules(const Seam& seam)
               {numberText(lengthA), a->name, numberText(lengthB), b->name, numberText(100 * ratio, 3)}});
 }
 
+template <int Dim>
+void ElementRules::needsLength(std::string field, const BSpline<Dim>& curve)
+{
+    if (curve.empty() || !(ArcLength<Dim>(curve).total() >= shortestLength))
+        error(std::move(field), {QT_TRANSLATE_NOOP("Message", "the curve has no length; move its points apart")});
+}
+
 void ElementRules::rules(const FixationCurve& fixation)
 {
-    if (fixation.curve.empty() || !(ArcLength3(fixation.curve).total() >= shortestLength))
-        error("curve.points", {QT_TRANSLATE_NOOP("Message", "the curve has no length; move its points apart")});
+    needsLength("curve.points", fixation.curve);
 }
 
 void ElementRules::orientation(const Orientation& orientation)
@@ -362,6 +370,28 @@ void ElementRules::rules(const Frame& frame)
         error("rotation",
               {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
                {numberText(frame.rotation.norm())}});
+}
+
+void ElementRules::drawnIn(const PatchCurve& drawn)
+{
+    reference<Patch>("patch", drawn.patch);
+    needsLength("curve.points", drawn.curve);
+}
+
+void ElementRules::rules(const HandleCurve& handle)
+{
+    drawnIn(handle);
+    needsLength("target.points", handle.target);
+    if (handle.target.closed() != handle.curve.closed())
+        error("target.closed", {QT_TRANSLATE_NOOP("Message", "the curve in the patch and its target must both be "
+                                                             "open or both be closed")});
+}
+
+void ElementRules::rules(const FancySeam& seam)
+{
+    drawnIn(seam);
+    inRange("width", seam.width, leastFancySize, mostFancySize);
+    inRange("depth", seam.depth, -mostFancySize, mostFancySize);
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

@@ -26,6 +26,8 @@ private:
     void rules(const FixationCurve& fixation);
     void rules(const FixationSeam& seam);
     void rules(const Frame& frame);
+    void rules(const HandleCurve& handle);
+    void rules(const FancySeam& seam);
     void rules(const Quarantined& quarantined);
 
     void error(std::string field, Message message);
@@ -36,6 +38,10 @@ private:
     const T* reference(std::string field, ElementId id);
     /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.
     const Patch* stretch(const std::string& prefix, const Stretch& stretch);
+    /// Reports a curve without length.
+    template <int Dim>
+    void needsLength(std::string field, const BSpline<Dim>& curve);
+    void drawnIn(const PatchCurve& drawn);
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);

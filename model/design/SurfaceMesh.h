@@ -31,6 +31,14 @@ struct SurfaceTopology {
         std::vector<std::uint32_t> b;
     };
 
+    /// The vertices along a handle curve or one of the parallel lines of a fancy seam. A closed one ends where it
+    /// begins.
+    struct Line {
+        ElementId element{};
+        std::vector<std::uint32_t> vertices;
+        double across = 0; ///< of a fancy seam: -1 and 1 are the outer lines, 0 the middle
+    };
+
     std::uint64_t serial = 0; ///< different for different topologies within one run of the program
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
     std::vector<Vec2> pattern;          ///< outline coordinates of each vertex, mm: the texture coordinates
@@ -39,6 +47,7 @@ struct SurfaceTopology {
     std::vector<PatchRange> patches; ///< by increasing patch id
     std::vector<Chain> seams;
     std::vector<Chain> fixations;
+    std::vector<Line> lines; ///< patch by patch
 
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(pattern.size()); }
 };

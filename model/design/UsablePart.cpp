@@ -29,6 +29,8 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
         if (fixation->hasCurve() && !design.find<FixationCurve>(fixation->curve))
             return fixation->curve;
     }
+    if (const PatchCurve* drawn = patchCurve(element); drawn && !design.find<Patch>(drawn->patch))
+        return drawn->patch;
     return std::nullopt;
 }
 

@@ -8,39 +8,42 @@ namespace {
 
 Edit withCurve(const Design& design, ElementId id, std::optional<BSpline3> curve, Message verb)
 {
-    const auto* fixation = design.find<FixationCurve>(id);
-    if (!fixation || !curve)
+    if (!curve)
         return {};
-    FixationCurve changed = *fixation;
-    changed.curve = std::move(*curve);
-    return replaceWith(design, id, std::move(changed), std::move(verb));
+    return replaceElement(design, id, withSpaceCurve(*design.element(id), std::move(*curve)), std::move(verb));
+}
+
+const BSpline3* curveOf(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    return element ? spaceCurve(*element) : nullptr; // alive as long as the design
 }
 
 } // namespace
 
-Edit moveCurvePoints(const Design& design, ElementId curve, std::span<const int> points, const Vec3& delta)
+Edit moveCurvePoints(const Design& design, ElementId id, std::span<const int> points, const Vec3& delta)
 {
-    const auto* fixation = design.find<FixationCurve>(curve);
-    if (!fixation)
+    const BSpline3* curve = curveOf(design, id);
+    if (!curve)
         return {};
-    return withCurve(design, curve, withMovedPoints(fixation->curve, points, delta),
-                     moveVerb(points.size(), displayName(design, curve)));
+    return withCurve(design, id, withMovedPoints(*curve, points, delta),
+                     moveVerb(points.size(), displayName(design, id)));
 }
 
-Edit insertCurvePoint(const Design& design, ElementId curve, double parameter)
+Edit insertCurvePoint(const Design& design, ElementId id, double parameter)
 {
-    const auto* fixation = design.find<FixationCurve>(curve);
-    if (!fixation || !std::isfinite(parameter) || fixation->curve.pointCount() >= mostCurvePoints)
+    const BSpline3* curve = curveOf(design, id);
+    if (!curve || !std::isfinite(parameter) || curve->pointCount() >= mostCurvePoints)
         return {};
-    return withCurve(design, curve, fixation->curve.withKnot(parameter), insertVerb(displayName(design, curve)));
+    return withCurve(design, id, curve->withKnot(parameter), insertVerb(displayName(design, id)));
 }
 
-Edit removeCurvePoint(const Design& design, ElementId curve, int point)
+Edit removeCurvePoint(const Design& design, ElementId id, int point)
 {
-    const auto* fixation = design.find<FixationCurve>(curve);
-    if (!fixation || point < 0 || point >= fixation->curve.pointCount())
+    const BSpline3* curve = curveOf(design, id);
+    if (!curve || point < 0 || point >= curve->pointCount())
         return {};
-    return withCurve(design, curve, fixation->curve.withoutPoint(point), removeVerb(displayName(design, curve)));
+    return withCurve(design, id, curve->withoutPoint(point), removeVerb(displayName(design, id)));
 }
 
 } // namespace bolster::edits

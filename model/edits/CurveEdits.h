@@ -1,4 +1,4 @@
-// Editing rules for fixation curves.
+// Editing rules for curves in space: fixation curves and the targets of handle curves.
 #pragma once
 
 #include "Design.h"
@@ -7,11 +7,11 @@
 
 namespace bolster::edits {
 
-/// Moves control points of a fixation curve by `delta` (mm).
-Edit moveCurvePoints(const Design& design, ElementId curve, std::span<const int> points, const Vec3& delta);
+/// Moves control points of a curve by `delta` (mm).
+Edit moveCurvePoints(const Design& design, ElementId id, std::span<const int> points, const Vec3& delta);
 /// Inserts a control point at the parameter without changing the shape.
-Edit insertCurvePoint(const Design& design, ElementId curve, double parameter);
+Edit insertCurvePoint(const Design& design, ElementId id, double parameter);
 /// Removes a control point with the least change of shape.
-Edit removeCurvePoint(const Design& design, ElementId curve, int point);
+Edit removeCurvePoint(const Design& design, ElementId id, int point);
 
 } // namespace bolster::edits

@@ -16,6 +16,8 @@ Message addVerb(const Element& element)
         QT_TRANSLATE_NOOP("Message", "Add fixation curve %1"),
         QT_TRANSLATE_NOOP("Message", "Add a fixation seam"),
         QT_TRANSLATE_NOOP("Message", "Add frame %1"),
+        QT_TRANSLATE_NOOP("Message", "Add handle curve %1"),
+        QT_TRANSLATE_NOOP("Message", "Add fancy seam %1"),
         QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
     };
     return {keys[element.index()], {elementName(element)}};
@@ -27,7 +29,8 @@ bool refersTo(const Element& element, const std::set<ElementId>& ids)
         return ids.contains(seam->a.patch) || ids.contains(seam->b.patch);
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return ids.contains(fixation->stretch.patch) || ids.contains(fixation->curve);
-    return false;
+    const PatchCurve* drawn = patchCurve(element);
+    return drawn && ids.contains(drawn->patch);
 }
 
 /// Names what goes along: seams and fixations that need the removed elements.

@@ -9,14 +9,17 @@ namespace bolster::edits {
 
 namespace {
 
-Edit withOutline(const Design& design, ElementId id, std::optional<BSpline2> outline, Message verb)
+Edit withCurve(const Design& design, ElementId id, std::optional<BSpline2> curve, Message verb)
 {
-    const auto* patch = design.find<Patch>(id);
-    if (!patch || !outline)
+    if (!curve)
         return {};
-    Patch changed = *patch;
-    changed.outline = std::move(*outline);
-    return replaceWith(design, id, std::move(changed), std::move(verb));
+    return replaceElement(design, id, withPlaneCurve(*design.element(id), std::move(*curve)), std::move(verb));
+}
+
+const BSpline2* curveOf(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    return element ? planeCurve(*element) : nullptr; // alive as long as the design
 }
 
 // Changes the place of each patch by place(Patch&).
@@ -39,29 +42,29 @@ Edit replaced(const Design& design, std::span<const ElementId> patches, Place pl
 
 } // namespace
 
-Edit movePatchPoints(const Design& design, ElementId patch, std::span<const int> points, const Vec2& delta)
+Edit movePatchPoints(const Design& design, ElementId id, std::span<const int> points, const Vec2& delta)
 {
-    const auto* found = design.find<Patch>(patch);
-    if (!found)
+    const BSpline2* curve = curveOf(design, id);
+    if (!curve)
         return {};
-    return withOutline(design, patch, withMovedPoints(found->outline, points, delta),
-                       moveVerb(points.size(), displayName(design, patch)));
+    return withCurve(design, id, withMovedPoints(*curve, points, delta),
+                     moveVerb(points.size(), displayName(design, id)));
 }
 
-Edit insertPatchPoint(const Design& design, ElementId patch, double parameter)
+Edit insertPatchPoint(const Design& design, ElementId id, double parameter)
 {
-    const auto* found = design.find<Patch>(patch);
-    if (!found || !std::isfinite(parameter) || found->outline.pointCount() >= mostCurvePoints)
+    const BSpline2* curve = curveOf(design, id);
+    if (!curve || !std::isfinite(parameter) || curve->pointCount() >= mostCurvePoints)
         return {};
-    return withOutline(design, patch, found->outline.withKnot(parameter), insertVerb(displayName(design, patch)));
+    return withCurve(design, id, curve->withKnot(parameter), insertVerb(displayName(design, id)));
 }
 
-Edit removePatchPoint(const Design& design, ElementId patch, int point)
+Edit removePatchPoint(const Design& design, ElementId id, int point)
 {
-    const auto* found = design.find<Patch>(patch);
-    if (!found || point < 0 || point >= found->outline.pointCount())
+    const BSpline2* curve = curveOf(design, id);
+    if (!curve || point < 0 || point >= curve->pointCount())
         return {};
-    return withOutline(design, patch, found->outline.withoutPoint(point), removeVerb(displayName(design, patch)));
+    return withCurve(design, id, curve->withoutPoint(point), removeVerb(displayName(design, id)));
 }
 
 Edit movePatches(const Design& design, std::span<const ElementId> patches, const Vec2& delta)

@@ -1,4 +1,5 @@
-// Editing rules for patches and their outlines. Pure: Design in, Edit out; an empty edit when nothing would change.
+// Editing rules for patches, their outlines and the curves drawn in them. Pure: Design in, Edit out; an empty edit
+// when nothing would change.
 #pragma once
 
 #include "Design.h"
@@ -7,12 +8,12 @@
 
 namespace bolster::edits {
 
-/// Moves control points of an outline by `delta` (outline coordinates, mm).
-Edit movePatchPoints(const Design& design, ElementId patch, std::span<const int> points, const Vec2& delta);
+/// Moves control points of an outline, handle curve or fancy seam by `delta` (outline coordinates, mm).
+Edit movePatchPoints(const Design& design, ElementId id, std::span<const int> points, const Vec2& delta);
 /// Inserts a control point at the parameter without changing the shape (knot insertion).
-Edit insertPatchPoint(const Design& design, ElementId patch, double parameter);
+Edit insertPatchPoint(const Design& design, ElementId id, double parameter);
 /// Removes a control point with the least change of shape.
-Edit removePatchPoint(const Design& design, ElementId patch, int point);
+Edit removePatchPoint(const Design& design, ElementId id, int point);
 /// Moves patches in the layout (mm). The surface does not change.
 Edit movePatches(const Design& design, std::span<const ElementId> patches, const Vec2& delta);
 /// Turns patches in the layout about a layout point, counter-clockwise (degrees).

@@ -15,6 +15,8 @@ struct Parts {
     FixationSeam fixation;
     Seam seam;
     Frame frame;
+    HandleCurve handle;
+    FancySeam fancy;
 
     Parts()
     {
@@ -33,6 +35,13 @@ struct Parts {
         seam.b = {ElementId{3}, 3, 4};
         frame.name = "Chair";
         frame.file = "chair.obj";
+        handle.name = "Lumbar";
+        handle.patch = ElementId{2};
+        handle.curve = BSpline2(1, false, {{100, 300}, {400, 300}});
+        handle.target = BSpline3(1, false, {{100, 300, 40}, {400, 300, 40}});
+        fancy.name = "Pipe";
+        fancy.patch = ElementId{2};
+        fancy.curve = BSpline2(1, false, {{250, 0}, {250, 200}});
     }
 
     Design design() const
@@ -45,7 +54,9 @@ struct Parts {
                                {ElementId{4}, nullptr, makeElement(rail)},
                                {ElementId{5}, nullptr, makeElement(fixation)},
                                {ElementId{6}, nullptr, makeElement(seam)},
-                               {ElementId{7}, nullptr, makeElement(frame)}}});
+                               {ElementId{7}, nullptr, makeElement(frame)},
+                               {ElementId{8}, nullptr, makeElement(handle)},
+                               {ElementId{9}, nullptr, makeElement(fancy)}}});
     }
 };
 
@@ -241,6 +252,16 @@ INSTANTIATE_TEST_SUITE_P(
              6, "b", "6.25", Severity::Warning},
         Rule{"FrameFile", [](Parts& p) { p.frame.file = "../chair.obj"; }, 7, "file", "folder"},
         Rule{"FramePosition", [](Parts& p) { p.frame.position.z() = nan; }, 7, "position", "NaN"},
+        Rule{"HandlePatch", [](Parts& p) { p.handle.patch = ElementId{4}; }, 8, "patch", "is no patch"},
+        Rule{"HandleCurve", [](Parts& p) { p.handle.curve = BSpline2(1, false, {{1, 1}, {1, 1}}); }, 8,
+             "curve.points", "no length"},
+        Rule{"HandleTarget", [](Parts& p) { p.handle.target = BSpline3(); }, 8, "target.points", "no length"},
+        Rule{"HandleClosed",
+             [](Parts& p) { p.handle.target = BSpline3(1, true, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}); }, 8,
+             "target.closed", "both be open"},
+        Rule{"FancyPatch", [](Parts& p) { p.fancy.patch = ElementId{99}; }, 9, "patch", "name a patch"},
+        Rule{"FancyWidth", [](Parts& p) { p.fancy.width = 0; }, 9, "width", "between 0.1 and 1000"},
+        Rule{"FancyDepth", [](Parts& p) { p.fancy.depth = nan; }, 9, "depth", "NaN"},
         Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"}),
     [](const auto& parameter) { return parameter.param.name; });
 
@@ -328,6 +349,8 @@ TEST(DesignCheck, WarnsOfEachComponentThatIsFreeInSpace)
 {
     Parts parts;
     Design design = parts.design().with({{}, {{ElementId{5}, nullptr, nullptr}}});
+    EXPECT_TRUE(checkDesign(design).empty()) << "a handle holds it";
+    design = design.with({{}, {{ElementId{8}, nullptr, nullptr}}});
     Problems problems = checkDesign(design);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].element, ElementId{2});
@@ -363,7 +386,7 @@ TEST(UsablePart, TakesDependantsAlong)
     std::vector<int> gone;
     for (const Problem& problem : leftOut)
         gone.push_back(number(problem.element));
-    EXPECT_EQ(gone, (std::vector<int>{2, 5, 6}));
+    EXPECT_EQ(gone, (std::vector<int>{2, 5, 6, 8, 9}));
     EXPECT_NE(leftOut[1].english().find("needs patch 2 \"Seat\""), std::string::npos) << leftOut[1].english();
     EXPECT_EQ(usable.elements().size(), 4u);
 }

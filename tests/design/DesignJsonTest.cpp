@@ -41,12 +41,17 @@ constexpr const char* exampleText = R"({ "format": "bolster-design", "version": 
    {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 6, "from": 3, "to": 4},
     "reversed": true, "match": "length", "continuity": "C0"},
    {"id": 7, "kind": "frame", "name": "Armchair", "file": "armchair.obj", "scale": 437.5,
-    "position": [0,0,0], "rotation": [0.70710678,0.70710678,0,0]} ] })";
+    "position": [0,0,0], "rotation": [0.70710678,0.70710678,0,0]},
+   {"id": 8, "kind": "handle_curve", "name": "Lumbar", "patch": 2,
+    "curve": {"degree": 1, "closed": false, "points": [[100,300],[400,300]]},
+    "target": {"degree": 1, "closed": false, "points": [[100,300,40],[400,300,40]]}, "match": "length"},
+   {"id": 9, "kind": "fancy_seam", "name": "Pipe", "patch": 2, "width": 12, "depth": 4, "profile": "round",
+    "curve": {"degree": 1, "closed": false, "points": [[250,0],[250,200]]}} ] })";
 
 TEST(DesignJson, ReadsTheDocumentedExample)
 {
     const Design design = test::soundDesign(exampleText);
-    EXPECT_EQ(design.elements().size(), 7u);
+    EXPECT_EQ(design.elements().size(), 9u);
     EXPECT_EQ(design.find<Fabric>(ElementId{1})->name, "Leather");
     const Patch& side = *design.find<Patch>(ElementId{6});
     EXPECT_EQ(side.position, Vec2(600, 0));
@@ -59,6 +64,8 @@ TEST(DesignJson, ReadsTheDocumentedExample)
     EXPECT_EQ(design.find<FixationCurve>(ElementId{3})->curve.at(1), Vec3(500, 0, 0));
     const Frame& frame = *design.find<Frame>(ElementId{7});
     EXPECT_LT((frame.placed(Vec3(0, 1, 0)) - Vec3(0, 0, 437.5)).norm(), 1e-5) << "y up becomes z up";
+    EXPECT_EQ(design.find<HandleCurve>(ElementId{8})->target.at(1), Vec3(400, 300, 40));
+    EXPECT_EQ(design.find<FancySeam>(ElementId{9})->curve.at(1), Vec2(250, 200));
     EXPECT_TRUE(checkDesign(design).empty());
 }
 
@@ -74,7 +81,9 @@ TEST(DesignJson, WritesOneElementPerLineWithoutDefaults)
   {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 3},
   {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 6, "from": 3, "to": 4}},
   {"id": 6, "kind": "patch", "name": "Side", "fabric": 1, "position": [600, 0], "outline": {"degree": 1, "closed": true, "points": [[0, 0], [120, 0], [120, 480], [0, 480]]}},
-  {"id": 7, "kind": "frame", "name": "Armchair", "file": "armchair.obj", "scale": 437.5, "rotation": [0.7071067811865476, 0.7071067811865476, 0, 0]}]}
+  {"id": 7, "kind": "frame", "name": "Armchair", "file": "armchair.obj", "scale": 437.5, "rotation": [0.7071067811865476, 0.7071067811865476, 0, 0]},
+  {"id": 8, "kind": "handle_curve", "name": "Lumbar", "patch": 2, "curve": {"degree": 1, "closed": false, "points": [[100, 300], [400, 300]]}, "target": {"degree": 1, "closed": false, "points": [[100, 300, 40], [400, 300, 40]]}},
+  {"id": 9, "kind": "fancy_seam", "name": "Pipe", "patch": 2, "curve": {"degree": 1, "closed": false, "points": [[250, 0], [250, 200]]}}]}
 )");
     EXPECT_EQ(writeDesign(Design()),
               "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": "
@@ -125,11 +134,16 @@ Design unusualDesign()
     leaning.orientation = {Orientation::Kind::Tangent, {Vec3(0, 0, -2)}, 1};
     Seam seam{{ElementId{2}, 0, 1}, {ElementId{3}, 6.5, 1}, false, Match::Parameter, Continuity::G1};
     Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
+    HandleCurve handle{{"H", ElementId{2}, BSpline2(2, false, {{0, 0}, {1, 2}, {3, 4}}, {0, 0, 0, 0.5, 0.5, 0.5})},
+                       BSpline3(1, false, {{0, 0, 0}, {1, 0, -0.0}}),
+                       Match::Parameter};
+    FancySeam fancy{{"S", ElementId{2}, BSpline2(3, true, {{0, 0}, {1, 2}, {3, 4}})}, 0.1, -7, Profile::Welt};
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
-                                              makeElement(frame),    makeElement(curve),    makeElement(leaning)};
+                                              makeElement(frame),    makeElement(handle),   makeElement(fancy),
+                                              makeElement(curve),    makeElement(leaning)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});

@@ -5,6 +5,7 @@
 #include "Document.h"
 #include "ElementEdits.h"
 #include "Gesture.h"
+#include "HandleEdits.h"
 #include "PatchEdits.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,9 @@ public:
             return patchEdit(design, id, *patch);
         if (const FixationCurve* curve = design.find<FixationCurve>(id))
             return curveEdit(design, id, *curve);
+        const ElementPtr element = design.element(id);
+        if (element && patchCurve(*element))
+            return drawnEdit(design, id, *element);
         switch (pick(4)) {
         case 0:
             return edits::changeSettings(design, {10.0 + pick(5)});
@@ -58,7 +62,14 @@ private:
     {
         const std::vector point = {pick(patch.outline.pointCount())};
         const std::vector ids = {id};
-        switch (pick(7)) {
+        switch (pick(9)) {
+        case 7:
+            return edits::addFancySeam(design, id, BSpline2(1, false, {{10, 10}, {somewhere(90), 60}}), "Fancy");
+        case 8:
+            return edits::addElement(
+                design, makeElement(HandleCurve{{"Handle", id, BSpline2(1, false, {{20, 10}, {somewhere(90), 70}})},
+                                                BSpline3(1, false, {{0, 0, 0}, {9, 9, somewhere(9)}}),
+                                                Match::Parameter}));
         case 0:
         case 1:
             return edits::movePatchPoints(design, id, point, {somewhere(20), somewhere(20)});
@@ -86,6 +97,25 @@ private:
             return edits::insertCurvePoint(design, id, curve.curve.domainEnd() * 0.1 * pick(11));
         default:
             return edits::removeCurvePoint(design, id, point[0]);
+        }
+    }
+
+    Edit drawnEdit(const Design& design, ElementId id, const Element& element)
+    {
+        const std::vector point = {pick(planeCurve(element)->pointCount())};
+        switch (pick(6)) {
+        case 0:
+            return edits::movePatchPoints(design, id, point, {somewhere(20), somewhere(20)});
+        case 1:
+            return edits::insertPatchPoint(design, id, 0.1 * pick(11));
+        case 2:
+            return edits::removePatchPoint(design, id, point[0]);
+        case 3:
+            return edits::moveCurvePoints(design, id, std::vector{0}, {somewhere(20), 0, somewhere(20)});
+        case 4:
+            return edits::insertCurvePoint(design, id, 0.1 * pick(11));
+        default:
+            return pick(5) == 0 ? edits::removeElements(design, std::vector{id}) : Edit{};
         }
     }
 

@@ -322,5 +322,92 @@ TEST(SolverThread, StopsInTheMiddleOfWork)
     }
 }
 
+/// The hammock with a fancy seam across it and a handle beside that.
+struct DrawnOn {
+    Design design = hammock();
+    ElementId seam{100}, handle{101};
+
+    DrawnOn()
+    {
+        const ElementId patch = firstPatch(design);
+        FancySeam groove{{"Groove", patch, BSpline2(1, false, {{200, 0}, {200, 200}})}};
+        HandleCurve bump{{"Bump", patch, BSpline2(1, false, {{60, 100}, {120, 100}})},
+                         BSpline3(1, false, {{60, 105, 30}, {120, 105, 30}})};
+        design = design.with({{}, {{seam, nullptr, makeElement(groove)}, {handle, nullptr, makeElement(bump)}}});
+    }
+};
+
+TEST(SolverThread, ShowsAnotherDepthWithoutSolvingAgain)
+{
+    const DrawnOn drawn;
+    Listener solver;
+    solver.request(drawn.design, 1);
+    const auto before =
+        solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Settled && o.status.resting; });
+    ASSERT_TRUE(before);
+    const Design deeper = changed<FancySeam>(drawn.design, drawn.seam, [](FancySeam& s) { s.depth = 9; });
+    solver.request(deeper, 2);
+    const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; });
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->status.state, State::Settled) << "with the first answer";
+    EXPECT_TRUE(after->status.resting);
+    EXPECT_EQ(after->surface->topology, before->surface->topology);
+    EXPECT_NEAR(after->report.fancySeams.at(0).value, 9, 1e-9);
+    EXPECT_EQ(after->surface->positions, solved(deeper, 1e-6).surface->positions);
+    // A depth that is not allowed takes the seam away, with a reason.
+    solver.request(changed<FancySeam>(deeper, drawn.seam, [](FancySeam& s) { s.depth = 1e9; }), 3);
+    const auto bad = solver.waitFor(
+        [](const SolverOutput& o) { return o.designRevision == 3 && o.status.state == State::Settled; });
+    ASSERT_TRUE(bad);
+    EXPECT_TRUE(hasErrors(bad->status.problems));
+    EXPECT_TRUE(std::ranges::none_of(bad->surface->topology->lines,
+                                     [&](const auto& line) { return line.element == drawn.seam; }));
+}
+
+TEST(SolverThread, FollowsTheTargetOfAHandle)
+{
+    const DrawnOn drawn;
+    Listener solver;
+    solver.request(drawn.design, 1);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Settled; }));
+    const auto lifted = [&](double z) {
+        return changed<HandleCurve>(drawn.design, drawn.handle, [&](HandleCurve& h) {
+            h.target = BSpline3(1, false, {{60, 105, z}, {120, 105, z}});
+        });
+    };
+    SurfaceMeshPtr last;
+    for (int step = 1; step <= 5; ++step) {
+        solver.request(lifted(30 + 2 * step), static_cast<std::uint64_t>(1 + step));
+        const auto output = solver.waitFor([&](const SolverOutput& o) {
+            return o.designRevision == static_cast<std::uint64_t>(1 + step) && o.surface;
+        });
+        ASSERT_TRUE(output);
+        for (const SurfaceTopology::Line& line : output->surface->topology->lines)
+            for (const std::uint32_t v :
+                 line.element == drawn.handle ? line.vertices : std::vector<std::uint32_t>())
+                EXPECT_NEAR(output->surface->positions[v].z(), 30 + 2 * step, 1e-9) << "with every surface";
+    }
+    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(resting);
+    EXPECT_LT(resting->report.handles.at(0).value, 1e-9);
+}
+
+TEST(StateTransfer, KeepsTheSurfaceWhenCurvesAreDrawnInIt)
+{
+    const Design plain = hammock();
+    const DrawnOn drawn;
+    const Design grooved = drawn.design.with({{}, {{drawn.handle, nullptr, nullptr}}});
+    TriangulationCache cache;
+    const auto before = prepareSheet(plain, cache);
+    WorkerPool pool(1);
+    Relaxation relaxation(before->mesh, pool, 1e-5);
+    relaxation.startCanonically();
+    while (relaxation.phase() == Relaxation::Phase::Running)
+        relaxation.iterate();
+    const auto after = prepareSheet(grooved, cache);
+    const SheetState carried = transferState(before->mesh, relaxation.state(), after->mesh);
+    EXPECT_LT(surfaceDistance(after->mesh, carried, before->mesh, relaxation.state()), 0.5);
+}
+
 } // namespace
 } // namespace bolster::test

@@ -124,6 +124,18 @@ Design sample(const std::string& name)
     return read.design;
 }
 
+double leastAngle(const SewnMesh& mesh)
+{
+    double least = 180;
+    for (const auto& triangle : mesh.topology->triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = [&](std::size_t i) { return mesh.rest()[triangle[(k + i) % 3]]; };
+            const Vec2 u = (at(1) - at(0)).normalized(), v = (at(2) - at(0)).normalized();
+            least = std::min(least, std::acos(u.dot(v)) * 180 / std::numbers::pi);
+        }
+    return least;
+}
+
 SolveResult solved(const Design& design, double tolerance)
 {
     SolveOptions options;

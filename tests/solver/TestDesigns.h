@@ -3,6 +3,7 @@
 
 #include "Design.h"
 #include "RestingSolve.h"
+#include "SewnMesh.h"
 
 #include <string>
 
@@ -41,6 +42,9 @@ Design tube(double width, double height, double edgeLength, double bendingLength
 /// A top and four sides, sewn, fixed along the bottom.
 Design box(double size, double height, double edgeLength, double bendingLength, double pressure);
 Design sample(const std::string& name);
+
+/// The smallest angle of all triangles in the pattern, degrees.
+double leastAngle(const SewnMesh& mesh);
 
 /// Solves to 1e-8 and expects it to succeed.
 SolveResult solved(const Design& design, double tolerance = 1e-8);

@@ -14,6 +14,7 @@
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QLineEdit>
+#include <QSlider>
 #include <QTest>
 #include <QTreeView>
 
@@ -141,6 +142,40 @@ TEST_F(ListsTest, EachChangeInTheInspectorIsOneEdit)
     document.undo();
     EXPECT_FALSE(inspector.findChild<QCheckBox*>()->isChecked());
     keepPicture(inspector, "inspector");
+}
+
+TEST_F(ListsTest, ASliderChangesTheDesignWhileItIsDraggedAsOneEdit)
+{
+    const ElementId id{9};
+    document.reset(twoSquares().with(
+        {{},
+         {{id, nullptr,
+           makeElement(FancySeam{{"Pipe", firstSquare, BSpline2(1, false, {{20, 20}, {80, 20}})}})}}}));
+    Inspector inspector(document, selection, problems);
+    inspector.resize(280, 400);
+    inspector.show();
+    selection.set({id});
+    const auto sliders = inspector.findChildren<QSlider*>();
+    ASSERT_EQ(sliders.size(), 2);
+    QSlider& depth = *sliders[1];
+    const auto depthNow = [&] { return document.design().find<FancySeam>(id)->depth; };
+    const double before = depthNow();
+    depth.setSliderDown(true);
+    for (int step = 0; step <= 4; ++step)
+        depth.setValue(depth.minimum() + step * (depth.maximum() - depth.minimum()) / 8);
+    EXPECT_TRUE(document.gestureRunning());
+    EXPECT_DOUBLE_EQ(depthNow(), 0);
+    EXPECT_EQ(document.history().count(), 1);
+    depth.setSliderDown(false);
+    EXPECT_FALSE(document.gestureRunning());
+    EXPECT_DOUBLE_EQ(depthNow(), 0);
+    EXPECT_EQ(document.history().count(), 2);
+    document.undo();
+    EXPECT_EQ(depthNow(), before);
+    QTest::keyClick(inspector.widget()->findChildren<QSlider*>()[1], Qt::Key_Right); // of the form as it is now
+    EXPECT_GT(depthNow(), before) << "by key, too";
+    EXPECT_FALSE(document.gestureRunning());
+    keepPicture(inspector, "inspector-fancy-seam");
 }
 
 TEST(NumberBox, TakesPointAndCommaInAnyLanguage)

@@ -310,5 +310,193 @@ TEST_F(PatternViewTest, DrawsTheArmchair)
     keepPicture(view, QStringLiteral("armchair-seam"));
 }
 
+/// The first square as two triangles, lying 50 mm up.
+SurfaceMeshPtr firstSquareSurface()
+{
+    auto topology = std::make_shared<SurfaceTopology>();
+    topology->serial = 1;
+    topology->pattern = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    topology->triangles = {{0, 1, 2}, {0, 2, 3}};
+    topology->unknown = {0, 1, 2, 3};
+    topology->unknownCount = 4;
+    topology->patches = {{firstSquare, testFabric, 0, 4, 0, 2, 4}};
+    auto surface = std::make_shared<SurfaceMesh>();
+    for (const Vec2& p : topology->pattern)
+        surface->positions.emplace_back(p.x(), p.y(), 50);
+    surface->normals.assign(4, Eigen::Vector3f::UnitZ());
+    surface->topology = std::move(topology);
+    return surface;
+}
+
+class PatternDrawTest : public PatternViewTest {
+protected:
+    void doubleClick(QPoint at)
+    {
+        click(at);
+        QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
+        QCoreApplication::processEvents();
+    }
+    void key(Qt::Key code)
+    {
+        QTest::keyClick(&view, code);
+        QCoreApplication::processEvents();
+    }
+    template <class T>
+    std::vector<T> all() const
+    {
+        std::vector<T> found;
+        document.design().each<T>([&](ElementId, const T& element) { found.push_back(element); });
+        return found;
+    }
+};
+
+TEST_F(PatternDrawTest, DrawsAHandleOnTheSurfaceAndGoesBackToSelecting)
+{
+    view.setSurface(firstSquareSurface());
+    QSignalSpy changed(&view, &PatternView::drawingChanged);
+    view.draw(DrawnKind::HandleCurve);
+    EXPECT_EQ(view.drawing(), DrawnKind::HandleCurve);
+    click(pixel({20, 20}));
+    click(pixel({50, 70}));
+    click(pixel({60, 30}));
+    doubleClick(pixel({80, 80}));
+    EXPECT_EQ(view.drawing(), std::nullopt);
+    EXPECT_EQ(changed.count(), 2);
+    ASSERT_EQ(all<HandleCurve>().size(), 1u);
+    const HandleCurve handle = all<HandleCurve>().front();
+    EXPECT_EQ(handle.patch, firstSquare);
+    EXPECT_EQ(handle.curve.degree(), 3);
+    EXPECT_EQ(handle.curve.pointCount(), 4);
+    for (const double t : {0.0, 0.3, 1.0}) {
+        const Vec2 p = handle.curve.at(t);
+        EXPECT_LT((handle.target.at(t) - Vec3(p.x(), p.y(), 50)).norm(), 0.2);
+    }
+    EXPECT_EQ(selection.elements(), Selection::Elements{document.design().elements().rbegin()->first});
+    EXPECT_EQ(document.history().count(), 2) << "one edit";
+}
+
+TEST_F(PatternDrawTest, DrawsAFancySeamFromBorderToBorder)
+{
+    view.draw(DrawnKind::FancySeam);
+    click(pixel({50, 2}));
+    click(pixel({50, 50}));
+    click(pixel({70, 97}));
+    key(Qt::Key_Return);
+    ASSERT_EQ(all<FancySeam>().size(), 1u);
+    const BSpline2 curve = all<FancySeam>().front().curve;
+    EXPECT_EQ(curve.degree(), 1);
+    EXPECT_NEAR(curve.points().front().y(), 0, 1e-9) << "snapped to the outline";
+    EXPECT_NEAR(curve.points().back().y(), 100, 1e-9);
+    EXPECT_NEAR(curve.points()[1].x(), 50, 0.5);
+}
+
+TEST_F(PatternDrawTest, ClosesOnTheFirstPointAndTakesPointsBack)
+{
+    view.draw(DrawnKind::FancySeam);
+    for (const Vec2& p : {Vec2(30, 30), Vec2(70, 30), Vec2(90, 90), Vec2(70, 70), Vec2(30, 70)}) {
+        click(pixel(p));
+        if (p == Vec2(90, 90))
+            key(Qt::Key_Backspace);
+    }
+    click(pixel({30, 30}) + QPoint(2, 2));
+    ASSERT_EQ(all<FancySeam>().size(), 1u);
+    EXPECT_TRUE(all<FancySeam>().front().curve.closed());
+    EXPECT_EQ(all<FancySeam>().front().curve.pointCount(), 4);
+}
+
+TEST_F(PatternDrawTest, EscapeGivesUpTheCurveThenTheTool)
+{
+    QSignalSpy failed(&view, &PatternView::failed);
+    view.draw(DrawnKind::HandleCurve);
+    click(pixel({150, 50}));
+    EXPECT_EQ(failed.count(), 1) << "begins in a patch only";
+    click(pixel({20, 20}));
+    key(Qt::Key_Escape);
+    EXPECT_TRUE(view.drawing());
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(view.drawing());
+    EXPECT_TRUE(document.design() == twoSquares());
+
+    view.draw(DrawnKind::HandleCurve);
+    click(pixel({20, 20}));
+    doubleClick(pixel({80, 80}));
+    EXPECT_EQ(failed.count(), 2) << "no surface to lie on";
+    EXPECT_TRUE(document.design() == twoSquares());
+}
+
+class PatternLineTest : public PatternDrawTest {
+protected:
+    PatternLineTest()
+    {
+        FancySeam seam{{"Pipe", firstSquare, BSpline2(1, false, {{20, 20}, {80, 20}, {80, 80}})}};
+        document.reset(twoSquares().with({{}, {{line, nullptr, makeElement(seam)}}}));
+        view.fitAll();
+    }
+    const BSpline2& curve() const { return document.design().find<FancySeam>(line)->curve; }
+
+    const ElementId line{9};
+};
+
+TEST_F(PatternLineTest, IsSelectedMovedAndEditedLikeAnOutline)
+{
+    click(pixel({50, 20}));
+    EXPECT_EQ(selection.elements(), Selection::Elements{line});
+    const QPoint by(6, -9);
+    drag(pixel({80, 80}), pixel({80, 80}) + by);
+    EXPECT_LT((curve().points()[2] - Vec2(80, 80) - mm(by)).norm(), 1e-9);
+    EXPECT_EQ(curve().points()[1], Vec2(80, 20));
+    const QPoint middle = pixel({50, 20});
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, middle);
+    EXPECT_EQ(curve().pointCount(), 4);
+    EXPECT_EQ(selection.points(), (Selection::Points{{line, 1}}));
+    const Edit removal = removeSelected(document.design(), selection, nullptr);
+    removeAndForget(document, selection, removal);
+    EXPECT_EQ(curve().pointCount(), 3);
+    selection.set({line});
+    drag(pixel({30, 20}), pixel({30, 20}) + by);
+    EXPECT_LT((curve().points()[0] - Vec2(20, 20) - mm(by)).norm(), 1e-9) << "dragged as a whole";
+}
+
+TEST_F(PatternLineTest, GoesWithItsPatch)
+{
+    const Edit edit = [&] {
+        selection.set({firstSquare});
+        return removeSelected(document.design(), selection, nullptr);
+    }();
+    document.commit(edit);
+    EXPECT_FALSE(document.design().element(line));
+    document.undo();
+    EXPECT_TRUE(document.design().element(line));
+}
+
+TEST_F(PatternLineTest, ShowsItsWidth)
+{
+    view.setLayers({false, false, false, false, false});
+    const QImage narrow = view.grab().toImage();
+    FancySeam wide = *document.design().find<FancySeam>(line);
+    wide.width = 30;
+    document.commit({{}, {{line, document.design().element(line), makeElement(wide)}}});
+    const QImage broad = view.grab().toImage();
+    const QPoint beside = pixel({50, 30});
+    EXPECT_NE(narrow.pixelColor(beside), broad.pixelColor(beside));
+    EXPECT_EQ(narrow.pixelColor(pixel({40, 60})), broad.pixelColor(pixel({40, 60})));
+}
+
+TEST(SelectionPoints, AHandleHasPointsInThePatternAndInSpace)
+{
+    HandleCurve handle{{"H", firstSquare, BSpline2(1, false, {{20, 20}, {80, 20}})},
+                       BSpline3(1, false, {{20, 20, 50}, {80, 20, 50}, {90, 20, 50}})};
+    const ElementId id{9};
+    const Design design = twoSquares().with({{}, {{id, nullptr, makeElement(handle)}}});
+    EXPECT_EQ(planePoint(design, {id, 1}), 1);
+    EXPECT_EQ(spacePoint(design, {id, 1}), -1);
+    const int inSpace = selectionPoint(*design.element(id), 2);
+    EXPECT_EQ(spacePoint(design, {id, inSpace}), 2);
+    EXPECT_EQ(planePoint(design, {id, inSpace}), -1);
+    EXPECT_EQ(spacePoint(design, {testCurve, 1}), 1);
+    EXPECT_EQ(spacePoint(design, {testCurve, 2}), -1);
+    EXPECT_EQ(planePoint(design, {firstSquare, 3}), 3);
+}
+
 } // namespace
 } // namespace bolster

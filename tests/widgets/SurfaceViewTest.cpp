@@ -2,6 +2,7 @@
 #include "Document.h"
 #include "Picture.h"
 #include "Selection.h"
+#include "SelectionEdits.h"
 #include "SurfaceSetup.h"
 #include "SurfaceViewCube.h"
 
@@ -450,6 +451,44 @@ TEST_F(SurfaceViewTest, FollowsTheSurfaceWhenItMoves)
     mouse.move(pixel({50, 40, 0}));
     EXPECT_EQ(selection.hovered(), settingsId);
     EXPECT_EQ(view.hit(pixel({1050, 40, 0})).element, leftPatch);
+}
+
+TEST_F(SurfaceViewTest, TheTargetOfAHandleIsDraggedLikeAFixationCurve)
+{
+    const ElementId id{9};
+    const BSpline2 drawn(1, false, {{40, 150}, {160, 150}});
+    const HandleCurve handle{{"Handle", leftPatch, drawn}, BSpline3(1, false, {{40, 150, 0}, {160, 150, 0}})};
+    document.commit({{}, {{id, nullptr, makeElement(handle)}}});
+    const auto target = [&] { return document.design().find<HandleCurve>(id)->target; };
+    mouse.click(pixel({100, 150, 0}));
+    ASSERT_EQ(selection.elements(), Selection::Elements{id});
+    const QPointF from = pixel({160, 150, 0});
+    mouse.drag(from, from + QPointF(20, -15));
+    EXPECT_LT((pixel(target().points()[1]) - from - QPointF(20, -15)).manhattanLength(), 0.05);
+    EXPECT_EQ(target().points()[0], Vec3(40, 150, 0));
+    EXPECT_TRUE(document.design().find<HandleCurve>(id)->curve == drawn) << "the pattern stays";
+    EXPECT_EQ(selection.points(), (Selection::Points{{id, firstSpacePoint + 1}}));
+    QTest::keyClick(&view, Qt::Key_Delete);
+    EXPECT_EQ(target().pointCount(), 2) << "a line needs both";
+}
+
+TEST_F(SurfaceViewTest, FancySeamsAreHitOnTheCover)
+{
+    const ElementId id{9};
+    document.commit(
+        {{}, {{id, nullptr, makeElement(FancySeam{{"Seam", leftPatch, BSpline2(1, false, {{0, 0}, {1, 1}})}})}}});
+    auto surface = std::make_shared<SurfaceMesh>(*view.surface());
+    auto topology = std::make_shared<SurfaceTopology>(*surface->topology);
+    topology->lines.push_back({id, {}, 0});
+    for (const std::uint32_t v : topology->triangles.front())
+        topology->lines.back().vertices.push_back(v);
+    ++topology->serial;
+    const std::vector<std::uint32_t> vertices = topology->lines.back().vertices;
+    surface->topology = std::move(topology);
+    view.setSurface(surface);
+    const Vec3 middle = 0.5 * (surface->positions[vertices[1]] + surface->positions[vertices[2]]);
+    mouse.click(pixel(middle));
+    EXPECT_EQ(selection.elements(), Selection::Elements{id});
 }
 
 } // namespace

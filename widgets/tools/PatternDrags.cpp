@@ -48,9 +48,9 @@ protected:
 
 class PointDrag : public EditingDrag {
 public:
-    PointDrag(PatternToolContext& context, const PatternPointer& from)
+    PointDrag(PatternToolContext& context, const PatternPointer& from, Selection::Points points)
         : EditingDrag(context, from)
-        , m_points(context.selection().points())
+        , m_points(std::move(points))
     {}
 
     void update(const PatternPointer& pointer) override
@@ -149,6 +149,11 @@ public:
                         points.emplace(id, static_cast<int>(i));
             }
         }
+        for (const auto& [id, line] : m_context.scene().lines())
+            if (selection.contains(id) && m_context.pointsShown(id))
+                for (std::size_t i = 0; i < line.points.size(); ++i)
+                    if (box.contains(line.points[i]))
+                        points.emplace(id, static_cast<int>(i));
         selection.set(std::move(elements), std::move(points));
     }
     QString prompt() const override
@@ -172,9 +177,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<PatternDrag> dragPoints(PatternToolContext& context, const PatternPointer& from)
+std::unique_ptr<PatternDrag> dragPoints(PatternToolContext& context, const PatternPointer& from,
+                                        Selection::Points points)
 {
-    return std::make_unique<PointDrag>(context, from);
+    return std::make_unique<PointDrag>(context, from, std::move(points));
 }
 
 std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const PatternPointer& from)

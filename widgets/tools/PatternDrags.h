@@ -31,8 +31,9 @@ protected:
     PatternPointer m_from;
 };
 
-/// Moves all selected control points.
-std::unique_ptr<PatternDrag> dragPoints(PatternToolContext& context, const PatternPointer& from);
+/// Moves these control points, given as in Selection.
+std::unique_ptr<PatternDrag> dragPoints(PatternToolContext& context, const PatternPointer& from,
+                                        std::set<std::pair<ElementId, int>> points);
 /// Moves the selected patches in the layout.
 std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const PatternPointer& from);
 /// Turns the selected patches about the middle of their common box; with Shift in steps of 15 degrees.

@@ -82,7 +82,11 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
         return selectBox(m_context, *m_pressed);
     case PatternHit::Kind::Point:
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
-                   ? dragPoints(m_context, *m_pressed)
+                   ? dragPoints(m_context, *m_pressed, selection.points())
+                   : nullptr;
+    case PatternHit::Kind::Line:
+        return selection.contains(m_pressedHit.seam)
+                   ? dragPoints(m_context, *m_pressed, allPoints(m_pressedHit.seam))
                    : nullptr;
     case PatternHit::Kind::Outline:
     case PatternHit::Kind::Inside:
@@ -92,6 +96,15 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
     if (!selection.contains(m_pressedHit.patch) && selection.contains(m_pressedHit.element()))
         m_context.selection().set({m_pressedHit.patch});
     return selection.contains(m_pressedHit.patch) ? dragPatches(m_context, *m_pressed) : nullptr;
+}
+
+Selection::Points PatternSelectTool::allPoints(ElementId line) const
+{
+    Selection::Points points;
+    if (const auto found = m_context.scene().lines().find(line); found != m_context.scene().lines().end())
+        for (std::size_t i = 0; i < found->second.points.size(); ++i)
+            points.emplace(line, static_cast<int>(i));
+    return points;
 }
 
 void PatternSelectTool::move(const PatternPointer& pointer)
@@ -143,17 +156,17 @@ void PatternSelectTool::doubleClick(const PatternPointer& pointer)
     m_drag.reset();
     m_pressed.reset();
     const PatternHit hit = m_context.hit(pointer.pixel);
-    if (hit.kind != PatternHit::Kind::Outline)
+    if (hit.kind != PatternHit::Kind::Outline && hit.kind != PatternHit::Kind::Line)
         return;
+    const ElementId id = hit.kind == PatternHit::Kind::Line ? hit.seam : hit.patch;
     Document& document = m_context.document();
-    const Edit edit = edits::insertPatchPoint(document.design(), hit.patch, hit.parameter);
+    const Edit edit = edits::insertPatchPoint(document.design(), id, hit.parameter);
     if (edit.empty()) {
         m_context.report(tr("There is a control point already."));
         return;
     }
     document.commit(edit);
-    if (const Patch* patch = document.design().find<Patch>(hit.patch))
-        m_context.selection().set({hit.patch}, {{hit.patch, patch->outline.pointAt(hit.parameter)}});
+    m_context.selection().set({id}, {{id, planeCurve(*document.design().element(id))->pointAt(hit.parameter)}});
     m_context.refresh();
 }
 
@@ -247,6 +260,8 @@ QString PatternSelectTool::prompt() const
         return m_hover.seam == settingsId
                    ? tr("Double click to add a control point here, drag to move the patch")
                    : tr("Click to select the seam, double click to add a control point here");
+    case PatternHit::Kind::Line:
+        return tr("Click to select the curve, drag to move it, double click to add a control point here");
     case PatternHit::Kind::Inside:
         return tr("Click to select the patch, drag to move it in the layout");
     case PatternHit::Kind::Nothing:
@@ -265,6 +280,7 @@ QCursor PatternSelectTool::cursor() const
     case PatternHit::Kind::Point:
         return Qt::SizeAllCursor;
     case PatternHit::Kind::Outline:
+    case PatternHit::Kind::Line:
         return Qt::PointingHandCursor;
     case PatternHit::Kind::Inside:
     case PatternHit::Kind::Nothing:

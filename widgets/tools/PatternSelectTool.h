@@ -10,8 +10,8 @@
 namespace bolster {
 
 /// Click selects, Shift adds, a drag from nothing selects a box. Control points are dragged together, patches by
-/// their inside, turned by the handle above the selection. A double click on an outline inserts a control point,
-/// arrow keys move by 1 mm (Shift: 10 mm).
+/// their inside, turned by the handle above the selection. A double click on an outline or line inserts a control
+/// point, arrow keys move by 1 mm (Shift: 10 mm).
 class PatternSelectTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(PatternSelectTool)
 
@@ -37,6 +37,7 @@ public:
 private:
     void select(const PatternPointer& pointer);
     std::unique_ptr<PatternDrag> newDrag() const;
+    std::set<std::pair<ElementId, int>> allPoints(ElementId line) const;
     void endNudge();
     Box2 selectedBox() const;
     bool onTurnHandle(QPointF pixel) const;

@@ -3,6 +3,7 @@
 
 #include "PatternScene.h"
 #include "PatternTransform.h"
+#include "SurfaceMesh.h"
 
 #include <QCursor>
 #include <QString>
@@ -26,9 +27,13 @@ public:
     virtual const PatternScene& scene() const = 0;
     virtual const PatternTransform& transform() const = 0;
     virtual PatternHit hit(QPointF pixel) const = 0;
-    virtual bool pointsShown(ElementId patch) const = 0;
+    virtual bool pointsShown(ElementId id) const = 0;
     /// Prompt, cursor or what the tool draws has changed.
     virtual void refresh() = 0;
+    /// What the solver made last, or null.
+    virtual SurfaceMeshPtr surface() const = 0;
+    /// The tool has done its work: back to selecting, when its event is over.
+    virtual void endTool() = 0;
     /// Something that could not be done, in the user's words.
     virtual void report(const QString& problem) = 0;
 };
@@ -54,6 +59,8 @@ public:
     virtual void doubleClick(const PatternPointer& pointer) = 0;
     virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
     virtual bool keyRelease(const QKeyEvent& event) = 0;
+    /// Keys that are the tool's even where a window gives them another meaning.
+    virtual bool wants(int) const { return false; }
     /// One step back; false when there was none.
     virtual bool escape() = 0;
     /// The pointer has left the view, or the view the keyboard.

@@ -42,13 +42,13 @@ Edit moveCurvePointsTogether(const Design& design, const std::set<std::pair<Elem
 {
     std::map<ElementId, std::vector<int>> byCurve;
     for (const auto& [id, point] : points)
-        if (design.find<FixationCurve>(id))
-            byCurve[id].push_back(point);
+        if (const int index = spacePoint(design, {id, point}); index >= 0)
+            byCurve[id].push_back(index);
     EditChain chain(design);
     for (const auto& [id, indices] : byCurve)
         chain.add(edits::moveCurvePoints(chain.design(), id, indices, delta));
-    return chain.result(Message{QT_TRANSLATE_NOOP("Message", "Move points of %1 fixation curves"),
-                                {std::to_string(byCurve.size())}});
+    return chain.result(
+        Message{QT_TRANSLATE_NOOP("Message", "Move points of %1 curves"), {std::to_string(byCurve.size())}});
 }
 
 SurfacePointDrag::SurfacePointDrag(SurfaceToolContext& context, const SurfacePointer& pressed, const Vec3& grabbed)

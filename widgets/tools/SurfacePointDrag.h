@@ -1,4 +1,4 @@
-// A drag of control points of fixation curves through space.
+// A drag of control points of curves through space.
 #pragma once
 
 #include "Gesture.h"
@@ -8,7 +8,7 @@
 
 namespace bolster {
 
-/// Moves control points of several fixation curves by `delta`, mm.
+/// Moves control points (given as in Selection) of several curves in space by `delta`, mm.
 Edit moveCurvePointsTogether(const Design& design, const std::set<std::pair<ElementId, int>>& points,
                              const Vec3& delta);
 

@@ -167,8 +167,9 @@ void SurfaceSelectTool::doubleClick(const SurfacePointer& pointer)
         return;
     }
     document.commit(edit);
-    if (const FixationCurve* changed = document.design().find<FixationCurve>(hit.element))
-        m_context.selection().set({hit.element}, {{hit.element, changed->curve.pointAt(hit.parameter)}});
+    const Element& changed = *document.design().element(hit.element);
+    const int point = selectionPoint(changed, spaceCurve(changed)->pointAt(hit.parameter));
+    m_context.selection().set({hit.element}, {{hit.element, point}});
     m_context.refresh();
 }
 
@@ -262,7 +263,7 @@ QString SurfaceSelectTool::prompt() const
     case SurfaceHit::Kind::Point:
         return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
     case SurfaceHit::Kind::Curve:
-        return tr("Click to select the fixation curve, double click to add a control point here");
+        return tr("Click to select the curve, double click to add a control point here");
     case SurfaceHit::Kind::Seam:
         return tr("Click to select the seam");
     case SurfaceHit::Kind::Cover:

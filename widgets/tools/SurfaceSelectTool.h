@@ -1,4 +1,4 @@
-// Selects in the 3D view and moves control points of fixation curves.
+// Selects in the 3D view and moves control points of curves.
 #pragma once
 
 #include "SurfacePointDrag.h"
@@ -9,7 +9,7 @@
 
 namespace bolster {
 
-/// Click selects, Shift adds. Control points are dragged together; a double click on a fixation curve inserts one,
+/// Click selects, Shift adds. Control points are dragged together; a double click on a curve inserts one,
 /// Delete removes the selected ones, arrow keys move them by 1 mm (Shift: 10 mm) along the axes that run across the
 /// screen, Page Up and Page Down along the third.
 class SurfaceSelectTool : public SurfaceTool {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the car seat sample: arranges the layout of a finished design.
+"""Makes the car seat samples: arranges the layout of a finished design, and a second one with rounded seams and fancy
+seams on the inserts.
 
     make_car_seat.py DESIGN.json FRAME.obj
 """
@@ -24,11 +25,43 @@ ROWS = [
 ]
 
 
+FANCY_SEAMS = [  # patch, name, middle and half distance of the two, length of the insert: mm in the pattern
+    ("Cushion insert", "Cushion pipe", 143, 46, 499),
+    ("Back insert", "Back pipe", 131.5, 43, 590),
+]
+
+
+def round_seams(elements):
+    """Where a bolster meets its side the cover is round."""
+    names = {e["id"]: e["name"] for e in elements if e["kind"] == "patch"}
+    for seam in (e for e in elements if e["kind"] == "seam"):
+        sides = sorted(names[seam[side]["patch"]].split()[1] for side in "ab")
+        if sides == ["bolster", "side"]:
+            seam["continuity"] = "G1"
+
+
+def add_fancy_seams(elements):
+    patches = {e["name"]: e["id"] for e in elements if e["kind"] == "patch"}
+    number = max(e["id"] for e in elements)
+    for patch, name, middle, apart, length in FANCY_SEAMS:
+        for side, x in (("left", middle - apart), ("right", middle + apart)):
+            number += 1
+            elements.append({
+                "id": number, "kind": "fancy_seam", "name": f"{name} {side}", "patch": patches[patch],
+                "curve": {"degree": 1, "closed": False, "points": [[x, -10], [x, length + 10]]},
+                "width": 18, "depth": 6, "profile": "sharp"})
+
+
 def main():
     design = read(sys.argv[1])
-    Layout(design["elements"]).stack(ROWS, 0, 0)
+    elements = design["elements"]
+    Layout(elements).stack(ROWS, 0, 0)
     folder = SAMPLES / "car-seat"
-    write(folder / "car-seat.json", design["elements"], design["settings"]["edge_length"])
+    edge_length = design["settings"]["edge_length"]
+    write(folder / "car-seat.json", elements, edge_length)
+    round_seams(elements)
+    add_fancy_seams(elements)
+    write(folder / "car-seat-g1.json", elements, edge_length)
     shutil.copyfile(sys.argv[2], folder / "car-seat-frame.obj")
 
 

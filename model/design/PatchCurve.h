@@ -1,0 +1,19 @@
+// A curve drawn inside a patch: what handle curves and fancy seams have in common (paper, section 3.5).
+#pragma once
+
+#include "BSpline.h"
+#include "ElementId.h"
+
+#include <string>
+
+namespace bolster {
+
+struct PatchCurve {
+    std::string name;
+    ElementId patch{};
+    BSpline2 curve; ///< open or closed, outline coordinates, mm
+
+    friend bool operator==(const PatchCurve&, const PatchCurve&) = default;
+};
+
+} // namespace bolster
