@@ -9,6 +9,8 @@
 
 namespace bolster {
 
+struct SolveReport;
+
 /// The cover in the middle of an iteration, as ghosts see it.
 struct SheetView {
     const SewnMesh& mesh;
@@ -34,6 +36,8 @@ public:
     /// Writes t_i - p_i (mm; x y z 0) for the vertices begin .. end - 1 of one part. Called on several threads.
     virtual void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
                           Columns& displacements) const = 0;
+    /// Adds what it does to the cover to the report.
+    virtual void report(const SheetView&, SolveReport&) const {}
 };
 
 using Ghosts = std::vector<std::unique_ptr<GhostSource>>;

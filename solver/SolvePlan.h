@@ -6,8 +6,8 @@
 namespace bolster {
 
 enum class SolvePlan {
-    Nothing,  ///< names, colours, layout, frames: the surface stays
-    Retarget, ///< right-hand sides only: fixation curves moved, pressure, Poisson parameter
+    Nothing,  ///< names, colours, layout, frames that nothing comes from: the surface stays
+    Retarget, ///< right-hand sides only: fixation curves moved, pressure, Poisson parameter, cushions
     Refactor, ///< matrix values too: stiffness, bending length
     Rebuild,  ///< outlines, edge length: triangulate again, positions and frames are carried over
     Resew     ///< Rebuild, and seams or fixations came or went, so that the surface is torn

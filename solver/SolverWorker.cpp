@@ -104,7 +104,9 @@ void SolverWorker::begin(Request request)
         m_status = {};
         m_report = {};
     }
-    const SolvePlan plan = m_live ? planSolve(m_input, request.input) : SolvePlan::Resew;
+    const SolvePlan plan =
+        m_live ? std::max(planSolve(m_input, request.input), std::exchange(m_owed, SolvePlan::Nothing))
+               : SolvePlan::Resew;
     const bool light = plan == SolvePlan::Retarget || plan == SolvePlan::Refactor;
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
@@ -121,7 +123,8 @@ void SolverWorker::begin(Request request)
     }
     const bool retargeted = light && retargetLive(m_input, plan);
     if (!retargeted && !rebuildLive(m_input, plan == SolvePlan::Resew)) {
-        m_input = inputBefore; // given up for a newer request, which starts from what there is
+        m_input = inputBefore;                      // given up for a newer request, which starts from what there is
+        m_owed = light ? plan : SolvePlan::Nothing; // and may be half new then
         m_status = statusBefore;
         return;
     }
@@ -139,7 +142,7 @@ void SolverWorker::begin(Request request)
         publish(SolverStatus::State::Idle);
 }
 
-/// Keeps samples and triangles. False when the change asks for more after all.
+/// Keeps samples and triangles. False when the change asks for more after all, or when it was given up.
 bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
 {
     Problems problems = checkDesign(input.design);
@@ -156,12 +159,15 @@ bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
     prepared.files = input.files;
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
-    if (plan == SolvePlan::Refactor)
-        m_live->relaxation->refactor(ghostsFor(prepared, problems));
-    else
-        m_live->relaxation->retarget(ghostsFor(prepared, problems));
     m_live->canonical = false;
     m_live->stale = true;
+    Ghosts ghosts = ghostsFor(prepared, problems);
+    if (m_preparing.stop_requested())
+        return false; // they are not all there
+    if (plan == SolvePlan::Refactor)
+        m_live->relaxation->refactor(std::move(ghosts));
+    else
+        m_live->relaxation->retarget(std::move(ghosts));
     m_status.problems = std::move(problems);
     return true;
 }
@@ -218,7 +224,8 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const SolveInput& i
 
 Ghosts SolverWorker::ghostsFor(const PreparedSheet& sheet, Problems& problems)
 {
-    return makeGhosts({sheet.design, sheet.files}, sheet.mesh, m_ghostCache, problems, m_preparing.get_token());
+    return makeGhosts({sheet.design, sheet.files}, sheet.mesh, m_ghostCache, problems, m_pool,
+                      m_preparing.get_token());
 }
 
 /// One iteration, and a published surface when somebody could see it.

@@ -69,7 +69,8 @@ private:
     WorkerPool m_pool{1}; // the other cores belong to the window
     TriangulationCache m_cache;
     GhostCache m_ghostCache;
-    SolveInput m_input; // as requested, bad elements included
+    SolveInput m_input;                    // as requested, bad elements included
+    SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
     std::uint64_t m_designRevision = 0;
     bool m_settleWanted = false;
     int m_opening = 0;

@@ -36,6 +36,8 @@ constexpr KindTexts kindTexts[] = {
      "fixation-curve"},
     {QT_TRANSLATE_NOOP("ElementText", "Fixation"), QT_TRANSLATE_NOOP("ElementText", "Fixations"), "fixation-seam"},
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
+    {QT_TRANSLATE_NOOP("ElementText", "Cushion"), QT_TRANSLATE_NOOP("ElementText", "Cushions"), "cushion"},
+    {QT_TRANSLATE_NOOP("ElementText", "Foam"), QT_TRANSLATE_NOOP("ElementText", "Foam"), "foam"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
@@ -59,6 +61,8 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const FixationCurve&) const { return ElementKind::FixationCurve; }
         ElementKind operator()(const FixationSeam&) const { return ElementKind::FixationSeam; }
         ElementKind operator()(const Frame&) const { return ElementKind::Frame; }
+        ElementKind operator()(const Cushion&) const { return ElementKind::Cushion; }
+        ElementKind operator()(const Foam&) const { return ElementKind::Foam; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);

@@ -8,7 +8,18 @@
 namespace bolster {
 
 /// The order in which lists show the kinds.
-enum class ElementKind { Patch, Seam, FixationCurve, FixationSeam, Frame, Fabric, Unusable, Settings };
+enum class ElementKind {
+    Patch,
+    Seam,
+    FixationCurve,
+    FixationSeam,
+    Frame,
+    Cushion,
+    Foam,
+    Fabric,
+    Unusable,
+    Settings
+};
 
 ElementKind kindOf(const Element& element);
 /// "Patches".

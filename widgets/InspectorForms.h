@@ -35,6 +35,10 @@ private:
     void addFixationCurve(PropertyForm& form, ElementId id) const;
     void addFixationSeam(PropertyForm& form, ElementId id) const;
     void addFrame(PropertyForm& form, ElementId id) const;
+    void addCushion(PropertyForm& form, ElementId id) const;
+    void addFoam(PropertyForm& form, ElementId id) const;
+    void addFrameChoice(PropertyForm& form, ElementId cushion) const;
+    void addCoverChoice(PropertyForm& form, ElementId cushion) const;
     void addUnusable(PropertyForm& form, ElementId id) const;
     void addPatchPoint(PropertyForm& form, ElementId id, int point) const;
     void addCurvePoint(PropertyForm& form, ElementId id, int point) const;

@@ -43,6 +43,17 @@ Json json(const SolveReport::MaxMean& value)
     return {{"max", value.max}, {"mean", value.mean}};
 }
 
+Json json(const std::vector<SolveReport::Cushion>& cushions)
+{
+    Json list = Json::array();
+    for (const SolveReport::Cushion& cushion : cushions)
+        list.push_back({{"element", number(cushion.element)},
+                        {"voxels", cushion.voxels},
+                        {"vertices", cushion.vertices},
+                        {"push_mm", json(cushion.push)}});
+    return list;
+}
+
 } // namespace
 
 std::string reportJson(const SolveResult& result)
@@ -71,6 +82,7 @@ std::string reportJson(const SolveResult& result)
         {"area_mm2", report.area},
         {"rest_area_mm2", report.restArea},
         {"flipped_triangles", report.flippedTriangles},
+        {"cushions", json(report.cushions)},
         {"time_ms",
          {{"triangulate", report.time.triangulate},
           {"assemble", report.time.assemble},

@@ -8,7 +8,8 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings", "fabric", "patch", "seam", "fixation_curve", "fixation_seam", "frame", "unreadable"};
+        "settings",      "fabric", "patch",   "seam", "fixation_curve",
+        "fixation_seam", "frame",  "cushion", "foam", "unreadable"};
     return names[element.index()];
 }
 
@@ -29,7 +30,9 @@ const std::string* elementFile(const Element& element)
 {
     return std::visit(
         [](const auto& value) -> const std::string* {
-            if constexpr (requires { value.file; })
+            if constexpr (requires { value.shape; })
+                return value.shape == Foam::Shape::Mesh ? &value.file : nullptr;
+            else if constexpr (requires { value.file; })
                 return &value.file;
             else
                 return nullptr;

@@ -1,9 +1,11 @@
 // One thing that the user made.
 #pragma once
 
+#include "Cushion.h"
 #include "Fabric.h"
 #include "FixationCurve.h"
 #include "FixationSeam.h"
+#include "Foam.h"
 #include "Frame.h"
 #include "Patch.h"
 #include "Quarantined.h"
@@ -16,7 +18,8 @@
 
 namespace bolster {
 
-using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, Quarantined>;
+using Element =
+    std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, Cushion, Foam, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>
@@ -29,7 +32,7 @@ ElementPtr makeElement(T value)
 const char* kindName(const Element& element);
 /// The element's own name, or "" for kinds without one.
 const std::string& elementName(const Element& element);
-/// The file that the element refers to, or null for kinds without one.
+/// The file that the element refers to, or null for those without one.
 const std::string* elementFile(const Element& element);
 /// The same element with another file; it must be of a kind with one.
 ElementPtr withFile(const Element& element, std::string file);

@@ -29,6 +29,15 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
         if (!design.find<FixationCurve>(fixation->curve))
             return fixation->curve;
     }
+    if (const auto* cushion = std::get_if<Cushion>(&element)) {
+        if (!design.find<Frame>(cushion->frame))
+            return cushion->frame;
+        for (const ElementId patch : cushion->patches)
+            if (!design.find<Patch>(patch))
+                return patch;
+    }
+    if (const auto* foam = std::get_if<Foam>(&element); foam && !design.find<Cushion>(foam->cushion))
+        return foam->cushion;
     return std::nullopt;
 }
 
