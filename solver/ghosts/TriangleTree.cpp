@@ -8,17 +8,39 @@ namespace bolster {
 
 namespace {
 
-constexpr int leafSize = 6;
-constexpr double farAway = 2.5; // radii: from there on a node counts as a dipole
+constexpr int leafSize = 3;
+constexpr double farAway = 2; // radii: from there on a node counts as a dipole
 
-/// Source: Van Oosterom and Strackee, 1983.
-double solidAngle(const TriangleTree::Triangle& triangle, const Vec3& point)
-{
-    const Vec3 a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    const double volume = a.dot(b.cross(c));
-    return 2 * std::atan2(volume, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
+/// A sum of solid angles. Each is twice the angle of a vector in the plane (Van Oosterom and Strackee, 1983); these
+/// are multiplied as complex numbers, full turns counted, so that one arc tangent does for all.
+class AngleSum {
+public:
+    void add(const TriangleTree::Triangle& triangle, const Vec3& point)
+    {
+        const Vec3 a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+        const double y = a.dot(b.cross(c));
+        const double length = std::abs(x) + std::abs(y);
+        if (!(length > 0))
+            return; // a corner
+        const double before = m_y;
+        const double u = (m_x * x - m_y * y) / length, v = (m_x * y + m_y * x) / length;
+        const double scale = 1 / (std::abs(u) + std::abs(v));
+        m_x = u * scale;
+        m_y = v * scale;
+        if (before > 0 && y > 0 && m_y <= 0)
+            ++m_turns;
+        else if (before < 0 && y < 0 && m_y >= 0)
+            --m_turns;
+    }
+    double total() const { return 2 * (std::atan2(m_y, m_x) + 2 * std::numbers::pi * m_turns); }
+
+private:
+    double m_x = 1;
+    double m_y = 0;
+    int m_turns = 0;
+};
 
 } // namespace
 
@@ -101,6 +123,7 @@ TriangleTree::Node TriangleTree::summary(int begin, int end) const
 double TriangleTree::windingNumber(const Vec3& point) const
 {
     double angle = 0;
+    AngleSum near;
     for (int i = 0; i < std::ssize(m_nodes);) {
         const Node& node = m_nodes[i];
         const Vec3 way = node.centre - point;
@@ -111,10 +134,10 @@ double TriangleTree::windingNumber(const Vec3& point) const
             continue;
         }
         for (int t = node.first; t < node.first + node.count; ++t)
-            angle += solidAngle(m_triangles[t], point);
+            near.add(m_triangles[t], point);
         ++i;
     }
-    return angle / (4 * std::numbers::pi);
+    return (angle + near.total()) / (4 * std::numbers::pi);
 }
 
 double TriangleTree::distance(const Vec3& point, double within) const

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the car seat sample: arranges the layout of a finished design.
+"""Makes the car seat samples: arranges the layout of a finished design; a second one with cushioning.
 
     make_car_seat.py DESIGN.json FRAME.obj
 """
@@ -27,9 +27,14 @@ ROWS = [
 def main():
     design = read(sys.argv[1])
     Layout(design["elements"]).stack(ROWS, 0, 0)
-    folder = SAMPLES / "car-seat"
-    write(folder / "car-seat.json", design["elements"], design["settings"]["edge_length"])
-    shutil.copyfile(sys.argv[2], folder / "car-seat-frame.obj")
+    elements = design["elements"]
+    frame = next(e["id"] for e in elements if e["kind"] == "frame")
+    # The frame lies 26 mm inside the foam.
+    cushion = {"id": max(e["id"] for e in elements) + 1, "kind": "cushion", "name": "Foam", "frame": frame,
+               "dilation_mm": 26}
+    for name, more in [("car-seat", []), ("car-seat-cushioned", [cushion])]:
+        write(SAMPLES / name / f"{name}.json", elements + more, design["settings"]["edge_length"])
+        shutil.copyfile(sys.argv[2], SAMPLES / name / "car-seat-frame.obj")
 
 
 if __name__ == "__main__":
