@@ -13,7 +13,7 @@ namespace {
 
 // Weights of the rows gamma A_i / D^2: stiff enough to carry a cover, soft enough to let it move in few iterations.
 constexpr double cushionGamma = 100;
-constexpr double contactGamma = 100;
+constexpr double contactGamma = 1000;
 
 } // namespace
 
@@ -244,10 +244,13 @@ void addContactGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields
         const TriangleMeshPtr triangles = meshOf(input, id);
         if (!frame.contact || !triangles || stop.stop_requested())
             return;
-        const auto field = fields.contact({{triangles, frame.scale}, frame.contactGap}, pool, stop);
+        const FrameFields::Shape shape{triangles, frame.scale};
+        CushionGhosts::Fields ofComponents;
+        for (const std::vector<int>& parts : guessParts(*fields.parts(shape), frame, mesh))
+            ofComponents.push_back(parts.empty() ? nullptr
+                                                 : fields.contact({shape, parts, frame.contactGap}, pool, stop));
         constexpr double wholeWay = 2; // the target is p + f / 2
-        ghosts.push_back(std::make_unique<CushionGhosts>(id, contactGamma, frame,
-                                                         CushionGhosts::Fields(mesh.diameter.size(), field),
+        ghosts.push_back(std::make_unique<CushionGhosts>(id, contactGamma, frame, std::move(ofComponents),
                                                          std::vector<double>{wholeWay}));
     });
 }

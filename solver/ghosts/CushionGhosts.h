@@ -38,7 +38,7 @@ private:
 void addCushionGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields& fields, WorkerPool& pool,
                       const std::stop_token& stop, Ghosts& ghosts, Problems& problems);
 
-/// For every frame with contact.
+/// For every frame with contact: a cover stays out of the parts that belong to it.
 void addContactGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields& fields, WorkerPool& pool,
                       const std::stop_token& stop, Ghosts& ghosts);
 

@@ -20,8 +20,8 @@ Box3 grown(const Box3& box, double margin)
 }
 
 /// Depths of voxels near the surface, exactly: whole voxels would leave steps in a cover that lies on the frame.
-void refine(const FrameParts& parts, const VoxelGrid& grid, double reach, std::vector<float>& depths,
-            WorkerPool& pool, const std::stop_token& stop)
+void refine(const std::vector<const FrameBody*>& bodies, const VoxelGrid& grid, double reach,
+            std::vector<float>& depths, WorkerPool& pool, const std::stop_token& stop)
 {
     pool.forTasks(grid.size[2], [&](int z) {
         for (int y = 0; y < grid.size[1] && !stop.stop_requested(); ++y)
@@ -30,9 +30,8 @@ void refine(const FrameParts& parts, const VoxelGrid& grid, double reach, std::v
                 if (depth < -reach || depth > 2 * grid.edge)
                     continue;
                 double nearest = std::abs(depth) + 2 * grid.edge;
-                for (const auto& bodies : parts)
-                    for (const FrameBody& body : bodies)
-                        nearest = body.tree.distance(grid.centre(x, y, z), nearest);
+                for (const FrameBody* body : bodies)
+                    nearest = body->tree.distance(grid.centre(x, y, z), nearest);
                 depth = static_cast<float>(depth > 0 ? nearest : -nearest);
             }
     });
@@ -98,20 +97,20 @@ std::shared_ptr<const ForceField> FrameFields::contact(const ContactKey& key, Wo
                                                        const std::stop_token& stop)
 {
     return m_contacts.get(key, [&](const ContactKey& k) -> std::shared_ptr<const ForceField> {
-        const auto all = parts(k.shape);
-        std::vector<int> every(all->size());
-        for (std::size_t i = 0; i < every.size(); ++i)
-            every[i] = static_cast<int>(i);
-        const Box3 box = grown(boxOf({k.shape, every, 0}), k.gap);
+        const Box3 box = grown(boxOf({k.shape, k.parts, 0}), k.gap);
         constexpr double resolution = 150; // voxels along the longest side
         const double edge = std::max(box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / resolution, 1.0);
         Voxels voxels{VoxelGrid::around(box, edge, 3), {}};
         voxels.inside.assign(voxels.grid.voxelCount(), 0);
-        for (const auto& bodies : *all)
-            for (const FrameBody& body : bodies)
-                fillInside(body, voxels, pool, stop);
+        std::vector<const FrameBody*> bodies;
+        const auto all = parts(k.shape);
+        for (const int part : k.parts)
+            for (const FrameBody& body : (*all)[part])
+                bodies.push_back(&body);
+        for (const FrameBody* body : bodies)
+            fillInside(*body, voxels, pool, stop);
         std::vector<float> depths = depthsOf(voxels, VoxelMetric::Euclidean, pool, stop);
-        refine(*all, voxels.grid, k.gap + 2 * edge, depths, pool, stop);
+        refine(bodies, voxels.grid, k.gap + 2 * edge, depths, pool, stop);
         if (stop.stop_requested())
             return nullptr;
         for (float& depth : depths)

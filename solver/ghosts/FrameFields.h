@@ -45,7 +45,8 @@ public:
     };
     struct ContactKey {
         Shape shape;
-        double gap = 0; ///< mm
+        std::vector<int> parts; ///< increasing
+        double gap = 0;         ///< mm
         friend bool operator==(const ContactKey&, const ContactKey&) = default;
     };
 
@@ -53,7 +54,7 @@ public:
     std::shared_ptr<const FrameParts> parts(const Shape& shape);
     /// Null when stopped.
     std::shared_ptr<const ForceField> cushion(const CushionKey& key, WorkerPool& pool, const std::stop_token& stop);
-    /// The way out of the frame, and `gap` further. Null when stopped.
+    /// The way out of these parts, and `gap` further. Null when stopped.
     std::shared_ptr<const ForceField> contact(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop);
 
     /// Of the grid that a cushion needs, without making it.

@@ -52,7 +52,7 @@ struct Claim {
 std::vector<Claim> claims(const FrameParts& parts, const std::vector<Vec3>& places)
 {
     std::vector<Claim> claims(parts.size());
-    if (places.empty())
+    if (places.empty() || parts.empty())
         return claims;
     std::vector<double> sums(parts.size(), 0);
     for (const Vec3& place : places) {

@@ -15,6 +15,8 @@ struct Parts {
     FixationSeam fixation;
     Seam seam;
     Frame frame;
+    Cushion cushion;
+    Foam foam;
 
     Parts()
     {
@@ -33,6 +35,11 @@ struct Parts {
         seam.b = {ElementId{3}, 3, 4};
         frame.name = "Chair";
         frame.file = "chair.obj";
+        cushion.name = "Padding";
+        cushion.frame = ElementId{7};
+        cushion.patches = {ElementId{2}};
+        foam.name = "Wedge";
+        foam.cushion = ElementId{8};
     }
 
     Design design() const
@@ -45,7 +52,9 @@ struct Parts {
                                {ElementId{4}, nullptr, makeElement(rail)},
                                {ElementId{5}, nullptr, makeElement(fixation)},
                                {ElementId{6}, nullptr, makeElement(seam)},
-                               {ElementId{7}, nullptr, makeElement(frame)}}});
+                               {ElementId{7}, nullptr, makeElement(frame)},
+                               {ElementId{8}, nullptr, makeElement(cushion)},
+                               {ElementId{9}, nullptr, makeElement(foam)}}});
     }
 };
 
@@ -223,7 +232,19 @@ INSTANTIATE_TEST_SUITE_P(
              6, "b", "6.25", Severity::Warning},
         Rule{"FrameFile", [](Parts& p) { p.frame.file = "../chair.obj"; }, 7, "file", "folder"},
         Rule{"FramePosition", [](Parts& p) { p.frame.position.z() = nan; }, 7, "position", "NaN"},
-        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"}),
+        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"},
+        Rule{"ContactGap", [](Parts& p) { p.frame.contactGap = -1; }, 7, "contact_gap", "between 0 and 100"},
+        Rule{"CushionFrame", [](Parts& p) { p.cushion.frame = ElementId{2}; }, 8, "frame", "is no frame"},
+        Rule{"CushionPatch", [](Parts& p) { p.cushion.patches.push_back(ElementId{4}); }, 8, "patches[1]",
+             "no patch"},
+        Rule{"CushionVoxel", [](Parts& p) { p.cushion.voxel = 0; }, 8, "voxel_mm", "between 0.5 and 100"},
+        Rule{"CushionDilation", [](Parts& p) { p.cushion.dilation = nan; }, 8, "dilation_mm", "NaN"},
+        Rule{"CushionStrength", [](Parts& p) { p.cushion.strength = -0.1; }, 8, "strength", "-0.1"},
+        Rule{"FoamCushion", [](Parts& p) { p.foam.cushion = ElementId{7}; }, 9, "cushion", "is no cushion"},
+        Rule{"FoamSize", [](Parts& p) { p.foam.size.y() = 0; }, 9, "size", "between 1 and"},
+        Rule{"FoamFile", [](Parts& p) { p.foam.shape = Foam::Shape::Mesh; }, 9, "file", "no file"},
+        Rule{"FoamScale", [](Parts& p) { p.foam.scale = 0; }, 9, "scale", "positive"},
+        Rule{"FoamStrength", [](Parts& p) { p.foam.strength = 11; }, 9, "strength", "11"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
@@ -232,7 +253,7 @@ TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
     Seam again = parts.seam;
     std::swap(again.a, again.b);
     const auto problemsWith = [&](const Seam& seam) {
-        return checkDesign(parts.design().with({{}, {{ElementId{8}, nullptr, makeElement(seam)}}}));
+        return checkDesign(parts.design().with({{}, {{ElementId{10}, nullptr, makeElement(seam)}}}));
     };
     const Problems twice = problemsWith(again);
     ASSERT_EQ(twice.size(), 1U);
@@ -243,7 +264,7 @@ TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
     const Problems crossed = problemsWith(again);
     ASSERT_EQ(crossed.size(), 1U);
     EXPECT_EQ(crossed.front().severity, Severity::Error);
-    EXPECT_EQ(crossed.front().element, ElementId{8});
+    EXPECT_EQ(crossed.front().element, ElementId{10});
 }
 
 TEST(DesignCheck, LetsTwoSeamsShareAStretch)
@@ -345,7 +366,7 @@ TEST(UsablePart, TakesDependantsAlong)
     std::vector<int> gone;
     for (const Problem& problem : leftOut)
         gone.push_back(number(problem.element));
-    EXPECT_EQ(gone, (std::vector<int>{2, 5, 6}));
+    EXPECT_EQ(gone, (std::vector<int>{2, 5, 6, 8, 9}));
     EXPECT_NE(leftOut[1].english().find("needs patch 2 \"Seat\""), std::string::npos) << leftOut[1].english();
     EXPECT_EQ(usable.elements().size(), 4u);
 }
