@@ -44,6 +44,9 @@ public:
     QAction* showLabels;
     QAction* showGround;
     QList<QAction*> themes; ///< data: Theme
+    // Insert
+    QAction* insertCushion;
+    QList<QAction*> insertFoam; ///< data: Foam::Shape
     // Pattern
     QAction* turnLeft;
     QAction* turnRight;
@@ -62,6 +65,7 @@ private:
     void addFile();
     void addEdit();
     void addView();
+    void addInsert();
     void addRest();
 };
 

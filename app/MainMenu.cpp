@@ -29,6 +29,7 @@ public:
         addFile();
         addEdit();
         addView();
+        addInsert();
         addPattern();
         addSurface();
         addWindow();
@@ -81,6 +82,13 @@ private:
                           m_actions.showGround});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
+    }
+
+    void addInsert()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Insert"));
+        menu->addAction(m_actions.insertCushion);
+        menu->addActions(m_actions.insertFoam);
     }
 
     void addPattern()

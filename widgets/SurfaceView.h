@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "DesignFile.h"
+#include "FoamMeshes.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
@@ -117,6 +118,7 @@ private:
     void useSoftware(const QString& note);
     void designChanged(const std::set<bolster::ElementId>& ids);
     void updateFrames();
+    Vec3 middleOf(ElementId id) const override;
     void updateLooks();
     void updateMarks();
     void updateBox();
@@ -142,7 +144,9 @@ private:
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;
-    Box3 m_frameBox; ///< mm
+    Box3 m_frameBox;                   ///< mm
+    std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
+    FoamMeshes m_foamMeshes;
     SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
 

@@ -51,6 +51,29 @@ ElementPtr withFile(const Element& element, std::string file)
         element);
 }
 
+const Placement* elementPlacement(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) -> const Placement* {
+            if constexpr (std::is_base_of_v<Placement, std::decay_t<decltype(value)>>)
+                return &value;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+ElementPtr withPlacement(const Element& element, const Placement& placement)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_base_of_v<Placement, decltype(value)>)
+                static_cast<Placement&>(value) = placement;
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
 std::string elementLabel(ElementId id, const Element& element)
 {
     const bool readable = !std::holds_alternative<Quarantined>(element);

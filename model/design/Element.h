@@ -36,6 +36,10 @@ const std::string& elementName(const Element& element);
 const std::string* elementFile(const Element& element);
 /// The same element with another file; it must be of a kind with one.
 ElementPtr withFile(const Element& element, std::string file);
+/// Where the element stands in space, or null for kinds that stand nowhere.
+const Placement* elementPlacement(const Element& element);
+/// The same element elsewhere; it must be of a kind with a placement.
+ElementPtr withPlacement(const Element& element, const Placement& placement);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);
