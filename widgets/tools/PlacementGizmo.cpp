@@ -240,7 +240,7 @@ std::vector<SurfaceLine> PlacementGizmo::guides() const
         for (const Vec3& p : shape.points)
             line.points.push_back(p.cast<float>());
         line.color =
-            shape.handle.kind == Handle::Kind::Middle ? m_context.colors().accent : axisColor(shape.handle.axis);
+            shape.handle.kind == Handle::Kind::Middle ? QColor(0xf4, 0xf4, 0xf4) : axisColor(shape.handle.axis);
         const bool strong = shape.handle == m_hovered;
         line.width = strong ? 4 : shape.handle.kind == Handle::Kind::Ring ? 1.6F : 2.6F;
         line.hidden = strong ? 1 : 0.65F;

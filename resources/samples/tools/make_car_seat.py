@@ -30,7 +30,7 @@ def main():
     elements = design["elements"]
     frame = next(e["id"] for e in elements if e["kind"] == "frame")
     # The frame lies 26 mm inside the foam.
-    cushion = {"id": max(e["id"] for e in elements) + 1, "kind": "cushion", "name": "Foam", "frame": frame,
+    cushion = {"id": max(e["id"] for e in elements) + 1, "kind": "cushion", "name": "Padding", "frame": frame,
                "dilation_mm": 26}
     for name, more in [("car-seat", []), ("car-seat-cushioned", [cushion])]:
         write(SAMPLES / name / f"{name}.json", elements + more, design["settings"]["edge_length"])

@@ -39,7 +39,7 @@ def trapezoid_cushion(elements, height):
     folder = SAMPLES / "trapezoid-cushion"
     write(folder / "trapezoid-cushion.json", elements + [
         {"id": 8, "kind": "frame", "name": "Cube", "file": "cube.obj"},
-        {"id": 9, "kind": "cushion", "name": "Cube of foam", "frame": 8, "dilation_mm": 20},
+        {"id": 9, "kind": "cushion", "name": "Padding", "frame": 8, "dilation_mm": 20},
     ], 5)
     (folder / "cube.obj").write_text(text, encoding="utf-8", newline="\n")
 
