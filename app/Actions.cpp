@@ -101,6 +101,7 @@ void Actions::addView()
     showGrid = addToggle(tr("&Grid"), QStringLiteral("grid"), true, QKeySequence(Qt::Key_G));
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
     showGround = addToggle(tr("Gr&ound"), {}, true);
+    showField = addToggle(tr("Cus&hioning"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 
     auto* themeGroup = new QActionGroup(this);
     const Theme now = storedTheme();

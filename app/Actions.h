@@ -43,6 +43,7 @@ public:
     QAction* showGrid;
     QAction* showLabels;
     QAction* showGround;
+    QAction* showField;
     QList<QAction*> themes; ///< data: Theme
     // Insert
     QAction* insertCushion;

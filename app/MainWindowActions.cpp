@@ -88,7 +88,7 @@ void MainWindow::connectViewActions()
     connect(m_surface, &SurfaceView::perspectiveChanged, m_actions->perspective, &QAction::setChecked);
     for (QAction* toggle : {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames,
                             m_actions->showPoints, m_actions->showSeams, m_actions->showCurves, m_actions->showGrid,
-                            m_actions->showLabels, m_actions->showGround})
+                            m_actions->showLabels, m_actions->showGround, m_actions->showField})
         connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
     for (QAction* action : m_actions->themes)
         connect(action, &QAction::triggered, this, [action] {
@@ -115,6 +115,10 @@ void MainWindow::applyLayers()
     m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
     m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
     m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
+    if (m_actions->showField->isChecked() != m_surface->layerVisible(Layer::Field)) {
+        m_surface->setLayerVisible(Layer::Field, m_actions->showField->isChecked());
+        m_solver->setFieldShown(m_actions->showField->isChecked());
+    }
 }
 
 /// Commits the edit and selects what it adds; an empty one is a problem.

@@ -9,6 +9,7 @@
 
 namespace bolster {
 
+struct FieldPicture;
 struct SolveReport;
 
 /// The cover in the middle of an iteration, as ghosts see it.
@@ -38,6 +39,8 @@ public:
                           Columns& displacements) const = 0;
     /// Adds what it does to the cover to the report.
     virtual void report(const SheetView&, SolveReport&) const {}
+    /// Adds what can be shown of its forces.
+    virtual void draw(FieldPicture&) const {}
 };
 
 using Ghosts = std::vector<std::unique_ptr<GhostSource>>;

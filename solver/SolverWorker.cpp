@@ -121,6 +121,7 @@ void SolverWorker::begin(Request request)
         publish(m_status.state);
         return;
     }
+    m_field.reset();
     const bool retargeted = light && retargetLive(m_input, plan);
     if (!retargeted && !rebuildLive(m_input, plan == SolvePlan::Resew)) {
         m_input = inputBefore;                      // given up for a newer request, which starts from what there is
@@ -333,10 +334,23 @@ void SolverWorker::publishSurface()
     m_sincePublished.restart();
 }
 
+void SolverWorker::updateField()
+{
+    if (!m_drawsField || !m_live) {
+        m_field.reset();
+    } else if (!m_field) {
+        auto picture = std::make_shared<FieldPicture>();
+        for (const auto& source : m_live->relaxation->ghosts())
+            source->draw(*picture);
+        m_field = std::move(picture);
+    }
+}
+
 void SolverWorker::publish(SolverStatus::State state)
 {
     m_status.state = state;
-    if (m_out.put({m_designRevision, m_opening, m_surface, m_status, m_report}))
+    updateField();
+    if (m_out.put({m_designRevision, m_opening, m_surface, m_status, m_report, m_field}))
         m_wake();
 }
 

@@ -155,6 +155,13 @@ void SurfaceView::setFrames(const FrameMeshes& frames)
     draw(false);
 }
 
+void SurfaceView::setField(FieldPicturePtr field)
+{
+    m_field = std::move(field);
+    updateMarks();
+    draw(m_document.gestureRunning());
+}
+
 void SurfaceView::setDimmed(bool dimmed)
 {
     if (dimmed == m_scene.dimmed)
@@ -257,6 +264,8 @@ void SurfaceView::updateMarks()
     SurfaceMarks(m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
     if (layerVisible(Layer::Frames))
         m_foamMeshes.addLines(m_document.design(), m_selection, m_scene);
+    if (m_field && layerVisible(Layer::Field))
+        addFieldLines(*m_field, m_scene);
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
 }

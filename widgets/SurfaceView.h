@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "DesignFile.h"
+#include "FieldPicture.h"
 #include "FoamMeshes.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
@@ -35,7 +36,7 @@ public:
     using StandardView = Camera::StandardView;
 
     /// What can be shown and hidden.
-    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground };
+    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground, Field };
     Q_ENUM(Layer)
 
     enum class Drawing {
@@ -56,6 +57,8 @@ public:
     SurfaceMeshPtr surface() const { return m_surface; }
     /// The meshes of the design's frames; their placement is taken from the design.
     void setFrames(const FrameMeshes& frames);
+    /// The forces of cushioning; null for none. Shown in their layer.
+    void setField(FieldPicturePtr field);
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
@@ -140,6 +143,7 @@ private:
     std::set<Layer> m_layers;
 
     SurfaceMeshPtr m_surface;
+    FieldPicturePtr m_field;
     FrameMeshes m_frameMeshes;
     SurfaceScene m_scene;
     SurfaceCurves m_curves;

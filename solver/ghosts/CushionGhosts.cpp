@@ -1,5 +1,6 @@
 #include "CushionGhosts.h"
 
+#include "DrawField.h"
 #include "GuessParts.h"
 #include "SolveReport.h"
 
@@ -68,6 +69,23 @@ void CushionGhosts::report(const SheetView& sheet, SolveReport& report) const
         }
     }
     report.cushions.push_back(cushion);
+}
+
+void CushionGhosts::draw(FieldPicture& picture) const
+{
+    const auto place = [this](const std::vector<FieldPicture::Segment>& from,
+                              std::vector<FieldPicture::Segment>& to) {
+        for (const auto& [a, b] : from)
+            to.push_back(
+                {m_frame.placed(a.cast<double>()).cast<float>(), m_frame.placed(b.cast<double>()).cast<float>()});
+    };
+    for (const auto& field : std::set<std::shared_ptr<const ForceField>>(m_fields.begin(), m_fields.end())) {
+        if (!field)
+            continue;
+        const FieldPicture own = drawField(*field);
+        place(own.contours, picture.contours);
+        place(own.arrows, picture.arrows);
+    }
 }
 
 namespace {

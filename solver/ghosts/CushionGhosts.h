@@ -22,6 +22,7 @@ public:
     void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
                   Columns& displacements) const override;
     void report(const SheetView& sheet, SolveReport& report) const override;
+    void draw(FieldPicture& picture) const override;
 
 private:
     Vec3 push(const SheetView& sheet, const SewnMesh::Part& part, int vertex) const;

@@ -54,7 +54,7 @@ ForceField::Push ForceField::at(const Vec3& point, std::span<const double> stren
             (dx ? share.x() : 1 - share.x()) * (dy ? share.y() : 1 - share.y()) * (dz ? share.z() : 1 - share.z());
         const std::size_t i = m_grid.index(cell[0] + dx, cell[1] + dy, cell[2] + dz);
         const Cell& c = m_cells[i];
-        const double strength = strengths[m_owners.empty() ? 0 : m_owners[i]];
+        const double strength = strengths.empty() ? 1 : strengths[m_owners.empty() ? 0 : m_owners[i]];
         push.force += weight * strength * Vec3(c.force[0], c.force[1], c.force[2]);
         push.depth += weight * c.depth;
     }

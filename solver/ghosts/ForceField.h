@@ -23,7 +23,7 @@ public:
         Vec3 force = Vec3::Zero(); ///< f, mm: each voxel's times its owner's strength
         double depth = 0;          ///< way to the surface along f, mm
     };
-    /// Nothing far outside. `strengths` by owner.
+    /// Nothing far outside. `strengths` by owner; none: 1 everywhere.
     Push at(const Vec3& point, std::span<const double> strengths) const;
 
     const VoxelGrid& grid() const { return m_grid; }

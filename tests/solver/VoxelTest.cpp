@@ -1,5 +1,6 @@
 // Frames as voxels, and the field of forces around them.
 #include "DistanceTransform.h"
+#include "DrawField.h"
 #include "ForceField.h"
 #include "FrameBodies.h"
 #include "Voxelise.h"
@@ -259,6 +260,20 @@ TEST(ForceField, FoamIsAddedWithItsOwnStrengthAndCutAway)
     EXPECT_EQ(cut->at({50, 50, 50}, one).depth, 0);
     EXPECT_GT(cut->at({35, 50, 60}, one).force.x(), 0) << "it has walls now";
     EXPECT_LT(cut->insideCount(), added->insideCount());
+}
+
+TEST(DrawField, ShowsTheSurfaceAndTheWayOut)
+{
+    const Box3 block(Vec3(0, 0, 0), Vec3(200, 200, 100));
+    const auto field = fieldOf({{shared(voxelsOf(boxMesh(block), 5)), 20, false}}, VoxelMetric::Euclidean);
+    const FieldPicture picture = drawField(*field);
+    ASSERT_FALSE(picture.contours.empty());
+    for (const auto& segment : picture.contours)
+        for (const Eigen::Vector3f& p : segment)
+            EXPECT_NEAR(block.exteriorDistance(p.cast<double>()), 20, 5) << p.transpose();
+    ASSERT_FALSE(picture.arrows.empty());
+    for (const auto& [from, to] : picture.arrows)
+        EXPECT_GE(block.exteriorDistance(to.cast<double>()), block.exteriorDistance(from.cast<double>()));
 }
 
 TEST(ForceField, StopsWhenAsked)
