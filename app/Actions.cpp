@@ -14,6 +14,7 @@ Actions::Actions(QObject* parent)
     addFile();
     addEdit();
     addView();
+    addInsert();
     addRest();
 }
 
@@ -100,6 +101,7 @@ void Actions::addView()
     showGrid = addToggle(tr("&Grid"), QStringLiteral("grid"), true, QKeySequence(Qt::Key_G));
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
     showGround = addToggle(tr("Gr&ound"), {}, true);
+    showField = addToggle(tr("Cus&hioning"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 
     auto* themeGroup = new QActionGroup(this);
     const Theme now = storedTheme();
@@ -109,6 +111,24 @@ void Actions::addView()
         action->setData(static_cast<int>(theme));
         themeGroup->addAction(action);
         themes.append(action);
+    }
+}
+
+void Actions::addInsert()
+{
+    insertCushion = add(tr("&Cushion"), QStringLiteral("cushion"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    const struct {
+        Foam::Shape shape;
+        QString name;
+        QKeySequence key;
+    } shapes[] = {
+        {Foam::Shape::Box, tr("&Box of foam"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B)},
+        {Foam::Shape::Cylinder, tr("C&ylinder of foam"), {}},
+        {Foam::Shape::Sphere, tr("&Sphere of foam"), {}},
+    };
+    for (const auto& [shape, name, key] : shapes) {
+        insertFoam.append(add(name, QStringLiteral("foam"), key));
+        insertFoam.back()->setData(static_cast<int>(shape));
     }
 }
 

@@ -43,7 +43,11 @@ public:
     QAction* showGrid;
     QAction* showLabels;
     QAction* showGround;
+    QAction* showField;
     QList<QAction*> themes; ///< data: Theme
+    // Insert
+    QAction* insertCushion;
+    QList<QAction*> insertFoam; ///< data: Foam::Shape
     // Pattern
     QAction* drawHandle;
     QAction* drawFancySeam;
@@ -64,6 +68,7 @@ private:
     void addFile();
     void addEdit();
     void addView();
+    void addInsert();
     void addRest();
 };
 

@@ -29,6 +29,7 @@ public:
         addFile();
         addEdit();
         addView();
+        addInsert();
         addPattern();
         addSurface();
         addWindow();
@@ -78,9 +79,16 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
                           m_actions.showSeams, m_actions.showCurves, m_actions.showGrid, m_actions.showLabels,
-                          m_actions.showGround});
+                          m_actions.showGround, m_actions.showField});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
+    }
+
+    void addInsert()
+    {
+        QMenu* menu = m_bar.addMenu(tr("&Insert"));
+        menu->addAction(m_actions.insertCushion);
+        menu->addActions(m_actions.insertFoam);
     }
 
     void addPattern()

@@ -144,6 +144,7 @@ void MainWindow::connectDocument()
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
     });
+    connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
     connect(&m_problems, &ProblemSet::changed, this, [this] {
         m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));

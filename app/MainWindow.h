@@ -67,6 +67,7 @@ private:
     void updateProblems();
     void updateSolverState();
     void applyLayers();
+    void insert(const Edit& edit, const QString& problem);
     void removeSelection();
     void turnSelection(double degrees);
     void showProblem(ElementId element);

@@ -6,6 +6,7 @@
 #include "ElementsView.h"
 #include "FileFlow.h"
 #include "HelpDialogs.h"
+#include "Insert.h"
 #include "PatchEdits.h"
 #include "PatternView.h"
 #include "SelectionEdits.h"
@@ -55,6 +56,20 @@ void MainWindow::connectActions()
     on(m_actions->turnLeft, [this] { turnSelection(90); });
     on(m_actions->turnRight, [this] { turnSelection(-90); });
 
+    on(m_actions->insertCushion, [this] {
+        document().cancelGesture();
+        insert(insertCushion(document().design(), m_selection.elements(), m_session->frames()),
+               tr("Cushioning needs a frame: import one first."));
+    });
+    for (QAction* action : m_actions->insertFoam)
+        on(action, [this, action] {
+            document().cancelGesture();
+            insert(insertFoam(document().design(), m_selection.elements(),
+                              static_cast<Foam::Shape>(action->data().toInt()), m_solver->surface(),
+                              m_session->frames()),
+                   tr("Foam belongs to a cushion: insert one first."));
+        });
+
     on(m_actions->settle, [this] { m_solver->settle(); });
     on(m_actions->pause, [this](bool paused) {
         m_solver->setPaused(paused);
@@ -81,7 +96,7 @@ void MainWindow::connectViewActions()
     connect(m_surface, &SurfaceView::perspectiveChanged, m_actions->perspective, &QAction::setChecked);
     for (QAction* toggle : {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames,
                             m_actions->showPoints, m_actions->showSeams, m_actions->showCurves, m_actions->showGrid,
-                            m_actions->showLabels, m_actions->showGround})
+                            m_actions->showLabels, m_actions->showGround, m_actions->showField})
         connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
     for (QAction* action : m_actions->themes)
         connect(action, &QAction::triggered, this, [action] {
@@ -108,6 +123,21 @@ void MainWindow::applyLayers()
     m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
     m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
     m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
+    if (m_actions->showField->isChecked() != m_surface->layerVisible(Layer::Field)) {
+        m_surface->setLayerVisible(Layer::Field, m_actions->showField->isChecked());
+        m_solver->setFieldShown(m_actions->showField->isChecked());
+    }
+}
+
+/// Commits the edit and selects what it adds; an empty one is a problem.
+void MainWindow::insert(const Edit& edit, const QString& problem)
+{
+    if (edit.empty()) {
+        m_status->flash(problem);
+        return;
+    }
+    document().commit(edit);
+    m_selection.set({edit.changes.front().id});
 }
 
 void MainWindow::removeSelection()

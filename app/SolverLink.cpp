@@ -39,6 +39,12 @@ void SolverLink::setPaused(bool paused)
         send();
 }
 
+void SolverLink::setFieldShown(bool shown)
+{
+    m_thread->drawField(shown);
+    send();
+}
+
 void SolverLink::settle()
 {
     m_thread->settle();
@@ -70,6 +76,10 @@ void SolverLink::receive()
     if (!keep && surface != m_surface) {
         m_surface = std::move(surface);
         emit surfaceChanged(m_surface);
+    }
+    if (output->field != m_field) {
+        m_field = std::move(output->field);
+        emit fieldChanged(m_field);
     }
     emit statusChanged(m_status);
 }

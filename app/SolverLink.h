@@ -31,6 +31,8 @@ public:
     void setFiles(DesignFiles files);
     /// While paused the surface stays as it is; afterwards it catches up.
     void setPaused(bool paused);
+    /// Whether the forces of cushioning are drawn.
+    void setFieldShown(bool shown);
     bool paused() const { return m_paused; }
     void settle();
     /// Another design was opened: its surface has nothing to do with the last one.
@@ -38,6 +40,7 @@ public:
 
 signals:
     void surfaceChanged(const bolster::SurfaceMeshPtr& surface);
+    void fieldChanged(const bolster::FieldPicturePtr& field);
     void statusChanged(const bolster::SolverStatus& status);
 
 private:
@@ -47,6 +50,7 @@ private:
     Document& m_document;
     DesignFiles m_files;
     SurfaceMeshPtr m_surface;
+    FieldPicturePtr m_field;
     SolverStatus m_status;
     SolveReport m_report;
     std::uint64_t m_answered = 0; ///< revision that the newest status answers

@@ -9,6 +9,9 @@
 
 namespace bolster {
 
+struct FieldPicture;
+struct SolveReport;
+
 /// One source of targets t_i: L1 gets the rows gamma A_i / D^2 |p_i - t_i|^2 for all vertices of the parts it acts
 /// on. Its weights are constant, so that targets may move without factoring again; a vertex that it does not want
 /// has its own position as target. A strength scales t_i - p_i, never gamma.
@@ -23,6 +26,10 @@ public:
     /// Writes t_i - p_i (mm; x y z 0) for the vertices begin .. end - 1 of one part. Called on several threads.
     virtual void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
                           Columns& displacements) const = 0;
+    /// Adds what it does to the cover to the report.
+    virtual void report(const SheetView&, SolveReport&) const {}
+    /// Adds what can be shown of its forces.
+    virtual void draw(FieldPicture&) const {}
 };
 
 using Ghosts = std::vector<std::unique_ptr<GhostSource>>;

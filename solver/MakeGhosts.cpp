@@ -1,10 +1,18 @@
 #include "MakeGhosts.h"
 
+#include "CushionGhosts.h"
+
 namespace bolster {
 
-Ghosts makeGhosts(const SolveInput&, const SewnMesh&, GhostCache&, Problems&, const std::stop_token&)
+Ghosts makeGhosts(const SolveInput& input, const SewnMesh& mesh, GhostCache& cache, Problems& problems,
+                  WorkerPool& pool, const std::stop_token& stop)
 {
-    return {};
+    Ghosts ghosts;
+    addCushionGhosts(input, mesh, cache.frames, pool, stop, ghosts, problems);
+    addContactGhosts(input, mesh, cache.frames, pool, stop, ghosts);
+    if (!stop.stop_requested())
+        cache.frames.endRound();
+    return ghosts;
 }
 
 } // namespace bolster

@@ -40,6 +40,8 @@ public:
     double iterateTime() const { return m_iterateTime; }         ///< since the last start, ms
     const Message& reason() const { return m_reason; }           ///< when failed
     SheetState state() const { return m_optimizer.state(); }
+    const Ghosts& ghosts() const { return m_optimizer.ghosts(); }
+    void reportGhosts(SolveReport& report) const { m_optimizer.report(report); }
 
 private:
     bool checkFactors();

@@ -84,9 +84,9 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
 
     WorkerPool pool(options.threads);
     GhostCache ghostCache;
-    Relaxation solve(sheet->mesh, pool, options.tolerance,
-                     makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghostCache, result.warnings, stop),
-                     stop);
+    Relaxation solve(
+        sheet->mesh, pool, options.tolerance,
+        makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghostCache, result.warnings, pool, stop), stop);
     if (stop.stop_requested()) {
         result.status = SolveResult::Status::Cancelled;
         return result;

@@ -140,6 +140,12 @@ SheetState SheetOptimizer::state() const
     return {m_state.positions.topRows<3>(), m_state.frames};
 }
 
+void SheetOptimizer::report(SolveReport& report) const
+{
+    for (const auto& source : m_ghosts)
+        source->report({m_mesh, m_state.positions, m_state.frames}, report);
+}
+
 void SheetOptimizer::restart(SheetState state)
 {
     m_state.positions.setZero(4, state.positions.cols());

@@ -31,6 +31,8 @@ public:
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
     bool replaceGhosts(Ghosts ghosts);
     const Ghosts& ghosts() const { return m_ghosts; }
+    /// What the ghosts do to the cover.
+    void report(SolveReport& report) const;
 
     /// Positions of fixed unknowns are taken from the mesh's targets.
     void restart(SheetState state);

@@ -73,10 +73,35 @@ SolvePlan compare(const FixationSeam& a, const FixationSeam& b)
     return a.orientation == b.orientation ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
 
-SolvePlan compare(const Frame&, const Frame&)
+/// Of frames and foam: their files are another matter.
+SolvePlan compare(const Placement& a, const Placement& b)
 {
-    return SolvePlan::Nothing;
+    return a == b ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
+
+SolvePlan compare(const Frame& a, const Frame& b)
+{
+    if (a.contact != b.contact || (a.contact && a.contactGap != b.contactGap))
+        return SolvePlan::Retarget;
+    return compare(static_cast<const Placement&>(a), static_cast<const Placement&>(b));
+}
+
+SolvePlan compare(const Cushion& a, const Cushion& b)
+{
+    if (!a.enabled && !b.enabled)
+        return SolvePlan::Nothing;
+    Cushion renamed = a;
+    renamed.name = b.name;
+    return renamed == b ? SolvePlan::Nothing : SolvePlan::Retarget;
+}
+
+SolvePlan compare(const Foam& a, const Foam& b)
+{
+    Foam renamed = a;
+    renamed.name = b.name;
+    return renamed == b ? SolvePlan::Nothing : SolvePlan::Retarget;
+}
+
 SolvePlan compare(const Quarantined&, const Quarantined&)
 {
     return SolvePlan::Nothing;
@@ -85,11 +110,15 @@ SolvePlan compare(const Quarantined&, const Quarantined&)
 /// An element that came or went.
 SolvePlan planOf(const Element& element)
 {
-    if (std::holds_alternative<Frame>(element) || std::holds_alternative<Quarantined>(element) ||
-        std::holds_alternative<Fabric>(element) || std::holds_alternative<FixationCurve>(element))
+    if (const auto* frame = std::get_if<Frame>(&element))
+        return frame->contact ? SolvePlan::Retarget : SolvePlan::Nothing;
+    if (std::holds_alternative<Quarantined>(element) || std::holds_alternative<Fabric>(element) ||
+        std::holds_alternative<FixationCurve>(element))
         return SolvePlan::Nothing; // fabrics and curves matter through what uses them
     if (patchCurve(element))
         return SolvePlan::Rebuild; // a new handle begins where the surface is, so nothing is torn
+    if (std::holds_alternative<Cushion>(element) || std::holds_alternative<Foam>(element))
+        return SolvePlan::Retarget;
     return SolvePlan::Resew;
 }
 
@@ -101,14 +130,43 @@ SolvePlan planOf(const Element& before, const Element& after)
                       before);
 }
 
+/// Whether the place and the file of this element act on the cover.
+bool acts(const Design& design, ElementId id)
+{
+    const auto* frame = design.find<Frame>(id);
+    bool acts = design.find<Foam>(id) || (frame && frame->contact);
+    design.each<Cushion>(
+        [&](ElementId, const Cushion& cushion) { acts = acts || (cushion.enabled && cushion.frame == id); });
+    return acts;
+}
+
+bool sameMesh(const DesignFiles& a, const DesignFiles& b, ElementId id)
+{
+    const auto inA = a.meshes.find(id), inB = b.meshes.find(id);
+    return (inA == a.meshes.end() ? nullptr : inA->second) == (inB == b.meshes.end() ? nullptr : inB->second);
+}
+
+/// What the files of frames and foam ask for: they arrive later than their elements.
+SolvePlan planFiles(const SolveInput& before, const SolveInput& after)
+{
+    for (const auto* files : {&before.files, &after.files})
+        for (const auto& [id, mesh] : files->meshes)
+            if (!sameMesh(before.files, after.files, id) && (acts(before.design, id) || acts(after.design, id)))
+                return SolvePlan::Retarget;
+    return SolvePlan::Nothing;
+}
+
 } // namespace
 
 SolvePlan planSolve(const SolveInput& before, const SolveInput& after)
 {
-    SolvePlan plan = SolvePlan::Nothing;
+    SolvePlan plan = planFiles(before, after);
     for (ElementId id : differences(before.design, after.design)) {
         const ElementPtr a = before.design.element(id), b = after.design.element(id);
-        plan = std::max(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
+        const bool idle =
+            std::holds_alternative<Frame>(a ? *a : *b) && !acts(before.design, id) && !acts(after.design, id);
+        if (!idle)
+            plan = std::max(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
     }
     return plan;
 }

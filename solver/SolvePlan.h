@@ -6,10 +6,10 @@
 namespace bolster {
 
 enum class SolvePlan {
-    Nothing,   ///< names, colours, layout, frames: the surface stays
+    Nothing,   ///< names, colours, layout, frames that nothing comes from: the surface stays
     Republish, ///< depth and profile of fancy seams: the solution stays, what is shown of it changes
-    Retarget,  ///< right-hand sides only: fixation curves and targets of handles moved, pressure, Poisson parameter
-    Refactor,  ///< matrix values too: stiffness, bending length
+    Retarget,  ///< right-hand sides only: what is held has moved, pressure, Poisson parameter, cushions
+    Refactor,  ///< matrix values too: stiffness, bending length, continuity
     Rebuild,   ///< outlines, curves in them, edge length: triangulate again, positions and frames are carried over
     Resew      ///< Rebuild, and seams or fixations came or went, so that the surface is torn
 };

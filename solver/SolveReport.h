@@ -4,6 +4,7 @@
 #include "Problem.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace bolster {
 
@@ -44,6 +45,15 @@ struct SolveReport {
     double area = 0;                   ///< mm^2
     double restArea = 0;               ///< mm^2
     std::int64_t flippedTriangles = 0; ///< normal more than 90 degrees from the mean of its frames' normals
+
+    /// Of each cushion and each frame with contact that acts on the cover.
+    struct Cushion {
+        ElementId element{};
+        std::int64_t voxels = 0;   ///< inside of the cushioning, over all sewn components
+        std::int64_t vertices = 0; ///< that are pushed
+        MaxMean push;              ///< of these: the force f, mm
+    };
+    std::vector<Cushion> cushions;
 
     struct Times {
         double triangulate = 0;

@@ -18,6 +18,11 @@ void SolverThread::request(SolveInput input, std::uint64_t designRevision, bool 
     m_worker->request({std::move(input), designRevision, false, m_opening}, passing);
 }
 
+void SolverThread::drawField(bool on)
+{
+    m_worker->drawField(on);
+}
+
 void SolverThread::settle()
 {
     m_worker->request({m_input, m_revision, true, m_opening}, true);

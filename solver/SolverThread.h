@@ -1,6 +1,7 @@
 // A design goes in, surface meshes come out. Latest wins, nobody waits.
 #pragma once
 
+#include "FieldPicture.h"
 #include "SolveInput.h"
 #include "SolveReport.h"
 #include "SurfaceMesh.h"
@@ -38,7 +39,8 @@ struct SolverOutput {
     int opening = 0;                  ///< how often startAnew() had been called then
     SurfaceMeshPtr surface;           ///< null: keep the last one
     SolverStatus status;
-    SolveReport report; ///< of the surface, when it has settled
+    SolveReport report;    ///< of the surface, when it has settled
+    FieldPicturePtr field; ///< the forces that act on it; null: none, or not asked for
 };
 
 class SolverWorker;
@@ -60,6 +62,8 @@ public:
     void request(SolveInput input, std::uint64_t designRevision, bool passing = false);
     /// Makes the resting surface the live one as soon as it is known.
     void settle();
+    /// Whether answers have a picture of the forces, as of the next one.
+    void drawField(bool on);
     /// The newest output, once.
     std::optional<SolverOutput> take();
 

@@ -105,7 +105,9 @@ void SolverWorker::begin(Request request)
         m_status = {};
         m_report = {};
     }
-    const SolvePlan plan = m_live ? planSolve(m_input, request.input) : SolvePlan::Resew;
+    const SolvePlan plan =
+        m_live ? std::max(planSolve(m_input, request.input), std::exchange(m_owed, SolvePlan::Nothing))
+               : SolvePlan::Resew;
     const bool light = plan > SolvePlan::Nothing && plan < SolvePlan::Rebuild;
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
@@ -120,9 +122,12 @@ void SolverWorker::begin(Request request)
         publish(m_status.state);
         return;
     }
+    if (plan != SolvePlan::Republish)
+        m_field.reset();
     const bool retargeted = light && plan != SolvePlan::Republish && retargetLive(m_input, plan);
     if (!retargeted && !rebuildLive(m_input, plan == SolvePlan::Resew)) {
-        m_input = inputBefore; // given up for a newer request, which starts from what there is
+        m_input = inputBefore;                      // given up for a newer request, which starts from what there is
+        m_owed = light ? plan : SolvePlan::Nothing; // and may be half new then
         m_status = statusBefore;
         return;
     }
@@ -157,7 +162,7 @@ bool SolverWorker::republishLive(const Design& design)
     return true;
 }
 
-/// Keeps samples and triangles. False when the change asks for more after all.
+/// Keeps samples and triangles. False when the change asks for more after all, or when it was given up.
 bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
 {
     Problems problems = checkDesign(input.design);
@@ -175,12 +180,15 @@ bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
     updateReliefs(prepared.mesh, usable);
-    if (plan == SolvePlan::Refactor)
-        m_live->relaxation->refactor(ghostsFor(prepared, problems));
-    else
-        m_live->relaxation->retarget(ghostsFor(prepared, problems));
     m_live->canonical = false;
     m_live->stale = true;
+    Ghosts ghosts = ghostsFor(prepared, problems);
+    if (m_preparing.stop_requested())
+        return false; // they are not all there
+    if (plan == SolvePlan::Refactor)
+        m_live->relaxation->refactor(std::move(ghosts));
+    else
+        m_live->relaxation->retarget(std::move(ghosts));
     m_status.problems = std::move(problems);
     return true;
 }
@@ -237,7 +245,8 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const SolveInput& i
 
 Ghosts SolverWorker::ghostsFor(const PreparedSheet& sheet, Problems& problems)
 {
-    return makeGhosts({sheet.design, sheet.files}, sheet.mesh, m_ghostCache, problems, m_preparing.get_token());
+    return makeGhosts({sheet.design, sheet.files}, sheet.mesh, m_ghostCache, problems, m_pool,
+                      m_preparing.get_token());
 }
 
 /// One iteration, and a published surface when somebody could see it.
@@ -345,10 +354,23 @@ void SolverWorker::publishSurface()
     m_sincePublished.restart();
 }
 
+void SolverWorker::updateField()
+{
+    if (!m_drawsField || !m_live) {
+        m_field.reset();
+    } else if (!m_field) {
+        auto picture = std::make_shared<FieldPicture>();
+        for (const auto& source : m_live->relaxation->ghosts())
+            source->draw(*picture);
+        m_field = std::move(picture);
+    }
+}
+
 void SolverWorker::publish(SolverStatus::State state)
 {
     m_status.state = state;
-    if (m_out.put({m_designRevision, m_opening, m_surface, m_status, m_report}))
+    updateField();
+    if (m_out.put({m_designRevision, m_opening, m_surface, m_status, m_report, m_field}))
         m_wake();
 }
 

@@ -9,6 +9,7 @@
 #include "SolverThread.h"
 #include "Stopwatch.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -30,6 +31,8 @@ public:
 
     /// From another thread; `passing` as in SolverThread.
     void request(Request request, bool passing);
+    /// From another thread, as of the next answer.
+    void drawField(bool on) { m_drawsField = on; }
     Mailbox<SolverOutput>& out() { return m_out; }
     /// Until stopped.
     void run(std::stop_token stop);
@@ -59,6 +62,7 @@ private:
     void adoptResting();
     void fail(Message reason);
     void publishSurface();
+    void updateField();
     void publish(SolverStatus::State state);
 
     Mailbox<Request> m_in;
@@ -70,7 +74,8 @@ private:
     WorkerPool m_pool{1}; // the other cores belong to the window
     TriangulationCache m_cache;
     GhostCache m_ghostCache;
-    SolveInput m_input; // as requested, bad elements included
+    SolveInput m_input;                    // as requested, bad elements included
+    SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
     std::uint64_t m_designRevision = 0;
     bool m_settleWanted = false;
     int m_opening = 0;
@@ -79,6 +84,8 @@ private:
     std::unique_ptr<Sheet> m_resting;
     bool m_restingDone = false;
 
+    std::atomic<bool> m_drawsField{false};
+    FieldPicturePtr m_field; // of the live surface; null until it is drawn
     SurfaceMeshPtr m_surface;
     std::uint64_t m_surfaceRevision = 0;
     SolverStatus m_status;

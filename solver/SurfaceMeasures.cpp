@@ -170,6 +170,7 @@ SolveReport reportOn(const PreparedSheet& sheet, const Relaxation& relaxation)
     SolveReport report = measureSurface(sheet, relaxation.state());
     report.iterations = relaxation.iterations();
     report.movement = relaxation.movement();
+    relaxation.reportGhosts(report);
     SolveReport::Times& time = report.time;
     time.triangulate = sheet.triangulateTime;
     time.assemble = sheet.assembleTime;

@@ -39,6 +39,8 @@ constexpr KindTexts kindTexts[] = {
      "handle-curve"},
     {QT_TRANSLATE_NOOP("ElementText", "Fancy seam"), QT_TRANSLATE_NOOP("ElementText", "Fancy seams"), "fancy-seam"},
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
+    {QT_TRANSLATE_NOOP("ElementText", "Cushion"), QT_TRANSLATE_NOOP("ElementText", "Cushions"), "cushion"},
+    {QT_TRANSLATE_NOOP("ElementText", "Foam"), QT_TRANSLATE_NOOP("ElementText", "Foam"), "foam"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
@@ -64,6 +66,8 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const Frame&) const { return ElementKind::Frame; }
         ElementKind operator()(const HandleCurve&) const { return ElementKind::HandleCurve; }
         ElementKind operator()(const FancySeam&) const { return ElementKind::FancySeam; }
+        ElementKind operator()(const Cushion&) const { return ElementKind::Cushion; }
+        ElementKind operator()(const Foam&) const { return ElementKind::Foam; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);

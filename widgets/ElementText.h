@@ -16,6 +16,8 @@ enum class ElementKind {
     HandleCurve,
     FancySeam,
     Frame,
+    Cushion,
+    Foam,
     Fabric,
     Unusable,
     Settings

@@ -2,11 +2,11 @@
 
 #include "ArcLength.h"
 #include "CurveEdits.h"
-#include "FrameAngles.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "OrientationFields.h"
 #include "PatchEdits.h"
+#include "PlacementFields.h"
 #include "ProblemSet.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
@@ -89,6 +89,12 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
         break;
     case ElementKind::Frame:
         addFrame(form, id);
+        break;
+    case ElementKind::Cushion:
+        addCushion(form, id);
+        break;
+    case ElementKind::Foam:
+        addFoam(form, id);
         break;
     case ElementKind::Fabric:
         addFabric(form, id);
@@ -311,21 +317,11 @@ void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
     const InspectorSubject<Frame> frame(m_document, id, form);
     frame.name(tr("Name"));
     frame.info(tr("File"), [](const Design&, const Frame& f) { return QString::fromStdString(f.file); });
-    frame.number(tr("Scale"), {tr(" mm per unit"), 6, 1e-6, 1e6, 0.1}, &Frame::scale,
-                 QT_TRANSLATE_NOOP("Message", "Scale %1"));
-    frame.numbers(
-        tr("Position"), lengthRange, 3, [](Frame& f, int i) -> double& { return f.position[i]; },
-        QT_TRANSLATE_NOOP("Message", "Move %1"));
-    form.addNumbers(
-        tr("Rotation"), angleRange, 3,
-        [frame](int i) { return anglesOf(frame.now().rotation)[static_cast<std::size_t>(i)]; },
-        [frame](int i, double value) {
-            frame.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](Frame& f) {
-                FrameAngles angles = anglesOf(f.rotation);
-                angles[static_cast<std::size_t>(i)] = value;
-                f.rotation = rotationOf(angles);
-            });
-        });
+    addPlacementFields(form, frame, tr(" mm per unit"));
+    frame.check(tr("Keeps the cover outside"), &Frame::contact,
+                QT_TRANSLATE_NOOP("Message", "Change the contact of %1"));
+    frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
+                 QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
     form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFrameFile(id); });
 }
 

@@ -37,6 +37,10 @@ private:
     void addHandleCurve(PropertyForm& form, ElementId id) const;
     void addFancySeam(PropertyForm& form, ElementId id) const;
     void addFrame(PropertyForm& form, ElementId id) const;
+    void addCushion(PropertyForm& form, ElementId id) const;
+    void addFoam(PropertyForm& form, ElementId id) const;
+    void addFrameChoice(PropertyForm& form, ElementId cushion) const;
+    void addCoverChoice(PropertyForm& form, ElementId cushion) const;
     void addUnusable(PropertyForm& form, ElementId id) const;
     /// The coordinates of the only selected control point.
     void addSelectedPoint(PropertyForm& form, ElementId id) const;

@@ -26,7 +26,7 @@ public:
         };
         struct FrameLook {
             std::shared_ptr<const TriangleMesh> mesh;
-            Frame placement;
+            Placement placement;
 
             friend bool operator==(const FrameLook&, const FrameLook&) = default;
         };

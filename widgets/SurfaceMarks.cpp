@@ -50,6 +50,20 @@ QColor fixationCurveColor(const ViewColors& colors)
     return colors.dark ? QColor(0x2f, 0xd6, 0xc3) : QColor(0x12, 0xb5, 0xa5);
 }
 
+void addFieldLines(const FieldPicture& field, SurfaceScene& scene)
+{
+    const QColor section(0xd9, 0x9a, 0x2b), force(0xb3, 0x3f, 0x8f);
+    for (const auto& [from, to] : field.contours)
+        scene.lines.push_back({{from, to}, section, 1, 0.5F});
+    for (const auto& [from, to] : field.arrows) {
+        const Eigen::Vector3f way = to - from;
+        Eigen::Vector3f across = way.cross(Eigen::Vector3f(0.36F, 0.48F, 0.8F)).normalized();
+        across *= 0.12F * way.norm();
+        const Eigen::Vector3f back = to - 0.25F * way;
+        scene.lines.push_back({{from, to, back + across, to, back - across}, force, 1.2F, 0.6F});
+    }
+}
+
 void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const
 {
     scene.lines.clear();

@@ -1,6 +1,7 @@
 // Everything on the cover that is drawn as a line or a dot: seams, borders, curves in space, what is selected.
 #pragma once
 
+#include "FieldPicture.h"
 #include "SurfaceCurves.h"
 #include "SurfaceScene.h"
 
@@ -10,6 +11,9 @@ class Selection;
 
 /// The colour of fixation curves; selected ones take the accent.
 QColor fixationCurveColor(const ViewColors& colors);
+
+/// Adds sections and arrows, seen through the cover.
+void addFieldLines(const FieldPicture& field, SurfaceScene& scene);
 
 /// Fills in the scene's lines and dots.
 class SurfaceMarks {

@@ -59,7 +59,7 @@ struct Obstacles {
     std::vector<Vec3f> points;
     std::vector<SurfaceRays::Triangle> triangles;
 
-    void add(const TriangleMesh& mesh, const Frame& placement)
+    void add(const TriangleMesh& mesh, const Placement& placement)
     {
         const auto first = static_cast<std::uint32_t>(points.size());
         for (const Vec3& p : mesh.points)

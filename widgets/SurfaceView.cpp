@@ -156,6 +156,13 @@ void SurfaceView::setFrames(const FrameMeshes& frames)
     draw(false);
 }
 
+void SurfaceView::setField(FieldPicturePtr field)
+{
+    m_field = std::move(field);
+    updateMarks();
+    draw(m_document.gestureRunning());
+}
+
 void SurfaceView::setDimmed(bool dimmed)
 {
     if (dimmed == m_scene.dimmed)
@@ -204,6 +211,13 @@ void SurfaceView::updateFrames()
             frames.push_back({mesh->second, frame});
             ids.push_back(id);
         });
+    m_foamMeshes.update(m_document.design(), m_frameMeshes);
+    if (layerVisible(Layer::Frames))
+        for (const auto& [id, mesh] : m_foamMeshes.all()) {
+            frames.push_back({mesh, *m_document.design().find<Foam>(id)});
+            ids.push_back(id);
+        }
+    m_frameIds = ids;
     if (frames == m_scene.frames)
         return;
     m_scene.frames = std::move(frames);
@@ -215,6 +229,18 @@ void SurfaceView::updateFrames()
             if (p.allFinite())
                 m_frameBox.extend(p);
     m_occlusionDelay.start();
+}
+
+Vec3 SurfaceView::middleOf(ElementId id) const
+{
+    for (std::size_t i = 0; i < m_frameIds.size(); ++i)
+        if (m_frameIds[i] == id) {
+            const SurfaceScene::FrameLook& look = m_scene.frames[i];
+            return look.placement.placed(look.mesh->boundingBox().center());
+        }
+    const ElementPtr element = m_document.design().element(id);
+    const Placement* placement = element ? elementPlacement(*element) : nullptr;
+    return placement ? placement->position : Vec3(Vec3::Zero());
 }
 
 void SurfaceView::updateLooks()
@@ -237,6 +263,10 @@ void SurfaceView::updateMarks()
 {
     const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves)};
     SurfaceMarks(m_document.design(), m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
+    if (layerVisible(Layer::Frames))
+        m_foamMeshes.addLines(m_document.design(), m_selection, m_scene);
+    if (m_field && layerVisible(Layer::Field))
+        addFieldLines(*m_field, m_scene);
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
 }
@@ -314,6 +344,8 @@ void SurfaceView::apply(const Camera& camera)
 {
     m_camera = camera;
     m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
+    if (!m_tool->guides().empty())
+        updateMarks(); // handles keep their size in the picture
     draw(true);
 }
 

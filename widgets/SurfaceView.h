@@ -3,6 +3,8 @@
 
 #include "Camera.h"
 #include "DesignFile.h"
+#include "FieldPicture.h"
+#include "FoamMeshes.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
@@ -34,7 +36,7 @@ public:
     using StandardView = Camera::StandardView;
 
     /// What can be shown and hidden.
-    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground };
+    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground, Field };
     Q_ENUM(Layer)
 
     enum class Drawing {
@@ -55,6 +57,8 @@ public:
     SurfaceMeshPtr surface() const { return m_surface; }
     /// The meshes of the design's frames; their placement is taken from the design.
     void setFrames(const FrameMeshes& frames);
+    /// The forces of cushioning; null for none. Shown in their layer.
+    void setField(FieldPicturePtr field);
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
@@ -117,6 +121,7 @@ private:
     void useSoftware(const QString& note);
     void designChanged(const std::set<bolster::ElementId>& ids);
     void updateFrames();
+    Vec3 middleOf(ElementId id) const override;
     void updateLooks();
     void updateMarks();
     void updateBox();
@@ -138,11 +143,14 @@ private:
     std::set<Layer> m_layers;
 
     SurfaceMeshPtr m_surface;
+    FieldPicturePtr m_field;
     FrameMeshes m_frameMeshes;
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;
-    Box3 m_frameBox; ///< mm
+    Box3 m_frameBox;                   ///< mm
+    std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
+    FoamMeshes m_foamMeshes;
     SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
 

@@ -51,6 +51,17 @@ Json json(const std::vector<SolveReport::OfElement>& values, const char* key)
     return list;
 }
 
+Json json(const std::vector<SolveReport::Cushion>& cushions)
+{
+    Json list = Json::array();
+    for (const SolveReport::Cushion& cushion : cushions)
+        list.push_back({{"element", number(cushion.element)},
+                        {"voxels", cushion.voxels},
+                        {"vertices", cushion.vertices},
+                        {"push_mm", json(cushion.push)}});
+    return list;
+}
+
 } // namespace
 
 std::string reportJson(const SolveResult& result)
@@ -81,6 +92,7 @@ std::string reportJson(const SolveResult& result)
         {"area_mm2", report.area},
         {"rest_area_mm2", report.restArea},
         {"flipped_triangles", report.flippedTriangles},
+        {"cushions", json(report.cushions)},
         {"time_ms",
          {{"triangulate", report.time.triangulate},
           {"assemble", report.time.assemble},

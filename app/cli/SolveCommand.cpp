@@ -105,7 +105,7 @@ Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
 SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const SolveOptions& options,
                            std::stop_token stop)
 {
-    SolveResult result = solveResting(opened.design, options, std::move(stop));
+    SolveResult result = solveResting({opened.design, {opened.frames, {}}}, options, std::move(stop));
     add(errors, result.errors);
     result.leftOut = leftOut(errors, result.leftOut);
     result.errors = result.surface ? Problems() : errors;
@@ -120,7 +120,7 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
         if (opened.readable && options.lenient)
             result = solveLeniently(opened, errors, options, std::move(stop));
         else if (errors.empty())
-            result = solveResting(opened.design, options, std::move(stop));
+            result = solveResting({opened.design, {opened.frames, {}}}, options, std::move(stop));
         else
             result.errors = errors;
     } catch (const std::bad_alloc&) {

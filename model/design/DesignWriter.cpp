@@ -28,13 +28,19 @@ bool same(double a, double b)
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-template <class Vector>
-std::string list(const Vector& values)
+template <class Values, class ToText>
+std::string listOf(const Values& values, const ToText& toText)
 {
     std::string line;
     for (const auto& value : values)
-        line.append(line.empty() ? "" : ", ").append(text(value));
+        line.append(line.empty() ? "" : ", ").append(toText(value));
     return "[" + line + "]";
+}
+
+template <class Vector>
+std::string list(const Vector& values)
+{
+    return listOf(values, text);
 }
 
 template <class Vector>
@@ -188,6 +194,39 @@ void addFields(Line& line, const Frame& frame)
 {
     line.quoted("name", frame.name).quoted("file", frame.file);
     addPlacement(line, frame);
+    line.unless(false, "contact", frame.contact).unless(0.0, "contact_gap", frame.contactGap);
+}
+
+void addFields(Line& line, const Cushion& cushion)
+{
+    const Cushion normal;
+    line.quoted("name", cushion.name).add("frame", cushion.frame);
+    if (!cushion.parts.empty())
+        line.raw("parts", listOf(cushion.parts, json::quoted));
+    if (!cushion.patches.empty())
+        line.raw("patches", listOf(cushion.patches, [](ElementId id) { return std::to_string(number(id)); }));
+    line.unless(normal.voxel, "voxel_mm", cushion.voxel)
+        .unless(normal.dilation, "dilation_mm", cushion.dilation)
+        .unless(normal.strength, "strength", cushion.strength);
+    if (cushion.distance == Cushion::Distance::Euclidean)
+        line.quoted("distance", "euclidean");
+    line.unless(normal.enabled, "enabled", cushion.enabled);
+}
+
+void addFields(Line& line, const Foam& foam)
+{
+    static constexpr std::array<const char*, 4> shapes = {"box", "cylinder", "sphere", "mesh"};
+    const Foam normal;
+    line.quoted("name", foam.name).add("cushion", foam.cushion);
+    if (foam.shape != Foam::Shape::Box)
+        line.quoted("shape", shapes[static_cast<std::size_t>(foam.shape)]);
+    line.unlessVector(normal.size, "size", foam.size);
+    if (!foam.file.empty())
+        line.quoted("file", foam.file);
+    addPlacement(line, foam);
+    line.unless(normal.dilation, "dilation_mm", foam.dilation)
+        .unless(normal.strength, "strength", foam.strength)
+        .unless(normal.cut, "cut", foam.cut);
 }
 
 void addPatchCurve(Line& line, const PatchCurve& drawn)

@@ -8,8 +8,8 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings",      "fabric", "patch",        "seam",       "fixation_curve",
-        "fixation_seam", "frame",  "handle_curve", "fancy_seam", "unreadable"};
+        "settings", "fabric",       "patch",      "seam",    "fixation_curve", "fixation_seam",
+        "frame",    "handle_curve", "fancy_seam", "cushion", "foam",           "unreadable"};
     return names[element.index()];
 }
 
@@ -30,7 +30,9 @@ const std::string* elementFile(const Element& element)
 {
     return std::visit(
         [](const auto& value) -> const std::string* {
-            if constexpr (requires { value.file; })
+            if constexpr (requires { value.shape; })
+                return value.shape == Foam::Shape::Mesh ? &value.file : nullptr;
+            else if constexpr (requires { value.file; })
                 return &value.file;
             else
                 return nullptr;
@@ -106,6 +108,29 @@ ElementPtr withSpaceCurve(const Element& element, BSpline3 curve)
         [&](auto value) {
             if constexpr (std::is_same_v<decltype(spaceCurveOf(value)), BSpline3*>)
                 *spaceCurveOf(value) = std::move(curve);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
+const Placement* elementPlacement(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) -> const Placement* {
+            if constexpr (std::is_base_of_v<Placement, std::decay_t<decltype(value)>>)
+                return &value;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+ElementPtr withPlacement(const Element& element, const Placement& placement)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_base_of_v<Placement, decltype(value)>)
+                static_cast<Placement&>(value) = placement;
             return makeElement(std::move(value));
         },
         element);

@@ -1,10 +1,12 @@
 // One thing that the user made.
 #pragma once
 
+#include "Cushion.h"
 #include "Fabric.h"
 #include "FancySeam.h"
 #include "FixationCurve.h"
 #include "FixationSeam.h"
+#include "Foam.h"
 #include "Frame.h"
 #include "HandleCurve.h"
 #include "Patch.h"
@@ -19,7 +21,7 @@
 namespace bolster {
 
 using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
-                             FancySeam, Quarantined>;
+                             FancySeam, Cushion, Foam, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>
@@ -32,7 +34,7 @@ ElementPtr makeElement(T value)
 const char* kindName(const Element& element);
 /// The element's own name, or "" for kinds without one.
 const std::string& elementName(const Element& element);
-/// The file that the element refers to, or null for kinds without one.
+/// The file that the element refers to, or null for those without one.
 const std::string* elementFile(const Element& element);
 /// The same element with another file; it must be of a kind with one.
 ElementPtr withFile(const Element& element, std::string file);
@@ -46,6 +48,10 @@ const BSpline3* spaceCurve(const Element& element);
 /// The same element with another one of these curves; it must be of a kind with one.
 ElementPtr withPlaneCurve(const Element& element, BSpline2 curve);
 ElementPtr withSpaceCurve(const Element& element, BSpline3 curve);
+/// Where the element stands in space, or null for kinds that stand nowhere.
+const Placement* elementPlacement(const Element& element);
+/// The same element elsewhere; it must be of a kind with a placement.
+ElementPtr withPlacement(const Element& element, const Placement& placement);
 /// "patch 2 \"Seat\"", as problems name it.
 std::string elementLabel(ElementId id, const Element& element);
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name);

@@ -262,6 +262,8 @@ Frame readFrame(Fields& fields)
     frame.name = fields.text("name");
     frame.file = fields.text("file");
     readPlacement(fields, frame);
+    frame.contact = fields.flag("contact", frame.contact);
+    frame.contactGap = fields.number("contact_gap", frame.contactGap);
     return frame;
 }
 
@@ -289,6 +291,59 @@ FancySeam readFancySeam(Fields& fields)
     seam.depth = fields.number("depth", seam.depth);
     seam.profile = static_cast<Profile>(fields.choice("profile", {"round", "sharp", "welt"}));
     return seam;
+}
+
+std::vector<std::string> partsIn(Fields& fields)
+{
+    std::vector<std::string> parts;
+    eachOptional(fields, "parts", [&](const Value& item, const std::string& field) {
+        if (item.kind() == Kind::String)
+            parts.push_back(item.string());
+        else
+            fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a text in quotation marks")});
+    });
+    refuseEmpty(fields, "parts");
+    return parts;
+}
+
+std::vector<ElementId> patchesIn(Fields& fields)
+{
+    std::vector<ElementId> patches;
+    eachOptional(fields, "patches", [&](const Value& item, const std::string& field) {
+        patches.push_back(ElementId{integerIn(item, field, fields.report(), 1, largestElementId)});
+    });
+    refuseEmpty(fields, "patches");
+    return patches;
+}
+
+Cushion readCushion(Fields& fields)
+{
+    Cushion cushion;
+    cushion.name = fields.text("name");
+    cushion.frame = fields.id("frame");
+    cushion.parts = partsIn(fields);
+    cushion.patches = patchesIn(fields);
+    cushion.voxel = fields.number("voxel_mm", cushion.voxel);
+    cushion.dilation = fields.number("dilation_mm", cushion.dilation);
+    cushion.strength = fields.number("strength", cushion.strength);
+    cushion.distance = static_cast<Cushion::Distance>(fields.choice("distance", {"city-block", "euclidean"}));
+    cushion.enabled = fields.flag("enabled", cushion.enabled);
+    return cushion;
+}
+
+Foam readFoam(Fields& fields)
+{
+    Foam foam;
+    foam.name = fields.text("name");
+    foam.cushion = fields.id("cushion");
+    foam.shape = static_cast<Foam::Shape>(fields.choice("shape", {"box", "cylinder", "sphere", "mesh"}));
+    foam.size = fields.vector<3>("size", foam.size);
+    foam.file = fields.text("file", foam.file);
+    readPlacement(fields, foam);
+    foam.dilation = fields.number("dilation_mm", foam.dilation);
+    foam.strength = fields.number("strength", foam.strength);
+    foam.cut = fields.flag("cut", foam.cut);
+    return foam;
 }
 
 template <class T>
@@ -369,10 +424,14 @@ ElementPtr readElement(const Value& object, Report& report)
         return finished(readHandleCurve(fields), fields);
     if (kind == "fancy_seam")
         return finished(readFancySeam(fields), fields);
+    if (kind == "cushion")
+        return finished(readCushion(fields), fields);
+    if (kind == "foam")
+        return finished(readFoam(fields), fields);
     if (fields.has("kind") && fields.report().clean())
         report.add("kind", {QT_TRANSLATE_NOOP("Message", "the kind %1 is unknown; there are fabric, patch, seam, "
-                                                         "fixation_curve, fixation_seam, frame, handle_curve and "
-                                                         "fancy_seam"),
+                                                         "fixation_curve, fixation_seam, frame, handle_curve, "
+                                                         "fancy_seam, cushion and foam"),
                             {quoted(kind)}});
     return nullptr;
 }

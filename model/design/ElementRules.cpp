@@ -21,6 +21,9 @@ constexpr double shortestDirection = 1e-6;
 constexpr double mostNormalWeight = 100;
 constexpr double leastFancySize = 0.1; // mm: of a fancy seam
 constexpr double mostFancySize = 1000;
+constexpr double mostDilation = 1000;  // mm
+constexpr double mostContactGap = 100; // mm
+constexpr double mostStrength = 10;
 
 bool isColor(const std::string& text)
 {
@@ -75,6 +78,21 @@ bool ElementRules::inRange(std::string field, double value, double low, double h
     error(std::move(field), {QT_TRANSLATE_NOOP("Message", "is %1, but must lie between %2 and %3"),
                              {text, numberText(low), numberText(high)}});
     return false;
+}
+
+void ElementRules::placement(const Placement& placement)
+{
+    if (!(placement.scale > 0 && placement.scale <= largestNumber))
+        error("scale",
+              {QT_TRANSLATE_NOOP("Message", "is %1, but must be positive: millimetres per unit of the file"),
+               {numberText(placement.scale)}});
+    for (const double value : placement.position)
+        if (!inRange("position", value, -largestNumber, largestNumber))
+            break;
+    if (!(std::abs(placement.rotation.norm() - 1) <= 1e-6))
+        error("rotation",
+              {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
+               {numberText(placement.rotation.norm())}});
 }
 
 template <class T>
@@ -359,17 +377,33 @@ void ElementRules::rules(const Frame& frame)
 {
     if (auto problem = elementFileProblem(frame.file))
         error("file", std::move(*problem));
-    if (!(frame.scale > 0 && frame.scale <= largestNumber))
-        error("scale",
-              {QT_TRANSLATE_NOOP("Message", "is %1, but must be positive: millimetres per unit of the file"),
-               {numberText(frame.scale)}});
-    for (const double value : frame.position)
-        if (!inRange("position", value, -largestNumber, largestNumber))
-            break;
-    if (!(std::abs(frame.rotation.norm() - 1) <= 1e-6))
-        error("rotation",
-              {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
-               {numberText(frame.rotation.norm())}});
+    placement(frame);
+    inRange("contact_gap", frame.contactGap, 0, mostContactGap);
+}
+
+void ElementRules::rules(const Cushion& cushion)
+{
+    reference<Frame>("frame", cushion.frame);
+    for (std::size_t i = 0; i < cushion.patches.size(); ++i)
+        reference<Patch>("patches[" + std::to_string(i) + "]", cushion.patches[i]);
+    inRange("voxel_mm", cushion.voxel, 0.5, 100);
+    inRange("dilation_mm", cushion.dilation, 0, mostDilation);
+    inRange("strength", cushion.strength, 0, mostStrength);
+}
+
+void ElementRules::rules(const Foam& foam)
+{
+    reference<Cushion>("cushion", foam.cushion);
+    if (foam.shape != Foam::Shape::Mesh) {
+        for (const double value : foam.size)
+            if (!inRange("size", value, 1, largestNumber))
+                break;
+    } else if (auto problem = elementFileProblem(foam.file)) {
+        error("file", std::move(*problem));
+    }
+    placement(foam);
+    inRange("dilation_mm", foam.dilation, 0, mostDilation);
+    inRange("strength", foam.strength, 0, mostStrength);
 }
 
 void ElementRules::drawnIn(const PatchCurve& drawn)

@@ -28,12 +28,15 @@ private:
     void rules(const Frame& frame);
     void rules(const HandleCurve& handle);
     void rules(const FancySeam& seam);
+    void rules(const Cushion& cushion);
+    void rules(const Foam& foam);
     void rules(const Quarantined& quarantined);
 
     void error(std::string field, Message message);
     void warn(std::string field, Message message);
     /// Reports a number outside [low, high], NaN too; says whether it is inside.
     bool inRange(std::string field, double value, double low, double high);
+    void placement(const Placement& placement);
     template <class T>
     const T* reference(std::string field, ElementId id);
     /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.

@@ -11,7 +11,9 @@ namespace bolster {
 
 struct Frame : Placement {
     std::string name;
-    std::string file; ///< relative to the design's folder, never outside it
+    std::string file;      ///< relative to the design's folder, never outside it
+    bool contact = false;  ///< keeps the cover from passing through
+    double contactGap = 0; ///< mm that the cover keeps away then
 
     friend bool operator==(const Frame&, const Frame&) = default;
 };

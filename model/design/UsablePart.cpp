@@ -31,6 +31,15 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
     }
     if (const PatchCurve* drawn = patchCurve(element); drawn && !design.find<Patch>(drawn->patch))
         return drawn->patch;
+    if (const auto* cushion = std::get_if<Cushion>(&element)) {
+        if (!design.find<Frame>(cushion->frame))
+            return cushion->frame;
+        for (const ElementId patch : cushion->patches)
+            if (!design.find<Patch>(patch))
+                return patch;
+    }
+    if (const auto* foam = std::get_if<Foam>(&element); foam && !design.find<Cushion>(foam->cushion))
+        return foam->cushion;
     return std::nullopt;
 }
 

@@ -2,6 +2,8 @@
 
 #include "EditHelpers.h"
 
+#include <algorithm>
+
 namespace bolster::edits {
 
 namespace {
@@ -18,6 +20,8 @@ Message addVerb(const Element& element)
         QT_TRANSLATE_NOOP("Message", "Add frame %1"),
         QT_TRANSLATE_NOOP("Message", "Add handle curve %1"),
         QT_TRANSLATE_NOOP("Message", "Add fancy seam %1"),
+        QT_TRANSLATE_NOOP("Message", "Add cushion %1"),
+        QT_TRANSLATE_NOOP("Message", "Add foam %1"),
         QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
     };
     return {keys[element.index()], {elementName(element)}};
@@ -29,8 +33,28 @@ bool refersTo(const Element& element, const std::set<ElementId>& ids)
         return ids.contains(seam->a.patch) || ids.contains(seam->b.patch);
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return ids.contains(fixation->stretch.patch) || ids.contains(fixation->curve);
-    const PatchCurve* drawn = patchCurve(element);
-    return drawn && ids.contains(drawn->patch);
+    if (const PatchCurve* drawn = patchCurve(element))
+        return ids.contains(drawn->patch);
+    if (const auto* cushion = std::get_if<Cushion>(&element)) {
+        const auto& patches = cushion->patches;
+        const auto isRemoved = [&](ElementId patch) { return ids.contains(patch); };
+        return ids.contains(cushion->frame) ||
+               (!patches.empty() && std::all_of(patches.begin(), patches.end(), isRemoved));
+    }
+    if (const auto* foam = std::get_if<Foam>(&element))
+        return ids.contains(foam->cushion);
+    return false;
+}
+
+/// What is left of an element when it does without the removed ones; null if it does not refer to them.
+ElementPtr without(const Element& element, const std::set<ElementId>& removed)
+{
+    const auto* cushion = std::get_if<Cushion>(&element);
+    if (!cushion)
+        return nullptr;
+    Cushion rest = *cushion;
+    std::erase_if(rest.patches, [&](ElementId patch) { return removed.contains(patch); });
+    return rest == *cushion ? nullptr : makeElement(std::move(rest));
 }
 
 /// Names what goes along: seams and fixations that need the removed elements.
@@ -96,10 +120,20 @@ Edit removeElements(const Design& design, std::span<const ElementId> ids)
     if (removed.empty())
         return {};
 
+    std::set<ElementId> gone = removed;
+    for (std::size_t before = 0; before != gone.size();) { // a frame takes its cushions along, and they their foam
+        before = gone.size();
+        for (const auto& [id, element] : design.elements())
+            if (refersTo(*element, gone))
+                gone.insert(id);
+    }
     Edit edit;
-    for (const auto& [id, element] : design.elements())
-        if (removed.contains(id) || refersTo(*element, removed))
+    for (const auto& [id, element] : design.elements()) {
+        if (gone.contains(id))
             edit.changes.push_back({id, element, nullptr});
+        else if (ElementPtr rest = without(*element, gone))
+            edit.changes.push_back({id, element, std::move(rest)});
+    }
     edit.verb = removeVerb(design, removed, edit.changes.size());
     return edit;
 }

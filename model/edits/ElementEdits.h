@@ -12,8 +12,8 @@ Edit addElement(const Design& design, ElementPtr element);
 /// Replaces an element; empty when the content is the same.
 Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb);
 Edit renameElement(const Design& design, ElementId id, const std::string& name);
-/// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve). Patches of
-/// a removed fabric are kept: fabrics in use are not removed.
+/// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve, cushions of a
+/// frame and their foam). Patches of a removed fabric are kept: fabrics in use are not removed.
 Edit removeElements(const Design& design, std::span<const ElementId> ids);
 Edit changeSettings(const Design& design, const Settings& settings);
 

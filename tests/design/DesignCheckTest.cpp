@@ -17,6 +17,8 @@ struct Parts {
     Frame frame;
     HandleCurve handle;
     FancySeam fancy;
+    Cushion cushion;
+    Foam foam;
 
     Parts()
     {
@@ -42,6 +44,11 @@ struct Parts {
         fancy.name = "Pipe";
         fancy.patch = ElementId{2};
         fancy.curve = BSpline2(1, false, {{250, 0}, {250, 200}});
+        cushion.name = "Padding";
+        cushion.frame = ElementId{7};
+        cushion.patches = {ElementId{2}};
+        foam.name = "Wedge";
+        foam.cushion = ElementId{10};
     }
 
     Design design() const
@@ -56,7 +63,9 @@ struct Parts {
                                {ElementId{6}, nullptr, makeElement(seam)},
                                {ElementId{7}, nullptr, makeElement(frame)},
                                {ElementId{8}, nullptr, makeElement(handle)},
-                               {ElementId{9}, nullptr, makeElement(fancy)}}});
+                               {ElementId{9}, nullptr, makeElement(fancy)},
+                               {ElementId{10}, nullptr, makeElement(cushion)},
+                               {ElementId{11}, nullptr, makeElement(foam)}}});
     }
 };
 
@@ -262,7 +271,19 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FancyPatch", [](Parts& p) { p.fancy.patch = ElementId{99}; }, 9, "patch", "name a patch"},
         Rule{"FancyWidth", [](Parts& p) { p.fancy.width = 0; }, 9, "width", "between 0.1 and 1000"},
         Rule{"FancyDepth", [](Parts& p) { p.fancy.depth = nan; }, 9, "depth", "NaN"},
-        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"}),
+        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"},
+        Rule{"ContactGap", [](Parts& p) { p.frame.contactGap = -1; }, 7, "contact_gap", "between 0 and 100"},
+        Rule{"CushionFrame", [](Parts& p) { p.cushion.frame = ElementId{2}; }, 10, "frame", "is no frame"},
+        Rule{"CushionPatch", [](Parts& p) { p.cushion.patches.push_back(ElementId{4}); }, 10, "patches[1]",
+             "no patch"},
+        Rule{"CushionVoxel", [](Parts& p) { p.cushion.voxel = 0; }, 10, "voxel_mm", "between 0.5 and 100"},
+        Rule{"CushionDilation", [](Parts& p) { p.cushion.dilation = nan; }, 10, "dilation_mm", "NaN"},
+        Rule{"CushionStrength", [](Parts& p) { p.cushion.strength = -0.1; }, 10, "strength", "-0.1"},
+        Rule{"FoamCushion", [](Parts& p) { p.foam.cushion = ElementId{7}; }, 11, "cushion", "is no cushion"},
+        Rule{"FoamSize", [](Parts& p) { p.foam.size.y() = 0; }, 11, "size", "between 1 and"},
+        Rule{"FoamFile", [](Parts& p) { p.foam.shape = Foam::Shape::Mesh; }, 11, "file", "no file"},
+        Rule{"FoamScale", [](Parts& p) { p.foam.scale = 0; }, 11, "scale", "positive"},
+        Rule{"FoamStrength", [](Parts& p) { p.foam.strength = 11; }, 11, "strength", "11"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
@@ -271,7 +292,7 @@ TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
     Seam again = parts.seam;
     std::swap(again.a, again.b);
     const auto problemsWith = [&](const Seam& seam) {
-        return checkDesign(parts.design().with({{}, {{ElementId{8}, nullptr, makeElement(seam)}}}));
+        return checkDesign(parts.design().with({{}, {{ElementId{10}, nullptr, makeElement(seam)}}}));
     };
     const Problems twice = problemsWith(again);
     ASSERT_EQ(twice.size(), 1U);
@@ -282,7 +303,7 @@ TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
     const Problems crossed = problemsWith(again);
     ASSERT_EQ(crossed.size(), 1U);
     EXPECT_EQ(crossed.front().severity, Severity::Error);
-    EXPECT_EQ(crossed.front().element, ElementId{8});
+    EXPECT_EQ(crossed.front().element, ElementId{10});
 }
 
 TEST(DesignCheck, LetsTwoSeamsShareAStretch)

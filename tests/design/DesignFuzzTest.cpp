@@ -67,11 +67,13 @@ TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
       {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 3, "curve": 3, "curve_from": 0.5, "curve_to": 2},
       {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 4}, "b": {"patch": 2, "from": 5, "to": 0},
        "continuity": "G1", "reversed": false},
-      {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0]},
+      {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0], "contact": true},
       {"id": 8, "kind": "handle_curve", "name": "H", "patch": 2, "match": "parameter", "curve": {"degree": 1,
        "closed": false, "points": [[20,20],[60,20]]}, "target": {"degree": 1, "closed": false, "points": [[20,20,9],[60,20,9]]}},
       {"id": 9, "kind": "fancy_seam", "name": "S", "patch": 2, "width": 8, "depth": -2, "profile": "welt",
-       "curve": {"degree": 1, "closed": false, "points": [[20,40],[60,40]]}}]})")
+       "curve": {"degree": 1, "closed": false, "points": [[20,40],[60,40]]}},
+      {"id": 10, "kind": "cushion", "name": "C", "frame": 7, "parts": ["A"], "patches": [2], "voxel_mm": 4},
+      {"id": 11, "kind": "foam", "name": "W", "cushion": 10, "shape": "sphere", "size": [1, 2, 3], "cut": true}]})")
                                               .design);
     const std::string large = test::designText("car-seat-tied");
     int readable = 0;

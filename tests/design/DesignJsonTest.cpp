@@ -95,7 +95,21 @@ TEST(DesignJson, FillsInDefaults)
     const Design design = test::soundDesign(
         wholeText(fabricText + R"(, {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 3},
         {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 6, "from": 3, "to": 4}},
-        {"id": 7, "kind": "frame", "name": "F", "file": "f.obj"})"));
+        {"id": 7, "kind": "frame", "name": "F", "file": "f.obj"}, {"id": 8, "kind": "cushion", "name": "C", "frame": 7},
+        {"id": 9, "kind": "foam", "name": "W", "cushion": 8})"));
+    EXPECT_FALSE(design.find<Frame>(ElementId{7})->contact);
+    Cushion cushion;
+    cushion.name = "C";
+    cushion.frame = ElementId{7};
+    EXPECT_EQ(*design.find<Cushion>(ElementId{8}), cushion);
+    EXPECT_EQ(cushion.voxel, 5);
+    EXPECT_EQ(cushion.dilation, 30);
+    EXPECT_EQ(cushion.strength, 1);
+    EXPECT_TRUE(cushion.enabled);
+    Foam foam;
+    foam.name = "W";
+    foam.cushion = ElementId{8};
+    EXPECT_EQ(*design.find<Foam>(ElementId{9}), foam);
     const Fabric& fabric = *design.find<Fabric>(ElementId{1});
     EXPECT_EQ(fabric.poisson, 0.3);
     EXPECT_EQ(fabric.stiffness, 1);
@@ -138,12 +152,36 @@ Design unusualDesign()
                        BSpline3(1, false, {{0, 0, 0}, {1, 0, -0.0}}),
                        Match::Parameter};
     FancySeam fancy{{"S", ElementId{2}, BSpline2(3, true, {{0, 0}, {1, 2}, {3, 4}})}, 0.1, -7, Profile::Welt};
+    frame.contact = true;
+    frame.contactGap = 0.1;
+    const Cushion cushion{"Foam",
+                          ElementId{6},
+                          {"Seat; \"upper\"", "Back"},
+                          {ElementId{2}, ElementId{3}},
+                          0.7,
+                          12.3,
+                          0.1 + 0.2,
+                          Cushion::Distance::Euclidean,
+                          false};
+    Foam foam;
+    foam.name = "Wedge";
+    foam.scale = 25.4;
+    foam.position = Vec3(1, 2, 3);
+    foam.rotation = Quat(0, 1, 0, 0);
+    foam.cushion = ElementId{7};
+    foam.shape = Foam::Shape::Mesh;
+    foam.size = Vec3(1, 2, 3.3);
+    foam.file = "wedge.stl";
+    foam.dilation = 5;
+    foam.strength = 0.5;
+    foam.cut = true;
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
                                               makeElement(frame),    makeElement(handle),   makeElement(fancy),
-                                              makeElement(curve),    makeElement(leaning)};
+                                              makeElement(curve),    makeElement(leaning),  makeElement(cushion),
+                                              makeElement(foam)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});
@@ -435,7 +473,21 @@ INSTANTIATE_TEST_SUITE_P(
                    "frame 7 \"F\"", "rotation", "1.414"},
         BadElement{"Rotation", R"({"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [1, 0, 0]})",
                    "frame 7 \"F\"", "rotation", "4 numbers"},
-        BadElement{"NoFile", R"({"id": 7, "kind": "frame", "name": "F"})", "frame 7 \"F\"", "file", "missing"}),
+        BadElement{"NoFile", R"({"id": 7, "kind": "frame", "name": "F"})", "frame 7 \"F\"", "file", "missing"},
+        BadElement{"NoFrame", R"({"id": 7, "kind": "cushion", "name": "C"})", "cushion 7 \"C\"", "frame",
+                   "missing"},
+        BadElement{"Parts", R"({"id": 7, "kind": "cushion", "name": "C", "frame": 6, "parts": ["Seat", 3]})",
+                   "cushion 7 \"C\"", "parts[1]", "text"},
+        BadElement{"NoParts", R"({"id": 7, "kind": "cushion", "name": "C", "frame": 6, "parts": []})",
+                   "cushion 7 \"C\"", "parts", "leave it out"},
+        BadElement{"Patches", R"({"id": 7, "kind": "cushion", "name": "C", "frame": 6, "patches": [0]})",
+                   "cushion 7 \"C\"", "patches[0]", "1"},
+        BadElement{"Distance", R"({"id": 7, "kind": "cushion", "name": "C", "frame": 6, "distance": "far"})",
+                   "cushion 7 \"C\"", "distance", "\"city-block\", \"euclidean\""},
+        BadElement{"Shape", R"({"id": 7, "kind": "foam", "name": "W", "cushion": 6, "shape": "cone"})",
+                   "foam 7 \"W\"", "shape", "\"box\", \"cylinder\", \"sphere\", \"mesh\""},
+        BadElement{"Size", R"({"id": 7, "kind": "foam", "name": "W", "cushion": 6, "size": [1, 2]})",
+                   "foam 7 \"W\"", "size", "3 numbers"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignJson, ReportsEveryProblemAndReadsTheRest)

@@ -164,6 +164,32 @@ TEST_F(Edits, RemovesWhatRefersToTheRemoved)
     EXPECT_EQ(removeElements(design, std::vector{seat}).verb.english(), "Remove Seat and 2 seams and fixations");
 }
 
+TEST_F(Edits, RemovesCushionsWithTheirFrameAndFoamWithItsCushion)
+{
+    Frame frame;
+    frame.name = "Chair";
+    const ElementId chair = design.nextId();
+    Design padded = design.with(addElement(design, makeElement(frame)));
+    Cushion cushion;
+    cushion.frame = chair;
+    cushion.patches = {seat, side};
+    const ElementId padding = padded.nextId();
+    padded = padded.with(addElement(padded, makeElement(cushion)));
+    Foam foam;
+    foam.cushion = padding;
+    const ElementId wedge = padded.nextId();
+    padded = padded.with(addElement(padded, makeElement(foam)));
+
+    const Design bare = padded.with(removeElements(padded, std::vector{chair}));
+    EXPECT_FALSE(bare.element(padding));
+    EXPECT_FALSE(bare.element(wedge));
+    const Design narrower = padded.with(removeElements(padded, std::vector{side}));
+    ASSERT_TRUE(narrower.find<Cushion>(padding));
+    EXPECT_EQ(narrower.find<Cushion>(padding)->patches, std::vector{seat});
+    const Design none = padded.with(removeElements(padded, std::vector{side, seat}));
+    EXPECT_FALSE(none.element(padding)) << "it would push everything else";
+}
+
 // Any edit at all, valid or not.
 Edit randomEdit(test::Random& random, const Design& design)
 {

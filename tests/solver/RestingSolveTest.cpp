@@ -27,7 +27,8 @@ TEST_P(Samples, AreSewnFixedAndUnflipped)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Samples,
-                         testing::Values("trapezoid", "cylinder", "box-cushion", "pillow", "armchair", "car-seat"),
+                         testing::Values("trapezoid", "cylinder", "box-cushion", "pillow", "armchair", "car-seat",
+                                         "car-seat-cushioned", "trapezoid-cushion"),
                          [](const auto& chosen) {
                              std::string name = chosen.param;
                              std::replace(name.begin(), name.end(), '-', '_');

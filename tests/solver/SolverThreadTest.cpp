@@ -1,4 +1,5 @@
 #include "TestDesigns.h"
+#include "TestMeshes.h"
 
 #include "CurveEdits.h"
 #include "PatchEdits.h"
@@ -25,6 +26,8 @@ using State = SolverStatus::State;
 class Listener {
 public:
     void request(const Design& design, std::uint64_t revision) { m_solver.request(design, revision); }
+    void request(const SolveInput& input, std::uint64_t revision) { m_solver.request(input, revision); }
+    void drawField(bool on) { m_solver.drawField(on); }
     void settle() { m_solver.settle(); }
 
     /// Outputs until one satisfies the condition; nothing if that takes longer than a minute.
@@ -407,6 +410,56 @@ TEST(StateTransfer, KeepsTheSurfaceWhenCurvesAreDrawnInIt)
     const auto after = prepareSheet(grooved, cache);
     const SheetState carried = transferState(before->mesh, relaxation.state(), after->mesh);
     EXPECT_LT(surfaceDistance(after->mesh, carried, before->mesh, relaxation.state()), 0.5);
+}
+
+TEST(SolverThread, FollowsCushioningAndDrawsItsForces)
+{
+    SolveInput input{box(200, 80, 16, 8, 0)};
+    Frame frame;
+    frame.file = "frame.obj";
+    const ElementId frameId = input.design.nextId();
+    input.design = input.design.with({{}, {{frameId, nullptr, makeElement(frame)}}});
+    Cushion cushion;
+    cushion.frame = frameId;
+    cushion.dilation = 40;
+    const ElementId id = input.design.nextId();
+    input.design = input.design.with({{}, {{id, nullptr, makeElement(cushion)}}});
+    const auto settled = [](std::uint64_t revision) {
+        return [revision](const SolverOutput& output) {
+            return output.designRevision == revision && output.status.state == State::Settled &&
+                   output.status.resting;
+        };
+    };
+    Listener listener;
+    listener.request(input, 1);
+    const auto bare = listener.waitFor(settled(1));
+    ASSERT_TRUE(bare);
+    EXPECT_TRUE(bare->report.cushions.empty()) << "its file is still being read";
+    EXPECT_FALSE(bare->field);
+
+    input.files.meshes[frameId] =
+        std::make_shared<const TriangleMesh>(boxMesh(Box3(Vec3(20, 20, 0), Vec3(180, 180, 70))));
+    listener.drawField(true);
+    listener.request(input, 2);
+    listener.settle();
+    const auto padded = listener.waitFor(settled(2));
+    ASSERT_TRUE(padded);
+    EXPECT_EQ(padded->report.cushions.size(), 1u);
+    EXPECT_GT(padded->surface->boundingBox().max().z(), bare->surface->boundingBox().max().z() + 2);
+    ASSERT_TRUE(padded->field);
+    EXPECT_FALSE(padded->field->contours.empty());
+    EXPECT_FALSE(padded->field->arrows.empty());
+    const SolveResult resting = solveResting(input, {});
+    EXPECT_EQ(padded->surface->positions, resting.surface->positions)
+        << "the resting surface is the command line's";
+
+    cushion.strength = 0;
+    input.design = input.design.with({{}, {{id, nullptr, makeElement(cushion)}}});
+    listener.request(input, 3);
+    listener.settle();
+    const auto without = listener.waitFor(settled(3));
+    ASSERT_TRUE(without);
+    EXPECT_EQ(without->surface->positions, bare->surface->positions);
 }
 
 } // namespace

@@ -366,6 +366,108 @@ TEST_F(SurfaceViewTest, WhatCannotBeRemovedIsReported)
     EXPECT_FALSE(problems[0][0].toString().isEmpty());
 }
 
+/// A box of foam beside the cover, selected, with handles around it.
+class SurfaceViewGizmo : public SurfaceViewTest {
+protected:
+    SurfaceViewGizmo()
+    {
+        Cushion cushion;
+        Foam foam;
+        foam.name = "Block";
+        foam.cushion = ElementId{20};
+        foam.position = Vec3(200, 100, 0);
+        document.reset(twoSquares().with(
+            {{}, {{ElementId{20}, nullptr, makeElement(cushion)}, {foamId, nullptr, makeElement(foam)}}}));
+        lookFromAbove();
+        selection.set({foamId});
+    }
+
+    Foam foam() const { return *document.design().find<Foam>(foamId); }
+    /// A place on the handle, by pixels along an axis.
+    QPointF onArrow(int axis, double pixels) const
+    {
+        const Vec3 at = foam().position;
+        return pixel(at + pixels * view.camera().pixelSize(at) * Vec3::Unit(axis));
+    }
+
+    const ElementId foamId{21};
+};
+
+TEST_F(SurfaceViewGizmo, ArrowsMoveAlongTheirAxis)
+{
+    mouse.drag(onArrow(0, 60), onArrow(0, 60) + (pixel(Vec3(237, 100, 0)) - pixel(Vec3(200, 100, 0))));
+    EXPECT_NEAR(foam().position.x(), 237, 1);
+    EXPECT_EQ(foam().position.tail<2>(), Vec2(100, 0));
+    EXPECT_EQ(document.history().node(document.history().current()).edit.verb.english(), "Move Block");
+    document.undo();
+    EXPECT_EQ(foam().position, Vec3(200, 100, 0)) << "the whole drag is one edit";
+}
+
+TEST_F(SurfaceViewGizmo, ControlSnaps)
+{
+    mouse.drag(onArrow(1, 60), onArrow(1, 60) + (pixel(Vec3(200, 127, 0)) - pixel(Vec3(200, 100, 0))),
+               Qt::LeftButton, Qt::ControlModifier);
+    EXPECT_NEAR(foam().position.y(), 130, 1e-9);
+}
+
+TEST_F(SurfaceViewGizmo, TheMiddleMovesWithThePointer)
+{
+    const QPointF middle = pixel(foam().position);
+    mouse.drag(middle, middle + QPointF(40, -25));
+    const QPointF after = pixel(foam().position);
+    EXPECT_NEAR(after.x(), middle.x() + 40, 1);
+    EXPECT_NEAR(after.y(), middle.y() - 25, 1);
+}
+
+TEST_F(SurfaceViewGizmo, RingsTurnAboutTheMiddle)
+{
+    // On the ring about z, away from the arrows.
+    const Vec3 at = foam().position;
+    const double radius = 74 * view.camera().pixelSize(at);
+    const auto onRing = [&](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        return pixel(at + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+    };
+    mouse.drag(onRing(-50), onRing(-20), Qt::LeftButton, Qt::ControlModifier);
+    EXPECT_EQ(foam().position, at);
+    const Eigen::AngleAxisd turn(foam().rotation);
+    EXPECT_NEAR(turn.angle() * 180 / std::numbers::pi, 30, 1e-6);
+    EXPECT_LT((turn.axis() - Vec3::UnitZ()).norm(), 1e-9);
+}
+
+TEST_F(SurfaceViewGizmo, EscapeRestores)
+{
+    const Design before = document.design();
+    mouse.press(onArrow(0, 60));
+    mouse.move(onArrow(0, 90));
+    EXPECT_NE(document.design(), before);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_EQ(document.design(), before);
+    mouse.release(onArrow(0, 90));
+    EXPECT_EQ(document.design(), before);
+    EXPECT_FALSE(document.history().canUndo());
+    EXPECT_TRUE(selection.contains(foamId));
+}
+
+TEST_F(SurfaceViewGizmo, IsThereOnlyForWhatHasAPlace)
+{
+    selection.set({curveId});
+    const Camera before = view.camera();
+    mouse.drag(onArrow(0, 60), onArrow(0, 60) + QPointF(30, 0));
+    EXPECT_EQ(foam().position, Vec3(200, 100, 0));
+    EXPECT_NE(view.camera(), before) << "the drag turned the view";
+}
+
+TEST_F(SurfaceViewGizmo, FoamIsSelectedByAClick)
+{
+    selection.clear();
+    view.setSurface(nullptr);
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        mouse.click(pixel(foam().position));
+        return selection.contains(foamId);
+    }));
+}
+
 TEST_F(SurfaceViewTest, StandardViewsFlyThere)
 {
     view.setStandardView(SurfaceView::StandardView::Right);

@@ -3,6 +3,7 @@
 #include "CurveEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "ToolGeometry.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -21,11 +22,9 @@ Vec3 direction(Axis axis)
     return axis == Axis::X ? Vec3::UnitX() : axis == Axis::Y ? Vec3::UnitY() : Vec3::UnitZ();
 }
 
-QColor axisColor(Axis axis)
+QColor colorOf(Axis axis)
 {
-    return axis == Axis::X   ? QColor(0xd6, 0x45, 0x3d)
-           : axis == Axis::Y ? QColor(0x3c, 0x9a, 0x4f)
-                             : QColor(0x3b, 0x77, 0xd8);
+    return axisColor(axis == Axis::X ? 0 : axis == Axis::Y ? 1 : 2);
 }
 
 Axis dominantAxis(const Vec3& way)
@@ -76,12 +75,7 @@ void SurfacePointDrag::constrain(Axis axis)
 Vec3 SurfacePointDrag::alongAxis(Axis axis) const
 {
     const auto parameter = [&](QPointF pixel) {
-        const Camera::Ray ray = m_context.toolCamera().ray({pixel.x(), pixel.y()});
-        const Vec3 d = direction(axis), between = ray.origin - m_grabbed;
-        const double dr = d.dot(ray.direction), denominator = 1 - dr * dr;
-        if (denominator < 1e-3) // the axis points into the screen
-            return 0.0;
-        return (d.dot(between) - dr * ray.direction.dot(between)) / denominator;
+        return alongLine(m_context.toolCamera(), m_grabbed, direction(axis), pixel);
     };
     return (parameter(m_now.pixel) - parameter(m_pressed.pixel)) * direction(axis);
 }
@@ -125,7 +119,7 @@ std::vector<SurfaceLine> SurfacePointDrag::guides() const
         lines.push_back(std::move(line));
     };
     if (m_axis != Axis::None)
-        add(m_grabbed - reach * direction(m_axis), m_grabbed + reach * direction(m_axis), axisColor(m_axis));
+        add(m_grabbed - reach * direction(m_axis), m_grabbed + reach * direction(m_axis), colorOf(m_axis));
     else
         add(m_grabbed, grabbedNow(), m_context.colors().hover);
     return lines;

@@ -69,6 +69,10 @@ std::optional<SurfacePointDrag::Axis> axisOf(int key)
 void SurfaceSelectTool::press(const SurfacePointer& pointer)
 {
     endNudge();
+    if (m_gizmo.press(pointer)) {
+        m_context.refresh();
+        return;
+    }
     m_pressed = pointer;
     m_pressedHit = m_context.hit(pointer.pixel);
     // Only points are dragged; other things are selected on release, because a drag on them turns the view.
@@ -123,7 +127,10 @@ bool SurfaceSelectTool::move(const SurfacePointer& pointer)
         m_pressed.reset();
     }
     bool mine = true;
-    if (m_pressed) {
+    if (!m_pressed && m_gizmo.move(pointer)) {
+        m_hover = {};
+        m_context.selection().hover(settingsId);
+    } else if (m_pressed) {
         mine = drag(pointer);
     } else {
         m_hover = m_context.hit(pointer.pixel);
@@ -135,7 +142,9 @@ bool SurfaceSelectTool::move(const SurfacePointer& pointer)
 
 void SurfaceSelectTool::release(const SurfacePointer& pointer)
 {
-    if (m_drag) {
+    if (m_gizmo.dragging()) {
+        m_gizmo.release(pointer);
+    } else if (m_drag) {
         // What is finished must not be there any more when its edit is announced.
         const std::unique_ptr<SurfacePointDrag> finished = std::move(m_drag);
         m_pressed.reset();
@@ -157,6 +166,8 @@ void SurfaceSelectTool::doubleClick(const SurfacePointer& pointer)
 {
     m_drag.reset();
     m_pressed.reset();
+    if (m_gizmo.press(pointer))
+        return;
     const SurfaceHit hit = m_context.hit(pointer.pixel);
     if (hit.kind != SurfaceHit::Kind::Curve)
         return;
@@ -234,7 +245,8 @@ bool SurfaceSelectTool::keyRelease(const QKeyEvent& event)
 
 bool SurfaceSelectTool::escape()
 {
-    if (m_drag || m_nudge) {
+    if (m_drag || m_nudge || m_gizmo.dragging()) {
+        m_gizmo.cancel();
         m_drag.reset();
         m_nudge.reset();
         m_pressed.reset();
@@ -248,8 +260,9 @@ bool SurfaceSelectTool::escape()
 void SurfaceSelectTool::leave()
 {
     endNudge();
-    if (m_drag || m_pressed)
+    if (m_drag || m_pressed || m_gizmo.dragging())
         return;
+    m_gizmo.cancel();
     m_hover = {};
     m_context.selection().hover(settingsId);
     m_context.refresh();
@@ -259,6 +272,8 @@ QString SurfaceSelectTool::prompt() const
 {
     if (m_drag)
         return m_drag->prompt();
+    if (const QString prompt = m_gizmo.prompt(); !prompt.isEmpty())
+        return prompt;
     switch (m_hover.kind) {
     case SurfaceHit::Kind::Point:
         return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
@@ -269,7 +284,7 @@ QString SurfaceSelectTool::prompt() const
     case SurfaceHit::Kind::Cover:
         return tr("Click to select the patch, drag to turn the view");
     case SurfaceHit::Kind::Frame:
-        return tr("Click to select the frame, drag to turn the view");
+        return tr("Click to select what stands here, drag to turn the view");
     case SurfaceHit::Kind::Nothing:
         break;
     }
@@ -278,7 +293,7 @@ QString SurfaceSelectTool::prompt() const
 
 QCursor SurfaceSelectTool::cursor() const
 {
-    if (m_drag)
+    if (m_drag || m_gizmo.hovering())
         return Qt::SizeAllCursor;
     switch (m_hover.kind) {
     case SurfaceHit::Kind::Point:
@@ -302,7 +317,7 @@ std::optional<std::pair<ElementId, int>> SurfaceSelectTool::hoveredPoint() const
 
 std::vector<SurfaceLine> SurfaceSelectTool::guides() const
 {
-    return m_drag ? m_drag->guides() : std::vector<SurfaceLine>();
+    return m_drag ? m_drag->guides() : m_gizmo.guides();
 }
 
 } // namespace bolster

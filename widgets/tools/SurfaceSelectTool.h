@@ -1,6 +1,7 @@
 // Selects in the 3D view and moves control points of curves.
 #pragma once
 
+#include "PlacementGizmo.h"
 #include "SurfacePointDrag.h"
 
 #include <QCoreApplication>
@@ -9,9 +10,9 @@
 
 namespace bolster {
 
-/// Click selects, Shift adds. Control points are dragged together; a double click on a curve inserts one,
-/// Delete removes the selected ones, arrow keys move them by 1 mm (Shift: 10 mm) along the axes that run across the
-/// screen, Page Up and Page Down along the third.
+/// Click selects, Shift adds. What has a place in space gets handles when it is selected. Control points are
+/// dragged together; a double click on a curve inserts one, Delete removes the selected ones, arrow keys move them
+/// by 1 mm (Shift: 10 mm) along the axes that run across the screen, Page Up and Page Down along the third.
 class SurfaceSelectTool : public SurfaceTool {
     Q_DECLARE_TR_FUNCTIONS(SurfaceSelectTool)
 
@@ -44,6 +45,7 @@ private:
     SurfaceHit m_pressedHit;
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<SurfacePointDrag> m_drag;
+    PlacementGizmo m_gizmo{m_context};
 
     std::unique_ptr<Gesture> m_nudge; ///< while an arrow key is held down
     Vec3 m_nudged = Vec3::Zero();

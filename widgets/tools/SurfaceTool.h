@@ -22,6 +22,8 @@ public:
     virtual const Camera& toolCamera() const = 0;
     virtual const ViewColors& colors() const = 0;
     virtual SurfaceHit hit(QPointF pixel) const = 0;
+    /// Of what is shown of an element with a placement; its position when nothing is.
+    virtual Vec3 middleOf(ElementId id) const = 0;
     /// Prompt, cursor or what the tool draws has changed.
     virtual void refresh() = 0;
     /// Something that could not be done, in the user's words.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes the car seat samples: arranges the layout of a finished design, and a second one with rounded seams and fancy
-seams on the inserts.
+"""Makes the car seat samples: arranges the layout of a finished design; a second one with rounded seams and fancy
+seams on the inserts; a third one with cushioning.
 
     make_car_seat.py DESIGN.json FRAME.obj
 """
@@ -56,13 +56,17 @@ def main():
     design = read(sys.argv[1])
     elements = design["elements"]
     Layout(elements).stack(ROWS, 0, 0)
-    folder = SAMPLES / "car-seat"
     edge_length = design["settings"]["edge_length"]
-    write(folder / "car-seat.json", elements, edge_length)
+    frame = next(e["id"] for e in elements if e["kind"] == "frame")
+    # The frame lies 26 mm inside the foam.
+    cushion = {"id": max(e["id"] for e in elements) + 1, "kind": "cushion", "name": "Padding", "frame": frame,
+               "dilation_mm": 26}
+    for name, more in [("car-seat", []), ("car-seat-cushioned", [cushion])]:
+        write(SAMPLES / name / f"{name}.json", elements + more, edge_length)
+        shutil.copyfile(sys.argv[2], SAMPLES / name / "car-seat-frame.obj")
     round_seams(elements)
     add_fancy_seams(elements)
-    write(folder / "car-seat-g1.json", elements, edge_length)
-    shutil.copyfile(sys.argv[2], folder / "car-seat-frame.obj")
+    write(SAMPLES / "car-seat" / "car-seat-g1.json", elements, edge_length)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the samples that are drawn from a few numbers: trapezoid, cylinder, box-cushion."""
+"""Makes the samples that are drawn from a few numbers: trapezoid, trapezoid-cushion, cylinder, box-cushion."""
 
 from math import cos, pi, sin, sqrt
 
@@ -24,6 +24,24 @@ def trapezoid():
         elements.append({"id": 4 + side, "kind": "fixation_seam", **stretch(2, side, side + 1), "curve": 3,
                          "curve_from": side, "curve_to": side + 1})
     write(SAMPLES / "trapezoid" / "trapezoid.json", elements, 5)
+    trapezoid_cushion(elements, height)
+
+
+def trapezoid_cushion(elements, height):
+    """The same, bolstered by a cube. The cloth hangs in front of the cube's middle: there is no way out of that."""
+    size, offset = 180, 40
+    half = size / 2
+    low, high = [-half, offset - half, height / 2 - half + 20], [half, offset + half, height / 2 + half + 20]
+    corners = [[(low, high)[n >> axis & 1][axis] for axis in range(3)] for n in range(8)]
+    faces = [(1, 5, 7, 3), (2, 4, 8, 6), (1, 2, 6, 5), (3, 7, 8, 4), (1, 3, 4, 2), (5, 6, 8, 7)]
+    text = "g Cube\n" + "".join(f"v {tidy(x)} {tidy(y)} {tidy(z)}\n" for x, y, z in corners)
+    text += "".join("f " + " ".join(map(str, face)) + "\n" for face in faces)
+    folder = SAMPLES / "trapezoid-cushion"
+    write(folder / "trapezoid-cushion.json", elements + [
+        {"id": 8, "kind": "frame", "name": "Cube", "file": "cube.obj"},
+        {"id": 9, "kind": "cushion", "name": "Padding", "frame": 8, "dilation_mm": 20},
+    ], 5)
+    (folder / "cube.obj").write_text(text, encoding="utf-8", newline="\n")
 
 
 def circle(circumference, height, count=24):

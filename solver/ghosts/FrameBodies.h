@@ -1,0 +1,29 @@
+// What is solid in a mesh: real frames have open edges, several parts that overlap, and faces turned the wrong way.
+#pragma once
+
+#include "Placement.h"
+#include "TriangleMesh.h"
+#include "TriangleTree.h"
+
+#include <memory>
+
+namespace bolster {
+
+/// Triangles that enclose something together, oriented outwards as well as can be told.
+struct FrameBody {
+    TriangleTree tree;
+    bool closed = false; ///< no open edges: the winding number only changes at triangles
+};
+
+/// The bodies of one part of a mesh, each point p as placement.placed(p). Corners in the same place are one; what
+/// hangs together gets one orientation. Each closed shell is a body, so that shells that overlap or lie inside of
+/// each other make no holes. All open shells together are another body, each turned away from their middle: walls
+/// modelled one by one close it together. Open walls that reach into a body stay wrong where they do.
+std::vector<FrameBody> frameBodies(const TriangleMesh& mesh, const TriangleMesh::Part& part,
+                                   const Placement& placement);
+
+/// The same for all parts.
+using FrameParts = std::vector<std::vector<FrameBody>>;
+FrameParts frameParts(const TriangleMesh& mesh, const Placement& placement);
+
+} // namespace bolster

@@ -1,0 +1,77 @@
+// The force fields of frames and foam, each made once. They live in the frame's own axes (its file's, times the
+// scale, mm), so that moving or turning a frame makes nothing new.
+#pragma once
+
+#include "Cushion.h"
+#include "Foam.h"
+#include "ForceField.h"
+#include "FrameBodies.h"
+#include "Kept.h"
+
+#include <stop_token>
+
+namespace bolster {
+
+using TriangleMeshPtr = std::shared_ptr<const TriangleMesh>;
+
+class FrameFields {
+public:
+    struct Shape {
+        TriangleMeshPtr mesh;
+        double scale = 1;
+        friend bool operator==(const Shape&, const Shape&) = default;
+    };
+    struct SolidKey {
+        Shape shape;
+        std::vector<int> parts; ///< increasing
+        double edge = 5;        ///< of the voxels, mm
+        friend bool operator==(const SolidKey&, const SolidKey&) = default;
+    };
+    struct FoamKey {
+        Foam::Shape shape = Foam::Shape::Box;
+        Vec3 size = Vec3::Zero();
+        TriangleMeshPtr mesh;
+        Placement placement; ///< in the frame's axes
+        double dilation = 0;
+        bool cut = false;
+        friend bool operator==(const FoamKey&, const FoamKey&) = default;
+    };
+    struct CushionKey {
+        SolidKey frame;
+        double dilation = 0;
+        Cushion::Distance distance = Cushion::Distance::CityBlock;
+        std::vector<FoamKey> foams;
+        friend bool operator==(const CushionKey&, const CushionKey&) = default;
+    };
+    struct ContactKey {
+        Shape shape;
+        std::vector<int> parts; ///< increasing
+        double gap = 0;         ///< mm
+        friend bool operator==(const ContactKey&, const ContactKey&) = default;
+    };
+
+    /// The bodies of every part.
+    std::shared_ptr<const FrameParts> parts(const Shape& shape);
+    /// Null when stopped.
+    std::shared_ptr<const ForceField> cushion(const CushionKey& key, WorkerPool& pool, const std::stop_token& stop);
+    /// The way out of these parts, and `gap` further. Null when stopped.
+    std::shared_ptr<const ForceField> contact(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop);
+
+    /// Of the grid that a cushion needs, without making it.
+    double voxelCount(const CushionKey& key);
+    void endRound();
+
+private:
+    std::shared_ptr<const Voxels> solid(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop);
+    Box3 boxOf(const SolidKey& key);
+
+    Kept<Shape, FrameParts> m_parts;
+    Kept<SolidKey, Voxels> m_solids;
+    Kept<CushionKey, ForceField> m_cushions;
+    Kept<ContactKey, ForceField> m_contacts;
+};
+
+/// Grids with more voxels than this are refused: about 700 MB while they are made.
+constexpr double mostVoxels = 2.4e7;
+
+} // namespace bolster

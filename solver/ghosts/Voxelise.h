@@ -1,0 +1,17 @@
+// Which voxels lie inside of a frame (paper, section 4.1: the grid f'').
+#pragma once
+
+#include "FrameBodies.h"
+#include "VoxelGrid.h"
+#include "WorkerPool.h"
+
+#include <stop_token>
+
+namespace bolster {
+
+/// Sets the voxels whose centres lie inside of a body: where its triangles wind around them more than half a time.
+/// Openings close along the surface where that is just half. Only voxels near triangles are looked at one by one;
+/// between them nothing changes in a closed body, and little in an open one, of which every eighth is looked at.
+void fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop = {});
+
+} // namespace bolster

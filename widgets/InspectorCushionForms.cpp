@@ -1,0 +1,145 @@
+// The inspector's forms for cushions and foam.
+#include "InspectorForms.h"
+#include "InspectorSubject.h"
+#include "PlacementFields.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+const NumberBox::Range paddingRange{QStringLiteral(" mm"), 2, 0, 1000, 5};
+const NumberBox::Range strengthRange{{}, 3, 0, 10, 0.1};
+
+/// "Seat; Back" and back: names may have commas.
+QString joined(const std::vector<std::string>& parts)
+{
+    QStringList names;
+    for (const std::string& part : parts)
+        names << QString::fromStdString(part);
+    return names.join(QStringLiteral("; "));
+}
+
+std::vector<std::string> split(const QString& text)
+{
+    std::vector<std::string> parts;
+    for (const QString& name : text.split(u';', Qt::SkipEmptyParts))
+        if (const QString trimmed = name.trimmed(); !trimmed.isEmpty())
+            parts.push_back(trimmed.toStdString());
+    return parts;
+}
+
+/// The elements of a kind with their names, for a choice.
+template <class T>
+std::pair<std::vector<ElementId>, QStringList> choices(const Design& design)
+{
+    std::pair<std::vector<ElementId>, QStringList> list;
+    design.each<T>([&](ElementId id, const T&) {
+        list.first.push_back(id);
+        list.second << displayName(design, id);
+    });
+    return list;
+}
+
+int placeOf(const std::vector<ElementId>& ids, ElementId id)
+{
+    const auto found = std::find(ids.begin(), ids.end(), id);
+    return found == ids.end() ? -1 : static_cast<int>(found - ids.begin());
+}
+
+} // namespace
+
+void InspectorForms::addFrameChoice(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    const auto [frames, names] = choices<Frame>(m_document.design());
+    form.addChoice(
+        tr("Frame"), names, [cushion, frames = frames] { return placeOf(frames, cushion.now().frame); },
+        [cushion, frames = frames](int chosen) {
+            cushion.change(QT_TRANSLATE_NOOP("Message", "Change the frame of %1"),
+                           [&](Cushion& c) { c.frame = frames[static_cast<std::size_t>(chosen)]; });
+        });
+}
+
+/// Everything, or the cover that one patch is sewn to.
+void InspectorForms::addCoverChoice(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    auto [patches, names] = choices<Patch>(m_document.design());
+    for (QString& name : names)
+        name = tr("Cover of %1").arg(name);
+    names.prepend(tr("Every cover"));
+    form.addChoice(
+        tr("Pushes"), names,
+        [cushion, patches = patches] {
+            const std::vector<ElementId> chosen = cushion.now().patches;
+            return chosen.size() > 1 ? -1 : chosen.empty() ? 0 : placeOf(patches, chosen.front()) + 1;
+        },
+        [cushion, patches = patches](int chosen) {
+            cushion.change(QT_TRANSLATE_NOOP("Message", "Change what %1 pushes"), [&](Cushion& c) {
+                c.patches.clear();
+                if (chosen > 0)
+                    c.patches.push_back(patches[static_cast<std::size_t>(chosen - 1)]);
+            });
+        });
+}
+
+void InspectorForms::addCushion(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    cushion.name(tr("Name"));
+    cushion.check(tr("Pushes the cover"), &Cushion::enabled, QT_TRANSLATE_NOOP("Message", "Switch %1"));
+    addFrameChoice(form, id);
+    form.addText(
+        tr("Parts"), [cushion] { return joined(cushion.now().parts); },
+        [cushion](const QString& text) {
+            cushion.change(QT_TRANSLATE_NOOP("Message", "Change the parts of %1"),
+                           [&](Cushion& c) { c.parts = split(text); });
+        });
+    form.addNote([cushion] {
+        return cushion.now().parts.empty() ? tr("No part of the frame is named: those are taken that the cover is "
+                                                "fixed to. Separate names by semicolons.")
+                                           : QString();
+    });
+    addCoverChoice(form, id);
+    cushion.number(tr("Padding"), paddingRange, &Cushion::dilation,
+                   QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    cushion.number(tr("Strength"), strengthRange, &Cushion::strength,
+                   QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+    cushion.choice(tr("Distance"), {tr("City block \u2013 along the axes"), tr("Euclidean \u2013 straight")},
+                   &Cushion::distance, QT_TRANSLATE_NOOP("Message", "Change the distance of %1"));
+    cushion.number(tr("Voxels"), {QStringLiteral(" mm"), 2, 0.5, 100, 1}, &Cushion::voxel,
+                   QT_TRANSLATE_NOOP("Message", "Change the voxels of %1"));
+}
+
+void InspectorForms::addFoam(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Foam> foam(m_document, id, form);
+    foam.name(tr("Name"));
+    const auto [cushions, names] = choices<Cushion>(m_document.design());
+    form.addChoice(
+        tr("Cushion"), names, [foam, cushions = cushions] { return placeOf(cushions, foam.now().cushion); },
+        [foam, cushions = cushions](int chosen) {
+            foam.change(QT_TRANSLATE_NOOP("Message", "Change the cushion of %1"),
+                        [&](Foam& f) { f.cushion = cushions[static_cast<std::size_t>(chosen)]; });
+        });
+    if (foam.now().shape == Foam::Shape::Mesh) {
+        foam.info(tr("File"), [](const Design&, const Foam& f) { return QString::fromStdString(f.file); });
+    } else {
+        foam.choice(tr("Shape"), {tr("Box"), tr("Cylinder"), tr("Sphere")}, &Foam::shape,
+                    QT_TRANSLATE_NOOP("Message", "Change the shape of %1"));
+        foam.numbers(
+            tr("Size"), {QStringLiteral(" mm"), 2, 1, 1e7, 5}, 3,
+            [](Foam& f, int i) -> double& { return f.size[i]; },
+            QT_TRANSLATE_NOOP("Message", "Change the size of %1"));
+    }
+    addPlacementFields(form, foam, {});
+    foam.check(tr("Cut away"), &Foam::cut, QT_TRANSLATE_NOOP("Message", "Add or cut %1"));
+    foam.number(tr("Padding"), paddingRange, &Foam::dilation,
+                QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    foam.number(tr("Strength"), strengthRange, &Foam::strength,
+                QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+}
+
+} // namespace bolster
