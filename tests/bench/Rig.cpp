@@ -14,7 +14,7 @@ Rig::Rig(const SolveInput& input, const MakeGhosts& standIn)
     if (!m_sheet.errors.empty())
         throw std::runtime_error(m_sheet.errors.front().english());
     GhostCache ghostCache;
-    Ghosts ghosts = makeGhosts(input, mesh(), ghostCache, m_sheet.warnings);
+    Ghosts ghosts = makeGhosts(input, mesh(), ghostCache, m_sheet.warnings, m_pool);
     if (ghosts.empty() && standIn)
         ghosts = standIn(mesh());
     constexpr double never = 0; // a tolerance that no iteration falls below
