@@ -658,6 +658,10 @@
         <source>It stands out: a welt.</source>
         <translation>Sie steht vor: ein Wulst.</translation>
     </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
