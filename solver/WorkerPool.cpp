@@ -19,6 +19,20 @@ void pause()
 #endif
 }
 
+// How m_next is divided: the region, its tasks, the next one to be claimed.
+constexpr int taskBits = 22; // chunks of 512 of as many things as an int can count
+constexpr std::uint64_t taskMask = (std::uint64_t{1} << taskBits) - 1;
+
+std::uint64_t firstTask(std::uint32_t region, int count)
+{
+    return std::uint64_t{region} << (2 * taskBits) | static_cast<std::uint64_t>(count) << taskBits;
+}
+
+bool isOf(std::uint64_t next, std::uint32_t region)
+{
+    return (next ^ firstTask(region, 0)) >> (2 * taskBits) == 0;
+}
+
 /// Waits until `value` is no longer `old`; sleeps when that takes long.
 template <class T>
 void waitForChange(const std::atomic<T>& value, T old)
@@ -63,9 +77,8 @@ void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
     }
     const std::uint32_t region = m_region.load(std::memory_order_relaxed) + 1;
     m_body.store(&body, std::memory_order_relaxed);
-    m_count.store(count, std::memory_order_relaxed);
     m_done.store(0, std::memory_order_relaxed);
-    m_next.store(std::uint64_t{region} << 32, std::memory_order_release);
+    m_next.store(firstTask(region, count), std::memory_order_release);
     m_region.store(region, std::memory_order_release);
     m_region.notify_all();
     runTasks(region);
@@ -89,11 +102,11 @@ void WorkerPool::work()
 
 void WorkerPool::runTasks(std::uint32_t region)
 {
-    for (std::uint64_t next = m_next.load(std::memory_order_acquire); next >> 32 == region;) {
-        // Of a later region, perhaps: then the claim fails.
-        const int count = m_count.load(std::memory_order_relaxed);
-        const auto* body = m_body.load(std::memory_order_relaxed);
-        const int task = static_cast<int>(next & 0xffffffff);
+    for (std::uint64_t next = m_next.load(std::memory_order_acquire); isOf(next, region);) {
+        const auto* body =
+            m_body.load(std::memory_order_relaxed); // of a later region, perhaps: then the claim fails
+        const int task = static_cast<int>(next & taskMask);
+        const int count = static_cast<int>(next >> taskBits & taskMask);
         if (task >= count)
             return;
         if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))

@@ -32,10 +32,10 @@ private:
     void work();
     void runTasks(std::uint32_t region);
 
-    // What the threads work on. A task is claimed by counting m_next up, which holds the number of the region in
-    // its upper half: who comes late to a region that is over cannot claim anything, so nobody waits for him.
+    // What the threads work on. A task is claimed by counting m_next up, which also holds the number of the region
+    // and its count of tasks: who comes late to a region that is over cannot claim anything, so nobody waits for
+    // him. The count must not stand apart, or a latecomer could see the next region's and claim what is not there.
     std::atomic<const std::function<void(int)>*> m_body{nullptr};
-    std::atomic<int> m_count{0};
     std::atomic<std::uint64_t> m_next{0};
     std::atomic<int> m_done{0};
     std::atomic<std::uint32_t> m_region{0};

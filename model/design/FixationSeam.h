@@ -16,7 +16,7 @@ struct FixationSeam {
     std::optional<std::pair<double, double>> curveRange; ///< from, to on the curve; nothing: the whole curve
     bool reversed = false;                               ///< the curve is walked backwards
     Match match = Match::Length;
-    Orientation orientation; ///< from the stretch's start to its end
+    Orientation orientation = {}; ///< from the stretch's start to its end
 
     bool hasCurve() const { return curve != ElementId{}; }
 

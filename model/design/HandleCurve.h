@@ -11,7 +11,7 @@ namespace bolster {
 struct HandleCurve : PatchCurve {
     BSpline3 target; ///< where the curve lies, mm, closed when it is; empty: only the orientation is held
     Match match = Match::Length;
-    Orientation orientation; ///< from the curve's start to its end
+    Orientation orientation = {}; ///< from the curve's start to its end
 
     bool hasTarget() const { return !target.empty(); }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -214,6 +215,20 @@ TEST(FactoredSystem, FactorsDenseMatrices)
         ASSERT_TRUE(system.factor(matrix, onePool));
         const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, n);
         EXPECT_LT(error(matrix, solution(system, right, 2), right), 1e-4) << n;
+    }
+}
+
+/// Threads that come late to a region meet the next one, which may have more tasks.
+TEST(WorkerPool, DoesEveryTaskOnceInShortRegions)
+{
+    WorkerPool pool(4);
+    std::array<int, 16> done{};
+    for (int round = 0; round < 20000; ++round) {
+        const int count = 2 + 7 * round % 13;
+        done.fill(0);
+        pool.forTasks(count, [&](int task) { ++done[static_cast<std::size_t>(task)]; });
+        for (int task = 0; task < std::ssize(done); ++task)
+            ASSERT_EQ(done[static_cast<std::size_t>(task)], task < count ? 1 : 0) << round;
     }
 }
 
