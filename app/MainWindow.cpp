@@ -115,11 +115,11 @@ void MainWindow::connectDocument()
 {
     connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
-    connect(m_session.get(), &DesignSession::framesChanged, this, [this] {
-        m_surface->setFrames(m_session->frames());
-        m_solver->setFiles(m_session->contents());
+    connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
+        m_surface->setFiles(m_session->files());
+        m_solver->setFiles(m_session->files());
     });
-    connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) {
+    connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
         if (!m_solver->surface())
             m_surface->fitAll();
@@ -168,7 +168,7 @@ void MainWindow::connectViews()
                                     : QString());
         m_status->setPrompt(m_surface->prompt());
     });
-    connect(m_inspector, &Inspector::frameFileWanted, this, [this](ElementId id) { m_files->importFrame({}, id); });
+    connect(m_inspector, &Inspector::fileWanted, m_files, &FileFlow::replaceFile);
     connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
     connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
@@ -185,9 +185,9 @@ void MainWindow::designOpened()
         m_files->offerRecovery();
     m_selection.clear();
     m_elements->scrollToTop();
-    m_solver->forget(m_session->contents());
+    m_solver->forget(m_session->files());
     m_fitCover = true;
-    m_surface->setFrames(m_session->frames());
+    m_surface->setFiles(m_session->files());
     m_pattern->fitAll();
     m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
     updateTitle();

@@ -50,6 +50,13 @@ SolvePlan compare(const Frame&, const Frame&)
 {
     return SolvePlan::Nothing;
 }
+/// Weights that differ are noticed when the scan's targets are made anew.
+SolvePlan compare(const Scan& a, const Scan& b)
+{
+    Scan renamed = b;
+    renamed.name = a.name;
+    return a == renamed ? SolvePlan::Nothing : SolvePlan::Retarget;
+}
 SolvePlan compare(const Quarantined&, const Quarantined&)
 {
     return SolvePlan::Nothing;
@@ -61,6 +68,8 @@ SolvePlan planOf(const Element& element)
     if (std::holds_alternative<Frame>(element) || std::holds_alternative<Quarantined>(element) ||
         std::holds_alternative<Fabric>(element) || std::holds_alternative<FixationCurve>(element))
         return SolvePlan::Nothing; // fabrics and curves matter through what uses them
+    if (std::holds_alternative<Scan>(element))
+        return SolvePlan::Rebuild;
     return SolvePlan::Resew;
 }
 
@@ -81,6 +90,8 @@ SolvePlan planSolve(const SolveInput& before, const SolveInput& after)
         const ElementPtr a = before.design.element(id), b = after.design.element(id);
         plan = std::max(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
     }
+    if (before.files.clouds != after.files.clouds)
+        plan = std::max(plan, SolvePlan::Retarget);
     return plan;
 }
 

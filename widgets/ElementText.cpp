@@ -36,6 +36,7 @@ constexpr KindTexts kindTexts[] = {
      "fixation-curve"},
     {QT_TRANSLATE_NOOP("ElementText", "Fixation"), QT_TRANSLATE_NOOP("ElementText", "Fixations"), "fixation-seam"},
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
+    {QT_TRANSLATE_NOOP("ElementText", "Scan"), QT_TRANSLATE_NOOP("ElementText", "Scans"), "scan"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
@@ -59,6 +60,7 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const FixationCurve&) const { return ElementKind::FixationCurve; }
         ElementKind operator()(const FixationSeam&) const { return ElementKind::FixationSeam; }
         ElementKind operator()(const Frame&) const { return ElementKind::Frame; }
+        ElementKind operator()(const Scan&) const { return ElementKind::Scan; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);

@@ -8,7 +8,7 @@
 namespace bolster {
 
 /// The order in which lists show the kinds.
-enum class ElementKind { Patch, Seam, FixationCurve, FixationSeam, Frame, Fabric, Unusable, Settings };
+enum class ElementKind { Patch, Seam, FixationCurve, FixationSeam, Frame, Scan, Fabric, Unusable, Settings };
 
 ElementKind kindOf(const Element& element);
 /// "Patches".

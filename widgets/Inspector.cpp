@@ -12,7 +12,7 @@ namespace bolster {
 
 Inspector::Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
     : QScrollArea(parent)
-    , m_forms(document, selection, problems, [this](ElementId id) { emit frameFileWanted(id); })
+    , m_forms(document, selection, problems, [this](ElementId id) { emit fileWanted(id); })
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);

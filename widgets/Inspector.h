@@ -16,7 +16,7 @@ public:
 
 signals:
     /// The user wants another mesh for this frame.
-    void frameFileWanted(bolster::ElementId frame);
+    void fileWanted(bolster::ElementId frame);
 
 protected:
     void showEvent(QShowEvent* event) override;

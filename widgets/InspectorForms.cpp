@@ -2,10 +2,10 @@
 
 #include "ArcLength.h"
 #include "CurveEdits.h"
-#include "FrameAngles.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "PatchEdits.h"
+#include "PlacementRows.h"
 #include "ProblemSet.h"
 #include "Selection.h"
 #include "Translated.h"
@@ -19,17 +19,17 @@ namespace bolster {
 namespace {
 
 // What the fields take; what is a good value, DesignCheck says.
-const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
-const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
+const NumberBox::Range lengthRange = PlacementRows::lengthRange();
+const NumberBox::Range angleRange = PlacementRows::angleRange();
 
 } // namespace
 
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
-                               std::function<void(ElementId)> chooseFrameFile)
+                               std::function<void(ElementId)> chooseFile)
     : m_document(document)
     , m_selection(selection)
     , m_problems(problems)
-    , m_chooseFrameFile(std::move(chooseFrameFile))
+    , m_chooseFile(std::move(chooseFile))
 {}
 
 std::unique_ptr<PropertyForm> InspectorForms::make() const
@@ -81,6 +81,9 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
         break;
     case ElementKind::Frame:
         addFrame(form, id);
+        break;
+    case ElementKind::Scan:
+        addScan(form, id);
         break;
     case ElementKind::Fabric:
         addFabric(form, id);
@@ -291,22 +294,8 @@ void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
     const InspectorSubject<Frame> frame(m_document, id, form);
     frame.name(tr("Name"));
     frame.info(tr("File"), [](const Design&, const Frame& f) { return QString::fromStdString(f.file); });
-    frame.number(tr("Scale"), {tr(" mm per unit"), 6, 1e-6, 1e6, 0.1}, &Frame::scale,
-                 QT_TRANSLATE_NOOP("Message", "Scale %1"));
-    frame.numbers(
-        tr("Position"), lengthRange, 3, [](Frame& f, int i) -> double& { return f.position[i]; },
-        QT_TRANSLATE_NOOP("Message", "Move %1"));
-    form.addNumbers(
-        tr("Rotation"), angleRange, 3,
-        [frame](int i) { return anglesOf(frame.now().rotation)[static_cast<std::size_t>(i)]; },
-        [frame](int i, double value) {
-            frame.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](Frame& f) {
-                FrameAngles angles = anglesOf(f.rotation);
-                angles[static_cast<std::size_t>(i)] = value;
-                f.rotation = rotationOf(angles);
-            });
-        });
-    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFrameFile(id); });
+    PlacementRows::add(frame, form);
+    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
 }
 
 void InspectorForms::addUnusable(PropertyForm& form, ElementId id) const

@@ -21,7 +21,7 @@ class InspectorForms {
 
 public:
     InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
-                   std::function<void(ElementId)> chooseFrameFile);
+                   std::function<void(ElementId)> chooseFile);
 
     std::unique_ptr<PropertyForm> make() const;
 
@@ -35,6 +35,7 @@ private:
     void addFixationCurve(PropertyForm& form, ElementId id) const;
     void addFixationSeam(PropertyForm& form, ElementId id) const;
     void addFrame(PropertyForm& form, ElementId id) const;
+    void addScan(PropertyForm& form, ElementId id) const;
     void addUnusable(PropertyForm& form, ElementId id) const;
     void addPatchPoint(PropertyForm& form, ElementId id, int point) const;
     void addCurvePoint(PropertyForm& form, ElementId id, int point) const;
@@ -44,7 +45,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     ProblemSet& m_problems;
-    std::function<void(ElementId)> m_chooseFrameFile;
+    std::function<void(ElementId)> m_chooseFile;
 };
 
 } // namespace bolster

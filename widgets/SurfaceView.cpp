@@ -146,9 +146,9 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
     draw(moving);
 }
 
-void SurfaceView::setFrames(const FrameMeshes& frames)
+void SurfaceView::setFiles(const DesignFiles& files)
 {
-    m_frameMeshes = frames;
+    m_files = files;
     updateFrames();
     updateBox();
     m_occlusionDelay.start();
@@ -197,8 +197,8 @@ void SurfaceView::updateFrames()
     std::vector<ElementId> ids;
     if (layerVisible(Layer::Frames))
         m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
-            const auto mesh = m_frameMeshes.find(id);
-            if (mesh == m_frameMeshes.end() || !mesh->second)
+            const auto mesh = m_files.meshes.find(id);
+            if (mesh == m_files.meshes.end() || !mesh->second)
                 return;
             frames.push_back({mesh->second, frame});
             ids.push_back(id);

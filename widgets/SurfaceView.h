@@ -54,7 +54,7 @@ public:
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
     /// The meshes of the design's frames; their placement is taken from the design.
-    void setFrames(const FrameMeshes& frames);
+    void setFiles(const DesignFiles& files);
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
@@ -138,7 +138,7 @@ private:
     std::set<Layer> m_layers;
 
     SurfaceMeshPtr m_surface;
-    FrameMeshes m_frameMeshes;
+    DesignFiles m_files;
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;

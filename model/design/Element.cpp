@@ -8,7 +8,7 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings", "fabric", "patch", "seam", "fixation_curve", "fixation_seam", "frame", "unreadable"};
+        "settings", "fabric", "patch", "seam", "fixation_curve", "fixation_seam", "frame", "scan", "unreadable"};
     return names[element.index()];
 }
 
@@ -43,6 +43,29 @@ ElementPtr withFile(const Element& element, std::string file)
         [&](auto value) {
             if constexpr (requires { value.file; })
                 value.file = std::move(file);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
+const Placement* elementPlacement(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) -> const Placement* {
+            if constexpr (std::is_base_of_v<Placement, std::decay_t<decltype(value)>>)
+                return &value;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+ElementPtr withPlacement(const Element& element, const Placement& placement)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (std::is_base_of_v<Placement, decltype(value)>)
+                static_cast<Placement&>(value) = placement;
             return makeElement(std::move(value));
         },
         element);

@@ -16,6 +16,7 @@ constexpr double mostEase = 0.05;
 constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
+constexpr double mostScanStrength = 10;
 
 bool isColor(const std::string& text)
 {
@@ -316,21 +317,41 @@ void ElementRules::rules(const FixationSeam& seam)
                            {numberText(from), numberText(to)}});
 }
 
-void ElementRules::rules(const Frame& frame)
+/// What holds for all elements that place a file.
+void ElementRules::placement(const Placement& placement, const std::string& file)
 {
-    if (auto problem = elementFileProblem(frame.file))
+    if (auto problem = elementFileProblem(file))
         error("file", std::move(*problem));
-    if (!(frame.scale > 0 && frame.scale <= largestNumber))
+    if (!(placement.scale > 0 && placement.scale <= largestNumber))
         error("scale",
               {QT_TRANSLATE_NOOP("Message", "is %1, but must be positive: millimetres per unit of the file"),
-               {numberText(frame.scale)}});
-    for (const double value : frame.position)
+               {numberText(placement.scale)}});
+    for (const double value : placement.position)
         if (!inRange("position", value, -largestNumber, largestNumber))
             break;
-    if (!(std::abs(frame.rotation.norm() - 1) <= 1e-6))
+    if (!(std::abs(placement.rotation.norm() - 1) <= 1e-6))
         error("rotation",
               {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
-               {numberText(frame.rotation.norm())}});
+               {numberText(placement.rotation.norm())}});
+}
+
+void ElementRules::rules(const Frame& frame)
+{
+    placement(frame, frame.file);
+}
+
+void ElementRules::rules(const Scan& scan)
+{
+    placement(scan, scan.file);
+    inRange("threshold_mm", scan.threshold, 0.1, 1e4);
+    inRange("strength", scan.strength, 0, mostScanStrength);
+    for (std::size_t c = 0; c < scan.cuts.size(); ++c)
+        for (std::size_t h = 0; h < scan.cuts[c].halfSpaces.size(); ++h)
+            if (!(scan.cuts[c].halfSpaces[h].normal.norm() > 0))
+                error(
+                    "cuts[" + std::to_string(c) + "].planes[" + std::to_string(h) + "]",
+                    {QT_TRANSLATE_NOOP("Message", "the first three numbers are the plane's normal; not all of them "
+                                                  "may be 0")});
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

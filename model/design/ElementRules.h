@@ -26,12 +26,14 @@ private:
     void rules(const FixationCurve& fixation);
     void rules(const FixationSeam& seam);
     void rules(const Frame& frame);
+    void rules(const Scan& scan);
     void rules(const Quarantined& quarantined);
 
     void error(std::string field, Message message);
     void warn(std::string field, Message message);
     /// Reports a number outside [low, high], NaN too; says whether it is inside.
     bool inRange(std::string field, double value, double low, double high);
+    void placement(const Placement& placement, const std::string& file);
     template <class T>
     const T* reference(std::string field, ElementId id);
     /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.

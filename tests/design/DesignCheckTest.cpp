@@ -15,6 +15,7 @@ struct Parts {
     FixationSeam fixation;
     Seam seam;
     Frame frame;
+    Scan scan;
 
     Parts()
     {
@@ -33,6 +34,9 @@ struct Parts {
         seam.b = {ElementId{3}, 3, 4};
         frame.name = "Chair";
         frame.file = "chair.obj";
+        scan.name = "Measured";
+        scan.file = "chair.ply";
+        scan.cuts = {{{{Vec3::UnitZ(), 5}}}};
     }
 
     Design design() const
@@ -45,7 +49,8 @@ struct Parts {
                                {ElementId{4}, nullptr, makeElement(rail)},
                                {ElementId{5}, nullptr, makeElement(fixation)},
                                {ElementId{6}, nullptr, makeElement(seam)},
-                               {ElementId{7}, nullptr, makeElement(frame)}}});
+                               {ElementId{7}, nullptr, makeElement(frame)},
+                               {ElementId{20}, nullptr, makeElement(scan)}}});
     }
 };
 
@@ -223,7 +228,13 @@ INSTANTIATE_TEST_SUITE_P(
              6, "b", "6.25", Severity::Warning},
         Rule{"FrameFile", [](Parts& p) { p.frame.file = "../chair.obj"; }, 7, "file", "folder"},
         Rule{"FramePosition", [](Parts& p) { p.frame.position.z() = nan; }, 7, "position", "NaN"},
-        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"}),
+        Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"},
+        Rule{"ScanFile", [](Parts& p) { p.scan.file = ""; }, 20, "file", "beside the design"},
+        Rule{"ScanScale", [](Parts& p) { p.scan.scale = 0; }, 20, "scale", "positive"},
+        Rule{"ScanThreshold", [](Parts& p) { p.scan.threshold = 0; }, 20, "threshold_mm", "between 0.1"},
+        Rule{"ScanStrength", [](Parts& p) { p.scan.strength = 11; }, 20, "strength", "between 0 and 10"},
+        Rule{"ScanCut", [](Parts& p) { p.scan.cuts[0].halfSpaces[0].normal.setZero(); }, 20, "cuts[0].planes[0]",
+             "normal"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
@@ -347,7 +358,7 @@ TEST(UsablePart, TakesDependantsAlong)
         gone.push_back(number(problem.element));
     EXPECT_EQ(gone, (std::vector<int>{2, 5, 6}));
     EXPECT_NE(leftOut[1].english().find("needs patch 2 \"Seat\""), std::string::npos) << leftOut[1].english();
-    EXPECT_EQ(usable.elements().size(), 4u);
+    EXPECT_EQ(usable.elements().size(), 5u);
 }
 
 TEST(UsablePart, GivesABadFabricTheUsualValues)

@@ -67,7 +67,9 @@ TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
       {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 3, "curve": 3, "curve_from": 0.5, "curve_to": 2},
       {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 4}, "b": {"patch": 2, "from": 5, "to": 0},
        "continuity": "G1", "reversed": false},
-      {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0]}]})")
+      {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0]},
+      {"id": 8, "kind": "scan", "name": "S", "file": "s.ply", "threshold_mm": 40, "enabled": false, "target": "point",
+       "cuts": [{"planes": [[0, 0, 1, 5]]}, {"planes": [[1, 0, 0, 9], [-1, 0, 0, 9]], "keep": true}]}]})")
                                               .design);
     const std::string large = test::designText("car-seat-tied");
     int readable = 0;

@@ -119,11 +119,19 @@ Design unusualDesign()
     FixationSeam fixation{{ElementId{2}, 0.5, 0.5}, ElementId{9}, std::pair(2.5, 0.5), true, Match::Parameter};
     Seam seam{{ElementId{2}, 0, 1}, {ElementId{3}, 6.5, 1}, false, Match::Parameter, Continuity::G1};
     Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
+    Scan scan{{1000, Vec3(-0.0, 2, 3), Quat(0.5, 0.5, 0.5, 0.5)},
+              "S",
+              "a/b.ply",
+              0.1,
+              9.75,
+              false,
+              ScanTarget::Point,
+              {{{{Vec3(0, 0, -1), 0.1 + 0.2}, {Vec3(1e-9, 0, 0), -4}}, true}, {}}};
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
-                                              makeElement(frame),    makeElement(curve)};
+                                              makeElement(frame),    makeElement(scan),     makeElement(curve)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});
@@ -415,7 +423,19 @@ INSTANTIATE_TEST_SUITE_P(
                    "frame 7 \"F\"", "rotation", "1.414"},
         BadElement{"Rotation", R"({"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [1, 0, 0]})",
                    "frame 7 \"F\"", "rotation", "4 numbers"},
-        BadElement{"NoFile", R"({"id": 7, "kind": "frame", "name": "F"})", "frame 7 \"F\"", "file", "missing"}),
+        BadElement{"NoFile", R"({"id": 7, "kind": "frame", "name": "F"})", "frame 7 \"F\"", "file", "missing"},
+        BadElement{"ScanTarget", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "target": "line"})",
+                   "scan 7 \"S\"", "target", "\"plane\", \"point\""},
+        BadElement{"ScanCuts", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": {}})",
+                   "scan 7 \"S\"", "cuts", "list"},
+        BadElement{"ScanCut", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [7]})",
+                   "scan 7 \"S\"", "cuts[0]", "braces"},
+        BadElement{"ScanPlanes",
+                   R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [{"keep": true}]})",
+                   "scan 7 \"S\"", "cuts[0].planes", "missing"},
+        BadElement{"ScanPlane",
+                   R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [{"planes": [[0, 0, 1]]}]})",
+                   "scan 7 \"S\"", "cuts[0].planes[0]", "4 numbers"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignJson, ReportsEveryProblemAndReadsTheRest)
