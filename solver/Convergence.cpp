@@ -11,6 +11,8 @@ constexpr int window = 8; // accelerated moves go up and down within a few itera
 constexpr double slowest = 0.9995;
 constexpr int stage = 200; // iterations between two looks for a stall
 constexpr int plainIterations = 100;
+constexpr std::size_t fitSteps = 10;
+constexpr double fitChange = 1e-3;
 
 } // namespace
 
@@ -34,6 +36,15 @@ bool Convergence::add(double move)
     }
     m_inARow = m_estimate < m_tolerance ? m_inARow + 1 : 0;
     return m_inARow >= 3;
+}
+
+bool FitConvergence::add(double misfit)
+{
+    m_misfits.push_back(misfit);
+    if (m_misfits.size() > fitSteps + 1)
+        m_misfits.pop_front();
+    const auto [least, most] = std::minmax_element(m_misfits.begin(), m_misfits.end());
+    return m_misfits.size() > fitSteps && *least > 0 && *most - *least < fitChange * *most;
 }
 
 /// Compares the largest moves of successive stages.

@@ -5,6 +5,7 @@
 #include "WorkerPool.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -34,6 +35,10 @@ public:
     /// Writes t_i - p_i (mm; x y z 0) for the vertices begin .. end - 1 of one part. Called on several threads.
     virtual void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
                           Columns& displacements) const = 0;
+
+    /// A source that has one is a fit: rms of what it still has to move, mm, as of the last follow(). It starts
+    /// from the cover as it is at rest without it, and has settled when this no longer changes.
+    virtual std::optional<double> misfit() const { return std::nullopt; }
 };
 
 using Ghosts = std::vector<std::unique_ptr<GhostSource>>;

@@ -1,10 +1,57 @@
 #include "MakeGhosts.h"
 
+#include "ScanGhosts.h"
+
 namespace bolster {
 
-Ghosts makeGhosts(const SolveInput&, const SewnMesh&, GhostCache&, Problems&, const std::stop_token&)
+std::shared_ptr<const ScanIndex> ScanIndexCache::index(ElementId id, const Scan& scan, const DesignFiles& files)
 {
-    return {};
+    const auto cloud = files.clouds.find(id);
+    if (cloud == files.clouds.end())
+        return nullptr;
+    Entry& entry = m_entries[id];
+    if (entry.cloud != cloud->second || entry.cuts != scan.cuts)
+        entry = {cloud->second, scan.cuts, std::make_shared<const ScanIndex>(*cloud->second, scan.cuts)};
+    return entry.index;
+}
+
+void ScanIndexCache::forgetOthers(const Design& design)
+{
+    std::erase_if(m_entries, [&](const auto& entry) { return !design.find<Scan>(entry.first); });
+}
+
+namespace {
+
+void addScans(const SolveInput& input, const SewnMesh& mesh, GhostCache& cache, Problems& problems, Ghosts& ghosts,
+              const std::stop_token& stop)
+{
+    cache.scans.forgetOthers(input.design);
+    input.design.each<Scan>([&](ElementId id, const Scan& scan) {
+        if (!scan.enabled || stop.stop_requested())
+            return;
+        auto index = cache.scans.index(id, scan, input.files);
+        if (!index)
+            return;
+        if (!index->empty())
+            ghosts.push_back(std::make_unique<ScanGhosts>(scan, std::move(index), mesh));
+        else
+            problems.push_back(
+                {id,
+                 elementLabel(id, *input.design.element(id)),
+                 "cuts",
+                 {QT_TRANSLATE_NOOP("Message", "the cuts leave nothing of the scan; remove one of them")},
+                 Severity::Warning});
+    });
+}
+
+} // namespace
+
+Ghosts makeGhosts(const SolveInput& input, const SewnMesh& mesh, GhostCache& cache, Problems& problems,
+                  const std::stop_token& stop)
+{
+    Ghosts ghosts;
+    addScans(input, mesh, cache, problems, ghosts, stop);
+    return ghosts;
 }
 
 } // namespace bolster

@@ -39,6 +39,18 @@ struct SolveReport {
     double restArea = 0;               ///< mm^2
     std::int64_t flippedTriangles = 0; ///< normal more than 90 degrees from the mean of its frames' normals
 
+    struct ScanFit {
+        ElementId scan{};
+        std::string name;
+        std::int64_t points = 0; ///< that are not cut away
+        double rms = 0;          ///< of the deviations along the normal, weighted by area, as the next three
+        double median = 0;       ///< of their sizes
+        double p95 = 0;
+        double max = 0;
+        double coverage = 0; ///< share of the cover's area that the scan has points for
+    };
+    std::vector<ScanFit> scans;
+
     struct Times {
         double triangulate = 0;
         double assemble = 0;

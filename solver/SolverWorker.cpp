@@ -1,6 +1,7 @@
 #include "SolverWorker.h"
 
 #include "DesignCheck.h"
+#include "ScanMeasure.h"
 #include "StateTransfer.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -254,10 +255,10 @@ void SolverWorker::endLive()
             publish(SolverStatus::State::Idle);
         return;
     }
-    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     m_status.resting = m_live->canonical && converged;
     m_restingDone = m_live->canonical;
     publishSurface();
+    reportLive();
     publish(SolverStatus::State::Settled);
     if (!m_restingDone)
         beginResting();
@@ -306,9 +307,17 @@ void SolverWorker::adoptResting()
     m_status.restingDistance.reset();
     m_status.resting = true;
     m_status.iterations = m_live->relaxation->iterations();
-    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     publishSurface();
+    reportLive();
     publish(SolverStatus::State::Settled);
+}
+
+/// On the surface that was published last.
+void SolverWorker::reportLive()
+{
+    const PreparedSheet& prepared = m_live->prepared;
+    m_report = reportOn(prepared, *m_live->relaxation);
+    m_report.scans = measureScans({prepared.design, prepared.files}, *m_surface, m_ghostCache.scans, m_pool);
 }
 
 void SolverWorker::fail(Message reason)

@@ -58,6 +58,7 @@ private:
     void adoptResting();
     void fail(Message reason);
     void publishSurface();
+    void reportLive();
     void publish(SolverStatus::State state);
 
     Mailbox<Request> m_in;

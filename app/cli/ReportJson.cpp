@@ -43,6 +43,19 @@ Json json(const SolveReport::MaxMean& value)
     return {{"max", value.max}, {"mean", value.mean}};
 }
 
+Json json(const std::vector<SolveReport::ScanFit>& scans)
+{
+    Json list = Json::array();
+    for (const SolveReport::ScanFit& scan : scans)
+        list.push_back(
+            {{"element", number(scan.scan)},
+             {"name", scan.name},
+             {"points", scan.points},
+             {"deviation_mm", {{"rms", scan.rms}, {"median", scan.median}, {"p95", scan.p95}, {"max", scan.max}}},
+             {"coverage", scan.coverage}});
+    return list;
+}
+
 } // namespace
 
 std::string reportJson(const SolveResult& result)
@@ -71,6 +84,7 @@ std::string reportJson(const SolveResult& result)
         {"area_mm2", report.area},
         {"rest_area_mm2", report.restArea},
         {"flipped_triangles", report.flippedTriangles},
+        {"scans", json(report.scans)},
         {"time_ms",
          {{"triangulate", report.time.triangulate},
           {"assemble", report.time.assemble},

@@ -246,10 +246,26 @@ TEST_F(CommandLine, ReportsExactlyTheDocumentedKeys)
 {
     const auto expectKeys = [&] {
         const Json numbers = report();
-        EXPECT_EQ(keysOf(numbers), (Strings{"area_mm2", "constraints", "fixation_deviation_mm", "fixation_error_mm",
-                                            "flipped_triangles", "iterations", "left_out", "movement", "patches",
-                                            "reason", "rest_area_mm2", "seam_gap_mm", "seams", "status", "strain",
-                                            "time_ms", "triangles", "vertices", "warnings"}));
+        EXPECT_EQ(keysOf(numbers), (Strings{"area_mm2",
+                                            "constraints",
+                                            "fixation_deviation_mm",
+                                            "fixation_error_mm",
+                                            "flipped_triangles",
+                                            "iterations",
+                                            "left_out",
+                                            "movement",
+                                            "patches",
+                                            "reason",
+                                            "rest_area_mm2",
+                                            "scans",
+                                            "seam_gap_mm",
+                                            "seams",
+                                            "status",
+                                            "strain",
+                                            "time_ms",
+                                            "triangles",
+                                            "vertices",
+                                            "warnings"}));
         EXPECT_EQ(keysOf(numbers["constraints"]), (Strings{"fixed", "ghost", "orientation", "sewn"}));
         EXPECT_EQ(keysOf(numbers["seam_gap_mm"]), (Strings{"max", "mean"}));
         EXPECT_EQ(keysOf(numbers["fixation_error_mm"]), (Strings{"max", "mean"}));
