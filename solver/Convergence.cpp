@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bolster {
 
@@ -11,7 +12,7 @@ constexpr int window = 8; // accelerated moves go up and down within a few itera
 constexpr double slowest = 0.9995;
 constexpr int stage = 200; // iterations between two looks for a stall
 constexpr int plainIterations = 100;
-constexpr std::size_t fitSteps = 10;
+constexpr int fitSteps = 10;
 constexpr double fitChange = 1e-3;
 
 } // namespace
@@ -41,10 +42,13 @@ bool Convergence::add(double move)
 bool FitConvergence::add(double misfit)
 {
     m_misfits.push_back(misfit);
-    if (m_misfits.size() > fitSteps + 1)
+    if (m_misfits.size() < 2 * fitSteps)
+        return false;
+    if (m_misfits.size() > 2 * fitSteps)
         m_misfits.pop_front();
-    const auto [least, most] = std::minmax_element(m_misfits.begin(), m_misfits.end());
-    return m_misfits.size() > fitSteps && *least > 0 && *most - *least < fitChange * *most;
+    const double older = std::accumulate(m_misfits.begin(), m_misfits.begin() + fitSteps, 0.0);
+    const double newer = std::accumulate(m_misfits.begin() + fitSteps, m_misfits.end(), 0.0);
+    return newer > 0 && std::abs(newer - older) < fitChange * newer;
 }
 
 /// Compares the largest moves of successive stages.

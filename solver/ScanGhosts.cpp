@@ -13,6 +13,8 @@ constexpr double usualGamma = 1e4;
 // Point spacings that a nearest point may lie aside. Inside a scanned area none lies further; beyond the rim of a
 // hole the rim's points would pull the cloth that spans it.
 constexpr double widestAside = 1.6;
+// Of cover and scan: steeper planes say nothing about the height.
+constexpr double leastCosine = 0.5;
 
 /// A power of two, so that moving a slider seldom factors again.
 double gammaFactor(double strength)
@@ -37,6 +39,10 @@ std::optional<ScanOffset> ScanPlace::offset(int nearest, const Vec3& at, const V
     offset.whole = m_placement.placed(m_index->point(nearest)) - at;
     offset.along = offset.whole.dot(normal);
     offset.aside = (offset.whole - offset.along * normal).norm();
+    // What is a few points wide would lose its depth if a vertex between two points took the height of one of them.
+    const Vec3 scanNormal = m_placement.rotation * m_index->normal(nearest);
+    if (const double cosine = scanNormal.dot(normal); std::abs(cosine) > leastCosine)
+        offset.along = offset.whole.dot(scanNormal) / cosine;
     const bool near = offset.whole.norm() <= m_threshold;
     return near && !(limitAside && offset.aside > m_widest) ? std::optional(offset) : std::nullopt;
 }

@@ -10,7 +10,7 @@ namespace bolster {
 
 /// A point of a scan that belongs to a point of the cover, as seen from there.
 struct ScanOffset {
-    double along = 0;          ///< mm, along the cover's normal
+    double along = 0;          ///< mm, along the cover's normal, to the plane in which the scan lies there
     double aside = 0;          ///< mm, across it
     Vec3 whole = Vec3::Zero(); ///< mm
 };

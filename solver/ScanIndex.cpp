@@ -1,5 +1,8 @@
 #include "ScanIndex.h"
 
+#include "WorkerPool.h"
+
+#include <Eigen/Eigenvalues>
 #include <flann/algorithms/dist.h>
 #include <flann/algorithms/kdtree_single_index.h>
 
@@ -13,6 +16,9 @@ namespace bolster {
 namespace {
 
 using Distance = flann::L2_Simple<float>;
+
+// Of a point: so many that they surround it, so few that what is a few points wide is seen.
+constexpr std::size_t neighbours = 8;
 
 /// The two nearest points of a search that begins with a bound.
 class TwoNearest : public flann::ResultSet<float> {
@@ -84,29 +90,42 @@ ScanIndex::ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts)
     if (m_points.empty())
         return;
     m_tree = std::make_unique<Tree>(m_points);
-    m_spacing = measureSpacing();
+    m_normals.assign(m_points.size(), Eigen::Vector3f::UnitZ());
+    std::vector<float> distances(m_points.size());
+    WorkerPool pool(0);
+    pool.forChunks(size(), [&](int, int begin, int end) {
+        for (int i = begin; i < end; ++i)
+            distances[i] = lookAround(static_cast<std::size_t>(i));
+    });
+    // Scanners see what is far less densely, so the median.
+    std::nth_element(distances.begin(), distances.begin() + std::ssize(distances) / 2, distances.end());
+    m_spacing = std::sqrt(distances[distances.size() / 2] * std::numbers::pi / neighbours);
 }
 
 ScanIndex::~ScanIndex() = default;
 
-/// From the distance of the eighth neighbour, which says how many points there are on an area; of the points here
-/// and there, because scanners see what is far less densely.
-double ScanIndex::measureSpacing() const
+float ScanIndex::lookAround(std::size_t point)
 {
-    constexpr std::size_t neighbours = 8;
-    constexpr std::size_t probes = 1000;
-    if (m_points.size() <= neighbours)
-        return std::numeric_limits<double>::max();
-    std::vector<double> distances;
     flann::KNNSimpleResultSet<float> nearest(neighbours + 1); // and the point itself
-    const std::size_t step = std::max<std::size_t>(1, m_points.size() / probes);
-    for (std::size_t i = 0; i < m_points.size(); i += step) {
-        nearest.clear();
-        m_tree->kdTree.findNeighbors(nearest, m_tree->local(m_points[i]).data(), flann::SearchParams(-1));
-        distances.push_back(std::sqrt(nearest.worstDist()));
+    m_tree->kdTree.findNeighbors(nearest, m_tree->local(m_points[point]).data(), flann::SearchParams(-1));
+    const std::size_t count = std::min(nearest.size(), neighbours + 1);
+    std::array<std::size_t, neighbours + 1> indices{};
+    std::array<float, neighbours + 1> squares{};
+    nearest.copy(indices.data(), squares.data(), count);
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    for (std::size_t k = 0; k < count; ++k)
+        mean += m_tree->local(m_points[indices[k]]) / static_cast<float>(count);
+    Eigen::Matrix3f spread = Eigen::Matrix3f::Zero();
+    for (std::size_t k = 0; k < count; ++k) {
+        const Eigen::Vector3f offset = m_tree->local(m_points[indices[k]]) - mean;
+        spread += offset * offset.transpose();
     }
-    std::nth_element(distances.begin(), distances.begin() + std::ssize(distances) / 2, distances.end());
-    return distances[distances.size() / 2] * std::sqrt(std::numbers::pi / neighbours);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes;
+    axes.computeDirect(spread);
+    if (const Eigen::Vector3f normal = axes.eigenvectors().col(0);
+        normal.allFinite() && normal.squaredNorm() > 0.5F)
+        m_normals[point] = normal;
+    return squares[count - 1];
 }
 
 ScanIndex::Nearest ScanIndex::search(const Vec3& at, double radius) const

@@ -19,6 +19,8 @@ public:
     bool empty() const { return m_points.empty(); }
     int size() const { return static_cast<int>(m_points.size()); }
     const Vec3& point(int i) const { return m_points[static_cast<std::size_t>(i)]; }
+    /// Unit normal of the plane that the neighbours lie in, pointing to either side.
+    Vec3 normal(int i) const { return m_normals[static_cast<std::size_t>(i)].cast<double>(); }
     /// The usual distance of neighbours: 1 / sqrt(points per area).
     double spacing() const { return m_spacing; }
 
@@ -34,9 +36,11 @@ public:
 private:
     struct Tree;
 
-    double measureSpacing() const;
+    /// Squared distance of the last of its neighbours, file units.
+    float lookAround(std::size_t point);
 
     std::vector<Vec3> m_points;
+    std::vector<Eigen::Vector3f> m_normals;
     std::unique_ptr<Tree> m_tree;
     double m_spacing = 0;
 };

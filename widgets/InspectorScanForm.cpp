@@ -10,7 +10,7 @@ void InspectorForms::addScan(PropertyForm& form, ElementId id) const
     scan.name(tr("Name"));
     scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
     scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
-    scan.number(tr("Strength"), {{}, 2, 0, 10, 0.25}, &Scan::strength,
+    scan.number(tr("Strength"), {{}, 2, 0, 100, 0.25}, &Scan::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
     scan.number(tr("Threshold"), {QStringLiteral(" mm"), 1, 0.1, 1e4, 5}, &Scan::threshold,
                 QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"));

@@ -16,7 +16,7 @@ constexpr double mostEase = 0.05;
 constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
-constexpr double mostScanStrength = 10;
+constexpr double mostScanStrength = 100;
 
 bool isColor(const std::string& text)
 {

@@ -38,7 +38,7 @@ struct Scan : Placement {
     std::string name;
     std::string file;      ///< relative to the design's folder, never outside it
     double threshold = 60; ///< mm: vertices further than this from every point are not pulled
-    double strength = 1;   ///< of the pull, 0 to 10
+    double strength = 1;   ///< of the pull, 0 to 100
     bool enabled = true;   ///< false: only measured against
     ScanTarget target = ScanTarget::Plane;
     std::vector<ScanCut> cuts; ///< in the scan's file, so that they go where it goes

@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"ScanFile", [](Parts& p) { p.scan.file = ""; }, 20, "file", "beside the design"},
         Rule{"ScanScale", [](Parts& p) { p.scan.scale = 0; }, 20, "scale", "positive"},
         Rule{"ScanThreshold", [](Parts& p) { p.scan.threshold = 0; }, 20, "threshold_mm", "between 0.1"},
-        Rule{"ScanStrength", [](Parts& p) { p.scan.strength = 11; }, 20, "strength", "between 0 and 10"},
+        Rule{"ScanStrength", [](Parts& p) { p.scan.strength = 101; }, 20, "strength", "between 0 and 100"},
         Rule{"ScanCut", [](Parts& p) { p.scan.cuts[0].halfSpaces[0].normal.setZero(); }, 20, "cuts[0].planes[0]",
              "normal"}),
     [](const auto& parameter) { return parameter.param.name; });
