@@ -2,6 +2,7 @@
 
 #include "ScanGhosts.h"
 #include "ScanMeasure.h"
+#include "ScanPlacement.h"
 #include "SolvePlan.h"
 
 #include <gtest/gtest.h>
@@ -211,6 +212,59 @@ TEST(Scan, CutsThatLeaveNothingAreAWarning)
     ASSERT_EQ(result.warnings.size(), 1u);
     EXPECT_EQ(result.warnings[0].field, "cuts");
     EXPECT_TRUE(result.report.scans.empty());
+}
+
+/// A box cover, and the same surface as points of another file: in metres, turned and moved.
+struct Misplaced {
+    SurfaceMesh surface = *solved(box(400, 150, 15, 5, 0.3), 1e-5).surface;
+    Placement right{1000, Vec3(50, -20, 30), Quat(Eigen::AngleAxisd(0.5, Vec3(1, 1, 0).normalized()))};
+    PointCloud cloud;
+
+    Misplaced()
+    {
+        for (const auto& [a, b, c] : surface.topology->triangles) {
+            const auto& p = surface.positions;
+            for (const Vec3& w : {Vec3(0.6, 0.2, 0.2), Vec3(0.2, 0.6, 0.2), Vec3(0.2, 0.2, 0.6)})
+                cloud.points.push_back(right.filePoint(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]));
+        }
+    }
+};
+
+TEST(ScanPlacement, FindsBackFromAFewCentimetresAndDegrees)
+{
+    Misplaced m;
+    std::erase_if(m.cloud.points, [&](const Vec3& p) { return m.right.placed(p).x() < 60; }); // unseen
+    const ScanIndex index(m.cloud, {});
+    Placement from = m.right;
+    from.position += Vec3(12, -18, 15);
+    from.rotation = Quat(Eigen::AngleAxisd(0.06, Vec3(1, -2, 1).normalized())) * from.rotation;
+    const auto fit = fitPlacement(m.surface, from, index);
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->placement.scale, m.right.scale);
+    EXPECT_LT(fit->rms, 0.7);
+    double farthest = 0;
+    for (const Vec3& p : m.cloud.points)
+        farthest = std::max(farthest, (fit->placement.placed(p) - m.right.placed(p)).norm());
+    EXPECT_LT(farthest, 1);
+}
+
+TEST(ScanPlacement, EndsWhenStoppedAndStaysWhereAllFits)
+{
+    const Misplaced m;
+    const ScanIndex index(m.cloud, {});
+    std::stop_source stop;
+    int seen = 0;
+    Placement from = m.right;
+    from.position.x() += 20;
+    EXPECT_FALSE(fitPlacement(m.surface, from, index, stop.get_token(), [&](int) {
+        if (++seen == 2)
+            stop.request_stop();
+    }));
+    EXPECT_EQ(seen, 2);
+    EXPECT_FALSE(fitPlacement(m.surface, m.right, ScanIndex({}, {})));
+    const auto fit = fitPlacement(m.surface, m.right, index);
+    ASSERT_TRUE(fit);
+    EXPECT_LT((fit->placement.position - m.right.position).norm(), 0.5);
 }
 
 TEST(SolvePlan, KnowsWhatScansAsk)
