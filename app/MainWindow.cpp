@@ -11,6 +11,7 @@
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
+#include "ScanLink.h"
 #include "SelectionEdits.h"
 #include "StartHint.h"
 #include "StatusLine.h"
@@ -40,6 +41,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
+    , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_selection))
@@ -60,6 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
     buildMenus(*this, *m_actions, *m_files, *m_docks);
     connectDocument();
     connectViews();
+    connectScans();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);
@@ -95,7 +98,8 @@ void MainWindow::buildToolBars()
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
-                     m_actions->showCurves, m_actions->showFrames, m_actions->showGrid});
+                     m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
+                     m_actions->showGrid});
     bar->addSeparator();
     bar->addActions({m_actions->perspective, m_actions->settle, m_actions->pause});
 
@@ -138,6 +142,7 @@ void MainWindow::connectDocument()
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
         m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
+        m_scans->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);

@@ -22,6 +22,7 @@ class HistoryView;
 class Inspector;
 class PatternView;
 class ProblemsView;
+class ScanLink;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -66,6 +67,9 @@ private:
     void updateEditActions();
     void updateProblems();
     void updateSolverState();
+    void showMeasured();
+    void connectScans();
+    void fitScanPlacement(ElementId scan);
     void applyLayers();
     void removeSelection();
     void turnSelection(double degrees);
@@ -78,6 +82,7 @@ private:
     Selection m_selection;
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
+    std::unique_ptr<ScanLink> m_scans;
     Actions* m_actions;
     PatternView* m_pattern;
     SurfaceView* m_surface;

@@ -23,7 +23,7 @@ std::vector<double> vertexAreas(const SurfaceMesh& surface)
     return areas;
 }
 
-SolveReport::ScanFit figuresOf(const std::vector<float>& deviations, const std::vector<double>& areas)
+ScanFigures figuresOf(const std::vector<float>& deviations, const std::vector<double>& areas)
 {
     std::vector<std::pair<double, double>> sizes; // with their areas
     double all = 0, measured = 0, squares = 0;
@@ -35,7 +35,7 @@ SolveReport::ScanFit figuresOf(const std::vector<float>& deviations, const std::
         measured += areas[v];
         squares += areas[v] * deviations[v] * deviations[v];
     }
-    SolveReport::ScanFit figures;
+    ScanFigures figures;
     if (!(measured > 0))
         return figures;
     std::sort(sizes.begin(), sizes.end());
@@ -59,15 +59,21 @@ ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::sha
     ScanDeviation result;
     const int count = static_cast<int>(surface.positions.size());
     result.ofVertex.assign(surface.positions.size(), std::numeric_limits<float>::quiet_NaN());
+    std::vector<Vec3> points(surface.positions.size());
     const ScanPlace place(scan, std::move(index));
     pool.forChunks(count, [&](int, int begin, int end) {
         for (int v = begin; v < end; ++v) {
             const Vec3& at = surface.positions[v];
             const int nearest = place.index().search(place.filePoint(at), place.fileRadius()).first;
-            if (const auto offset = place.offset(nearest, at, surface.normals[v].cast<double>(), true))
+            if (const auto offset = place.offset(nearest, at, surface.normals[v].cast<double>(), true)) {
                 result.ofVertex[v] = static_cast<float>(-offset->along);
+                points[v] = at + offset->whole;
+            }
         }
     });
+    for (std::size_t v = 0; v < points.size(); ++v)
+        if (!std::isnan(result.ofVertex[v]))
+            result.pairs.emplace_back(static_cast<std::uint32_t>(v), points[v]);
     result.figures = figuresOf(result.ofVertex, vertexAreas(surface));
     result.figures.points = place.index().size();
     return result;
@@ -81,9 +87,7 @@ std::vector<SolveReport::ScanFit> measureScans(const SolveInput& input, const Su
         auto index = cache.index(id, scan, input.files);
         if (!index || index->empty())
             return;
-        fits.push_back(measureScan(surface, scan, std::move(index), pool).figures);
-        fits.back().scan = id;
-        fits.back().name = scan.name;
+        fits.push_back({id, scan.name, measureScan(surface, scan, std::move(index), pool).figures});
     });
     return fits;
 }

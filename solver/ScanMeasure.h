@@ -6,7 +6,8 @@
 #include "SurfaceMesh.h"
 #include "WorkerPool.h"
 
-#include <optional>
+#include <utility>
+#include <vector>
 
 namespace bolster {
 
@@ -14,7 +15,9 @@ struct ScanDeviation {
     /// mm, per vertex, along the normal: positive where the cover lies outside the scan; NaN where the scan has no
     /// point within its threshold, or a hole.
     std::vector<float> ofVertex;
-    SolveReport::ScanFit figures; ///< without element and name
+    /// The point of the scan, mm, for each vertex that has a deviation.
+    std::vector<std::pair<std::uint32_t, Vec3>> pairs;
+    ScanFigures figures;
 };
 
 ScanDeviation measureScan(const SurfaceMesh& surface, const Scan& scan, std::shared_ptr<const ScanIndex> index,

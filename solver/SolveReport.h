@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Problem.h"
+#include "ScanFigures.h"
 
 #include <cstdint>
 
@@ -42,12 +43,7 @@ struct SolveReport {
     struct ScanFit {
         ElementId scan{};
         std::string name;
-        std::int64_t points = 0; ///< that are not cut away
-        double rms = 0;          ///< of the deviations along the normal, weighted by area, as the next three
-        double median = 0;       ///< of their sizes
-        double p95 = 0;
-        double max = 0;
-        double coverage = 0; ///< share of the cover's area that the scan has points for
+        ScanFigures figures;
     };
     std::vector<ScanFit> scans;
 

@@ -25,11 +25,13 @@ const NumberBox::Range angleRange = PlacementRows::angleRange();
 } // namespace
 
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
-                               std::function<void(ElementId)> chooseFile)
+                               std::function<void(ElementId)> chooseFile,
+                               std::function<void(ElementId, ScanWish)> scanWish)
     : m_document(document)
     , m_selection(selection)
     , m_problems(problems)
     , m_chooseFile(std::move(chooseFile))
+    , m_scanWish(std::move(scanWish))
 {}
 
 std::unique_ptr<PropertyForm> InspectorForms::make() const

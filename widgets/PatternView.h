@@ -1,6 +1,7 @@
 // The pattern view: the patches in their layout, with seams and fixations.
 #pragma once
 
+#include "MapLegend.h"
 #include "PatternPainter.h"
 #include "PatternTool.h"
 #include "SurfaceMesh.h"
@@ -22,6 +23,8 @@ public:
 
     /// Where the triangulation comes from; null for none.
     void setSurface(const SurfaceMeshPtr& surface);
+    /// Colours on the patches; null for none.
+    void setMap(const SurfaceMapPtr& map);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
 
@@ -74,6 +77,8 @@ private:
     ProblemSet& m_problems;
     PatternScene m_scene;
     PatternMesh m_mesh;
+    PatternMap m_map;
+    MapLegend* m_legend;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;

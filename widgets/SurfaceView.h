@@ -3,6 +3,8 @@
 
 #include "Camera.h"
 #include "DesignFile.h"
+#include "MapLegend.h"
+#include "ScanPoints.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
@@ -34,7 +36,7 @@ public:
     using StandardView = Camera::StandardView;
 
     /// What can be shown and hidden.
-    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground };
+    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Scans, ScanPairs, Ground };
     Q_ENUM(Layer)
 
     enum class Drawing {
@@ -53,8 +55,14 @@ public:
     /// The cover to show; null for none. Cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
-    /// The meshes of the design's frames; their placement is taken from the design.
+    /// What the design's files hold: frames and scans; their placement is taken from the design.
     void setFiles(const DesignFiles& files);
+    /// Colours on the cover; null for none.
+    void setMap(SurfaceMapPtr map);
+    /// Which points of a scan belong to which places of the cover, mm: shown as lines.
+    void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
+    /// The next drag cuts away, or keeps, a part of the scan.
+    void startScanCut(bolster::ElementId scan, bool keep);
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
@@ -117,6 +125,8 @@ private:
     void useSoftware(const QString& note);
     void designChanged(const std::set<bolster::ElementId>& ids);
     void updateFrames();
+    void updateScans();
+    void addScanPairs();
     void updateLooks();
     void updateMarks();
     void updateBox();
@@ -142,12 +152,15 @@ private:
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;
-    Box3 m_frameBox; ///< mm
+    ScanPoints m_scanPoints;
+    std::vector<std::pair<Vec3, Vec3>> m_scanPairs; ///< on the cover, and of the scan
+    Box3 m_frameBox;                                ///< mm
     SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
 
     std::unique_ptr<SurfaceCanvas> m_canvas;
     SurfaceViewCube* m_cube;
+    MapLegend* m_legend;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;

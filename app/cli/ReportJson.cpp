@@ -47,12 +47,15 @@ Json json(const std::vector<SolveReport::ScanFit>& scans)
 {
     Json list = Json::array();
     for (const SolveReport::ScanFit& scan : scans)
-        list.push_back(
-            {{"element", number(scan.scan)},
-             {"name", scan.name},
-             {"points", scan.points},
-             {"deviation_mm", {{"rms", scan.rms}, {"median", scan.median}, {"p95", scan.p95}, {"max", scan.max}}},
-             {"coverage", scan.coverage}});
+        list.push_back({{"element", number(scan.scan)},
+                        {"name", scan.name},
+                        {"points", scan.figures.points},
+                        {"deviation_mm",
+                         {{"rms", scan.figures.rms},
+                          {"median", scan.figures.median},
+                          {"p95", scan.figures.p95},
+                          {"max", scan.figures.max}}},
+                        {"coverage", scan.figures.coverage}});
     return list;
 }
 

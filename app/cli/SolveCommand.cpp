@@ -150,9 +150,9 @@ void printSummary(const SolveResult& result)
                 numberText(report.fixationError.max, 3) + " mm, seam gap " + numberText(report.seamGap.max, 3) +
                 " mm, " + counted(report.flippedTriangles, "flipped triangle"));
     for (const SolveReport::ScanFit& scan : report.scans)
-        printResult("scan \"" + scan.name + "\": " + numberText(scan.rms, 3) + " mm rms, " +
-                    numberText(scan.p95, 3) + " mm within 95 %, over " + numberText(100 * scan.coverage, 3) +
-                    " % of the cover");
+        printResult("scan \"" + scan.name + "\": " + numberText(scan.figures.rms, 3) + " mm rms, " +
+                    numberText(scan.figures.p95, 3) + " mm within 95 %, over " +
+                    numberText(100 * scan.figures.coverage, 3) + " % of the cover");
 }
 
 void printFindings(const SolveResult& result)

@@ -117,7 +117,7 @@ TEST(Scan, ACoverTakesTheShapeOfItsScanWhereverThatIsPlaced)
     const SolveResult result = fitted(withScan(heldSquare(300, 8), scan, std::move(cloud)));
     EXPECT_NEAR(heightAt(*result.surface, 150, 150), 12, 0.3);
     ASSERT_EQ(result.report.scans.size(), 1u);
-    const SolveReport::ScanFit& fit = result.report.scans[0];
+    const ScanFigures& fit = result.report.scans[0].figures;
     EXPECT_EQ(fit.points, 101 * 101);
     EXPECT_LT(fit.rms, 0.3);
     EXPECT_LE(fit.median, fit.p95);
@@ -148,7 +148,7 @@ TEST(Scan, AHoleIsSpannedSmoothly)
     std::erase_if(cloud.points, [](const Vec3& p) { return (p.head<2>() - Vec2(150, 150)).norm() < 40; });
     const SolveResult result = fitted(withScan(heldSquare(300, 8), {}, std::move(cloud)));
     EXPECT_NEAR(heightAt(*result.surface, 150, 150), 12, 1.5);
-    EXPECT_LT(result.report.scans.at(0).coverage, 0.96);
+    EXPECT_LT(result.report.scans.at(0).figures.coverage, 0.96);
 }
 
 TEST(Scan, OneThatIsOffOrTooFarChangesNothingButIsMeasured)
@@ -159,12 +159,12 @@ TEST(Scan, OneThatIsOffOrTooFarChangesNothingButIsMeasured)
     off.enabled = false;
     const SolveResult measured = fitted(withScan(design, off, scanOf(bump, 300, 5)));
     EXPECT_EQ(measured.surface->positions, without.positions);
-    EXPECT_NEAR(measured.report.scans.at(0).max, 12, 0.5);
+    EXPECT_NEAR(measured.report.scans.at(0).figures.max, 12, 0.5);
 
     Scan far;
     far.position.z() = 100;
     const SolveResult away = fitted(withScan(design, far, scanOf(bump, 300, 5)));
-    EXPECT_EQ(away.report.scans.at(0).coverage, 0);
+    EXPECT_EQ(away.report.scans.at(0).figures.coverage, 0);
     double farthest = 0;
     for (std::size_t v = 0; v < without.positions.size(); ++v)
         farthest = std::max(farthest, (away.surface->positions[v] - without.positions[v]).norm());
