@@ -4,7 +4,9 @@ namespace bolster {
 
 namespace {
 
-constexpr std::size_t mostPoints = 200'000; // of a scan
+// Of a scan: more would hide the cover, or take long to draw.
+constexpr std::size_t fewPoints = 25'000;
+constexpr std::size_t mostPoints = 200'000; // of one that is selected
 
 bool drawnAlike(const Scan& a, const Scan& b)
 {
@@ -40,6 +42,11 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
         if (!gone)
             placed.box.extend(at);
     }
+    Points few;
+    const std::size_t stride = 1 + kept.size() / fewPoints;
+    for (std::size_t i = 0; i < kept.size(); i += stride)
+        few.push_back(kept[i]);
+    placed.few = std::make_shared<const Points>(std::move(few));
     placed.scan = scan;
     placed.cloud = std::move(cloud);
     placed.kept = std::make_shared<const Points>(std::move(kept));
@@ -53,10 +60,14 @@ std::vector<SurfaceScene::PointsLook> ScanPoints::looks(const std::set<ElementId
     std::vector<SurfaceScene::PointsLook> looks;
     for (const auto& [id, placed] : m_scans) {
         const QColor plain = colors.dark ? QColor(0x6f, 0xb6, 0xe8) : QColor(0x1f, 0x6f, 0xa8);
-        looks.push_back({placed.kept, selected.contains(id) ? colors.accent : plain, 2.2F});
+        if (!selected.contains(id)) {
+            looks.push_back({placed.few, plain, 1.6F});
+            continue;
+        }
+        looks.push_back({placed.kept, colors.accent, 1.4F});
         QColor faint = colors.mutedLabel;
         faint.setAlphaF(0.35F);
-        if (selected.contains(id) && !placed.cut->empty())
+        if (!placed.cut->empty())
             looks.push_back({placed.cut, faint, 1.6F});
     }
     return looks;

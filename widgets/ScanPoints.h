@@ -27,6 +27,7 @@ private:
         Scan scan;
         std::shared_ptr<const PointCloud> cloud;
         std::shared_ptr<const Points> kept;
+        std::shared_ptr<const Points> few; ///< of those that are kept
         std::shared_ptr<const Points> cut;
         Box3 box;
     };

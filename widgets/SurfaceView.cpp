@@ -164,6 +164,7 @@ void SurfaceView::setMap(SurfaceMapPtr map)
 {
     m_scene.map = std::move(map);
     m_legend->setMap(m_scene.map);
+    updateScans();
     draw(false);
 }
 
@@ -236,7 +237,7 @@ void SurfaceView::updateScans()
 {
     m_scanPoints.update(m_document.design(), m_files);
     m_scene.points.clear();
-    if (layerVisible(Layer::Scans))
+    if (layerVisible(Layer::Scans) && !m_scene.map) // which says more, and would be hidden
         m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors);
 }
 
