@@ -41,6 +41,8 @@ public:
     Document& document() { return m_session->document(); }
     Selection& selection() { return m_selection; }
     SolverLink& solver() { return *m_solver; }
+    ScanLink& scans() { return *m_scans; }
+    Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
     Actions& actions() { return *m_actions; }

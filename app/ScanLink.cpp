@@ -75,7 +75,9 @@ ScanLink::Result ScanLink::measure(const Request& request, Bench& bench)
     map->topology = request.surface->topology;
     map->values = deviation.ofVertex;
     map->limit = SurfaceMap::usualLimit(deviation.figures.p95);
-    map->title = tr("Deviation from %1 (+ outside)").arg(QString::fromStdString(request.scan.name));
+    map->title = tr("Deviation from %1").arg(QString::fromStdString(request.scan.name));
+    map->below = tr("inside");
+    map->above = tr("outside");
     map->unit = QStringLiteral(" mm");
     result.map = std::move(map);
     return result;

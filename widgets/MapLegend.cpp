@@ -75,9 +75,9 @@ void MapLegend::paintEvent(QPaintEvent*)
         painter.fillRect(bar.left() + x, bar.top(), 1, barHeight, QColor(r, g, b));
     }
     const QRect numbers(bar.left(), bar.bottom() + 3, barWidth, line);
-    painter.drawText(numbers, Qt::AlignLeft, number(static_cast<double>(-m_map->limit)));
+    painter.drawText(numbers, Qt::AlignLeft, number(static_cast<double>(-m_map->limit)) + u' ' + m_map->below);
     painter.drawText(numbers, Qt::AlignHCenter, QStringLiteral("0") + m_map->unit);
-    painter.drawText(numbers, Qt::AlignRight, number(static_cast<double>(m_map->limit)));
+    painter.drawText(numbers, Qt::AlignRight, number(static_cast<double>(m_map->limit)) + u' ' + m_map->above);
 }
 
 } // namespace bolster

@@ -18,11 +18,11 @@ SurfaceMap::Rgba SurfaceMap::color(float value) const
     const bool known = std::isfinite(value) && limit > 0;
     const float share = known ? std::clamp(value / limit, -1.F, 1.F) : 0;
     const float at = 0.5F * (share + 1) * static_cast<float>(stops.size() - 1);
-    const std::size_t below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-    const float part = at - static_cast<float>(below);
+    const std::size_t lower = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    const float part = at - static_cast<float>(lower);
     Rgba rgba{};
     for (std::size_t c = 0; c < 3; ++c)
-        rgba[c] = static_cast<std::uint8_t>(std::lround((1 - part) * stops[below][c] + part * stops[below + 1][c]));
+        rgba[c] = static_cast<std::uint8_t>(std::lround((1 - part) * stops[lower][c] + part * stops[lower + 1][c]));
     rgba[3] = known ? 255 : 0;
     return rgba;
 }

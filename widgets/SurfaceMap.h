@@ -14,6 +14,8 @@ struct SurfaceMap {
     std::vector<float> values;                       ///< per vertex; NaN: nothing is known, the fabric is shown
     float limit = 1;
     QString title;
+    QString below; ///< in words, what negative numbers mean
+    QString above;
     QString unit; ///< with the blank before it
 
     using Rgba = std::array<std::uint8_t, 4>;

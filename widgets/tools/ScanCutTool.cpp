@@ -57,8 +57,8 @@ bool ScanCutTool::escape()
 
 std::array<Vec2, 4> ScanCutTool::corners() const
 {
-    const auto [left, right] = std::minmax(m_from->x(), m_to.x());
-    const auto [top, bottom] = std::minmax(m_from->y(), m_to.y());
+    const auto [left, right] = std::minmax({m_from->x(), m_to.x()});
+    const auto [top, bottom] = std::minmax({m_from->y(), m_to.y()});
     return {Vec2(left, top), Vec2(right, top), Vec2(right, bottom), Vec2(left, bottom)};
 }
 
