@@ -42,16 +42,24 @@ void aim(OutlineSampling::FixedChain& chain, const FixationSpan& fixation, const
     }
 }
 
-void direct(OutlineSampling::OrientedChain& chain, const FixationSpan& held, const OutlineCuts& cuts,
-            const std::vector<double>& parameters)
+/// What is held at each point of a chain.
+void direct(OutlineSampling::OrientedChain& chain, const Orientation& orientation,
+            const std::vector<double>& fractions)
 {
-    const Orientation& orientation = held.fixation->orientation;
     chain.kind = orientation.kind;
     chain.weight = orientation.weight;
     chain.directions.clear();
-    for (std::size_t k = 0; k < chain.samples.size(); ++k)
-        chain.directions.push_back(orientation.at(
-            fractionAlong(held.span, cuts.outlines()[chain.outline], parameters, chain.samples, k, Match::Length)));
+    for (double fraction : fractions)
+        chain.directions.push_back(orientation.at(fraction));
+}
+
+std::vector<double> fractionsAlong(const FixationSpan& held, const CutOutline& outline,
+                                   const OutlineSampling::Outline& samples, const std::vector<int>& chain)
+{
+    std::vector<double> fractions;
+    for (std::size_t k = 0; k < chain.size(); ++k)
+        fractions.push_back(fractionAlong(held.span, outline, samples.parameters, chain, k, Match::Length));
+    return fractions;
 }
 
 /// Likewise of a handle.
@@ -125,9 +133,16 @@ void aimFixations(OutlineSampling& sampling, const OutlineCuts& cuts, const Desi
         OutlineSampling::FixedChain& chain = sampling.fixations[k];
         aim(chain, cuts.fixations()[k], cuts, sampling.outlines[chain.outline].parameters, design);
     }
-    for (std::size_t k = 0; k < sampling.orientations.size(); ++k) {
-        OutlineSampling::OrientedChain& chain = sampling.orientations[k];
-        direct(chain, cuts.orientations()[k], cuts, sampling.outlines[chain.outline].parameters);
+    auto held = cuts.orientations().begin();
+    for (OutlineSampling::OrientedChain& chain : sampling.orientations) {
+        const OutlineSampling::Outline& outline = sampling.outlines[chain.outline];
+        if (chain.line >= 0) {
+            direct(chain, design.find<HandleCurve>(chain.owner)->orientation, outline.lines[chain.line].fractions);
+            continue;
+        }
+        direct(chain, held->fixation->orientation,
+               fractionsAlong(*held, cuts.outlines()[chain.outline], outline, chain.samples));
+        ++held;
     }
     for (OutlineSampling::FixedChain& chain : sampling.handles)
         aimHandle(chain, sampling.outlines[chain.outline].lines[chain.line].fractions, design);

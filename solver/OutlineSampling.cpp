@@ -199,10 +199,10 @@ public:
                                           {},
                                           {}});
         for (const FixationSpan& held : m_cuts.orientations())
-            m_result.orientations.push_back({held.id, held.span.outline, samplesAlong(held.span), {}});
+            m_result.orientations.push_back({held.id, held.span.outline, -1, samplesAlong(held.span), {}});
     }
 
-    void placeLines(const std::vector<PatchLine>& lines)
+    void placeLines(const std::vector<PatchLine>& lines, const Design& design)
     {
         for (const PatchLine& line : lines) {
             const int o = m_cuts.outlineOf(line.patch);
@@ -213,9 +213,12 @@ public:
                 shape.points.front() = outline.points[shape.startSample];
             if (shape.endSample >= 0)
                 shape.points.back() = outline.points[shape.endSample];
-            if (!line.fractions.empty())
-                m_result.handles.push_back(
-                    {line.element, line.element, o, static_cast<int>(outline.lines.size()), {}, {}, {}});
+            const int index = static_cast<int>(outline.lines.size());
+            const auto* handle = design.find<HandleCurve>(line.element);
+            if (handle && handle->hasTarget())
+                m_result.handles.push_back({line.element, line.element, o, index, {}, {}, {}});
+            if (handle && !handle->orientation.empty())
+                m_result.orientations.push_back({line.element, o, index, {}, {}});
             outline.lines.push_back({line.element, std::move(shape), line.fractions, line.across});
         }
     }
@@ -278,7 +281,7 @@ OutlineSampling sampleOutlines(const Design& design)
     Chainer chainer(cuts, divider, sampling);
     chainer.chainSeams();
     chainer.chainFixations();
-    chainer.placeLines(lines.lines);
+    chainer.placeLines(lines.lines, design);
     aimFixations(sampling, cuts, design);
     return sampling;
 }

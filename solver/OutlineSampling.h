@@ -47,8 +47,9 @@ struct OutlineSampling {
     };
 
     struct OrientedChain {
-        ElementId owner{};
+        ElementId owner{}; ///< a FixationSeam, or a handle curve
         int outline = 0;
+        int line = -1; ///< of the outline's lines, for a handle; else -1, and
         std::vector<int> samples;
         std::vector<Vec3> directions; ///< unit, or zero, per sample
         Orientation::Kind kind = Orientation::Kind::Normal;

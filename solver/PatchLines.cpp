@@ -23,7 +23,8 @@ std::vector<double> cutsOf(const HandleCurve& handle, const ArcLength2& length, 
     if (curve.closed() && !curve.corners().empty() && curve.corners().front() > curve.domainStart())
         cuts.erase(cuts.begin()); // a smooth start needs no cut when there is a corner
     const ArcLength3 targetLength(handle.target);
-    for (double t : handle.target.corners()) {
+    const std::vector<double> corners = handle.hasTarget() ? handle.target.corners() : std::vector<double>();
+    for (double t : corners) {
         const double fraction = handle.match == Match::Length
                                     ? targetLength.at(t) / targetLength.total()
                                     : (t - handle.target.domainStart()) / handle.target.period();

@@ -27,6 +27,12 @@ std::vector<int> firstVertices(const std::vector<PatchMesh>& meshes)
     return first;
 }
 
+/// The k-th vertex of a line drawn in a patch.
+int lineVertex(const SewnMesh& mesh, const SurfaceTopology& topology, int part, int line, std::size_t k)
+{
+    return static_cast<int>(topology.lines[mesh.firstLine[part] + line].vertices[k]);
+}
+
 /// Calls visit(vertex, target) for all that fixation seams and handles hold.
 template <class Visit>
 void eachHeld(const SewnMesh& mesh, const SurfaceTopology& topology, const OutlineSampling& sampling, Visit visit)
@@ -34,11 +40,9 @@ void eachHeld(const SewnMesh& mesh, const SurfaceTopology& topology, const Outli
     for (const auto& chain : sampling.fixations)
         for (std::size_t k = 0; k < chain.samples.size(); ++k)
             visit(mesh.parts[chain.outline].firstVertex + chain.samples[k], chain.targets[k]);
-    for (const auto& chain : sampling.handles) {
-        const SurfaceTopology::Line& line = topology.lines[mesh.firstLine[chain.outline] + chain.line];
+    for (const auto& chain : sampling.handles)
         for (std::size_t k = 0; k < chain.targets.size(); ++k)
-            visit(static_cast<int>(line.vertices[k]), chain.targets[k]);
-    }
+            visit(lineVertex(mesh, topology, chain.outline, chain.line, k), chain.targets[k]);
 }
 
 /// Numbers the unknowns: free ones first, in order of appearance, then the fixed ones.
@@ -209,8 +213,8 @@ void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, c
     for (const auto& chain : sampling.fixations)
         topology.fixations.push_back({chain.fixation, vertices(chain.outline, chain.samples), {}});
     for (const auto& chain : sampling.orientations)
-        if (std::ranges::none_of(sampling.fixations,
-                                 [&](const auto& held) { return held.fixation == chain.owner; }))
+        if (chain.line < 0 && std::ranges::none_of(sampling.fixations,
+                                                   [&](const auto& held) { return held.fixation == chain.owner; }))
             topology.fixations.push_back({chain.owner, vertices(chain.outline, chain.samples), {}});
 }
 
@@ -319,11 +323,15 @@ void updateTargets(SewnMesh& mesh, const OutlineSampling& sampling)
         mesh.targets[topology.unknown[vertex] - static_cast<std::uint32_t>(mesh.freeCount)] = target;
     });
     mesh.oriented.clear();
-    for (const auto& chain : sampling.orientations)
-        for (std::size_t k = 0; k < chain.samples.size(); ++k)
+    for (const auto& chain : sampling.orientations) {
+        const int first = mesh.parts[chain.outline].firstVertex;
+        for (std::size_t k = 0; k < chain.directions.size(); ++k) {
+            const int vertex = chain.line < 0 ? first + chain.samples[k]
+                                              : lineVertex(mesh, topology, chain.outline, chain.line, k);
             if (chain.weight > 0 && chain.directions[k] != Vec3::Zero())
-                mesh.oriented.push_back({mesh.parts[chain.outline].firstVertex + chain.samples[k], chain.outline,
-                                         chain.directions[k], chain.kind, chain.weight});
+                mesh.oriented.push_back({vertex, chain.outline, chain.directions[k], chain.kind, chain.weight});
+        }
+    }
 }
 
 } // namespace bolster

@@ -40,11 +40,23 @@ SolvePlan compare(const FixationCurve& a, const FixationCurve& b)
     return compare(a.curve, b.curve);
 }
 
+SolvePlan compare(const Orientation& a, const Orientation& b)
+{
+    if (a.empty() != b.empty())
+        return SolvePlan::Rebuild;
+    if (a.weight != b.weight)
+        return SolvePlan::Refactor;
+    return a == b ? SolvePlan::Nothing : SolvePlan::Retarget;
+}
+
 SolvePlan compare(const HandleCurve& a, const HandleCurve& b)
 {
     if (a.patch != b.patch || a.match != b.match || !(a.curve == b.curve))
         return SolvePlan::Rebuild;
-    return compare(a.target, b.target);
+    if (a.hasTarget() != b.hasTarget())
+        return SolvePlan::Resew;
+    const SolvePlan place = a.hasTarget() ? compare(a.target, b.target) : SolvePlan::Nothing;
+    return std::max(place, compare(a.orientation, b.orientation));
 }
 
 SolvePlan compare(const FancySeam& a, const FancySeam& b)
@@ -65,13 +77,7 @@ SolvePlan compare(const FixationSeam& a, const FixationSeam& b)
 {
     FixationSeam held = b;
     held.orientation = a.orientation;
-    if (!(held == a))
-        return SolvePlan::Resew;
-    if (a.orientation.empty() != b.orientation.empty())
-        return SolvePlan::Rebuild;
-    if (a.orientation.weight != b.orientation.weight)
-        return SolvePlan::Refactor;
-    return a.orientation == b.orientation ? SolvePlan::Nothing : SolvePlan::Retarget;
+    return held == a ? compare(a.orientation, b.orientation) : SolvePlan::Resew;
 }
 
 /// Of frames and foam: their files are another matter.

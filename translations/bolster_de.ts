@@ -102,6 +102,34 @@
         <source>%1, normal held</source>
         <translation>%1, Normale gehalten</translation>
     </message>
+    <message>
+        <source>Handle curve</source>
+        <translation>Griffkurve</translation>
+    </message>
+    <message>
+        <source>Handle curves</source>
+        <translation>Griffkurven</translation>
+    </message>
+    <message>
+        <source>Fancy seam</source>
+        <translation>Ziernaht</translation>
+    </message>
+    <message>
+        <source>Fancy seams</source>
+        <translation>Ziernähte</translation>
+    </message>
+    <message>
+        <source>Cushion</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Cushions</source>
+        <translation>Polsterungen</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <translation>Schaum</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -132,10 +160,6 @@
     <message>
         <source>Add a control point</source>
         <translation>Kontrollpunkt einfügen</translation>
-    </message>
-    <message>
-        <source>double click on an outline</source>
-        <translation>Doppelklick auf einen Umriss</translation>
     </message>
     <message>
         <source>Move by 1 mm, by 10 mm</source>
@@ -172,10 +196,6 @@
     <message>
         <source>Shift and middle button</source>
         <translation>Umschalt und mittlere Taste</translation>
-    </message>
-    <message>
-        <source>Move control points of fixation curves</source>
-        <translation>Kontrollpunkte von Fixierkurven verschieben</translation>
     </message>
     <message>
         <source>drag</source>
@@ -304,6 +324,33 @@
     <message>
         <source>Strain: root mean square, 99 %, largest</source>
         <translation>Dehnung: quadratisches Mittel, 99 %, größte</translation>
+    </message>
+    <message>
+        <source>double click on an outline or curve</source>
+        <translation>Doppelklick auf einen Umriss oder eine Kurve</translation>
+    </message>
+    <message>
+        <source>Draw a handle curve or a fancy seam</source>
+        <translation>Griffkurve oder Ziernaht zeichnen</translation>
+    </message>
+    <message>
+        <source>click points; Enter or double click ends; click the first one to close; B: straight or smooth</source>
+        <translation>Punkte anklicken; Eingabe oder Doppelklick beendet; Klick auf den ersten schließt; B: gerade oder rund</translation>
+    </message>
+    <message>
+        <source>Move control points of curves</source>
+        <translation>Kontrollpunkte von Kurven verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>Insert</name>
+    <message>
+        <source>Padding</source>
+        <translation>Polster</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <translation>Schaum</translation>
     </message>
 </context>
 <context>
@@ -487,6 +534,134 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>Frame</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Bezug von %1</translation>
+    </message>
+    <message>
+        <source>Every cover</source>
+        <translation>Jeden Bezug</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Drückt</translation>
+    </message>
+    <message>
+        <source>Pushes the cover</source>
+        <translation>Drückt den Bezug</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>No part of the frame is named: those are taken that the cover is fixed to. Separate names by semicolons.</source>
+        <translation>Kein Teil des Gestells ist genannt: es gelten die, an denen der Bezug befestigt ist. Trennen Sie Namen durch Semikolons.</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Polster</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>City block – along the axes</source>
+        <translation>City-Block – entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>Euclidean – straight</source>
+        <translation>Euklidisch – geradlinig</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Cushion</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Keeps the cover outside</source>
+        <translation>Hält den Bezug außerhalb</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Round – a soft groove</source>
+        <translation>Rund – eine weiche Rinne</translation>
+    </message>
+    <message>
+        <source>Sharp – a crease</source>
+        <translation>Scharf – ein Falz</translation>
+    </message>
+    <message>
+        <source>Welt – between creases</source>
+        <translation>Wulst – zwischen Falzen</translation>
+    </message>
+    <message>
+        <source>It stands out: a welt.</source>
+        <translation>Sie steht vor: ein Wulst.</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -533,6 +708,10 @@
     <message>
         <source>&amp;Window</source>
         <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Insert</source>
+        <translation>&amp;Einfügen</translation>
     </message>
 </context>
 <context>
@@ -930,10 +1109,6 @@
         <translation>ein Element muss ein Objekt in geschweiften Klammern sein</translation>
     </message>
     <message>
-        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam and frame</source>
-        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam und frame</translation>
-    </message>
-    <message>
         <source>must be true or false, without quotes</source>
         <translation>muss true oder false sein, ohne Anführungszeichen</translation>
     </message>
@@ -1140,10 +1315,6 @@
     <message>
         <source>an edge length of %1 mm is used instead</source>
         <translation>stattdessen wird eine Kantenlänge von %1 mm verwendet</translation>
-    </message>
-    <message>
-        <source>Move points of %1 fixation curves</source>
-        <translation>Punkte von %1 Fixierkurven verschieben</translation>
     </message>
     <message>
         <source>the file is not a design</source>
@@ -1361,6 +1532,162 @@
         <source>Change the normal held by %1</source>
         <translation>Von %1 gehaltene Normale ändern</translation>
     </message>
+    <message>
+        <source>must be a text in quotation marks</source>
+        <translation>muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion and foam</source>
+        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion und foam</translation>
+    </message>
+    <message>
+        <source>the curve in the patch and its target must both be open or both be closed</source>
+        <translation>die Kurve im Schnittteil und ihr Ziel müssen beide offen oder beide geschlossen sein</translation>
+    </message>
+    <message>
+        <source>Add handle curve %1</source>
+        <translation>Griffkurve %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add fancy seam %1</source>
+        <translation>Ziernaht %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add cushion %1</source>
+        <translation>Polsterung %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add foam %1</source>
+        <translation>Schaum %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>a width of %1 mm is too narrow for edges of %2 mm; make it at least %3 mm wide, or choose a smaller edge length</source>
+        <translation>eine Breite von %1 mm ist für Kanten von %2 mm zu schmal; mindestens %3 mm wählen oder die Kantenlänge verringern</translation>
+    </message>
+    <message>
+        <source>it lies outside its patch; move its points inside the outline</source>
+        <translation>sie liegt außerhalb ihres Schnittteils; ihre Punkte in den Umriss verschieben</translation>
+    </message>
+    <message>
+        <source>it leaves the patch and comes back; keep it inside, or end it at the outline</source>
+        <translation>sie verlässt das Schnittteil und kehrt zurück; sie darin halten oder am Umriss enden lassen</translation>
+    </message>
+    <message>
+        <source>it runs too flat into the outline near %1; let it meet the outline more steeply, or end it before</source>
+        <translation>sie läuft bei %1 zu flach in den Umriss; sie steiler auf ihn treffen oder vorher enden lassen</translation>
+    </message>
+    <message>
+        <source>it bends too sharply for a width of %1 mm near %2; make it narrower, or bend it less there</source>
+        <translation>sie biegt sich bei %2 für eine Breite von %1 mm zu scharf; sie schmaler machen oder dort weniger biegen</translation>
+    </message>
+    <message>
+        <source>a cushion takes at most %1 bodies of foam; this one is left out</source>
+        <translation>eine Polsterung nimmt höchstens %1 Schaumkörper auf; dieser wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>the frame has no part &quot;%1&quot;; it has %2</source>
+        <translation>das Gestell hat keinen Teil „%1“; es hat %2</translation>
+    </message>
+    <message>
+        <source>with voxels of %1 mm the cushion needs %2 million of them, and %3 are the limit, so it is left out; take at least %4 mm</source>
+        <translation>mit Voxeln von %1 mm braucht die Polsterung %2 Millionen davon, erlaubt sind %3; sie wird deshalb ausgelassen. Nehmen Sie mindestens %4 mm</translation>
+    </message>
+    <message>
+        <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
+        <translation>sie ist nur %1 mm lang; mindestens %2 mm lang zeichnen oder die Kantenlänge verringern</translation>
+    </message>
+    <message>
+        <source>it reaches beyond its patch near %1; move its points inside the outline</source>
+        <translation>sie ragt bei %1 über ihr Schnittteil hinaus; ihre Punkte in den Umriss verschieben</translation>
+    </message>
+    <message>
+        <source>it comes closer than %1 mm to the outline near %2; keep away from it, or choose a smaller edge length</source>
+        <translation>sie kommt dem Umriss bei %2 näher als %1 mm; Abstand halten oder die Kantenlänge verringern</translation>
+    </message>
+    <message>
+        <source>it crosses %1, or comes closer to it than %2 mm, near %3; move them apart, or choose a smaller edge length</source>
+        <translation>sie kreuzt %1 oder kommt bei %3 näher als %2 mm daran; beide auseinanderrücken oder die Kantenlänge verringern</translation>
+    </message>
+    <message>
+        <source>it crosses itself, or comes closer to itself than %1 mm, near %2; move its points apart, or choose a smaller edge length</source>
+        <translation>sie kreuzt sich oder kommt sich bei %2 näher als %1 mm; ihre Punkte auseinanderrücken oder die Kantenlänge verringern</translation>
+    </message>
+    <message>
+        <source>the patch cannot be triangulated along it with edges of %1 mm. Choose a smaller edge length.</source>
+        <translation>das Schnittteil lässt sich mit Kanten von %1 mm nicht entlang dieser Kurve vernetzen. Die Kantenlänge verringern.</translation>
+    </message>
+    <message>
+        <source>Change the frame of %1</source>
+        <translation>Das Gestell von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change what %1 pushes</source>
+        <translation>Ändern, was %1 drückt</translation>
+    </message>
+    <message>
+        <source>Switch %1</source>
+        <translation>%1 ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Change the parts of %1</source>
+        <translation>Die Teile von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the padding of %1</source>
+        <translation>Das Polster von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the strength of %1</source>
+        <translation>Die Stärke von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the distance of %1</source>
+        <translation>Den Abstand von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the voxels of %1</source>
+        <translation>Die Voxel von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the cushion of %1</source>
+        <translation>Die Polsterung von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the shape of %1</source>
+        <translation>Die Form von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the size of %1</source>
+        <translation>Die Größe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Add or cut %1</source>
+        <translation>%1 hinzufügen oder ausschneiden</translation>
+    </message>
+    <message>
+        <source>Change the contact of %1</source>
+        <translation>Den Kontakt von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the gap of %1</source>
+        <translation>Den Abstand von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the width of %1</source>
+        <translation>Breite von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the depth of %1</source>
+        <translation>Tiefe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the profile of %1</source>
+        <translation>Profil von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Move points of %1 curves</source>
+        <translation>Punkte von %1 Kurven verschieben</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -1394,6 +1721,49 @@
     </message>
 </context>
 <context>
+    <name>PatternDrawTool</name>
+    <message>
+        <source>Begin inside a patch.</source>
+        <translation>In einem Schnittteil beginnen.</translation>
+    </message>
+    <message>
+        <source>Fancy seam %1</source>
+        <translation>Ziernaht %1</translation>
+    </message>
+    <message>
+        <source>Handle %1</source>
+        <translation>Griff %1</translation>
+    </message>
+    <message>
+        <source>A curve needs two points, a closed one three.</source>
+        <translation>Eine Kurve braucht zwei Punkte, eine geschlossene drei.</translation>
+    </message>
+    <message>
+        <source>There is no surface in this patch yet on which the handle could lie.</source>
+        <translation>In diesem Schnittteil gibt es noch keine Fläche, auf der die Griffkurve liegen könnte.</translation>
+    </message>
+    <message>
+        <source>Click inside a patch to begin a handle curve – Esc ends the tool</source>
+        <translation>In ein Schnittteil klicken, um eine Griffkurve zu beginnen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click inside a patch or on its outline to begin a fancy seam – Esc ends the tool</source>
+        <translation>In ein Schnittteil oder auf seinen Umriss klicken, um eine Ziernaht zu beginnen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click to close the curve</source>
+        <translation>Klick schließt die Kurve</translation>
+    </message>
+    <message>
+        <source>Click for the next point, double click or Enter ends – B makes it straight, Backspace takes a point back</source>
+        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie gerade, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Click for the next point, double click or Enter ends – B makes it smooth, Backspace takes a point back</source>
+        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie rund, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+</context>
+<context>
     <name>PatternSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -1423,6 +1793,10 @@
         <source>Click to select, drag a box to select several – middle button or Space pans, wheel zooms</source>
         <translation>Klick wählt aus, Aufziehen eines Rahmens wählt mehrere aus – mittlere Taste oder Leertaste verschiebt die Ansicht, das Rad zoomt</translation>
     </message>
+    <message>
+        <source>Click to select the curve, drag to move it, double click to add a control point here</source>
+        <translation>Klick wählt die Kurve, Ziehen verschiebt sie, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
+    </message>
 </context>
 <context>
     <name>PatternTool</name>
@@ -1437,6 +1811,29 @@
     <message>
         <source>Release to select what lies in the box – Shift adds, Esc takes it back</source>
         <translation>Loslassen wählt aus, was im Rahmen liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementGizmo</name>
+    <message>
+        <source>Turned by %1° – Ctrl snaps to 15°, Escape cancels</source>
+        <translation>Um %1° gedreht – Strg rastet bei 15° ein, Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Moved by x %1, y %2, z %3 mm – Ctrl snaps to 10 mm, Escape cancels</source>
+        <translation>Um x %1, y %2, z %3 mm verschoben – Strg rastet bei 10 mm ein, Escape bricht ab</translation>
+    </message>
+    <message>
+        <source>Drag to move it along this axis</source>
+        <translation>Ziehen verschiebt entlang dieser Achse</translation>
+    </message>
+    <message>
+        <source>Drag to turn it about this axis</source>
+        <translation>Ziehen dreht um diese Achse</translation>
+    </message>
+    <message>
+        <source>Drag to move it parallel to the picture</source>
+        <translation>Ziehen verschiebt parallel zum Bild</translation>
     </message>
 </context>
 <context>
@@ -1461,10 +1858,6 @@
         <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
     </message>
     <message>
-        <source>Click to select the fixation curve, double click to add a control point here</source>
-        <translation>Klick wählt die Fixierkurve aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
-    </message>
-    <message>
         <source>Click to select the seam</source>
         <translation>Klick wählt die Naht aus</translation>
     </message>
@@ -1473,12 +1866,16 @@
         <translation>Klick wählt das Schnittteil aus, Ziehen dreht die Ansicht</translation>
     </message>
     <message>
-        <source>Click to select the frame, drag to turn the view</source>
-        <translation>Klick wählt das Gestell aus, Ziehen dreht die Ansicht</translation>
-    </message>
-    <message>
         <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
         <translation>Klick wählt aus, Ziehen dreht – Umschalt+mittlere Taste verschiebt die Ansicht, das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Click to select the curve, double click to add a control point here</source>
+        <translation>Klick wählt die Kurve, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
+    </message>
+    <message>
+        <source>Click to select what stands here, drag to turn the view</source>
+        <translation>Klicken wählt, was hier steht, Ziehen dreht die Ansicht</translation>
     </message>
 </context>
 <context>
@@ -1685,6 +2082,34 @@
     <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cus&amp;hioning</source>
+        <translation>Po&amp;lsterung</translation>
+    </message>
+    <message>
+        <source>&amp;Cushion</source>
+        <translation>&amp;Polsterung</translation>
+    </message>
+    <message>
+        <source>&amp;Box of foam</source>
+        <translation>&amp;Quader aus Schaum</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinder of foam</source>
+        <translation>&amp;Zylinder aus Schaum</translation>
+    </message>
+    <message>
+        <source>&amp;Sphere of foam</source>
+        <translation>&amp;Kugel aus Schaum</translation>
+    </message>
+    <message>
+        <source>Draw &amp;handle curve</source>
+        <translation>&amp;Griffkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw &amp;fancy seam</source>
+        <translation>&amp;Ziernaht zeichnen</translation>
     </message>
 </context>
 <context>
@@ -2015,6 +2440,14 @@
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cushioning needs a frame: import one first.</source>
+        <translation>Eine Polsterung braucht ein Gestell: importieren Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Foam belongs to a cushion: insert one first.</source>
+        <translation>Schaum gehört zu einer Polsterung: fügen Sie zuerst eine ein.</translation>
     </message>
 </context>
 <context>

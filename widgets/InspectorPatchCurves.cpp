@@ -3,6 +3,7 @@
 
 #include "ArcLength.h"
 #include "InspectorSubject.h"
+#include "OrientationFields.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "Units.h"
@@ -31,9 +32,12 @@ void InspectorForms::addHandleCurve(PropertyForm& form, ElementId id) const
     handle.info(tr("Patch"),
                 [](const Design& design, const HandleCurve& h) { return displayName(design, h.patch); });
     handle.info(tr("In the pattern"), [](const Design&, const HandleCurve& h) { return lengthOf(h.curve); });
-    handle.info(tr("In space"), [](const Design&, const HandleCurve& h) { return lengthOf(h.target); });
+    handle.info(tr("In space"), [](const Design&, const HandleCurve& h) {
+        return h.hasTarget() ? lengthOf(h.target) : tr("free");
+    });
     handle.choice(tr("Match"), matchNames(), &HandleCurve::match,
                   QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
+    OrientationFields::add(form, handle);
 }
 
 void InspectorForms::addFancySeam(PropertyForm& form, ElementId id) const

@@ -39,8 +39,10 @@ void warnOfFreePatches(const Design& design, Problems& problems)
         if (seam.hasCurve())
             fixed.insert(components.root(seam.stretch.patch));
     });
-    design.each<HandleCurve>(
-        [&](ElementId, const HandleCurve& handle) { fixed.insert(components.root(handle.patch)); });
+    design.each<HandleCurve>([&](ElementId, const HandleCurve& handle) {
+        if (handle.hasTarget())
+            fixed.insert(components.root(handle.patch));
+    });
 
     std::map<ElementId, std::vector<ElementId>> free;
     design.each<Patch>([&](ElementId id, const Patch&) {

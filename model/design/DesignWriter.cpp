@@ -237,8 +237,10 @@ void addPatchCurve(Line& line, const PatchCurve& drawn)
 void addFields(Line& line, const HandleCurve& handle)
 {
     addPatchCurve(line, handle);
-    line.raw("target", curveText(handle.target));
+    if (handle.hasTarget())
+        line.raw("target", curveText(handle.target));
     addMatch(line, handle.match);
+    addOrientation(line, handle.orientation);
 }
 
 void addFields(Line& line, const FancySeam& seam)

@@ -280,7 +280,9 @@ HandleCurve readHandleCurve(Fields& fields)
 {
     HandleCurve handle;
     readPatchCurve(fields, handle);
-    handle.target = readCurve<3>(fields, "target");
+    handle.orientation = readOrientation(fields);
+    if (fields.has("target") || handle.orientation.empty())
+        handle.target = readCurve<3>(fields, "target");
     handle.match = readMatch(fields);
     return handle;
 }

@@ -422,6 +422,9 @@ void ElementRules::drawnIn(const PatchCurve& drawn)
 void ElementRules::rules(const HandleCurve& handle)
 {
     drawnIn(handle);
+    orientation(handle.orientation);
+    if (!handle.hasTarget() && !handle.orientation.empty())
+        return;
     needsLength("target.points", handle.target);
     if (handle.target.closed() != handle.curve.closed())
         error("target.closed", {QT_TRANSLATE_NOOP("Message", "the curve in the patch and its target must both be "

@@ -248,6 +248,7 @@ TEST_F(CommandLine, ReportsExactlyTheDocumentedKeys)
         const Json numbers = report();
         EXPECT_EQ(keysOf(numbers), (Strings{"area_mm2",
                                             "constraints",
+                                            "cushions",
                                             "fancy_seams",
                                             "fixation_deviation_mm",
                                             "fixation_error_mm",

@@ -150,7 +150,10 @@ Design unusualDesign()
     Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
     HandleCurve handle{{"H", ElementId{2}, BSpline2(2, false, {{0, 0}, {1, 2}, {3, 4}}, {0, 0, 0, 0.5, 0.5, 0.5})},
                        BSpline3(1, false, {{0, 0, 0}, {1, 0, -0.0}}),
-                       Match::Parameter};
+                       Match::Parameter,
+                       {Orientation::Kind::Tangent, {Vec3(1, 2, 3)}, 2}};
+    HandleCurve free{{"N", ElementId{2}, BSpline2(1, false, {{0, 0}, {1, 2}})}, {}, Match::Length, {}};
+    free.orientation.directions = {Vec3(0, 0, 1)};
     FancySeam fancy{{"S", ElementId{2}, BSpline2(3, true, {{0, 0}, {1, 2}, {3, 4}})}, 0.1, -7, Profile::Welt};
     frame.contact = true;
     frame.contactGap = 0.1;
@@ -188,8 +191,8 @@ Design unusualDesign()
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
                                               makeElement(frame),    makeElement(handle),   makeElement(fancy),
-                                              makeElement(curve),    makeElement(leaning),  makeElement(cushion),
-                                              makeElement(foam),     makeElement(scan)};
+                                              makeElement(curve),    makeElement(leaning),  makeElement(free),
+                                              makeElement(cushion),  makeElement(foam),     makeElement(scan)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});

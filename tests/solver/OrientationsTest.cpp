@@ -115,5 +115,22 @@ TEST(Orientations, HoldAStretchWithoutACurve)
         EXPECT_NEAR(std::atan2(-normal.y(), normal.z()) / degrees, 40, 1);
 }
 
+TEST(Orientations, HoldAHandleWithoutATarget)
+{
+    DesignBuilder b(10);
+    const ElementId patch = b.patch(rectangle(length, width), b.fabric(0.3, 30));
+    b.fix({patch, 0, 1}, polyline({{0, 0, 0}, {length, 0, 0}}));
+    HandleCurve handle;
+    handle.patch = patch;
+    handle.curve = BSpline2(1, false, {{30, 60}, {170, 60}});
+    handle.orientation.directions = {leaning(35 * degrees)};
+    b.add(handle);
+    const SolveResult result = solved(b.design(), 1e-7);
+    EXPECT_TRUE(result.warnings.empty());
+    for (const Eigen::Vector3f& normal : result.surface->normals)
+        EXPECT_NEAR(std::atan2(-normal.y(), normal.z()) / degrees, 35, 1);
+    EXPECT_EQ(result.report.constraints.fixed, 21) << "the handle's vertices are free";
+}
+
 } // namespace
 } // namespace bolster::test
