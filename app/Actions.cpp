@@ -49,6 +49,8 @@ void Actions::addFile()
     saveAs = add(tr("Save &as \u2026"), QStringLiteral("save-as"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     importFrame =
         add(tr("&Import frame \u2026"), QStringLiteral("import-frame"), QKeySequence(Qt::CTRL | Qt::Key_I));
+    importScan = add(tr("I&mport scan \u2026"), QStringLiteral("import-scan"),
+                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
     quit = add(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q));
@@ -100,6 +102,10 @@ void Actions::addView()
     showCurves = addToggle(tr("Fixation c&urves"), QStringLiteral("curves"), true);
     showGrid = addToggle(tr("&Grid"), QStringLiteral("grid"), true, QKeySequence(Qt::Key_G));
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
+    showScans = addToggle(tr("Sc&ans"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
+    showScanPairs = addToggle(tr("Pairs of co&ver and scan"), {}, false);
+    showDeviation =
+        addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
     showGround = addToggle(tr("Gr&ound"), {}, true);
     showField = addToggle(tr("Cus&hioning"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 

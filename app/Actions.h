@@ -19,6 +19,7 @@ public:
     QAction* save;
     QAction* saveAs;
     QAction* importFrame;
+    QAction* importScan;
     QAction* exportSurface;
     QAction* exportPicture;
     QAction* quit;
@@ -42,6 +43,9 @@ public:
     QAction* showCurves;
     QAction* showGrid;
     QAction* showLabels;
+    QAction* showScans;
+    QAction* showScanPairs;
+    QAction* showDeviation;
     QAction* showGround;
     QAction* showField;
     QList<QAction*> themes; ///< data: Theme

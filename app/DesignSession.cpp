@@ -2,7 +2,6 @@
 
 #include "Background.h"
 #include "ElementEdits.h"
-#include "MeshImport.h"
 #include "Samples.h"
 
 #include <QFileInfo>
@@ -79,7 +78,7 @@ void DesignSession::restore(const Recovery::Orphan& orphan, const Replace& repla
         }
         takeUnlessChanged(revision, replace, [this, orphan, opened, done] {
             const QString folder = orphan.frameFolder();
-            const bool hasFile = !orphan.original.isEmpty() && !FrameFiles::isOwnFolder(folder) &&
+            const bool hasFile = !orphan.original.isEmpty() && !DesignFolder::isOwnFolder(folder) &&
                                  !isSample(orphan.original) && !orphan.fileIsNewer();
             take(opened, hasFile ? orphan.original : QString(), folder, tr("Restored design"));
             m_document.markUnsaved();
@@ -92,7 +91,7 @@ void DesignSession::restore(const Recovery::Orphan& orphan, const Replace& repla
 void DesignSession::discard(const Recovery::Orphan& orphan)
 {
     Recovery::discard(orphan);
-    FrameFiles leftOver;
+    DesignFolder leftOver;
     leftOver.moved(orphan.frameFolder());
     leftOver.start({});
 }
@@ -101,28 +100,29 @@ void DesignSession::take(OpenedDesign opened, const QString& path, const QString
 {
     ++m_generation;
     m_recovery.discard();
-    m_files.start(folder);
+    m_folder.start(folder);
     m_recovery.setOriginal(path.isEmpty() && !folder.isEmpty() ? folder + QStringLiteral("/untitled.json") : path);
     m_path = path;
     m_title = title;
     m_workDiscarded = false;
     m_saving.reset();
     m_opened = std::move(opened.problems);
-    m_meshes.clear();
-    m_meshProblems.clear();
+    m_known.clear();
     m_reading.clear();
-    opened.design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const QString file = QString::fromStdString(frame.file);
-        if (const auto mesh = opened.frames.find(id); mesh != opened.frames.end())
-            m_meshes[file] = mesh->second;
-    });
+    for (const auto& [id, element] : opened.design.elements()) {
+        const auto mesh = opened.files.meshes.find(id);
+        const auto cloud = opened.files.clouds.find(id);
+        if (mesh != opened.files.meshes.end())
+            m_known[keyOf(*element)] = {{mesh->second, nullptr}, {}};
+        else if (cloud != opened.files.clouds.end())
+            m_known[keyOf(*element)] = {{nullptr, cloud->second}, {}};
+    }
     for (const Problem& problem : m_opened)
-        if (const Frame* frame = opened.design.find<Frame>(problem.element); frame && problem.field == "file") {
-            m_meshes.try_emplace(QString::fromStdString(frame->file), nullptr);
-            m_meshProblems[QString::fromStdString(frame->file)] = problem.message;
-        }
+        if (const ElementPtr element = opened.design.element(problem.element);
+            element && problem.field == "file" && elementFile(*element))
+            m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message});
     m_document.reset(std::move(opened.design));
-    updateFrames();
+    updateFiles();
     emit titleChanged();
     emit problemsChanged();
     emit DesignSession::opened();
@@ -133,14 +133,14 @@ void DesignSession::save(const QString& path, const Done& done)
     const QString file = QFileInfo(path).absoluteFilePath();
     const QString folder = QFileInfo(file).absolutePath();
     Design arranged;
-    if (const Message problem = m_files.copyTo(folder, m_document.committed(), &arranged); !problem.empty()) {
+    if (const Message problem = m_folder.copyTo(folder, m_document.committed(), &arranged); !problem.empty()) {
         done(problem);
         return;
     }
-    // A frame that had to take another name beside the design: the renamed one is what is saved and shown.
-    m_files.moved(folder);
-    if (const Edit renamed = editBetween(m_document.committed(), arranged,
-                                         {QT_TRANSLATE_NOOP("Message", "Rename the frame's file"), {}});
+    // A file that had to take another name beside the design: the renamed one is what is saved and shown.
+    m_folder.moved(folder);
+    if (const Edit renamed =
+            editBetween(m_document.committed(), arranged, {QT_TRANSLATE_NOOP("Message", "Rename a file"), {}});
         !renamed.empty())
         m_document.commit(renamed);
     const NodeId node = m_document.history().current();
@@ -169,7 +169,7 @@ bool DesignSession::isElementFile(const QString& path) const
         return false;
     return std::ranges::any_of(m_document.design().elements(), [&](const auto& item) {
         const std::string* file = elementFile(*item.second);
-        return file && QFileInfo(m_files.find(QString::fromStdString(*file))).canonicalFilePath() == target;
+        return file && QFileInfo(m_folder.find(QString::fromStdString(*file))).canonicalFilePath() == target;
     });
 }
 
@@ -182,83 +182,84 @@ void DesignSession::discardWork()
 void DesignSession::end()
 {
     if (!m_document.dirty() || m_workDiscarded)
-        m_files.start({});
+        m_folder.start({});
 }
 
-Message DesignSession::addFrame(const QString& source, std::shared_ptr<const TriangleMesh> mesh, Frame frame,
-                                std::optional<ElementId> replaced)
+Message DesignSession::addWithFile(const QString& source, FileContent content, const Element& element,
+                                   std::optional<ElementId> replaced)
 {
     m_document.cancelGesture();
-    if (m_path.isEmpty() && !m_files.ownFolder()) {
-        if (Message problem = m_files.makeOwnFolder(m_document.design()); !problem.empty())
+    if (m_path.isEmpty() && !m_folder.ownFolder()) {
+        if (Message problem = m_folder.makeOwnFolder(m_document.design()); !problem.empty())
             return problem;
-        m_recovery.setOriginal(m_files.folder() + QStringLiteral("/untitled.json"));
+        m_recovery.setOriginal(m_folder.folder() + QStringLiteral("/untitled.json"));
     }
     QString name;
-    if (Message problem = m_files.add(source, &name); !problem.empty())
+    if (Message problem = m_folder.add(source, &name); !problem.empty())
         return problem;
-    m_meshes[name] = std::move(mesh);
-    m_meshProblems.erase(name);
-    frame.file = name.toStdString();
+    const ElementPtr added = withFile(element, name.toStdString());
+    m_known[keyOf(*added)] = {std::move(content), {}};
     const Design& design = m_document.design();
-    if (replaced && design.find<Frame>(*replaced)) {
-        frame.name = design.find<Frame>(*replaced)->name;
+    if (replaced && design.element(*replaced)) {
         m_document.commit(
-            edits::replaceElement(design, *replaced, makeElement(frame),
-                                  {QT_TRANSLATE_NOOP("Message", "Change the mesh of %1"), {frame.name}}));
+            edits::replaceElement(design, *replaced, added,
+                                  {QT_TRANSLATE_NOOP("Message", "Change the file of %1"), {elementName(*added)}}));
     } else {
         const ElementId id = design.nextId();
-        m_document.commit(edits::addElement(design, makeElement(std::move(frame))));
-        emit frameImported(id);
+        m_document.commit(edits::addElement(design, added));
+        emit imported(id);
     }
     return {};
 }
 
-void DesignSession::designChanged(const std::set<ElementId>& ids)
+DesignSession::FileKey DesignSession::keyOf(const Element& element)
 {
-    const auto concernsFrames = [this](ElementId id) {
-        return m_frames.contains(id) || m_document.design().find<Frame>(id);
-    };
-    if (std::ranges::any_of(ids, concernsFrames))
-        updateFrames();
+    return {fileKind(element), QString::fromStdString(*elementFile(element))};
 }
 
-void DesignSession::updateFrames()
+void DesignSession::designChanged(const std::set<ElementId>& ids)
 {
-    FrameMeshes frames;
-    m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
-        const QString file = QString::fromStdString(frame.file);
-        const auto known = m_meshes.find(file);
-        if (known == m_meshes.end())
-            readMissing(file);
-        else if (known->second)
-            frames.emplace(id, known->second);
-    });
-    if (frames != m_frames) {
-        m_frames = std::move(frames);
-        emit framesChanged();
+    const auto concernsFiles = [this](ElementId id) {
+        const ElementPtr element = m_document.design().element(id);
+        return m_files.meshes.contains(id) || m_files.clouds.contains(id) || (element && elementFile(*element));
+    };
+    if (std::ranges::any_of(ids, concernsFiles))
+        updateFiles();
+}
+
+void DesignSession::updateFiles()
+{
+    DesignFiles files;
+    for (const auto& [id, element] : m_document.design().elements()) {
+        if (!elementFile(*element))
+            continue;
+        const FileKey key = keyOf(*element);
+        if (const auto known = m_known.find(key); known != m_known.end())
+            known->second.content.addTo(files, id);
+        else
+            readMissing(key);
+    }
+    if (files != m_files) {
+        m_files = std::move(files);
+        emit filesChanged();
     }
 }
 
-void DesignSession::readMissing(const QString& file)
+void DesignSession::readMissing(const FileKey& key)
 {
-    if (m_reading.contains(file))
+    if (!m_reading.insert(key).second)
         return;
-    m_reading.insert(file);
-    const QString path = m_files.find(file);
+    const QString path = m_folder.find(key.second);
     const int generation = m_generation;
-    inBackground<ImportedMesh>([path] {
-        return path.isEmpty()
-                   ? ImportedMesh{nullptr, {QT_TRANSLATE_NOOP("Message", "the frame's file is missing"), {}}}
-                   : importMesh(path);
-    }).then(this, [this, file, generation](const ImportedMesh& imported) {
+    inBackground<ImportedFile>([kind = key.first, path] {
+        return path.isEmpty() ? ImportedFile{{}, {QT_TRANSLATE_NOOP("Message", "the file is missing"), {}}}
+                              : importFile(kind, path);
+    }).then(this, [this, key, generation](const ImportedFile& imported) {
         if (generation != m_generation)
             return;
-        m_reading.remove(file);
-        m_meshes[file] = imported.mesh;
-        if (!imported.mesh)
-            m_meshProblems[file] = imported.problem;
-        updateFrames();
+        m_reading.erase(key);
+        m_known[key] = imported;
+        updateFiles();
         emit problemsChanged();
     });
 }
@@ -270,10 +271,9 @@ Problems DesignSession::problems() const
     for (const auto& [id, element] : design.elements()) {
         if (const auto* bad = std::get_if<Quarantined>(element.get()))
             found.insert(found.end(), bad->problems.begin(), bad->problems.end());
-        if (const auto* frame = std::get_if<Frame>(element.get()))
-            if (const auto why = m_meshProblems.find(QString::fromStdString(frame->file));
-                why != m_meshProblems.end())
-                found.push_back({id, elementLabel(id, *element), "file", why->second});
+        if (elementFile(*element))
+            if (const auto known = m_known.find(keyOf(*element)); known != m_known.end() && !known->second.content)
+                found.push_back({id, elementLabel(id, *element), "file", known->second.problem});
     }
     return found;
 }

@@ -2,8 +2,7 @@
 
 #include "Background.h"
 #include "Banner.h"
-#include "FrameImportDialog.h"
-#include "MeshImport.h"
+#include "FileImportDialog.h"
 #include "Samples.h"
 #include "SurfaceExport.h"
 #include "Translated.h"
@@ -34,17 +33,27 @@ QString designFilter()
     return FileFlow::tr("Designs (*.json)");
 }
 
-QString meshFilter()
+QString patternsOf(FileKind kind)
 {
     QStringList patterns;
-    for (const QString& ending : meshFileEndings())
+    for (const QString& ending : fileEndings(kind))
         patterns << QStringLiteral("*.") + ending;
-    return FileFlow::tr("Meshes (%1)").arg(patterns.join(u' '));
+    return patterns.join(u' ');
 }
 
-bool isMesh(const QString& file)
+QString meshFilter()
 {
-    return meshFileEndings().contains(QFileInfo(file).suffix().toLower());
+    return FileFlow::tr("Meshes (%1)").arg(patternsOf(FileKind::Mesh));
+}
+
+QString scanFilter()
+{
+    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileKind::Cloud));
+}
+
+bool is(FileKind kind, const QString& file)
+{
+    return fileEndings(kind).contains(QFileInfo(file).suffix().toLower());
 }
 
 } // namespace
@@ -172,7 +181,7 @@ QString FileFlow::proposed(const QString& ending, const QString& addition) const
     return QDir(startFolder()).filePath(name + addition + u'.' + ending);
 }
 
-/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's frames.
+/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's files.
 QString FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                                const QStringList& endings)
 {
@@ -190,7 +199,7 @@ QString FileFlow::chooseTarget(const QString& title, const QString& proposal, co
     }
     if (m_session.isElementFile(path)) {
         fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
-             {QT_TRANSLATE_NOOP("Message", "it is the mesh of a frame in this design; choose another name")});
+             {QT_TRANSLATE_NOOP("Message", "it is a file that this design refers to; choose another name")});
         return {};
     }
     return path;
@@ -249,27 +258,55 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return QFileInfo(file).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) == 0 || isMesh(file);
+    return QFileInfo(file).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) == 0 ||
+           is(FileKind::Mesh, file) || is(FileKind::Cloud, file);
 }
 
 void FileFlow::drop(const QString& file)
 {
-    if (isMesh(file))
-        importFrame(file);
+    if (is(FileKind::Mesh, file))
+        importFrame(file); // a PLY too: a mesh is dropped more often than a scan
+    else if (is(FileKind::Cloud, file))
+        importScan(file);
     else
         open(file);
 }
 
-void FileFlow::importFrame(const QString& path, std::optional<ElementId> replaced)
+void FileFlow::importFrame(const QString& path)
+{
+    import(Frame{}, tr("Import frame"), meshFilter(), path);
+}
+
+void FileFlow::importScan(const QString& path)
+{
+    import(Scan{}, tr("Import scan"), scanFilter(), path);
+}
+
+void FileFlow::replaceFile(ElementId id)
+{
+    const ElementPtr element = m_session.document().design().element(id);
+    if (!element || !elementPlacement(*element))
+        return;
+    const QString filter = fileKind(*element) == FileKind::Mesh ? meshFilter() : scanFilter();
+    const QString file = QFileDialog::getOpenFileName(m_window, tr("Choose another file"), startFolder(), filter);
+    if (!file.isEmpty())
+        importNow(file, *element, id);
+}
+
+/// A new element like `element`, named after its file.
+template <class T>
+void FileFlow::import(T element, const QString& title, const QString& filter, const QString& path)
 {
     QString file = path;
     if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, tr("Import frame"), startFolder(), meshFilter());
-    if (!file.isEmpty())
-        importMeshNow(file, replaced);
+        file = QFileDialog::getOpenFileName(m_window, title, startFolder(), filter);
+    if (file.isEmpty())
+        return;
+    element.name = QFileInfo(file).completeBaseName().toStdString();
+    importNow(file, std::move(element), {});
 }
 
-void FileFlow::importMeshNow(const QString& path, std::optional<ElementId> replaced)
+void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
 {
     auto* progress =
         new QProgressDialog(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, m_window);
@@ -278,28 +315,31 @@ void FileFlow::importMeshNow(const QString& path, std::optional<ElementId> repla
     progress->setAttribute(Qt::WA_DeleteOnClose);
     progress->setAutoClose(false);
     // The reader cannot be stopped, but nobody waits for it: a cancelled result is dropped.
-    inBackground<ImportedMesh>([path] {
-        return importMesh(path);
-    }).then(this, [this, path, replaced, progress = QPointer(progress)](const ImportedMesh& imported) {
+    inBackground<ImportedFile>([kind = fileKind(element), path] {
+        return importFile(kind, path);
+    }).then(this, [this, path, element, replaced, progress = QPointer(progress)](const ImportedFile& imported) {
         const bool cancelled = !progress || progress->wasCanceled();
         if (progress)
             progress->deleteLater();
         if (cancelled)
             return;
-        if (!imported.mesh) {
-            fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), imported.problem);
-            return;
-        }
-        std::optional<Frame> before;
-        if (const Frame* frame = replaced ? m_session.document().design().find<Frame>(*replaced) : nullptr)
-            before = *frame;
-        FrameImportDialog dialog(path, imported.mesh, before, m_window);
-        if (dialog.exec() != QDialog::Accepted)
-            return;
-        if (const Message problem = m_session.addFrame(path, imported.mesh, dialog.frame(), replaced);
-            !problem.empty())
+        const Message problem =
+            imported.content ? place(path, imported.content, element, replaced) : imported.problem;
+        if (!problem.empty())
             fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), problem);
     });
+}
+
+Message FileFlow::place(const QString& path, const FileContent& content, const Element& element,
+                        std::optional<ElementId> replaced)
+{
+    std::optional<Placement> before;
+    if (replaced)
+        before = *elementPlacement(element);
+    FileImportDialog dialog(path, content, before, m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    return m_session.addWithFile(path, content, *withPlacement(element, dialog.placement()), replaced);
 }
 
 void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
@@ -341,7 +381,7 @@ void FileFlow::offerRecovery()
     QStringList wanted;
     for (const Recovery::Orphan& orphan : orphans)
         wanted << orphan.frameFolder();
-    FrameFiles::removeForgotten(wanted);
+    DesignFolder::removeForgotten(wanted);
     if (orphans.isEmpty()) {
         if (offersRecovery())
             m_banner->dismiss();

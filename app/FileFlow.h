@@ -29,8 +29,11 @@ public:
     /// Goes on when nothing unsaved is lost by it: saved, discarded on purpose, or nothing was unsaved.
     void keepWork(const Then& then);
 
-    /// Asks for file, unit and axis; with `replaced` for an existing frame.
-    void importFrame(const QString& path = {}, std::optional<ElementId> replaced = {});
+    /// Ask for file, unit and axis.
+    void importFrame(const QString& path = {});
+    void importScan(const QString& path = {});
+    /// The same for an element that is there.
+    void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
 
@@ -39,7 +42,7 @@ public:
     /// Offers what a crash has left, if anything.
     void offerRecovery();
     bool offersRecovery() const;
-    /// A design or a mesh that was dropped on the window, or nothing.
+    /// A design, a mesh or a scan that was dropped on the window, or nothing.
     static bool takes(const QString& file);
     void drop(const QString& file);
 
@@ -58,7 +61,11 @@ private:
                          const QStringList& endings);
     void remember(const QString& path);
     void announceProblems();
-    void importMeshNow(const QString& path, std::optional<ElementId> replaced);
+    template <class T>
+    void import(T element, const QString& title, const QString& filter, const QString& path);
+    void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
+    Message place(const QString& path, const FileContent& content, const Element& element,
+                  std::optional<ElementId> replaced);
     void fail(const QString& title, const Message& why);
     QString startFolder() const;
 

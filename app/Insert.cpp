@@ -96,7 +96,7 @@ double guessPadding(const Design& design, const Frame& frame, const TriangleMesh
     return median < least || median > most ? usual : median;
 }
 
-Edit insertCushion(const Design& design, const Selection::Elements& selected, const FrameMeshes& meshes)
+Edit insertCushion(const Design& design, const Selection::Elements& selected, const DesignFiles& files)
 {
     const std::optional<ElementId> id = frameFor(design, selected);
     if (!id)
@@ -104,13 +104,13 @@ Edit insertCushion(const Design& design, const Selection::Elements& selected, co
     Cushion cushion;
     cushion.name = QCoreApplication::translate("Insert", "Padding").toStdString();
     cushion.frame = *id;
-    if (const auto mesh = meshes.find(*id); mesh != meshes.end() && mesh->second)
+    if (const auto mesh = files.meshes.find(*id); mesh != files.meshes.end() && mesh->second)
         cushion.dilation = guessPadding(design, *design.find<Frame>(*id), *mesh->second);
     return edits::addElement(design, makeElement(std::move(cushion)));
 }
 
 Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam::Shape shape,
-                const SurfaceMeshPtr& surface, const FrameMeshes& meshes)
+                const SurfaceMeshPtr& surface, const DesignFiles& files)
 {
     const std::optional<ElementId> id = cushionFor(design, selected);
     const Cushion* cushion = id ? design.find<Cushion>(*id) : nullptr;
@@ -122,7 +122,7 @@ Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam:
     foam.shape = shape;
     if (surface) {
         foam.position = top(surface->positions);
-    } else if (const auto mesh = meshes.find(cushion->frame); mesh != meshes.end() && mesh->second) {
+    } else if (const auto mesh = files.meshes.find(cushion->frame); mesh != files.meshes.end() && mesh->second) {
         std::vector<Vec3> points = mesh->second->points;
         if (const Frame* frame = design.find<Frame>(cushion->frame))
             for (Vec3& p : points)

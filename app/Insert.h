@@ -8,11 +8,11 @@
 namespace bolster {
 
 /// A cushion around the selected frame, or the first one that has none. Empty when there is no frame.
-Edit insertCushion(const Design& design, const Selection::Elements& selected, const FrameMeshes& meshes);
+Edit insertCushion(const Design& design, const Selection::Elements& selected, const DesignFiles& files);
 /// Foam for the selected cushion (or that of the selected foam or frame), or the first one; on top of the cover or
 /// the frame. Empty when there is no cushion.
 Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam::Shape shape,
-                const SurfaceMeshPtr& surface, const FrameMeshes& meshes);
+                const SurfaceMeshPtr& surface, const DesignFiles& files);
 
 /// How thick the padding of a frame probably is, whole mm: the median distance of the fixation curves, which lie on
 /// the cover. 30 where these lie on the frame itself, or far away.

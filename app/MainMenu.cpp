@@ -52,7 +52,7 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.save, m_actions.saveAs});
         menu->addSeparator();
-        menu->addAction(m_actions.importFrame);
+        menu->addActions({m_actions.importFrame, m_actions.importScan});
         menu->addSeparator();
         menu->addActions({m_actions.exportSurface, m_actions.exportPicture});
         menu->addSeparator();
@@ -79,7 +79,9 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
                           m_actions.showSeams, m_actions.showCurves, m_actions.showGrid, m_actions.showLabels,
-                          m_actions.showGround, m_actions.showField});
+                          m_actions.showScans, m_actions.showGround, m_actions.showField});
+        menu->addSeparator();
+        menu->addActions({m_actions.showDeviation, m_actions.showScanPairs});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }

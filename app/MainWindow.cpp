@@ -11,6 +11,7 @@
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
+#include "ScanLink.h"
 #include "SelectionEdits.h"
 #include "StartHint.h"
 #include "StatusLine.h"
@@ -40,6 +41,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent)
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
+    , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_selection))
@@ -60,6 +62,7 @@ MainWindow::MainWindow(QWidget* parent)
     buildMenus(*this, *m_actions, *m_files, *m_docks);
     connectDocument();
     connectViews();
+    connectScans();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);
@@ -97,7 +100,8 @@ void MainWindow::buildToolBars()
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
-                     m_actions->showCurves, m_actions->showFrames, m_actions->showGrid});
+                     m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
+                     m_actions->showGrid});
     bar->addSeparator();
     bar->addActions({m_actions->perspective, m_actions->settle, m_actions->pause});
 
@@ -117,11 +121,11 @@ void MainWindow::connectDocument()
 {
     connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
-    connect(m_session.get(), &DesignSession::framesChanged, this, [this] {
-        m_surface->setFrames(m_session->frames());
-        m_solver->setFiles(m_session->contents());
+    connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
+        m_surface->setFiles(m_session->files());
+        m_solver->setFiles(m_session->files());
     });
-    connect(m_session.get(), &DesignSession::frameImported, this, [this](ElementId id) {
+    connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
         if (!m_solver->surface())
             m_surface->fitAll();
@@ -140,6 +144,7 @@ void MainWindow::connectDocument()
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
         m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
+        m_scans->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
@@ -171,7 +176,7 @@ void MainWindow::connectViews()
                                     : QString());
         m_status->setPrompt(m_surface->prompt());
     });
-    connect(m_inspector, &Inspector::frameFileWanted, this, [this](ElementId id) { m_files->importFrame({}, id); });
+    connect(m_inspector, &Inspector::fileWanted, m_files, &FileFlow::replaceFile);
     connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
     connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
@@ -188,9 +193,9 @@ void MainWindow::designOpened()
         m_files->offerRecovery();
     m_selection.clear();
     m_elements->scrollToTop();
-    m_solver->forget(m_session->contents());
+    m_solver->forget(m_session->files());
     m_fitCover = true;
-    m_surface->setFrames(m_session->frames());
+    m_surface->setFiles(m_session->files());
     m_pattern->fitAll();
     m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
     updateTitle();

@@ -22,6 +22,7 @@ class HistoryView;
 class Inspector;
 class PatternView;
 class ProblemsView;
+class ScanLink;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -40,6 +41,8 @@ public:
     Document& document() { return m_session->document(); }
     Selection& selection() { return m_selection; }
     SolverLink& solver() { return *m_solver; }
+    ScanLink& scans() { return *m_scans; }
+    Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
     Actions& actions() { return *m_actions; }
@@ -66,6 +69,9 @@ private:
     void updateEditActions();
     void updateProblems();
     void updateSolverState();
+    void showMeasured();
+    void connectScans();
+    void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
     void removeSelection();
@@ -79,6 +85,7 @@ private:
     Selection m_selection;
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
+    std::unique_ptr<ScanLink> m_scans;
     Actions* m_actions;
     PatternView* m_pattern;
     SurfaceView* m_surface;

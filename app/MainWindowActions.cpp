@@ -28,6 +28,7 @@ void MainWindow::connectActions()
     on(m_actions->save, [this] { m_files->save(); });
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->importFrame, [this] { m_files->importFrame(); });
+    on(m_actions->importScan, [this] { m_files->importScan(); });
     on(m_actions->exportSurface, [this] { m_files->exportSurface(m_solver->surface()); });
     on(m_actions->exportPicture, [this] { m_files->exportPicture(m_surface->grabPicture()); });
     on(m_actions->quit, [this] { close(); });
@@ -58,7 +59,7 @@ void MainWindow::connectActions()
 
     on(m_actions->insertCushion, [this] {
         document().cancelGesture();
-        insert(insertCushion(document().design(), m_selection.elements(), m_session->frames()),
+        insert(insertCushion(document().design(), m_selection.elements(), m_session->files()),
                tr("Cushioning needs a frame: import one first."));
     });
     for (QAction* action : m_actions->insertFoam)
@@ -66,7 +67,7 @@ void MainWindow::connectActions()
             document().cancelGesture();
             insert(insertFoam(document().design(), m_selection.elements(),
                               static_cast<Foam::Shape>(action->data().toInt()), m_solver->surface(),
-                              m_session->frames()),
+                              m_session->files()),
                    tr("Foam belongs to a cushion: insert one first."));
         });
 
@@ -94,10 +95,12 @@ void MainWindow::connectViewActions()
         });
     connect(m_actions->perspective, &QAction::toggled, m_surface, &SurfaceView::setPerspective);
     connect(m_surface, &SurfaceView::perspectiveChanged, m_actions->perspective, &QAction::setChecked);
-    for (QAction* toggle : {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames,
-                            m_actions->showPoints, m_actions->showSeams, m_actions->showCurves, m_actions->showGrid,
-                            m_actions->showLabels, m_actions->showGround, m_actions->showField})
+    for (QAction* toggle :
+         {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames, m_actions->showPoints,
+          m_actions->showSeams, m_actions->showCurves, m_actions->showGrid, m_actions->showLabels,
+          m_actions->showScans, m_actions->showScanPairs, m_actions->showGround, m_actions->showField})
         connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
+    connect(m_actions->showDeviation, &QAction::toggled, this, &MainWindow::showMeasured);
     for (QAction* action : m_actions->themes)
         connect(action, &QAction::triggered, this, [action] {
             const auto theme = static_cast<Theme>(action->data().toInt());
@@ -122,6 +125,8 @@ void MainWindow::applyLayers()
     m_surface->setLayerVisible(Layer::Seams, m_actions->showSeams->isChecked());
     m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
     m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
+    m_surface->setLayerVisible(Layer::Scans, m_actions->showScans->isChecked());
+    m_surface->setLayerVisible(Layer::ScanPairs, m_actions->showScanPairs->isChecked());
     m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
     if (m_actions->showField->isChecked() != m_surface->layerVisible(Layer::Field)) {
         m_surface->setLayerVisible(Layer::Field, m_actions->showField->isChecked());

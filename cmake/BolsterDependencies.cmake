@@ -13,6 +13,13 @@ target_include_directories(bolster_cholmod SYSTEM INTERFACE "${CHOLMOD_INCLUDE_D
 target_link_libraries(bolster_cholmod INTERFACE "${CHOLMOD_LIBRARY}")
 find_library(UMFPACK_LIBRARY umfpack REQUIRED)
 
+# Of FLANN only templates are used; they refer to LZ4 for files that are never written here.
+find_path(FLANN_INCLUDE_DIR flann/algorithms/kdtree_single_index.h REQUIRED)
+find_library(LZ4_LIBRARY lz4 REQUIRED)
+add_library(bolster_flann INTERFACE)
+target_include_directories(bolster_flann SYSTEM INTERFACE "${FLANN_INCLUDE_DIR}")
+target_link_libraries(bolster_flann INTERFACE "${LZ4_LIBRARY}")
+
 if(NOT BOLSTER_HEADLESS)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
     find_package(embree 3 REQUIRED CONFIG)

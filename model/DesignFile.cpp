@@ -2,7 +2,6 @@
 
 #include "DesignCheck.h"
 #include "DesignJson.h"
-#include "MeshImport.h"
 #include "WholeFile.h"
 
 #include <QFileInfo>
@@ -22,49 +21,49 @@ OpenedDesign unreadable(Message why)
     return opened;
 }
 
-/// The frame's file with links resolved, if it is there and inside the folder.
-QString fileInFolder(const Frame& frame, const QString& folder, Message& problem)
+/// The element's file with links resolved, if it is there and inside the folder.
+QString fileInFolder(const std::string& name, const QString& folder, Message& problem)
 {
     QString inside = QFileInfo(folder).canonicalFilePath();
     if (!inside.endsWith('/'))
         inside += '/';
-    const QString file = QFileInfo(inside + QString::fromStdString(frame.file)).canonicalFilePath();
-    if (QFileInfo(QString::fromStdString(frame.file)).isAbsolute() || (!file.isEmpty() && !file.startsWith(inside)))
-        problem = {QT_TRANSLATE_NOOP("Message", "\"%1\" is no file in the design's folder; copy the mesh into that "
+    const QString file = QFileInfo(inside + QString::fromStdString(name)).canonicalFilePath();
+    if (QFileInfo(QString::fromStdString(name)).isAbsolute() || (!file.isEmpty() && !file.startsWith(inside)))
+        problem = {QT_TRANSLATE_NOOP("Message", "\"%1\" is no file in the design's folder; copy the file into that "
                                                 "folder and name it here"),
-                   {frame.file}};
+                   {name}};
     else if (file.isEmpty())
         problem = {QT_TRANSLATE_NOOP("Message",
-                                     "there is no file \"%1\" in the design's folder; copy the mesh there "
+                                     "there is no file \"%1\" in the design's folder; copy the file there "
                                      "or choose another one"),
-                   {frame.file}};
+                   {name}};
     return problem.empty() ? file : QString();
 }
 
-Message sizeProblem(const Frame& frame, const TriangleMesh& mesh)
+Message sizeProblem(const Element& element, const FileContent& content)
 {
-    for (const Vec3& point : mesh.points)
-        if (!(frame.placed(point).array().abs() <= largestCoordinate).all())
-            return {QT_TRANSLATE_NOOP("Message",
-                                      "with this scale and position the frame reaches beyond 10,000,000 mm")};
+    const Placement* placement = elementPlacement(element);
+    for (const Vec3& point : content.points())
+        if (placement && !(placement->placed(point).array().abs() <= largestCoordinate).all())
+            return {
+                QT_TRANSLATE_NOOP("Message", "with this scale and position the points reach beyond 10,000,000 mm")};
     return {};
 }
 
-void readFrames(OpenedDesign& opened, const QString& folder)
+void readFiles(OpenedDesign& opened, const QString& folder)
 {
-    opened.design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const bool refused = std::any_of(opened.problems.begin(), opened.problems.end(), [&](const Problem& known) {
-            return known.element == id && known.field == "file" && known.severity == Severity::Error;
-        });
-        if (refused)
-            return;
-        Message problem;
-        if (auto mesh = readFrame(frame, folder, &problem))
-            opened.frames.emplace(id, std::move(mesh));
-        else
-            opened.problems.push_back(
-                {id, elementLabel(id, *opened.design.element(id)), "file", std::move(problem)});
-    });
+    for (const auto& [id, element] : opened.design.elements()) {
+        const bool refused =
+            std::any_of(opened.problems.begin(), opened.problems.end(), [id = id](const Problem& known) {
+                return known.element == id && known.field == "file" && known.severity == Severity::Error;
+            });
+        if (refused || !elementFile(*element))
+            continue;
+        ImportedFile file = readElementFile(*element, folder);
+        file.content.addTo(opened.files, id);
+        if (!file.content)
+            opened.problems.push_back({id, elementLabel(id, *element), "file", std::move(file.problem)});
+    }
 }
 
 /// Ordered as checkDesign does, each only once.
@@ -78,7 +77,7 @@ void arrange(Problems& problems)
 
 } // namespace
 
-OpenedDesign openDesign(const QString& path, const QString& frameFolder)
+OpenedDesign openDesign(const QString& path, const QString& filesFolder)
 {
     const WholeFile file = readWholeFile(path, largestDesignFile);
     if (!file.problem.empty())
@@ -90,7 +89,7 @@ OpenedDesign openDesign(const QString& path, const QString& frameFolder)
             return opened;
         const Problems checked = checkDesign(opened.design);
         opened.problems.insert(opened.problems.end(), checked.begin(), checked.end());
-        readFrames(opened, frameFolder.isEmpty() ? QFileInfo(path).absolutePath() : frameFolder);
+        readFiles(opened, filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder);
         arrange(opened.problems);
         return opened;
     } catch (const std::bad_alloc&) {
@@ -98,20 +97,17 @@ OpenedDesign openDesign(const QString& path, const QString& frameFolder)
     }
 }
 
-std::shared_ptr<const TriangleMesh> readFrame(const Frame& frame, const QString& folder, Message* problem)
+ImportedFile readElementFile(const Element& element, const QString& folder)
 {
-    Message why;
-    const QString file = fileInFolder(frame, folder, why);
-    ImportedMesh imported;
-    if (why.empty()) {
-        imported = importMesh(file);
-        why = imported.problem;
-    }
-    if (why.empty())
-        why = sizeProblem(frame, *imported.mesh);
-    if (problem)
-        *problem = why;
-    return why.empty() ? imported.mesh : nullptr;
+    Message problem;
+    const QString file = fileInFolder(*elementFile(element), folder, problem);
+    if (!problem.empty())
+        return {{}, problem};
+    ImportedFile imported = importFile(fileKind(element), file);
+    if (imported.content)
+        if (problem = sizeProblem(element, imported.content); !problem.empty())
+            return {{}, problem};
+    return imported;
 }
 
 Message saveDesign(const Design& design, const QString& path)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bolster {
 
@@ -11,6 +12,8 @@ constexpr int window = 8; // accelerated moves go up and down within a few itera
 constexpr double slowest = 0.9995;
 constexpr int stage = 200; // iterations between two looks for a stall
 constexpr int plainIterations = 100;
+constexpr int fitSteps = 10;
+constexpr double fitChange = 1e-3;
 
 } // namespace
 
@@ -34,6 +37,18 @@ bool Convergence::add(double move)
     }
     m_inARow = m_estimate < m_tolerance ? m_inARow + 1 : 0;
     return m_inARow >= 3;
+}
+
+bool FitConvergence::add(double misfit)
+{
+    m_misfits.push_back(misfit);
+    if (m_misfits.size() < 2 * fitSteps)
+        return false;
+    if (m_misfits.size() > 2 * fitSteps)
+        m_misfits.pop_front();
+    const double older = std::accumulate(m_misfits.begin(), m_misfits.begin() + fitSteps, 0.0);
+    const double newer = std::accumulate(m_misfits.begin() + fitSteps, m_misfits.end(), 0.0);
+    return newer > 0 && std::abs(newer - older) < fitChange * newer;
 }
 
 /// Compares the largest moves of successive stages.

@@ -32,4 +32,15 @@ private:
     std::deque<double> m_moves;
 };
 
+/// When a fit has settled: its misfit changes by less than 0.1 % over 10 steps, in the mean of 10. Its targets
+/// switch from point to point, so that neither its moves nor its misfit ever stand still.
+class FitConvergence {
+public:
+    /// `misfit` after one more iteration; any unit. Returns whether the fit has settled.
+    bool add(double misfit);
+
+private:
+    std::deque<double> m_misfits;
+};
+
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "WorkerPool.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -30,6 +31,10 @@ public:
     virtual void report(const SheetView&, SolveReport&) const {}
     /// Adds what can be shown of its forces.
     virtual void draw(FieldPicture&) const {}
+
+    /// A source that has one is a fit: rms of what it still has to move, mm, as of the last follow(). It starts
+    /// from the cover as it is at rest without it, and has settled when this no longer changes.
+    virtual std::optional<double> misfit() const { return std::nullopt; }
 };
 
 using Ghosts = std::vector<std::unique_ptr<GhostSource>>;

@@ -2,9 +2,18 @@
 
 #include "StartPlacement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bolster {
+
+namespace {
+
+// Relative to D: how near to rest a cover must be before it is fitted.
+constexpr double restBeforeFit = 1e-4;
+
+} // namespace
 
 Relaxation::Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, Ghosts ghosts,
                        const std::stop_token& stop)
@@ -31,6 +40,11 @@ void Relaxation::startFrom(SheetState state, bool torn)
 {
     if (!checkFactors())
         return;
+    m_fitting = !torn && hasFits();
+    if (!m_optimizer.setFitting(m_fitting))
+        factorAgain();
+    if (!checkFactors())
+        return;
     m_optimizer.restart(std::move(state));
     if (torn)
         m_optimizer.relaxPositions();
@@ -39,18 +53,20 @@ void Relaxation::startFrom(SheetState state, bool torn)
 
 void Relaxation::retarget(Ghosts ghosts)
 {
-    if (!m_optimizer.replaceGhosts(std::move(ghosts)))
-        factorAgain();
-    if (!checkFactors())
-        return;
-    m_optimizer.retarget();
-    begin();
+    replaceGhosts(std::move(ghosts), false);
 }
 
 void Relaxation::refactor(Ghosts ghosts)
 {
-    m_optimizer.replaceGhosts(std::move(ghosts));
-    factorAgain();
+    replaceGhosts(std::move(ghosts), true);
+}
+
+void Relaxation::replaceGhosts(Ghosts ghosts, bool refactor)
+{
+    const bool sameWeights = m_optimizer.replaceGhosts(std::move(ghosts));
+    m_fitting = hasFits() && (m_fitting || m_phase == Phase::Converged);
+    if (!m_optimizer.setFitting(m_fitting) || !sameWeights || refactor)
+        factorAgain();
     if (!checkFactors())
         return;
     m_optimizer.retarget();
@@ -81,8 +97,38 @@ void Relaxation::iterate()
     }
     m_movement = *move;
     ++m_iterations;
-    if (m_convergence.add(m_movement))
+    const bool atRest = m_convergence.add(m_movement);
+    if (!m_fitting && hasFits()) {
+        if (atRest)
+            beginFit();
+    } else if (atRest || (m_fitting && m_fitConvergence.add(misfit()))) {
         m_phase = Phase::Converged;
+    }
+}
+
+bool Relaxation::hasFits() const
+{
+    return std::ranges::any_of(m_optimizer.ghosts(),
+                               [](const auto& source) { return source->misfit().has_value(); });
+}
+
+double Relaxation::misfit() const
+{
+    double squares = 0;
+    for (const auto& source : m_optimizer.ghosts())
+        squares += std::pow(source->misfit().value_or(0), 2);
+    return std::sqrt(squares);
+}
+
+void Relaxation::beginFit()
+{
+    m_fitting = true;
+    if (!m_optimizer.setFitting(true))
+        factorAgain();
+    if (!checkFactors())
+        return;
+    m_optimizer.retarget();
+    beginConvergence();
 }
 
 bool Relaxation::checkFactors()
@@ -100,7 +146,14 @@ void Relaxation::begin()
     m_phase = Phase::Running;
     m_iterations = 0;
     m_iterateTime = 0;
-    m_convergence = Convergence(m_tolerance);
+    beginConvergence();
+}
+
+void Relaxation::beginConvergence()
+{
+    const bool fitFollows = hasFits() && !m_fitting;
+    m_convergence = Convergence(fitFollows ? std::max(m_tolerance, restBeforeFit) : m_tolerance);
+    m_fitConvergence = {};
 }
 
 void Relaxation::fail(Message reason)

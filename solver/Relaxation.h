@@ -9,7 +9,7 @@ namespace bolster {
 
 /// Callers can stop between iterations, show progress, or go on after a change. When the moves stop shrinking it
 /// iterates without acceleration until they do again: an accelerated iteration can circle around a kink of the
-/// energy.
+/// energy. Ghosts that are fits wait until the cover has come to rest without them.
 class Relaxation {
 public:
     enum class Phase { Running, Converged, Failed };
@@ -47,12 +47,19 @@ private:
     bool checkFactors();
     void factorAgain();
     void begin();
+    bool hasFits() const;
+    double misfit() const;
+    void beginFit();
+    void replaceGhosts(Ghosts ghosts, bool refactor);
+    void beginConvergence();
     void fail(Message reason);
 
     Stopwatch m_watch; // before the optimizer, which factors
     SheetOptimizer m_optimizer;
     double m_tolerance;
     Convergence m_convergence;
+    FitConvergence m_fitConvergence;
+    bool m_fitting = false; // fits act
     Phase m_phase = Phase::Running;
     int m_iterations = 0;
     double m_movement = 0;

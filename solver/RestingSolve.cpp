@@ -4,6 +4,7 @@
 #include "MakeGhosts.h"
 #include "OutlineSampling.h"
 #include "Relaxation.h"
+#include "ScanMeasure.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -109,6 +110,7 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
     if (result.report.flippedTriangles > 0)
         result.warnings.push_back(flippedWarning(result.report.flippedTriangles, result.report.triangles));
     result.surface = makeSurface(sheet->mesh, solve.state(), 0);
+    result.report.scans = measureScans({sheet->design, sheet->files}, *result.surface, ghostCache.scans, pool);
     if (solve.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;
     } else {

@@ -27,10 +27,10 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     : m_mesh(mesh)
     , m_pool(pool)
     , m_ghosts(std::move(ghosts))
-    , m_ghostWeights(ghostWeights(m_ghosts))
     , m_rings(mesh)
 {
     precomputeRings();
+    updateGhostWeights();
     // Where patches lie to begin with is good enough to tell what is near what, and the same on every run.
     const Eigen::Matrix3Xd places = startPlacement(mesh).positions;
     std::array<Eigen::SparseMatrix<double>, 2> matrices;
@@ -66,19 +66,26 @@ std::vector<double> SheetOptimizer::frameRows() const
 bool SheetOptimizer::replaceGhosts(Ghosts ghosts)
 {
     m_ghosts = std::move(ghosts);
-    return std::exchange(m_ghostWeights, ghostWeights(m_ghosts)) == m_ghostWeights;
+    return updateGhostWeights();
 }
 
-std::vector<double> SheetOptimizer::ghostWeights(const Ghosts& ghosts) const
+bool SheetOptimizer::setFitting(bool on)
+{
+    m_fitting = on;
+    return updateGhostWeights();
+}
+
+/// False when they are no longer those in the matrix.
+bool SheetOptimizer::updateGhostWeights()
 {
     std::vector<double> weights;
     for (const SewnMesh::Part& part : m_mesh.parts) {
         double gamma = 0;
-        for (const auto& source : ghosts)
-            gamma += source->gamma(part);
+        for (const auto& source : m_ghosts)
+            gamma += acts(*source) ? source->gamma(part) : 0;
         weights.push_back(gamma / (m_mesh.diameter[part.component] * m_mesh.diameter[part.component]));
     }
-    return weights;
+    return std::exchange(m_ghostWeights, std::move(weights)) == m_ghostWeights;
 }
 
 void SheetOptimizer::precomputeRings()
@@ -284,6 +291,8 @@ void SheetOptimizer::addGhosts()
 {
     const SheetView sheet{m_mesh, m_ahead.positions, m_next.frames};
     for (const auto& source : m_ghosts) {
+        if (!acts(*source))
+            continue;
         source->follow(sheet, m_pool);
         forParts([&](const SewnMesh::Part& part, int begin, int end) {
             const double d = m_mesh.diameter[part.component];

@@ -31,6 +31,8 @@ public:
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
     bool replaceGhosts(Ghosts ghosts);
     const Ghosts& ghosts() const { return m_ghosts; }
+    /// Whether the ghosts that are fits act. False when refactor() must follow.
+    bool setFitting(bool on);
     /// What the ghosts do to the cover.
     void report(SolveReport& report) const;
 
@@ -61,7 +63,8 @@ private:
     void fit();
     void solveFrames();
     void solvePositions(double step);
-    std::vector<double> ghostWeights(const Ghosts& ghosts) const;
+    bool acts(const GhostSource& source) const { return m_fitting || !source.misfit(); }
+    bool updateGhostWeights();
     void addGhosts();
     void addPressure(int vertex, Eigen::Vector4d& residual) const;
     double stableStep() const;
@@ -73,6 +76,7 @@ private:
     std::optional<FactoredSystem> m_frames;    // L2
 
     Ghosts m_ghosts;
+    bool m_fitting = false;
     std::vector<double> m_ghostWeights; // of all sources, per part: gamma / D^2
 
     SheetRings m_rings;

@@ -1,6 +1,7 @@
 #include "SolvePlan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bolster {
 
@@ -92,20 +93,29 @@ SolvePlan compare(const Frame& a, const Frame& b)
     return compare(static_cast<const Placement&>(a), static_cast<const Placement&>(b));
 }
 
-SolvePlan compare(const Cushion& a, const Cushion& b)
+/// Weights that differ are noticed when the targets are made anew.
+template <class T>
+SolvePlan compareButNames(const T& a, const T& b)
 {
-    if (!a.enabled && !b.enabled)
-        return SolvePlan::Nothing;
-    Cushion renamed = a;
+    T renamed = a;
     renamed.name = b.name;
     return renamed == b ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
 
+SolvePlan compare(const Cushion& a, const Cushion& b)
+{
+    return a.enabled || b.enabled ? compareButNames(a, b) : SolvePlan::Nothing;
+}
+
 SolvePlan compare(const Foam& a, const Foam& b)
 {
-    Foam renamed = a;
-    renamed.name = b.name;
-    return renamed == b ? SolvePlan::Nothing : SolvePlan::Retarget;
+    return compareButNames(a, b);
+}
+
+/// A scan that is switched off is measured all the same.
+SolvePlan compare(const Scan& a, const Scan& b)
+{
+    return compareButNames(a, b);
 }
 
 SolvePlan compare(const Quarantined&, const Quarantined&)
@@ -123,7 +133,8 @@ SolvePlan planOf(const Element& element)
         return SolvePlan::Nothing; // fabrics and curves matter through what uses them
     if (patchCurve(element))
         return SolvePlan::Rebuild; // a new handle begins where the surface is, so nothing is torn
-    if (std::holds_alternative<Cushion>(element) || std::holds_alternative<Foam>(element))
+    if (std::holds_alternative<Cushion>(element) || std::holds_alternative<Foam>(element) ||
+        std::holds_alternative<Scan>(element))
         return SolvePlan::Retarget;
     return SolvePlan::Resew;
 }
@@ -136,37 +147,33 @@ SolvePlan planOf(const Element& before, const Element& after)
                       before);
 }
 
-/// Whether the place and the file of this element act on the cover.
+/// Whether the place and the file of this element act on the cover or on what is reported of it.
 bool acts(const Design& design, ElementId id)
 {
     const auto* frame = design.find<Frame>(id);
-    bool acts = design.find<Foam>(id) || (frame && frame->contact);
+    bool acts = design.find<Foam>(id) || design.find<Scan>(id) || (frame && frame->contact);
     design.each<Cushion>(
         [&](ElementId, const Cushion& cushion) { acts = acts || (cushion.enabled && cushion.frame == id); });
     return acts;
 }
 
-bool sameMesh(const DesignFiles& a, const DesignFiles& b, ElementId id)
+/// What the files of frames, foam and scans ask for: they arrive later than their elements.
+template <class Contents>
+SolvePlan planFiles(const Contents& a, const Contents& b, const Design& before, const Design& after)
 {
-    const auto inA = a.meshes.find(id), inB = b.meshes.find(id);
-    return (inA == a.meshes.end() ? nullptr : inA->second) == (inB == b.meshes.end() ? nullptr : inB->second);
-}
-
-/// What the files of frames and foam ask for: they arrive later than their elements.
-SolvePlan planFiles(const SolveInput& before, const SolveInput& after)
-{
-    for (const auto* files : {&before.files, &after.files})
-        for (const auto& [id, mesh] : files->meshes)
-            if (!sameMesh(before.files, after.files, id) && (acts(before.design, id) || acts(after.design, id)))
-                return SolvePlan::Retarget;
-    return SolvePlan::Nothing;
+    Contents changed;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::inserter(changed, changed.end()));
+    const bool used = std::ranges::any_of(
+        changed, [&](const auto& file) { return acts(before, file.first) || acts(after, file.first); });
+    return used ? SolvePlan::Retarget : SolvePlan::Nothing;
 }
 
 } // namespace
 
 SolvePlan planSolve(const SolveInput& before, const SolveInput& after)
 {
-    SolvePlan plan = planFiles(before, after);
+    SolvePlan plan = std::max(planFiles(before.files.meshes, after.files.meshes, before.design, after.design),
+                              planFiles(before.files.clouds, after.files.clouds, before.design, after.design));
     for (ElementId id : differences(before.design, after.design)) {
         const ElementPtr a = before.design.element(id), b = after.design.element(id);
         const bool idle =

@@ -8,7 +8,7 @@ namespace bolster {
 enum class SolvePlan {
     Nothing,   ///< names, colours, layout, frames that nothing comes from: the surface stays
     Republish, ///< depth and profile of fancy seams: the solution stays, what is shown of it changes
-    Retarget,  ///< right-hand sides only: what is held has moved, pressure, Poisson parameter, cushions
+    Retarget,  ///< right-hand sides only: what is held has moved, pressure, Poisson parameter, cushions, scans
     Refactor,  ///< matrix values too: stiffness, bending length, continuity
     Rebuild,   ///< outlines, curves in them, edge length: triangulate again, positions and frames are carried over
     Resew      ///< Rebuild, and seams or fixations came or went, so that the surface is torn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Problem.h"
+#include "ScanFigures.h"
 
 #include <cstdint>
 #include <vector>
@@ -54,6 +55,13 @@ struct SolveReport {
         MaxMean push;              ///< of these: the force f, mm
     };
     std::vector<Cushion> cushions;
+
+    struct ScanFit {
+        ElementId scan{};
+        std::string name;
+        ScanFigures figures;
+    };
+    std::vector<ScanFit> scans;
 
     struct Times {
         double triangulate = 0;

@@ -2,6 +2,7 @@
 
 #include "DesignCheck.h"
 #include "Relief.h"
+#include "ScanMeasure.h"
 #include "StateTransfer.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -156,9 +157,9 @@ bool SolverWorker::republishLive(const Design& design)
             sheet->prepared.design = usable;
             updateReliefs(sheet->prepared.mesh, usable);
         }
-    if (m_status.state == SolverStatus::State::Settled)
-        m_report = reportOn(m_live->prepared, *m_live->relaxation);
     publishSurface();
+    if (m_status.state == SolverStatus::State::Settled)
+        reportLive();
     return true;
 }
 
@@ -282,10 +283,10 @@ void SolverWorker::endLive()
             publish(SolverStatus::State::Idle);
         return;
     }
-    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     m_status.resting = m_live->canonical && converged;
     m_restingDone = m_live->canonical;
     publishSurface();
+    reportLive();
     publish(SolverStatus::State::Settled);
     if (!m_restingDone)
         beginResting();
@@ -334,9 +335,17 @@ void SolverWorker::adoptResting()
     m_status.restingDistance.reset();
     m_status.resting = true;
     m_status.iterations = m_live->relaxation->iterations();
-    m_report = reportOn(m_live->prepared, *m_live->relaxation);
     publishSurface();
+    reportLive();
     publish(SolverStatus::State::Settled);
+}
+
+/// On the surface that was published last.
+void SolverWorker::reportLive()
+{
+    const PreparedSheet& prepared = m_live->prepared;
+    m_report = reportOn(prepared, *m_live->relaxation);
+    m_report.scans = measureScans({prepared.design, prepared.files}, *m_surface, m_ghostCache.scans, m_pool);
 }
 
 void SolverWorker::fail(Message reason)

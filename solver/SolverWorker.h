@@ -63,6 +63,7 @@ private:
     void fail(Message reason);
     void publishSurface();
     void updateField();
+    void reportLive();
     void publish(SolverStatus::State state);
 
     Mailbox<Request> m_in;

@@ -41,6 +41,7 @@ constexpr KindTexts kindTexts[] = {
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
     {QT_TRANSLATE_NOOP("ElementText", "Cushion"), QT_TRANSLATE_NOOP("ElementText", "Cushions"), "cushion"},
     {QT_TRANSLATE_NOOP("ElementText", "Foam"), QT_TRANSLATE_NOOP("ElementText", "Foam"), "foam"},
+    {QT_TRANSLATE_NOOP("ElementText", "Scan"), QT_TRANSLATE_NOOP("ElementText", "Scans"), "scan"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
@@ -68,6 +69,7 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const FancySeam&) const { return ElementKind::FancySeam; }
         ElementKind operator()(const Cushion&) const { return ElementKind::Cushion; }
         ElementKind operator()(const Foam&) const { return ElementKind::Foam; }
+        ElementKind operator()(const Scan&) const { return ElementKind::Scan; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);

@@ -18,6 +18,7 @@ enum class ElementKind {
     Frame,
     Cushion,
     Foam,
+    Scan,
     Fabric,
     Unusable,
     Settings

@@ -5,13 +5,13 @@
 
 namespace bolster {
 
-void FoamMeshes::update(const Design& design, const FrameMeshes& files)
+void FoamMeshes::update(const Design& design, const DesignFiles& files)
 {
     std::map<ElementId, MeshPtr> meshes;
     std::map<ElementId, std::pair<Foam::Shape, Vec3>> shapes;
     design.each<Foam>([&](ElementId id, const Foam& foam) {
         if (foam.shape == Foam::Shape::Mesh) {
-            if (const auto file = files.find(id); file != files.end() && file->second)
+            if (const auto file = files.meshes.find(id); file != files.meshes.end() && file->second)
                 meshes[id] = file->second;
             return;
         }

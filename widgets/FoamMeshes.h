@@ -13,8 +13,7 @@ class FoamMeshes {
 public:
     using MeshPtr = std::shared_ptr<const TriangleMesh>;
 
-    /// `files` are the meshes that were read, by element.
-    void update(const Design& design, const FrameMeshes& files);
+    void update(const Design& design, const DesignFiles& files);
     const std::map<ElementId, MeshPtr>& all() const { return m_meshes; }
     /// The edges of all foam, seen through the cover too; red where it is cut away.
     void addLines(const Design& design, const Selection& selection, SurfaceScene& scene) const;

@@ -18,6 +18,7 @@ GlCover::GlCover(GlFunctions& gl)
     bindColumns(gl, m_normals, 3 * sizeof(float), {{1, 3, GL_FLOAT, 0}});
     bindColumns(gl, m_cloth, 3 * sizeof(float), {{2, 3, GL_FLOAT, 0}});
     bindColumns(gl, m_openness, 2 * sizeof(float), {{3, 2, GL_FLOAT, 0}});
+    bindColumns(gl, m_mapColors, sizeof(SurfaceMap::Rgba), {{4, 4, GL_UNSIGNED_BYTE, 0}});
 }
 
 void GlCover::update(const SurfaceScene& scene)
@@ -27,10 +28,15 @@ void GlCover::update(const SurfaceScene& scene)
             m_topology = scene.surface->topology;
             putTopology(*m_topology);
             m_occlusion.reset();
+            m_map.reset();
         }
         m_surface = scene.surface;
         if (m_surface)
             putPositions(*m_surface);
+    }
+    if (m_topology && scene.map != m_map) {
+        m_map = scene.map;
+        putMap();
     }
     if (m_topology && scene.occlusion != m_occlusion)
         putOpenness(scene);
@@ -48,9 +54,19 @@ void GlCover::putTopology(const SurfaceTopology& topology)
     m_cloth.put(cloth, QOpenGLBuffer::StaticDraw);
     m_openness.put(std::vector<Eigen::Vector2f>(cloth.size(), {1, 1}), QOpenGLBuffer::DynamicDraw);
 
+    putMap();
+
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_triangles.put(topology.triangles, QOpenGLBuffer::StaticDraw);
     m_edgeCount = 0;
+}
+
+/// Nothing where the map is of another topology.
+void GlCover::putMap()
+{
+    const bool fits = m_map && m_map->fits(*m_topology) && m_map->values.size() == m_topology->vertexCount();
+    m_mapColors.put(fits ? m_map->colors() : std::vector<SurfaceMap::Rgba>(m_topology->vertexCount()),
+                    QOpenGLBuffer::DynamicDraw);
 }
 
 void GlCover::putEdges()

@@ -20,6 +20,7 @@ private:
     void putEdges();
     void putPositions(const SurfaceMesh& mesh);
     void putOpenness(const SurfaceScene& scene);
+    void putMap();
 
     GlFunctions& m_gl;
     GlProgram m_program;
@@ -29,6 +30,7 @@ private:
     GlBuffer m_normals;
     GlBuffer m_cloth;
     GlBuffer m_openness;
+    GlBuffer m_mapColors;
     GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
     GlBuffer m_edges{QOpenGLBuffer::IndexBuffer};
     GLsizei m_edgeCount = 0;
@@ -36,6 +38,7 @@ private:
     SurfaceMeshPtr m_surface;
     std::shared_ptr<const SurfaceTopology> m_topology;
     std::shared_ptr<const SurfaceOcclusion> m_occlusion;
+    SurfaceMapPtr m_map;
 };
 
 } // namespace bolster

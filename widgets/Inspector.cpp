@@ -12,7 +12,9 @@ namespace bolster {
 
 Inspector::Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
     : QScrollArea(parent)
-    , m_forms(document, selection, problems, [this](ElementId id) { emit frameFileWanted(id); })
+    , m_forms(
+          document, selection, problems, [this](ElementId id) { emit fileWanted(id); },
+          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); })
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -26,6 +28,12 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
             rebuild();
     });
     rebuild();
+}
+
+void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
+{
+    m_forms.setScanFigures(std::move(figures));
+    refresh();
 }
 
 void Inspector::rebuild()

@@ -14,9 +14,12 @@ class Inspector : public QScrollArea {
 public:
     Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
 
+    void setScanFigures(std::map<ElementId, ScanFigures> figures);
+
 signals:
-    /// The user wants another mesh for this frame.
-    void frameFileWanted(bolster::ElementId frame);
+    /// The user wants another file for this element.
+    void fileWanted(bolster::ElementId element);
+    void scanWish(bolster::ElementId scan, bolster::ScanWish wish);
 
 protected:
     void showEvent(QShowEvent* event) override;

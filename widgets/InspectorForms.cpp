@@ -18,20 +18,14 @@
 
 namespace bolster {
 
-namespace {
-
-// What the fields take; what is a good value, DesignCheck says.
-const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
-const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
-
-} // namespace
-
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
-                               std::function<void(ElementId)> chooseFrameFile)
+                               std::function<void(ElementId)> chooseFile,
+                               std::function<void(ElementId, ScanWish)> scanWish)
     : m_document(document)
     , m_selection(selection)
     , m_problems(problems)
-    , m_chooseFrameFile(std::move(chooseFrameFile))
+    , m_chooseFile(std::move(chooseFile))
+    , m_scanWish(std::move(scanWish))
 {}
 
 std::unique_ptr<PropertyForm> InspectorForms::make() const
@@ -95,6 +89,9 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
         break;
     case ElementKind::Foam:
         addFoam(form, id);
+        break;
+    case ElementKind::Scan:
+        addScan(form, id);
         break;
     case ElementKind::Fabric:
         addFabric(form, id);
@@ -322,7 +319,7 @@ void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
                 QT_TRANSLATE_NOOP("Message", "Change the contact of %1"));
     frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
                  QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
-    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFrameFile(id); });
+    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
 }
 
 void InspectorForms::addUnusable(PropertyForm& form, ElementId id) const

@@ -87,6 +87,7 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     m_painter.fillPath(outline, fill);
     if (bad)
         m_painter.fillPath(outline, QBrush(mixed(colors.canvas, colors.error, 0.5), Qt::BDiagPattern));
+    paintMap(patch, outline);
     if (m_in.layers.mesh)
         paintMesh(patch);
     if (m_in.layers.seams)
@@ -99,6 +100,28 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+void PatternPainter::paintMap(const PatternPatch& patch, const QPainterPath& outline)
+{
+    const PatternMap::Picture* picture = m_in.map.picture(patch.id);
+    if (!picture)
+        return;
+    // By three points: the layout turns and mirrors.
+    const auto place = [&](const QPointF& p) {
+        return m_in.transform.toPixels(toLayout(patch.patch(), Vec2(p.x(), p.y())));
+    };
+    const QPointF origin = place(picture->box.topLeft());
+    const QPointF along = place(picture->box.topRight()) - origin, down = place(picture->box.bottomLeft()) - origin;
+    const double width = picture->image.width(), height = picture->image.height();
+    m_painter.save();
+    m_painter.setClipPath(outline, Qt::IntersectClip);
+    m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    m_painter.setTransform(QTransform(along.x() / width, along.y() / width, down.x() / height, down.y() / height,
+                                      origin.x(), origin.y()),
+                           true);
+    m_painter.drawImage(0, 0, picture->image);
+    m_painter.restore();
 }
 
 void PatternPainter::paintMesh(const PatternPatch& patch)

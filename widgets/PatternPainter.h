@@ -1,6 +1,7 @@
 // Draws a PatternScene.
 #pragma once
 
+#include "PatternMap.h"
 #include "PatternMesh.h"
 #include "PatternScene.h"
 #include "PatternTransform.h"
@@ -33,6 +34,7 @@ public:
     struct Input {
         const PatternScene& scene;
         const PatternMesh& mesh;
+        const PatternMap& map;
         const Selection& selection;
         const ProblemSet& problems;
         const std::map<ElementId, QColor>& seamColors;
@@ -56,6 +58,7 @@ private:
     QPainterPath inPixels(const QPainterPath& path) const;
 
     void paintPatch(const PatternPatch& patch);
+    void paintMap(const PatternPatch& patch, const QPainterPath& outline);
     void paintMesh(const PatternPatch& patch);
     void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);
     void paintFixations(const PatternPatch& patch);

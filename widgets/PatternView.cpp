@@ -32,6 +32,7 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     , m_document(document)
     , m_selection(selection)
     , m_problems(problems)
+    , m_legend(new MapLegend(this))
     , m_tool(new PatternSelectTool(*this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -68,6 +69,13 @@ void PatternView::setSurface(const SurfaceMeshPtr& surface)
     m_mesh.setTopology(topology);
     if (m_layers.mesh)
         update();
+}
+
+void PatternView::setMap(const SurfaceMapPtr& map)
+{
+    m_map.setMap(map);
+    m_legend->setMap(map);
+    update();
 }
 
 void PatternView::setLayers(const PatternLayers& layers)
@@ -222,14 +230,15 @@ void PatternView::paintEvent(QPaintEvent*)
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     QPainter painter(this);
-    const PatternPainter::Input input{m_scene,     m_mesh,   m_selection, m_problems, m_seamColors,
-                                      m_transform, m_layers, colors,      small,      size()};
+    const PatternPainter::Input input{m_scene,     m_mesh,   m_map,  m_selection, m_problems, m_seamColors,
+                                      m_transform, m_layers, colors, small,       size()};
     PatternPainter(painter, input).paint();
     m_tool->paint(painter, colors);
 }
 
 void PatternView::resizeEvent(QResizeEvent* event)
 {
+    m_legend->place();
     m_transform = m_fitted.isEmpty() && event->oldSize().isValid()
                       ? m_transform.resized(event->oldSize(), size())
                       : PatternTransform::fitting(m_fitted, size(), fitMargin);

@@ -1,6 +1,7 @@
 // The pattern view: the patches in their layout, with seams and fixations.
 #pragma once
 
+#include "MapLegend.h"
 #include "PatternDrawTool.h"
 #include "PatternPainter.h"
 #include "PatternTool.h"
@@ -23,6 +24,8 @@ public:
 
     /// Where the triangulation comes from; null for none.
     void setSurface(const SurfaceMeshPtr& surface);
+    /// Colours on the patches; null for none.
+    void setMap(const SurfaceMapPtr& map);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
 
@@ -83,6 +86,8 @@ private:
     ProblemSet& m_problems;
     PatternScene m_scene;
     PatternMesh m_mesh;
+    PatternMap m_map;
+    MapLegend* m_legend;
     SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;

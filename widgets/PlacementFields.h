@@ -7,16 +7,20 @@
 
 namespace bolster {
 
+// What the fields take; what is a good value, DesignCheck says.
+inline const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1};
+inline const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
+
 template <class T>
 void addPlacementFields(PropertyForm& form, const InspectorSubject<T>& subject, const QString& scaleUnit)
 {
     subject.number(InspectorForms::tr("Scale"), {scaleUnit, 6, 1e-6, 1e6, 0.1}, &T::scale,
                    QT_TRANSLATE_NOOP("Message", "Scale %1"));
     subject.numbers(
-        InspectorForms::tr("Position"), {QStringLiteral(" mm"), 3, -1e7, 1e7, 1}, 3,
-        [](T& t, int i) -> double& { return t.position[i]; }, QT_TRANSLATE_NOOP("Message", "Move %1"));
+        InspectorForms::tr("Position"), lengthRange, 3, [](T& t, int i) -> double& { return t.position[i]; },
+        QT_TRANSLATE_NOOP("Message", "Move %1"));
     form.addNumbers(
-        InspectorForms::tr("Rotation"), {QStringLiteral("\u00b0"), 3, -360, 360, 5}, 3,
+        InspectorForms::tr("Rotation"), angleRange, 3,
         [subject](int i) { return anglesOf(subject.now().rotation)[static_cast<std::size_t>(i)]; },
         [subject](int i, double value) {
             subject.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](T& t) {

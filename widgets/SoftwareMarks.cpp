@@ -94,6 +94,21 @@ void paintDot(QPainter& painter, const SurfaceDot& dot, const Camera& camera, co
     painter.drawEllipse(QPointF(at->x(), at->y()), radius, radius);
 }
 
+void paintPoints(QPainter& painter, const SurfaceScene::PointsLook& look, const Camera& camera,
+                 const Hiding& hiding)
+{
+    QPolygonF shown;
+    for (const Eigen::Vector3f& p : *look.points) {
+        const Vec3 point = p.cast<double>();
+        const std::optional<Vec2> at = camera.pixel(point);
+        if (at && !hiding.hides(point, *at))
+            shown.append({at->x(), at->y()});
+    }
+    painter.setOpacity(1);
+    painter.setPen(QPen(look.color, static_cast<double>(look.size)));
+    painter.drawPoints(shown);
+}
+
 } // namespace
 
 void paintMarks(QPainter& painter, const SurfaceScene& scene, const Camera& camera, const std::vector<float>& depth,
@@ -101,6 +116,8 @@ void paintMarks(QPainter& painter, const SurfaceScene& scene, const Camera& came
 {
     const Hiding hiding(camera, depth, depthSize);
     painter.save();
+    for (const SurfaceScene::PointsLook& look : scene.points) // many and small: smoothing would show little
+        paintPoints(painter, look, camera, hiding);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const SurfaceLine& line : scene.lines)
         paintLine(painter, line, camera, hiding);

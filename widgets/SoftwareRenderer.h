@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "Frame.h"
+#include "SurfaceMap.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 
@@ -33,6 +34,7 @@ public:
 
         SurfaceMeshPtr surface; ///< may be null
         std::vector<PatchLook> looks;
+        SurfaceMapPtr map;             ///< null, or of another topology: plain cloth
         std::vector<FrameLook> frames; ///< see-through where there is a cover
         Camera camera;                 ///< its size is the size of the picture
         QColor backgroundTop;

@@ -17,6 +17,7 @@ SurfaceRenderer::SurfaceRenderer()
     , m_ground(m_gl)
     , m_cover(m_gl)
     , m_frames(m_gl)
+    , m_points(m_gl)
     , m_marks(m_gl)
 {}
 
@@ -25,6 +26,7 @@ void SurfaceRenderer::update(const SurfaceScene& scene)
     m_ground.update(scene);
     m_cover.update(scene);
     m_frames.update(scene);
+    m_points.update(scene);
     m_marks.update(scene);
 }
 
@@ -48,6 +50,7 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
         m_gl.glDisable(GL_BLEND);
     }
     m_frames.draw(scene, view);
+    m_points.draw(view);
     m_marks.draw(view, true);
     m_marks.draw(view, false);
 }

@@ -5,6 +5,7 @@
 #include "GlFrames.h"
 #include "GlGround.h"
 #include "GlMarks.h"
+#include "GlPoints.h"
 
 namespace bolster {
 
@@ -26,6 +27,7 @@ private:
     GlGround m_ground;
     GlCover m_cover;
     GlFrames m_frames;
+    GlPoints m_points;
     GlMarks m_marks;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "SoftwareRenderer.h"
+#include "SurfaceMap.h"
 #include "SurfaceOcclusion.h"
 #include "ViewColors.h"
 
@@ -36,12 +37,22 @@ struct SurfaceScene {
         QColor fabric;
         QColor tint; ///< with its opacity: hovered, selected
     };
+    /// Dots of constant size in the picture.
+    struct PointsLook {
+        std::shared_ptr<const std::vector<Eigen::Vector3f>> points; ///< mm
+        QColor color;
+        float size = 2; ///< pixels
+
+        friend bool operator==(const PointsLook&, const PointsLook&) = default;
+    };
     using FrameLook = SoftwareRenderer::Request::FrameLook;
 
     SurfaceMeshPtr surface; ///< null: no cover
     std::vector<PatchLook> patches;
     std::vector<FrameLook> frames;
     std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it
+    std::vector<PointsLook> points;                             ///< of scans
+    SurfaceMapPtr map;                                          ///< null, or of another topology: plain cloth
     std::vector<SurfaceLine> lines;
     std::vector<SurfaceDot> dots;
     std::uint64_t marks = 0;                           ///< different when lines or dots are

@@ -3,6 +3,7 @@
 #include "Document.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
+#include "ScanCutTool.h"
 #include "Selection.h"
 #include "SoftwareCanvas.h"
 #include "SurfaceMarks.h"
@@ -39,12 +40,14 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
-    , m_layers{Layer::Cover, Layer::Checker, Layer::Seams, Layer::Frames, Layer::FixationCurves, Layer::Ground}
+    , m_layers{Layer::Cover,          Layer::Checker, Layer::Seams, Layer::Frames,
+               Layer::FixationCurves, Layer::Scans,   Layer::Ground}
     , m_frameShapes([this] {
         m_scene.frameShapes = m_frameShapes.shapes();
         draw(false);
     })
     , m_cube(new SurfaceViewCube(this))
+    , m_legend(new MapLegend(this))
     , m_tool(std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this)))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
         m_scene.occlusion = std::move(occlusion);
@@ -81,6 +84,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     });
     connect(&m_document, &Document::changed, this, &SurfaceView::designChanged);
     const auto selectionChanged = [this] {
+        updateScans();
         updateLooks();
         updateMarks();
         draw(false);
@@ -147,10 +151,11 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
     draw(moving);
 }
 
-void SurfaceView::setFrames(const FrameMeshes& frames)
+void SurfaceView::setFiles(const DesignFiles& files)
 {
-    m_frameMeshes = frames;
+    m_files = files;
     updateFrames();
+    updateScans();
     updateBox();
     m_occlusionDelay.start();
     draw(false);
@@ -161,6 +166,40 @@ void SurfaceView::setField(FieldPicturePtr field)
     m_field = std::move(field);
     updateMarks();
     draw(m_document.gestureRunning());
+}
+
+void SurfaceView::setMap(SurfaceMapPtr map)
+{
+    m_scene.map = std::move(map);
+    m_legend->setMap(m_scene.map);
+    updateScans();
+    draw(false);
+}
+
+void SurfaceView::setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs)
+{
+    m_scanPairs = std::move(pairs);
+    if (!layerVisible(Layer::ScanPairs))
+        return;
+    updateMarks();
+    draw(false);
+}
+
+void SurfaceView::startScanCut(ElementId scan, bool keep)
+{
+    m_tool->escape();
+    const auto back = [this] { // not inside the tool's own function
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                m_tool = std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this));
+                refresh();
+            },
+            Qt::QueuedConnection);
+    };
+    m_tool = std::make_unique<ScanCutTool>(static_cast<SurfaceToolContext&>(*this), scan, keep, back);
+    setFocus();
+    refresh();
 }
 
 void SurfaceView::setDimmed(bool dimmed)
@@ -183,6 +222,8 @@ void SurfaceView::setLayerVisible(Layer layer, bool visible)
     m_scene.meshEdges = layerVisible(Layer::MeshEdges);
     m_scene.ground = layerVisible(Layer::Ground);
     updateFrames();
+    updateScans();
+    updateMarks();
     setSurface(m_surface);
 }
 
@@ -193,10 +234,19 @@ void SurfaceView::designChanged(const std::set<ElementId>& ids)
         return;
     m_curves.update(m_document.design());
     updateFrames();
+    updateScans();
     updateLooks();
     updateMarks();
     updateBox();
     draw(m_document.gestureRunning());
+}
+
+void SurfaceView::updateScans()
+{
+    m_scanPoints.update(m_document.design(), m_files);
+    m_scene.points.clear();
+    if (layerVisible(Layer::Scans) && !m_scene.map) // which says more, and would be hidden
+        m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors);
 }
 
 void SurfaceView::updateFrames()
@@ -205,13 +255,13 @@ void SurfaceView::updateFrames()
     std::vector<ElementId> ids;
     if (layerVisible(Layer::Frames))
         m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
-            const auto mesh = m_frameMeshes.find(id);
-            if (mesh == m_frameMeshes.end() || !mesh->second)
+            const auto mesh = m_files.meshes.find(id);
+            if (mesh == m_files.meshes.end() || !mesh->second)
                 return;
             frames.push_back({mesh->second, frame});
             ids.push_back(id);
         });
-    m_foamMeshes.update(m_document.design(), m_frameMeshes);
+    m_foamMeshes.update(m_document.design(), m_files);
     if (layerVisible(Layer::Frames))
         for (const auto& [id, mesh] : m_foamMeshes.all()) {
             frames.push_back({mesh, *m_document.design().find<Foam>(id)});
@@ -267,8 +317,18 @@ void SurfaceView::updateMarks()
         m_foamMeshes.addLines(m_document.design(), m_selection, m_scene);
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
+    addScanPairs();
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
+}
+
+void SurfaceView::addScanPairs()
+{
+    if (!layerVisible(Layer::ScanPairs))
+        return;
+    const QColor red(0xd8, 0x2c, 0x20);
+    for (const auto& [on, of] : m_scanPairs)
+        m_scene.lines.push_back({{on.cast<float>(), of.cast<float>()}, red, 1.2F, 0.25F});
 }
 
 void SurfaceView::updateBox()
@@ -279,6 +339,8 @@ void SurfaceView::updateBox()
             if (p.allFinite())
                 solid.extend(p);
     solid.extend(m_frameBox);
+    if (solid.isEmpty() && layerVisible(Layer::Scans))
+        solid = m_scanPoints.box();
     Box3 box = solid;
     for (const auto& [id, curve] : m_curves.all())
         for (const Vec3& p : curve.points)
@@ -419,6 +481,8 @@ Box3 SurfaceView::selectedBox() const
             if (m_selection.contains(range.patch))
                 for (std::uint32_t i = 0; i < range.vertexCount; ++i)
                     box.extend(m_scene.surface->positions[range.firstVertex + i]);
+    for (const ElementId id : m_selection.elements())
+        box.extend(m_scanPoints.box(id));
     return box;
 }
 
@@ -460,6 +524,7 @@ void SurfaceView::resizeEvent(QResizeEvent* event)
     m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
     if (m_canvas)
         m_canvas->widget().setGeometry(rect());
+    m_legend->place();
     m_cube->move(width() - m_cube->width() - cubeMargin, cubeMargin);
     m_cube->setVisible(width() > 3 * m_cube->width() && height() > 2 * m_cube->height());
     updateBox();
@@ -471,6 +536,7 @@ void SurfaceView::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
         m_scene.colors = ViewColors::of(palette());
+        updateScans();
         updateLooks();
         updateMarks();
         draw(false);

@@ -5,6 +5,8 @@
 #include "DesignFile.h"
 #include "FieldPicture.h"
 #include "FoamMeshes.h"
+#include "MapLegend.h"
+#include "ScanPoints.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
@@ -36,7 +38,7 @@ public:
     using StandardView = Camera::StandardView;
 
     /// What can be shown and hidden.
-    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Ground, Field };
+    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Scans, ScanPairs, Ground, Field };
     Q_ENUM(Layer)
 
     enum class Drawing {
@@ -55,8 +57,14 @@ public:
     /// The cover to show; null for none. Cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
-    /// The meshes of the design's frames; their placement is taken from the design.
-    void setFrames(const FrameMeshes& frames);
+    /// What the design's files hold: frames, foam and scans; their placement is taken from the design.
+    void setFiles(const DesignFiles& files);
+    /// Colours on the cover; null for none.
+    void setMap(SurfaceMapPtr map);
+    /// Which points of a scan belong to which places of the cover, mm: shown as lines.
+    void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
+    /// The next drag cuts away, or keeps, a part of the scan.
+    void startScanCut(bolster::ElementId scan, bool keep);
     /// The forces of cushioning; null for none. Shown in their layer.
     void setField(FieldPicturePtr field);
     /// The surface is not up to date, or the last good one before a failure.
@@ -122,6 +130,8 @@ private:
     void designChanged(const std::set<bolster::ElementId>& ids);
     void updateFrames();
     Vec3 middleOf(ElementId id) const override;
+    void updateScans();
+    void addScanPairs();
     void updateLooks();
     void updateMarks();
     void updateBox();
@@ -144,18 +154,21 @@ private:
 
     SurfaceMeshPtr m_surface;
     FieldPicturePtr m_field;
-    FrameMeshes m_frameMeshes;
+    DesignFiles m_files;
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     FrameShapes m_frameShapes;
     Box3 m_frameBox;                   ///< mm
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
+    ScanPoints m_scanPoints;
+    std::vector<std::pair<Vec3, Vec3>> m_scanPairs; ///< on the cover, and of the scan
     SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
 
     std::unique_ptr<SurfaceCanvas> m_canvas;
     SurfaceViewCube* m_cube;
+    MapLegend* m_legend;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;

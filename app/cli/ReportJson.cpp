@@ -62,6 +62,22 @@ Json json(const std::vector<SolveReport::Cushion>& cushions)
     return list;
 }
 
+Json json(const std::vector<SolveReport::ScanFit>& scans)
+{
+    Json list = Json::array();
+    for (const SolveReport::ScanFit& scan : scans)
+        list.push_back({{"element", number(scan.scan)},
+                        {"name", scan.name},
+                        {"points", scan.figures.points},
+                        {"deviation_mm",
+                         {{"rms", scan.figures.rms},
+                          {"median", scan.figures.median},
+                          {"p95", scan.figures.p95},
+                          {"max", scan.figures.max}}},
+                        {"coverage", scan.figures.coverage}});
+    return list;
+}
+
 } // namespace
 
 std::string reportJson(const SolveResult& result)
@@ -93,6 +109,7 @@ std::string reportJson(const SolveResult& result)
         {"rest_area_mm2", report.restArea},
         {"flipped_triangles", report.flippedTriangles},
         {"cushions", json(report.cushions)},
+        {"scans", json(report.scans)},
         {"time_ms",
          {{"triangulate", report.time.triangulate},
           {"assemble", report.time.assemble},

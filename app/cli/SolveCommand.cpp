@@ -105,7 +105,7 @@ Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
 SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const SolveOptions& options,
                            std::stop_token stop)
 {
-    SolveResult result = solveResting({opened.design, {opened.frames, {}}}, options, std::move(stop));
+    SolveResult result = solveResting({opened.design, opened.files}, options, std::move(stop));
     add(errors, result.errors);
     result.leftOut = leftOut(errors, result.leftOut);
     result.errors = result.surface ? Problems() : errors;
@@ -120,7 +120,7 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
         if (opened.readable && options.lenient)
             result = solveLeniently(opened, errors, options, std::move(stop));
         else if (errors.empty())
-            result = solveResting({opened.design, {opened.frames, {}}}, options, std::move(stop));
+            result = solveResting({opened.design, opened.files}, options, std::move(stop));
         else
             result.errors = errors;
     } catch (const std::bad_alloc&) {
@@ -149,6 +149,10 @@ void printSummary(const SolveResult& result)
                 numberText(100 * report.strain.max, 3) + " % at most; fixation error " +
                 numberText(report.fixationError.max, 3) + " mm, seam gap " + numberText(report.seamGap.max, 3) +
                 " mm, " + counted(report.flippedTriangles, "flipped triangle"));
+    for (const SolveReport::ScanFit& scan : report.scans)
+        printResult("scan \"" + scan.name + "\": " + numberText(scan.figures.rms, 3) + " mm rms, " +
+                    numberText(scan.figures.p95, 3) + " mm within 95 %, over " +
+                    numberText(100 * scan.figures.coverage, 3) + " % of the cover");
 }
 
 void printFindings(const SolveResult& result)

@@ -253,6 +253,32 @@ void addFields(Line& line, const FancySeam& seam)
         line.quoted("profile", profiles[static_cast<std::size_t>(seam.profile)]);
 }
 
+std::string cutText(const ScanCut& cut)
+{
+    std::string planes;
+    for (const HalfSpace& h : cut.halfSpaces)
+        planes.append(planes.empty() ? "" : ", ")
+            .append(list(Eigen::Vector4d(h.normal.x(), h.normal.y(), h.normal.z(), h.distance)));
+    return Line().raw("planes", "[" + planes + "]").unless(false, "keep", cut.keep).done();
+}
+
+void addFields(Line& line, const Scan& scan)
+{
+    const Scan normal;
+    line.quoted("name", scan.name).quoted("file", scan.file);
+    addPlacement(line, scan);
+    line.unless(normal.threshold, "threshold_mm", scan.threshold)
+        .unless(normal.strength, "strength", scan.strength)
+        .unless(normal.enabled, "enabled", scan.enabled);
+    if (scan.target == ScanTarget::Point)
+        line.quoted("target", "point");
+    std::string cuts;
+    for (const ScanCut& cut : scan.cuts)
+        cuts.append(cuts.empty() ? "" : ", ").append(cutText(cut));
+    if (!cuts.empty())
+        line.raw("cuts", "[" + cuts + "]");
+}
+
 std::string elementText(ElementId id, const Element& element)
 {
     if (const auto* quarantined = std::get_if<Quarantined>(&element))

@@ -8,8 +8,8 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings", "fabric",       "patch",      "seam",    "fixation_curve", "fixation_seam",
-        "frame",    "handle_curve", "fancy_seam", "cushion", "foam",           "unreadable"};
+        "settings",     "fabric",     "patch",   "seam", "fixation_curve", "fixation_seam", "frame",
+        "handle_curve", "fancy_seam", "cushion", "foam", "scan",           "unreadable"};
     return names[element.index()];
 }
 
@@ -71,9 +71,10 @@ constexpr auto planeCurveOf = [](auto& value) {
 };
 
 constexpr auto spaceCurveOf = [](auto& value) {
-    if constexpr (requires { value.target; })
+    using Kind = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<Kind, HandleCurve>)
         return &value.target;
-    else if constexpr (std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(value)>>, FixationCurve>)
+    else if constexpr (std::is_same_v<Kind, FixationCurve>)
         return &value.curve;
     else
         return static_cast<const BSpline3*>(nullptr);

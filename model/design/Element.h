@@ -11,6 +11,7 @@
 #include "HandleCurve.h"
 #include "Patch.h"
 #include "Quarantined.h"
+#include "Scan.h"
 #include "Seam.h"
 #include "Settings.h"
 
@@ -21,7 +22,7 @@
 namespace bolster {
 
 using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
-                             FancySeam, Cushion, Foam, Quarantined>;
+                             FancySeam, Cushion, Foam, Scan, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>

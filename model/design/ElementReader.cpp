@@ -8,6 +8,8 @@ namespace bolster::json {
 namespace {
 
 constexpr double largestCoordinate = 1e7;
+constexpr std::size_t mostScanCuts = 1000;
+constexpr std::size_t mostScanPlanes = 100;
 
 template <int Dim>
 std::vector<Eigen::Matrix<double, Dim, 1>> pointsIn(Fields& fields)
@@ -348,6 +350,63 @@ Foam readFoam(Fields& fields)
     return foam;
 }
 
+std::vector<HalfSpace> readHalfSpaces(Fields& fields)
+{
+    std::vector<HalfSpace> halfSpaces;
+    const Value* list = fields.required("planes");
+    const std::string field = fields.fieldOf("planes");
+    if (list && (!list->isArray() || list->size() > mostScanPlanes)) {
+        fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a list of at most %1 planes, "
+                                                                 "[x, y, z, distance] each"),
+                                    {std::to_string(mostScanPlanes)}});
+        return halfSpaces;
+    }
+    if (list)
+        list->eachItem([&](std::size_t i, const Value& item) {
+            const Eigen::Vector4d plane =
+                vectorIn<4>(item, field + "[" + std::to_string(i) + "]", fields.report(), largestCoordinate);
+            halfSpaces.push_back({plane.head<3>(), plane[3]});
+        });
+    return halfSpaces;
+}
+
+std::vector<ScanCut> readCuts(Fields& parent)
+{
+    std::vector<ScanCut> cuts;
+    const Value* list = parent.optional("cuts");
+    const std::string field = parent.fieldOf("cuts");
+    Report& report = parent.report();
+    if (list && (!list->isArray() || list->size() > mostScanCuts))
+        report.add(field, {QT_TRANSLATE_NOOP("Message", "must be a list of at most %1 cuts in braces"),
+                           {std::to_string(mostScanCuts)}});
+    else if (list)
+        list->eachItem([&](std::size_t i, const Value& item) {
+            const std::string at = field + "[" + std::to_string(i) + "]";
+            if (!item.isObject()) {
+                report.add(at, {QT_TRANSLATE_NOOP("Message", "must be a cut in braces, with planes")});
+                return;
+            }
+            Fields fields(item, at + ".", report);
+            cuts.push_back({readHalfSpaces(fields), fields.flag("keep", false)});
+            fields.finish();
+        });
+    return cuts;
+}
+
+Scan readScan(Fields& fields)
+{
+    Scan scan;
+    scan.name = fields.text("name");
+    scan.file = fields.text("file");
+    readPlacement(fields, scan);
+    scan.threshold = fields.number("threshold_mm", scan.threshold);
+    scan.strength = fields.number("strength", scan.strength);
+    scan.enabled = fields.flag("enabled", scan.enabled);
+    scan.target = static_cast<ScanTarget>(fields.choice("target", {"plane", "point"}));
+    scan.cuts = readCuts(fields);
+    return scan;
+}
+
 template <class T>
 ElementPtr finished(T value, Fields& fields)
 {
@@ -430,10 +489,12 @@ ElementPtr readElement(const Value& object, Report& report)
         return finished(readCushion(fields), fields);
     if (kind == "foam")
         return finished(readFoam(fields), fields);
+    if (kind == "scan")
+        return finished(readScan(fields), fields);
     if (fields.has("kind") && fields.report().clean())
         report.add("kind", {QT_TRANSLATE_NOOP("Message", "the kind %1 is unknown; there are fabric, patch, seam, "
                                                          "fixation_curve, fixation_seam, frame, handle_curve, "
-                                                         "fancy_seam, cushion and foam"),
+                                                         "fancy_seam, cushion, foam and scan"),
                             {quoted(kind)}});
     return nullptr;
 }

@@ -24,6 +24,7 @@ constexpr double mostFancySize = 1000;
 constexpr double mostDilation = 1000;  // mm
 constexpr double mostContactGap = 100; // mm
 constexpr double mostStrength = 10;
+constexpr double mostScanStrength = 100;
 
 bool isColor(const std::string& text)
 {
@@ -93,6 +94,14 @@ void ElementRules::placement(const Placement& placement)
         error("rotation",
               {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
                {numberText(placement.rotation.norm())}});
+}
+
+/// Of elements that place a file.
+void ElementRules::placedFile(const Placement& placed, const std::string& file)
+{
+    if (auto problem = elementFileProblem(file))
+        error("file", std::move(*problem));
+    placement(placed);
 }
 
 template <class T>
@@ -375,9 +384,7 @@ void ElementRules::rules(const FixationSeam& seam)
 
 void ElementRules::rules(const Frame& frame)
 {
-    if (auto problem = elementFileProblem(frame.file))
-        error("file", std::move(*problem));
-    placement(frame);
+    placedFile(frame, frame.file);
     inRange("contact_gap", frame.contactGap, 0, mostContactGap);
 }
 
@@ -398,10 +405,10 @@ void ElementRules::rules(const Foam& foam)
         for (const double value : foam.size)
             if (!inRange("size", value, 1, largestNumber))
                 break;
-    } else if (auto problem = elementFileProblem(foam.file)) {
-        error("file", std::move(*problem));
+        placement(foam);
+    } else {
+        placedFile(foam, foam.file);
     }
-    placement(foam);
     inRange("dilation_mm", foam.dilation, 0, mostDilation);
     inRange("strength", foam.strength, 0, mostStrength);
 }
@@ -429,6 +436,20 @@ void ElementRules::rules(const FancySeam& seam)
     drawnIn(seam);
     inRange("width", seam.width, leastFancySize, mostFancySize);
     inRange("depth", seam.depth, -mostFancySize, mostFancySize);
+}
+
+void ElementRules::rules(const Scan& scan)
+{
+    placedFile(scan, scan.file);
+    inRange("threshold_mm", scan.threshold, 0.1, 1e4);
+    inRange("strength", scan.strength, 0, mostScanStrength);
+    for (std::size_t c = 0; c < scan.cuts.size(); ++c)
+        for (std::size_t h = 0; h < scan.cuts[c].halfSpaces.size(); ++h)
+            if (!(scan.cuts[c].halfSpaces[h].normal.norm() > 0))
+                error(
+                    "cuts[" + std::to_string(c) + "].planes[" + std::to_string(h) + "]",
+                    {QT_TRANSLATE_NOOP("Message", "the first three numbers are the plane's normal; not all of them "
+                                                  "may be 0")});
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

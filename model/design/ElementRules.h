@@ -30,6 +30,7 @@ private:
     void rules(const FancySeam& seam);
     void rules(const Cushion& cushion);
     void rules(const Foam& foam);
+    void rules(const Scan& scan);
     void rules(const Quarantined& quarantined);
 
     void error(std::string field, Message message);
@@ -37,6 +38,7 @@ private:
     /// Reports a number outside [low, high], NaN too; says whether it is inside.
     bool inRange(std::string field, double value, double low, double high);
     void placement(const Placement& placement);
+    void placedFile(const Placement& placed, const std::string& file);
     template <class T>
     const T* reference(std::string field, ElementId id);
     /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.

@@ -10,7 +10,7 @@ std::optional<Message> elementFileProblem(const std::string& file)
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
     if (file.empty())
         return Message{
-            QT_TRANSLATE_NOOP("Message", "no file is named; write the name of a mesh beside the design")};
+            QT_TRANSLATE_NOOP("Message", "no file is named; write the name of a file beside the design")};
     if (std::any_of(file.begin(), file.end(), isControl) || file.size() > 1000)
         return Message{QT_TRANSLATE_NOOP("Message", "this is no name of a file")};
     const bool drive = file.size() > 1 && file[1] == ':';

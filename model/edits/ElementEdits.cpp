@@ -22,6 +22,7 @@ Message addVerb(const Element& element)
         QT_TRANSLATE_NOOP("Message", "Add fancy seam %1"),
         QT_TRANSLATE_NOOP("Message", "Add cushion %1"),
         QT_TRANSLATE_NOOP("Message", "Add foam %1"),
+        QT_TRANSLATE_NOOP("Message", "Add scan %1"),
         QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
     };
     return {keys[element.index()], {elementName(element)}};

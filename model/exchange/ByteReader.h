@@ -1,7 +1,7 @@
 // Numbers of a binary file, in either byte order, with every access checked.
 #pragma once
 
-#include "MeshRefused.h"
+#include "FileRefused.h"
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,14 @@ public:
         , m_swapped(bigEndian != (std::endian::native == std::endian::big))
     {}
 
-    MeshPlace place() const { return {MeshPlace::Unit::Byte, m_at}; }
+    FilePlace place() const { return {FilePlace::Unit::Byte, m_at}; }
     std::uint64_t bytesLeft() const { return m_bytes.size() - m_at; }
 
     /// Refuses when fewer than `count` rows of this size are left; the sum cannot overflow.
     void require(std::uint64_t count, std::uint64_t bytesPerRow) const
     {
         if (bytesPerRow > 0 && count > bytesLeft() / bytesPerRow)
-            refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
+            refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
     }
 
     void skip(std::uint64_t bytes)

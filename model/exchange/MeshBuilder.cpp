@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t largestPartCount = 100'000;
 
-[[noreturn]] void refuseCount(MeshPlace place)
+[[noreturn]] void refuseCount(FilePlace place)
 {
-    refuseMesh(place,
+    refuseFile(place,
                QT_TRANSLATE_NOOP("Message", "%1: the mesh is too large, the limit is %2 points and as many "
                                             "triangles"),
                {std::to_string(largestMeshCount)});
@@ -51,24 +51,24 @@ MeshBuilder::MeshBuilder()
     : m_weldingSeed(std::random_device{}())
 {}
 
-void MeshBuilder::reservePoints(std::uint64_t count, MeshPlace place)
+void MeshBuilder::reservePoints(std::uint64_t count, FilePlace place)
 {
     if (count > largestMeshCount)
         refuseCount(place);
     m_points.reserve(static_cast<std::size_t>(count));
 }
 
-std::uint32_t MeshBuilder::addPoint(const Vec3& point, MeshPlace place)
+std::uint32_t MeshBuilder::addPoint(const Vec3& point, FilePlace place)
 {
     if (!(point.array().abs() <= largestMeshCoordinate).all()) // so that NaN is refused too
-        refuseMesh(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
+        refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
     if (m_points.size() >= largestMeshCount)
         refuseCount(place);
     m_points.push_back(point);
     return static_cast<std::uint32_t>(m_points.size() - 1);
 }
 
-std::uint32_t MeshBuilder::addWeldedPoint(const Vec3& point, MeshPlace place)
+std::uint32_t MeshBuilder::addWeldedPoint(const Vec3& point, FilePlace place)
 {
     if (2 * m_points.size() >= m_welded.size())
         growWelding();
@@ -104,12 +104,12 @@ void MeshBuilder::beginPart(std::string_view name)
     m_part = noPart;
 }
 
-void MeshBuilder::addFace(std::span<const std::int64_t> corners, MeshPlace place)
+void MeshBuilder::addFace(std::span<const std::int64_t> corners, FilePlace place)
 {
     m_face.clear();
     for (const std::int64_t corner : corners) {
         if (corner < 0 || static_cast<std::uint64_t>(corner) >= m_points.size())
-            refuseMesh(place,
+            refuseFile(place,
                        QT_TRANSLATE_NOOP("Message", "%1: a face refers to point %2, but there are %3 points"),
                        {std::to_string(corner + 1), std::to_string(m_points.size())});
         const auto index = static_cast<std::uint32_t>(corner);
@@ -131,7 +131,7 @@ void MeshBuilder::addFace(std::span<const std::int64_t> corners, MeshPlace place
     }
 }
 
-void MeshBuilder::addTriangle(std::array<std::uint32_t, 3> triangle, MeshPlace place)
+void MeshBuilder::addTriangle(std::array<std::uint32_t, 3> triangle, FilePlace place)
 {
     const auto [a, b, c] = triangle;
     if (a == b || b == c || c == a)
@@ -141,14 +141,14 @@ void MeshBuilder::addTriangle(std::array<std::uint32_t, 3> triangle, MeshPlace p
     currentPart(place).triangles.push_back(triangle);
 }
 
-MeshBuilder::Part& MeshBuilder::currentPart(MeshPlace place)
+MeshBuilder::Part& MeshBuilder::currentPart(FilePlace place)
 {
     if (m_part == noPart) {
         m_part = m_partByName.try_emplace(m_partName, m_parts.size()).first->second;
         if (m_part == m_parts.size())
             m_parts.push_back({m_partName, {}});
         if (m_parts.size() > largestPartCount)
-            refuseMesh(place, QT_TRANSLATE_NOOP("Message", "%1: the mesh has too many groups, the limit is %2"),
+            refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the mesh has too many groups, the limit is %2"),
                        {std::to_string(largestPartCount)});
     }
     return m_parts[m_part];
@@ -157,7 +157,7 @@ MeshBuilder::Part& MeshBuilder::currentPart(MeshPlace place)
 TriangleMesh MeshBuilder::finish()
 {
     if (m_triangleCount == 0)
-        refuseMesh({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh")
+        refuseFile({}, m_points.empty() ? QT_TRANSLATE_NOOP("Message", "%1 holds no mesh")
                                         : QT_TRANSLATE_NOOP(
                                               "Message", "%1 holds points only; a frame needs faces between them"));
     TriangleMesh mesh;

@@ -1,7 +1,7 @@
 // What all mesh readers share: limits, checks, welding, and polygons split into triangles.
 #pragma once
 
-#include "MeshRefused.h"
+#include "FileRefused.h"
 #include "TriangleMesh.h"
 
 #include <map>
@@ -18,18 +18,18 @@ public:
 
     std::uint64_t pointCount() const { return m_points.size(); }
     /// Makes room for points that a header promises and the file has the bytes for.
-    void reservePoints(std::uint64_t count, MeshPlace place);
+    void reservePoints(std::uint64_t count, FilePlace place);
 
     /// Refuses coordinates that are not finite or too large, and more points than the limit.
-    std::uint32_t addPoint(const Vec3& point, MeshPlace place);
+    std::uint32_t addPoint(const Vec3& point, FilePlace place);
     /// The same, but a point that is there already is used again.
-    std::uint32_t addWeldedPoint(const Vec3& point, MeshPlace place);
+    std::uint32_t addWeldedPoint(const Vec3& point, FilePlace place);
 
     /// Triangles belong to this part from now on; a name that was there continues that part.
     void beginPart(std::string_view name);
     /// A face by indices from 0. Refuses indices out of range. Corners that repeat their predecessor are dropped,
     /// and so are faces with fewer than three corners.
-    void addFace(std::span<const std::int64_t> corners, MeshPlace place);
+    void addFace(std::span<const std::int64_t> corners, FilePlace place);
 
     /// The mesh, without points that no triangle uses. Refuses one without triangles.
     TriangleMesh finish();
@@ -40,8 +40,8 @@ private:
         std::vector<std::array<std::uint32_t, 3>> triangles;
     };
 
-    void addTriangle(std::array<std::uint32_t, 3> triangle, MeshPlace place);
-    Part& currentPart(MeshPlace place);
+    void addTriangle(std::array<std::uint32_t, 3> triangle, FilePlace place);
+    Part& currentPart(FilePlace place);
     void growWelding();
     std::size_t weldingSlot(const Vec3& point) const;
 

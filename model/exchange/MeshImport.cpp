@@ -1,18 +1,13 @@
 #include "MeshImport.h"
 
 #include "MeshReaders.h"
-#include "MeshRefused.h"
-#include "WholeFile.h"
+#include "ReadGuarded.h"
 
 #include <QFileInfo>
 #include <QStringDecoder>
 
-#include <new>
-
 namespace bolster {
 namespace {
-
-constexpr std::int64_t largestFile = 2'000'000'000;
 
 struct Format {
     const char* ending;
@@ -20,20 +15,6 @@ struct Format {
 };
 
 constexpr Format formats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
-
-/// "armchair.obj:17", "seat.stl (byte 84)"
-std::string placeText(const std::string& file, const MeshPlace& place)
-{
-    switch (place.unit) {
-    case MeshPlace::Unit::Line:
-        return file + ":" + std::to_string(place.number);
-    case MeshPlace::Unit::Byte:
-        return file + " (byte " + std::to_string(place.number) + ")";
-    case MeshPlace::Unit::File:
-        break;
-    }
-    return file;
-}
 
 /// Names of groups come in any encoding; those that are not UTF-8 are taken for Latin-1.
 std::string cleanName(const std::string& name)
@@ -44,34 +25,21 @@ std::string cleanName(const std::string& name)
         .toStdString();
 }
 
-ImportedMesh read(const Format& format, const std::string& bytes, const std::string& file)
-{
-    try {
-        TriangleMesh mesh = format.read(bytes);
-        for (TriangleMesh::Part& part : mesh.parts)
-            part.name = cleanName(part.name);
-        return {std::make_shared<const TriangleMesh>(std::move(mesh)), {}};
-    } catch (const MeshRefused& refused) {
-        std::vector<std::string> args = {placeText(file, refused.place)};
-        args.insert(args.end(), refused.args.begin(), refused.args.end());
-        return {nullptr, {refused.sentence, std::move(args)}};
-    } catch (const std::bad_alloc&) {
-        return {nullptr, {QT_TRANSLATE_NOOP("Message", "%1: there is not enough memory for this mesh"), {file}}};
-    }
-}
-
 } // namespace
 
 ImportedMesh importMesh(const QString& path)
 {
-    const QFileInfo info(path);
     for (const Format& format : formats) {
-        if (info.suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
+        if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
-        const WholeFile file = readWholeFile(path, largestFile);
-        if (!file.problem.empty())
-            return {nullptr, file.problem};
-        return read(format, file.bytes, info.fileName().toStdString());
+        ImportedMesh imported;
+        imported.problem = readGuarded(path, [&](std::string_view bytes) {
+            TriangleMesh mesh = format.read(bytes);
+            for (TriangleMesh::Part& part : mesh.parts)
+                part.name = cleanName(part.name);
+            imported.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+        });
+        return imported;
     }
     return {nullptr,
             {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a mesh that can be read; OBJ, PLY, STL and OFF can"),

@@ -1,4 +1,4 @@
-// The readers behind importMesh, one per format: untrusted bytes in, a mesh out. They throw MeshRefused.
+// The readers behind importMesh, one per format: untrusted bytes in, a mesh out. They throw FileRefused.
 #pragma once
 
 #include "TriangleMesh.h"

@@ -10,7 +10,7 @@ std::int64_t pointIndex(const TextScanner& text, std::string_view corner, std::u
 {
     const std::int64_t index = text.integer(corner.substr(0, corner.find('/')));
     if (index == 0)
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: points are counted from 1, not from 0"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: points are counted from 1, not from 0"));
     return index > 0 ? index - 1 : index + static_cast<std::int64_t>(pointCount);
 }
 

@@ -17,13 +17,13 @@ bool isHeader(std::string_view word)
 void requireBytes(const TextScanner& text, std::uint64_t rows, std::uint64_t bytesPerRow)
 {
     if (rows > (text.bytesLeft() + 1) / bytesPerRow)
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
 }
 
 void requireLine(TextScanner& text)
 {
     if (!text.nextLine())
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
 }
 
 } // namespace
@@ -32,10 +32,10 @@ TriangleMesh readOff(std::string_view bytes)
 {
     TextScanner text(bytes);
     if (!text.nextLine() || !isHeader(text.word()))
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file does not begin with OFF"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file does not begin with OFF"));
     std::string_view word = text.wordOnAnyLine();
     if (word == "BINARY")
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: binary OFF is not read; save it as text"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: binary OFF is not read; save it as text"));
     const std::uint64_t pointCount = text.count(word);
     const std::uint64_t faceCount = text.count();
     requireBytes(text, pointCount, sizeof("0 0 0"));

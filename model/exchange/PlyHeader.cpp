@@ -19,7 +19,7 @@ PlyType typeNamed(const TextScanner& text, std::string_view word)
     for (std::size_t i = 0; i < names.size(); ++i)
         if (word == names[i][0] || word == names[i][1])
             return static_cast<PlyType>(i);
-    refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a PLY number type"), {excerpt(word)});
+    refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a PLY number type"), {excerpt(word)});
 }
 
 PlyHeader::Format formatNamed(const TextScanner& text, std::string_view word)
@@ -30,7 +30,7 @@ PlyHeader::Format formatNamed(const TextScanner& text, std::string_view word)
         return PlyHeader::Format::LittleEndian;
     if (word == "binary_big_endian")
         return PlyHeader::Format::BigEndian;
-    refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a PLY format"), {excerpt(word)});
+    refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a PLY format"), {excerpt(word)});
 }
 
 PlyProperty readProperty(TextScanner& text)
@@ -41,7 +41,7 @@ PlyProperty readProperty(TextScanner& text)
         word = text.word();
         property.countType = typeNamed(text, word);
         if (!isInteger(*property.countType))
-            refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" cannot count a list"),
+            refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" cannot count a list"),
                        {excerpt(word)});
         word = text.word();
     }
@@ -81,7 +81,7 @@ const PlyElement* PlyHeader::find(std::string_view name) const
 PlyHeader readPlyHeader(TextScanner& text)
 {
     if (!text.nextLine() || text.word() != "ply")
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file does not begin with \"ply\""));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file does not begin with \"ply\""));
     PlyHeader header;
     while (text.nextLine()) {
         const std::string_view keyword = text.word();
@@ -95,11 +95,11 @@ PlyHeader readPlyHeader(TextScanner& text)
         } else if (keyword == "property" && !header.elements.empty()) {
             header.elements.back().properties.push_back(readProperty(text));
         } else if (keyword != "comment" && keyword != "obj_info") {
-            refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not expected in a PLY header"),
+            refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not expected in a PLY header"),
                        {excerpt(keyword)});
         }
     }
-    refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
+    refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
 }
 
 } // namespace bolster

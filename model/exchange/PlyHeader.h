@@ -38,7 +38,7 @@ struct PlyHeader {
     const PlyElement* find(std::string_view name) const;
 };
 
-/// Leaves the scanner on the line of "end_header". Throws MeshRefused.
+/// Leaves the scanner on the line of "end_header". Throws FileRefused.
 PlyHeader readPlyHeader(TextScanner& text);
 
 } // namespace bolster

@@ -30,7 +30,7 @@ TriangleMesh readBinary(std::string_view bytes)
     for (std::uint64_t i = 0; i < count; ++i) {
         reader.skip(3 * sizeof(float)); // the normal follows from the corners
         for (std::int64_t& corner : corners) {
-            const MeshPlace place = reader.place();
+            const FilePlace place = reader.place();
             const Vec3 point{reader.read<float>(), reader.read<float>(), reader.read<float>()};
             corner = mesh.addWeldedPoint(point, place);
         }
@@ -58,7 +58,7 @@ TriangleMesh readText(std::string_view bytes)
         }
     }
     if (!corners.empty())
-        refuseMesh(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
     return mesh.finish();
 }
 

@@ -91,9 +91,9 @@ double TextScanner::number(std::string_view word) const
 {
     double value = 0;
     if (word.empty())
-        refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
+        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
     if (!parse(word, value))
-        refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a number"), {excerpt(word)});
+        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a number"), {excerpt(word)});
     return value;
 }
 
@@ -101,9 +101,9 @@ std::int64_t TextScanner::integer(std::string_view word) const
 {
     std::int64_t value = 0;
     if (word.empty())
-        refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
+        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
     if (!parse(word, value))
-        refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a whole number"), {excerpt(word)});
+        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a whole number"), {excerpt(word)});
     return value;
 }
 
@@ -111,7 +111,7 @@ std::uint64_t TextScanner::count(std::string_view word) const
 {
     const std::int64_t value = integer(word);
     if (value < 0)
-        refuseMesh(place(), QT_TRANSLATE_NOOP("Message", "%1: a count is negative"));
+        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: a count is negative"));
     return static_cast<std::uint64_t>(value);
 }
 

@@ -1,7 +1,7 @@
 // Words and numbers of a text, line by line, as OBJ, OFF, and the text forms of PLY and STL have them.
 #pragma once
 
-#include "MeshRefused.h"
+#include "FileRefused.h"
 
 namespace bolster {
 
@@ -29,7 +29,7 @@ public:
     std::uint64_t count() { return count(word()); }
     std::uint64_t count(std::string_view word) const;
 
-    MeshPlace place() const { return {MeshPlace::Unit::Line, m_line}; }
+    FilePlace place() const { return {FilePlace::Unit::Line, m_line}; }
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(m_end - m_at); }
     /// Leaves this line; the byte that follows it.
     std::uint64_t offsetOfNextLine();

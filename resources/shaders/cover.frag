@@ -11,6 +11,7 @@ in vec3 eyeNormal;
 in vec3 worldNormal;
 in vec3 cloth;
 in vec2 open;
+in vec4 map;
 out vec4 color;
 
 // Mean of a square wave of period 2 over a window of this width.
@@ -35,7 +36,7 @@ void main()
 {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 n = normalize(side * eyeNormal);
-    vec3 base = clothColor();
+    vec3 base = mix(clothColor(), pow(map.rgb, vec3(2.2)), map.a);
     float gloss = 0.09;
     if (gl_FrontFacing) {
         float valley = 1.0 - clamp(cloth.z / 0.45, 0.0, 1.0);

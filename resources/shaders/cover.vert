@@ -3,6 +3,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 pattern;  // outline coordinates in mm, and 0 on a seam, 1 beside it
 layout(location = 3) in vec2 openness; // of the outside and of the inside
+layout(location = 4) in vec4 mapColor; // as displayed; alpha 0: none
 uniform mat4 view;
 uniform mat4 projection;
 out vec3 eyePosition;
@@ -10,6 +11,7 @@ out vec3 eyeNormal;
 out vec3 worldNormal;
 out vec3 cloth;
 out vec2 open;
+out vec4 map;
 
 void main()
 {
@@ -19,5 +21,6 @@ void main()
     worldNormal = normal;
     cloth = pattern;
     open = openness;
+    map = mapColor;
     gl_Position = projection * p;
 }

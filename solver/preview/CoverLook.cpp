@@ -115,6 +115,10 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
     for (const Vec2& p : topology.pattern)
         m_pattern.push_back((p / square).cast<float>());
 
+    if (scene.vertexColors.size() == topology.pattern.size())
+        for (const auto& [r, g, b, a] : scene.vertexColors)
+            m_mapColors.push_back(Eigen::Vector4f(r, g, b, a) / 255);
+
     m_patchOfTriangle.assign(m_triangles.size(), 0);
     for (const SurfaceTopology::PatchRange& range : topology.patches) {
         const auto look = std::find_if(scene.looks.begin(), scene.looks.end(),
@@ -164,9 +168,12 @@ SurfacePoint CoverLook::at(const RayHit& hit, const Vec3f& direction, const Foot
 Vec3f CoverLook::outsideColor(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const
 {
     const Tone& tone = m_tones[m_patchOfTriangle[hit.triangle]];
-    if (!m_checker)
-        return tone.dark;
-    return tone.dark + checker(hit, direction, pixel) * (tone.light - tone.dark);
+    const float light = m_checker ? checker(hit, direction, pixel) : 0;
+    const Vec3f cloth = tone.dark + light * (tone.light - tone.dark);
+    if (m_mapColors.empty())
+        return cloth;
+    const Eigen::Vector4f map = mixed(m_mapColors, m_triangles[hit.triangle], hit);
+    return (1 - map.w()) * cloth + map.w() * Vec3f(map.head<3>().array().pow(2.2f));
 }
 
 /// The share of light squares under the pixel: the checker integrated over the pixel's bounding box in the

@@ -48,7 +48,8 @@ private:
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
     std::vector<std::array<std::uint32_t, 2>> m_seamNeighbours; ///< per vertex, along seams
     std::vector<std::uint16_t> m_patchOfTriangle;
-    std::vector<Tone> m_tones; ///< per patch
+    std::vector<Tone> m_tones;                ///< per patch
+    std::vector<Eigen::Vector4f> m_mapColors; ///< per vertex: as displayed, and opacity; may be empty
     bool m_checker;
 };
 

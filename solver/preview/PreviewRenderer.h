@@ -4,6 +4,7 @@
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -42,6 +43,8 @@ struct PreviewScene {
         Quat rotation = Quat::Identity();
     };
     std::vector<FrameLook> frames; ///< drawn in grey, see-through where there is a cover
+    /// Red, green, blue and opacity over the cloth, per vertex; empty for plain cloth.
+    std::vector<std::array<std::uint8_t, 4>> vertexColors;
     bool checker = true;
     double checkerSize = 20; ///< mm
     bool ground = true;      ///< a shadow on the floor below everything

@@ -76,7 +76,7 @@ TEST_F(FilesTest, SavedDesignsComeBackWithTheirFrames)
     ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(open(path));
     EXPECT_TRUE(window.document().design() == saved);
-    EXPECT_EQ(window.session().frames().size(), 1U);
+    EXPECT_EQ(window.session().files().meshes.size(), 1U);
     EXPECT_FALSE(window.banner().shown());
 }
 
@@ -89,8 +89,8 @@ TEST_F(FilesTest, AnotherFileOfTheSameNameIsNotOverwritten)
     ASSERT_TRUE(other.open(QIODevice::ReadOnly));
     EXPECT_LT(other.size(), 100);
     const OpenedDesign opened = openDesign(folder.filePath("design.json"));
-    EXPECT_EQ(opened.frames.size(), 1U);
-    EXPECT_GT(opened.frames.begin()->second->points.size(), 100U);
+    EXPECT_EQ(opened.files.meshes.size(), 1U);
+    EXPECT_GT(opened.files.meshes.begin()->second->points.size(), 100U);
 }
 
 TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
@@ -243,21 +243,21 @@ TEST_F(FilesTest, AnImportedFrameIsKeptBeforeAndAfterSaving)
     ASSERT_TRUE(imported.mesh);
     Frame frame;
     frame.name = "Block";
-    EXPECT_TRUE(window.session().addFrame(mesh, imported.mesh, frame).empty());
-    ASSERT_EQ(window.session().frames().size(), 1U);
-    EXPECT_TRUE(window.selection().contains(window.session().frames().begin()->first)); // to be placed
+    EXPECT_TRUE(window.session().addWithFile(mesh, {imported.mesh, nullptr}, frame).empty());
+    ASSERT_EQ(window.session().files().meshes.size(), 1U);
+    EXPECT_TRUE(window.selection().contains(window.session().files().meshes.begin()->first)); // to be placed
     QFile::remove(mesh); // the design has its own copy
 
     ASSERT_TRUE(QDir(folder.path()).mkdir("home"));
     const QString home = folder.filePath("home/design.json");
     ASSERT_TRUE(save(home));
     const OpenedDesign opened = openDesign(home);
-    EXPECT_EQ(opened.frames.size(), 1U);
+    EXPECT_EQ(opened.files.meshes.size(), 1U);
 
     window.actions().undo->trigger();
-    EXPECT_TRUE(window.session().frames().empty());
+    EXPECT_TRUE(window.session().files().meshes.empty());
     window.actions().redo->trigger();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().frames().size() == 1; }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().files().meshes.size() == 1; }, 5000));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "FrameImportDialog.h"
+#include "FileImportDialog.h"
 
 #include <QCheckBox>
 
@@ -7,7 +7,7 @@
 namespace bolster {
 namespace {
 
-std::shared_ptr<const TriangleMesh> box(double width, double height, double depth)
+FileContent box(double width, double height, double depth)
 {
     TriangleMesh mesh;
     for (const double x : {0.0, width})
@@ -15,44 +15,43 @@ std::shared_ptr<const TriangleMesh> box(double width, double height, double dept
             for (const double z : {0.0, depth})
                 mesh.points.emplace_back(x, y, z);
     mesh.triangles = {{0, 1, 2}};
-    return std::make_shared<const TriangleMesh>(std::move(mesh));
+    return {std::make_shared<const TriangleMesh>(std::move(mesh)), nullptr};
 }
 
-TEST(FrameImport, GuessesTheUnitFromTheSize)
+TEST(FileImport, GuessesTheUnitFromTheSize)
 {
-    EXPECT_EQ(guessUnit(box(820, 870, 910)->boundingBox()), FileUnit::Millimetre);
-    EXPECT_EQ(guessUnit(box(82, 87, 91)->boundingBox()), FileUnit::Centimetre);
-    EXPECT_EQ(guessUnit(box(0.82, 0.87, 0.91)->boundingBox()), FileUnit::Metre);
-    EXPECT_EQ(guessUnit(box(20, 20, 25)->boundingBox()), FileUnit::Inch);
-    EXPECT_EQ(guessUnit(box(1e6, 1, 1)->boundingBox()), FileUnit::Custom);
-    EXPECT_EQ(guessUnit(Box3()), FileUnit::Custom);
+    EXPECT_EQ(guessUnit(box(820, 870, 910).boundingBox(), largestFurniture), FileUnit::Millimetre);
+    EXPECT_EQ(guessUnit(box(82, 87, 91).boundingBox(), largestFurniture), FileUnit::Centimetre);
+    EXPECT_EQ(guessUnit(box(0.82, 0.87, 0.91).boundingBox(), largestFurniture), FileUnit::Metre);
+    EXPECT_EQ(guessUnit(box(20, 20, 25).boundingBox(), largestFurniture), FileUnit::Inch);
+    EXPECT_EQ(guessUnit(box(1e6, 1, 1).boundingBox(), largestFurniture), FileUnit::Custom);
+    EXPECT_EQ(guessUnit(box(5, 2.5, 4).boundingBox(), largestScan), FileUnit::Metre) << "a room";
+    EXPECT_EQ(guessUnit(Box3(), largestFurniture), FileUnit::Custom);
 }
 
-TEST(FrameImport, TurnsWhatPointsUp)
+TEST(FileImport, TurnsWhatPointsUp)
 {
-    FrameImportDialog dialog(QStringLiteral("seat.obj"), box(0.8, 1.0, 0.9));
-    Frame frame = dialog.frame();
-    EXPECT_EQ(frame.name, "seat");
+    FileImportDialog dialog(QStringLiteral("seat.obj"), box(0.8, 1.0, 0.9));
+    Placement frame = dialog.placement();
     EXPECT_EQ(frame.scale, 1000);
     EXPECT_TRUE(frame.placed({0, 1, 0}).isApprox(Vec3(0, 0, 1000)));
     EXPECT_TRUE(frame.placed({0, 0, 1}).isApprox(Vec3(0, -1000, 0))); // what points to the viewer is the front
 
     dialog.setUpAxis(UpAxis::Z);
     dialog.setUnit(FileUnit::Inch);
-    frame = dialog.frame();
+    frame = dialog.placement();
     EXPECT_TRUE(frame.placed({0, 0, 1}).isApprox(Vec3(0, 0, 25.4)));
 }
 
-TEST(FrameImport, KeepsThePlacementOfAReplacedFrame)
+TEST(FileImport, KeepsThePlacementOfAReplacedFrame)
 {
-    Frame before;
-    before.name = "Old";
+    Placement before;
     before.scale = 437.5;
     before.position = {1, 2, 3};
-    FrameImportDialog dialog(QStringLiteral("seat.obj"), box(0.8, 1.0, 0.9), before);
-    EXPECT_EQ(dialog.frame(), before);
+    FileImportDialog dialog(QStringLiteral("seat.obj"), box(0.8, 1.0, 0.9), before);
+    EXPECT_EQ(dialog.placement(), before);
     dialog.findChildren<QCheckBox*>().front()->setChecked(false);
-    EXPECT_EQ(dialog.frame().scale, 1000);
+    EXPECT_EQ(dialog.placement().scale, 1000);
 }
 
 } // namespace

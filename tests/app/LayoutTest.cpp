@@ -36,7 +36,7 @@ TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
     const QString mesh = sample("armchair").replace("armchair.json", "armchair.obj");
     Frame frame;
     frame.scale = 1000;
-    ASSERT_TRUE(window.session().addFrame(mesh, importMesh(mesh).mesh, frame).empty());
+    ASSERT_TRUE(window.session().addWithFile(mesh, {importMesh(mesh).mesh, nullptr}, frame).empty());
     QTest::qWait(500); // the view flies there
     const Camera& camera = window.surfaceView().camera();
     EXPECT_GT(camera.distance, 1500) << "the chair is 2 m wide";

@@ -260,6 +260,7 @@ TEST_F(CommandLine, ReportsExactlyTheDocumentedKeys)
                                             "patches",
                                             "reason",
                                             "rest_area_mm2",
+                                            "scans",
                                             "seam_gap_mm",
                                             "seams",
                                             "status",

@@ -19,6 +19,7 @@ struct Parts {
     FancySeam fancy;
     Cushion cushion;
     Foam foam;
+    Scan scan;
 
     Parts()
     {
@@ -49,6 +50,9 @@ struct Parts {
         cushion.patches = {ElementId{2}};
         foam.name = "Wedge";
         foam.cushion = ElementId{10};
+        scan.name = "Measured";
+        scan.file = "chair.ply";
+        scan.cuts = {{{{Vec3::UnitZ(), 5}}}};
     }
 
     Design design() const
@@ -65,7 +69,8 @@ struct Parts {
                                {ElementId{8}, nullptr, makeElement(handle)},
                                {ElementId{9}, nullptr, makeElement(fancy)},
                                {ElementId{10}, nullptr, makeElement(cushion)},
-                               {ElementId{11}, nullptr, makeElement(foam)}}});
+                               {ElementId{11}, nullptr, makeElement(foam)},
+                               {ElementId{12}, nullptr, makeElement(scan)}}});
     }
 };
 
@@ -283,7 +288,13 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FoamSize", [](Parts& p) { p.foam.size.y() = 0; }, 11, "size", "between 1 and"},
         Rule{"FoamFile", [](Parts& p) { p.foam.shape = Foam::Shape::Mesh; }, 11, "file", "no file"},
         Rule{"FoamScale", [](Parts& p) { p.foam.scale = 0; }, 11, "scale", "positive"},
-        Rule{"FoamStrength", [](Parts& p) { p.foam.strength = 11; }, 11, "strength", "11"}),
+        Rule{"FoamStrength", [](Parts& p) { p.foam.strength = 11; }, 11, "strength", "11"},
+        Rule{"ScanFile", [](Parts& p) { p.scan.file = ""; }, 12, "file", "beside the design"},
+        Rule{"ScanScale", [](Parts& p) { p.scan.scale = 0; }, 12, "scale", "positive"},
+        Rule{"ScanThreshold", [](Parts& p) { p.scan.threshold = 0; }, 12, "threshold_mm", "between 0.1"},
+        Rule{"ScanStrength", [](Parts& p) { p.scan.strength = 101; }, 12, "strength", "between 0 and 100"},
+        Rule{"ScanCut", [](Parts& p) { p.scan.cuts[0].halfSpaces[0].normal.setZero(); }, 12, "cuts[0].planes[0]",
+             "normal"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignCheck, RefusesTheSameSeamTheOtherWayRound)
@@ -409,7 +420,7 @@ TEST(UsablePart, TakesDependantsAlong)
         gone.push_back(number(problem.element));
     EXPECT_EQ(gone, (std::vector<int>{2, 5, 6, 8, 9, 10, 11}));
     EXPECT_NE(leftOut[1].english().find("needs patch 2 \"Seat\""), std::string::npos) << leftOut[1].english();
-    EXPECT_EQ(usable.elements().size(), 4u);
+    EXPECT_EQ(usable.elements().size(), 5u);
 }
 
 TEST(UsablePart, GivesABadFabricTheUsualValues)

@@ -73,7 +73,9 @@ TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
       {"id": 9, "kind": "fancy_seam", "name": "S", "patch": 2, "width": 8, "depth": -2, "profile": "welt",
        "curve": {"degree": 1, "closed": false, "points": [[20,40],[60,40]]}},
       {"id": 10, "kind": "cushion", "name": "C", "frame": 7, "parts": ["A"], "patches": [2], "voxel_mm": 4},
-      {"id": 11, "kind": "foam", "name": "W", "cushion": 10, "shape": "sphere", "size": [1, 2, 3], "cut": true}]})")
+      {"id": 11, "kind": "foam", "name": "W", "cushion": 10, "shape": "sphere", "size": [1, 2, 3], "cut": true},
+      {"id": 12, "kind": "scan", "name": "S", "file": "s.ply", "threshold_mm": 40, "enabled": false, "target": "point",
+       "cuts": [{"planes": [[0, 0, 1, 5]]}, {"planes": [[1, 0, 0, 9], [-1, 0, 0, 9]], "keep": true}]}]})")
                                               .design);
     const std::string large = test::designText("car-seat-tied");
     int readable = 0;

@@ -178,13 +178,21 @@ Design unusualDesign()
     foam.dilation = 5;
     foam.strength = 0.5;
     foam.cut = true;
+    Scan scan{{1000, Vec3(-0.0, 2, 3), Quat(0.5, 0.5, 0.5, 0.5)},
+              "S",
+              "a/b.ply",
+              0.1,
+              9.75,
+              false,
+              ScanTarget::Point,
+              {{{{Vec3(0, 0, -1), 0.1 + 0.2}, {Vec3(1e-9, 0, 0), -4}}, true}, {}}};
     Settings settings;
     settings.edgeLength = 7.1;
     const std::vector<ElementPtr> elements = {makeElement(settings), makeElement(fabric),   makeElement(patch),
                                               makeElement(cornered), makeElement(fixation), makeElement(seam),
                                               makeElement(frame),    makeElement(handle),   makeElement(fancy),
                                               makeElement(curve),    makeElement(leaning),  makeElement(free),
-                                              makeElement(cushion),  makeElement(foam)};
+                                              makeElement(cushion),  makeElement(foam),     makeElement(scan)};
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});
@@ -490,7 +498,19 @@ INSTANTIATE_TEST_SUITE_P(
         BadElement{"Shape", R"({"id": 7, "kind": "foam", "name": "W", "cushion": 6, "shape": "cone"})",
                    "foam 7 \"W\"", "shape", "\"box\", \"cylinder\", \"sphere\", \"mesh\""},
         BadElement{"Size", R"({"id": 7, "kind": "foam", "name": "W", "cushion": 6, "size": [1, 2]})",
-                   "foam 7 \"W\"", "size", "3 numbers"}),
+                   "foam 7 \"W\"", "size", "3 numbers"},
+        BadElement{"ScanTarget", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "target": "line"})",
+                   "scan 7 \"S\"", "target", "\"plane\", \"point\""},
+        BadElement{"ScanCuts", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": {}})",
+                   "scan 7 \"S\"", "cuts", "list"},
+        BadElement{"ScanCut", R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [7]})",
+                   "scan 7 \"S\"", "cuts[0]", "braces"},
+        BadElement{"ScanPlanes",
+                   R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [{"keep": true}]})",
+                   "scan 7 \"S\"", "cuts[0].planes", "missing"},
+        BadElement{"ScanPlane",
+                   R"({"id": 7, "kind": "scan", "name": "S", "file": "s.ply", "cuts": [{"planes": [[0, 0, 1]]}]})",
+                   "scan 7 \"S\"", "cuts[0].planes[0]", "4 numbers"}),
     [](const auto& parameter) { return parameter.param.name; });
 
 TEST(DesignJson, ReportsEveryProblemAndReadsTheRest)

@@ -102,6 +102,19 @@ TEST(Frame, PlacesFilePoints)
     EXPECT_LT((frame.placed(Vec3(1, 1, 0)) - Vec3(2, 0, 7)).norm(), 1e-12);
 }
 
+TEST(Scan, CutsAwayWhatLiesInsideOrOutside)
+{
+    Scan scan;
+    EXPECT_FALSE(scan.isCutAway(Vec3(0, 0, 0)));
+    const ScanCut floor{{{Vec3::UnitZ(), 5}}, false};
+    const ScanCut slab{{{Vec3(2, 0, 0), 20}, {Vec3(-2, 0, 0), 20}}, true};
+    scan.cuts = {floor, slab};
+    EXPECT_TRUE(scan.isCutAway(Vec3(0, 0, 5)));
+    EXPECT_FALSE(scan.isCutAway(Vec3(0, 0, 5.1)));
+    EXPECT_FALSE(scan.isCutAway(Vec3(-10, 99, 6)));
+    EXPECT_TRUE(scan.isCutAway(Vec3(10.1, 0, 6)));
+}
+
 TEST(Frame, FilesStayInTheDesignsFolder)
 {
     for (const char* good :

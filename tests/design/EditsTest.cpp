@@ -2,6 +2,7 @@
 #include "DesignCheck.h"
 #include "ElementEdits.h"
 #include "PatchEdits.h"
+#include "ScanEdits.h"
 
 #include "Random.h"
 #include "TestData.h"
@@ -245,6 +246,36 @@ TEST(RandomEdits, AreUndoneByTheirInverseAndSurviveTheTextForm)
         ASSERT_EQ(design, step->first);
     }
     EXPECT_EQ(writeDesign(design), writeDesign(start));
+}
+
+TEST(ScanEdits, CutInDesignCoordinatesWhateverThePlacement)
+{
+    const ElementId id{3};
+    Scan scan;
+    scan.name = "Room";
+    scan.scale = 1000;
+    scan.position = {100, -200, 300};
+    scan.rotation = Quat(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()));
+    Design design = Design().with({{}, {{id, nullptr, makeElement(scan)}}});
+    EXPECT_FALSE(edits::floorOf(scan));
+
+    design = design.with(edits::cutFloor(design, id, 40));
+    design = design.with(edits::cutFloor(design, id, 25)); // instead of the first one
+    const auto now = [&] { return *design.find<Scan>(id); };
+    ASSERT_EQ(now().cuts.size(), 1u);
+    EXPECT_NEAR(edits::floorOf(now()).value(), 25, 1e-9);
+    const auto gone = [&](const Vec3& at) { return now().isCutAway(now().filePoint(at)); };
+    EXPECT_TRUE(gone({500, 0, 24}));
+    EXPECT_FALSE(gone({500, 0, 26}));
+
+    design =
+        design.with(edits::addCut(design, id, edits::boxCut(now(), Box3(Vec3(0, 0, 0), Vec3(10, 20, 30)), true)));
+    EXPECT_FALSE(gone({5, 19, 29}));
+    EXPECT_TRUE(gone({5, 21, 29}));
+    EXPECT_TRUE(gone({5, 19, 20})) << "the floor";
+    design = design.with(edits::removeCuts(design, id));
+    EXPECT_EQ(now(), scan);
+    EXPECT_TRUE(edits::cutFloor(design, ElementId{99}, 1).empty());
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // One run of a mesh reader: it returns a sound mesh or refuses, whatever the bytes.
 #pragma once
 
+#include "FileRefused.h"
 #include "MeshReaders.h"
-#include "MeshRefused.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -17,7 +17,7 @@ inline int fuzzMesh(TriangleMesh (*read)(std::string_view), const std::uint8_t* 
             for (const std::uint32_t index : triangle)
                 if (index >= mesh.points.size() || !mesh.points[index].allFinite())
                     std::abort();
-    } catch (const MeshRefused&) {
+    } catch (const FileRefused&) {
     }
     return 0;
 }

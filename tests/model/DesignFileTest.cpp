@@ -23,7 +23,7 @@ protected:
     {
         const OpenedDesign opened = openDesign(write("design.json", designWithFrame(file, scale)));
         EXPECT_TRUE(opened.readable);
-        EXPECT_TRUE(opened.frames.empty());
+        EXPECT_TRUE(opened.files.meshes.empty());
         std::vector<std::string> found;
         for (const Problem& problem : opened.problems)
             if (problem.element == ElementId{7} && problem.field == "file")
@@ -54,8 +54,8 @@ TEST_F(DesignFileTest, ReadsTheFramesBesideTheDesign)
     for (const char* file : {"chair.obj", "frames/chair.obj", "./chair.obj"}) {
         const OpenedDesign opened = openDesign(write("design.json", designWithFrame(file)));
         EXPECT_TRUE(opened.problems.empty()) << opened.problems.front().english();
-        ASSERT_EQ(opened.frames.count(ElementId{7}), 1u);
-        EXPECT_EQ(opened.frames.at(ElementId{7})->triangles.size(), 1u);
+        ASSERT_EQ(opened.files.meshes.count(ElementId{7}), 1u);
+        EXPECT_EQ(opened.files.meshes.at(ElementId{7})->triangles.size(), 1u);
     }
 }
 
@@ -65,7 +65,7 @@ TEST_F(DesignFileTest, LooksForFramesOfACopyBesideTheOriginal)
     write("original/chair.obj", triangle);
     const OpenedDesign opened = openDesign(write("copy.json", designWithFrame("chair.obj")), path("original"));
     EXPECT_TRUE(opened.problems.empty());
-    EXPECT_EQ(opened.frames.size(), 1u);
+    EXPECT_EQ(opened.files.meshes.size(), 1u);
 }
 
 TEST_F(DesignFileTest, FramesMayNotLeaveTheFolder)
@@ -77,7 +77,7 @@ TEST_F(DesignFileTest, FramesMayNotLeaveTheFolder)
     for (const QString& file : {QString("../outside.obj"), path("outside.obj"), QString("link.obj"),
                                 QString("up/outside.obj"), QString("../inside/../outside.obj")}) {
         const OpenedDesign opened = openDesign(write("inside/design.json", designWithFrame(file.toStdString())));
-        EXPECT_TRUE(opened.frames.empty()) << file.toStdString();
+        EXPECT_TRUE(opened.files.meshes.empty()) << file.toStdString();
         EXPECT_TRUE(hasErrors(opened.problems)) << file.toStdString();
     }
 }
@@ -99,6 +99,21 @@ TEST_F(DesignFileTest, AMissingOrBrokenFrameIsAProblemOfItsFileAndLeavesTheRestU
     EXPECT_LE(huge.size(), 1u);
     write("chair.txt", triangle);
     EXPECT_EQ(frameProblems("chair.txt").size(), 1u);
+}
+
+TEST_F(DesignFileTest, ReadsScansAsPoints)
+{
+    const std::string text = R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [)"
+                             R"({"id": 7, "kind": "scan", "name": "Room", "file": "room.xyz"},)"
+                             R"({"id": 8, "kind": "scan", "name": "None", "file": "none.ply"}]})";
+    write("room.xyz", "1 2 3\n4 5 6\n");
+    const OpenedDesign opened = openDesign(write("design.json", text));
+    EXPECT_TRUE(opened.readable);
+    ASSERT_EQ(opened.files.clouds.count(ElementId{7}), 1u);
+    EXPECT_EQ(opened.files.clouds.at(ElementId{7})->points.size(), 2u);
+    ASSERT_EQ(opened.problems.size(), 1u);
+    EXPECT_EQ(opened.problems[0].element, ElementId{8});
+    EXPECT_NE(opened.problems[0].english().find("there is no file \"none.ply\""), std::string::npos);
 }
 
 TEST_F(DesignFileTest, WhatCannotBeReadAtAllIsAProblemToo)

@@ -1,6 +1,7 @@
 // Damaged files must be read or refused, whatever the damage; run with sanitizers this shows bad accesses too.
+#include "CloudReaders.h"
+#include "FileRefused.h"
 #include "MeshReaders.h"
-#include "MeshRefused.h"
 
 #include <gtest/gtest.h>
 
@@ -95,7 +96,36 @@ std::string mutated(std::string bytes, std::mt19937& random)
     return bytes;
 }
 
+std::string pcdSeed(const std::string& data)
+{
+    std::string bytes = "VERSION 0.7\nFIELDS x y z n\nSIZE 4 8 2 1\nTYPE F F I U\nCOUNT 1 1 1 2\nWIDTH 3\n"
+                        "HEIGHT 1\nPOINTS 3\nDATA " +
+                        data + "\n";
+    if (data == "ascii")
+        return bytes + "0 0 0 1 2\n1 nan 0 1 2\n0 1 0 1 2 # last\n";
+    if (data == "binary_compressed") {
+        append(bytes, std::uint32_t{5});
+        append(bytes, std::uint32_t{48});
+        bytes.append("\x00\x00\xe0\x26\x00", 5);
+        return bytes;
+    }
+    for (int i = 0; i < 3; ++i) {
+        append(bytes, static_cast<float>(i));
+        append(bytes, static_cast<double>(i % 2));
+        append(bytes, static_cast<std::int16_t>(i));
+        append(bytes, std::uint16_t{7});
+    }
+    return bytes;
+}
+
 /// What a reader returns must be sound.
+void expectSound(const PointCloud& cloud)
+{
+    ASSERT_FALSE(cloud.points.empty());
+    for (const Vec3& point : cloud.points)
+        ASSERT_TRUE((point.array().abs() <= 1e7).all());
+}
+
 void expectSound(const TriangleMesh& mesh)
 {
     ASSERT_FALSE(mesh.triangles.empty());
@@ -112,7 +142,8 @@ void expectSound(const TriangleMesh& mesh)
     ASSERT_EQ(covered, mesh.triangles.size());
 }
 
-void fuzz(TriangleMesh (*reader)(std::string_view), const std::string& seed)
+template <class Content>
+void fuzz(Content (*reader)(std::string_view), const std::string& seed)
 {
     EXPECT_NO_THROW(expectSound(reader(seed)));
     std::mt19937 random(1);
@@ -122,7 +153,7 @@ void fuzz(TriangleMesh (*reader)(std::string_view), const std::string& seed)
         try {
             expectSound(reader(bytes));
             ++accepted;
-        } catch (const MeshRefused& refused) {
+        } catch (const FileRefused& refused) {
             EXPECT_FALSE(refused.sentence.empty());
         }
     }
@@ -150,6 +181,23 @@ TEST(MeshFuzz, Stl)
 {
     fuzz(readStl, textStlSeed);
     fuzz(readStl, binaryStlSeed());
+}
+
+TEST(CloudFuzz, Ply)
+{
+    fuzz(readPlyCloud, textPlySeed);
+    fuzz(readPlyCloud, binaryPlySeed("big"));
+}
+
+TEST(CloudFuzz, Xyz)
+{
+    fuzz(readXyz, "3\n0 0 0\n1 0 0 # second\n0 nan 0 255 0 0\n0 1 0\n");
+}
+
+TEST(CloudFuzz, Pcd)
+{
+    for (const char* data : {"ascii", "binary", "binary_compressed"})
+        fuzz(readPcd, pcdSeed(data));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "FrameGuess.h"
+#include "FileGuess.h"
 
 #include <cmath>
 
@@ -21,15 +21,15 @@ double millimetresPer(FileUnit unit)
     return 0;
 }
 
-FileUnit guessUnit(const Box3& fileBox)
+FileUnit guessUnit(const Box3& fileBox, double largest)
 {
     if (fileBox.isEmpty())
         return FileUnit::Custom;
-    const double largest = fileBox.sizes().maxCoeff();
-    // From a stool to a long sofa. The common units first: inches overlap with both centimetres and decimetres.
+    const double fileSize = fileBox.sizes().maxCoeff();
+    // The common units first: inches overlap with both centimetres and decimetres.
     for (const FileUnit unit : {FileUnit::Millimetre, FileUnit::Centimetre, FileUnit::Metre, FileUnit::Inch}) {
-        const double size = largest * millimetresPer(unit);
-        if (size >= 300 && size <= 3500)
+        const double size = fileSize * millimetresPer(unit);
+        if (size >= 300 && size <= largest)
             return unit;
     }
     return FileUnit::Custom;
@@ -46,11 +46,11 @@ Quat rotationFor(UpAxis up)
     return up == UpAxis::Z ? Quat::Identity() : Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
 }
 
-Box3 placedBox(const TriangleMesh& mesh, const Frame& frame)
+Box3 placedBox(const std::vector<Vec3>& points, const Placement& placement)
 {
     Box3 box;
-    for (const Vec3& point : mesh.points)
-        box.extend(frame.placed(point));
+    for (const Vec3& point : points)
+        box.extend(placement.placed(point));
     return box;
 }
 

@@ -1,4 +1,4 @@
-// The mesh files that a design's frames refer to, wherever the design lies at the moment.
+// The files that a design's elements refer to, wherever the design lies at the moment.
 #pragma once
 
 #include "Design.h"
@@ -8,13 +8,13 @@
 
 namespace bolster {
 
-/// A saved design has its frames beside it. Until it is saved they lie in a folder of their own in the user's local
+/// A saved design has its files beside it. Until it is saved they lie in a folder of their own in the user's local
 /// state, so nothing is lost when the source goes away or the program crashes.
-class FrameFiles {
+class DesignFolder {
 public:
     /// Where relative names are looked up first.
     const QString& folder() const { return m_folder; }
-    /// The file that a frame means, or "" when it is nowhere, or outside the folder.
+    /// The file that an element means, or "" when it is nowhere, or outside the folder.
     QString find(const QString& name) const;
 
     /// For another design: the folder of a file on disk, of a sample, or of a copy that a crash has left. Folders
@@ -28,11 +28,11 @@ public:
     static bool isOwnFolder(const QString& folder);
 
     /// Brings a file into the folder unless it is there, under a free name if its own is taken by another one.
-    /// `name` is what a frame then refers to.
+    /// `name` is what an element then refers to.
     Message add(const QString& source, QString* name) const;
 
-    /// The design as it must be written into the folder `target`: its frames' files are copied there, renamed where
-    /// the name is taken by another file. Files that are missing here are left as they are.
+    /// The design as it must be written into the folder `target`: its elements' files are copied there, renamed
+    /// where the name is taken by another file. Files that are missing here are left as they are.
     Message copyTo(const QString& target, const Design& design, Design* moved) const;
     /// The design lies in `folder` from now on. What undo may need is still found where it was.
     void moved(const QString& folder);

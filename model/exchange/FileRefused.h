@@ -1,4 +1,4 @@
-// How the mesh readers say no: they throw this, importMesh catches it.
+// How the readers of files say no: they throw this, importMesh and importCloud catch it.
 #pragma once
 
 #include "Message.h"
@@ -12,7 +12,7 @@
 namespace bolster {
 
 /// A place in a file: a line (from 1) of a text, a byte (from 0) of a binary file, or the file as a whole.
-struct MeshPlace {
+struct FilePlace {
     enum class Unit { File, Line, Byte };
 
     Unit unit = Unit::File;
@@ -20,15 +20,15 @@ struct MeshPlace {
 };
 
 /// In `sentence`, %1 stands for file and place; `args` are for %2, %3 ...
-struct MeshRefused {
-    MeshPlace place;
+struct FileRefused {
+    FilePlace place;
     std::string sentence;
     std::vector<std::string> args;
 };
 
-[[noreturn]] inline void refuseMesh(MeshPlace place, std::string sentence, std::vector<std::string> args = {})
+[[noreturn]] inline void refuseFile(FilePlace place, std::string sentence, std::vector<std::string> args = {})
 {
-    throw MeshRefused{place, std::move(sentence), std::move(args)};
+    throw FileRefused{place, std::move(sentence), std::move(args)};
 }
 
 /// A word of an untrusted file, made fit for a message.

@@ -1,4 +1,4 @@
-#include "FrameFiles.h"
+#include "DesignFolder.h"
 
 #include "ElementEdits.h"
 
@@ -59,7 +59,7 @@ Message copyInto(const QDir& folder, const QString& name, const QString& source)
 
 } // namespace
 
-void FrameFiles::removeForgotten(const QStringList& wanted)
+void DesignFolder::removeForgotten(const QStringList& wanted)
 {
     const QDateTime monthAgo = QDateTime::currentDateTime().addDays(-30);
     for (const QFileInfo& folder : QDir(ownRoot()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
@@ -67,12 +67,12 @@ void FrameFiles::removeForgotten(const QStringList& wanted)
             QDir(folder.absoluteFilePath()).removeRecursively();
 }
 
-bool FrameFiles::isOwnFolder(const QString& folder)
+bool DesignFolder::isOwnFolder(const QString& folder)
 {
     return !folder.isEmpty() && QFileInfo(folder).absolutePath() == QFileInfo(ownRoot()).absoluteFilePath();
 }
 
-QString FrameFiles::find(const QString& name) const
+QString DesignFolder::find(const QString& name) const
 {
     const QString clean = QDir::cleanPath(name);
     if (clean.isEmpty() || clean == QLatin1String(".") || QDir::isAbsolutePath(clean) ||
@@ -84,7 +84,7 @@ QString FrameFiles::find(const QString& name) const
     return {};
 }
 
-void FrameFiles::start(const QString& folder)
+void DesignFolder::start(const QString& folder)
 {
     for (const QString& old : QStringList(m_folder) + m_earlier)
         if (old != folder && isOwnFolder(old))
@@ -93,7 +93,7 @@ void FrameFiles::start(const QString& folder)
     m_folder = folder;
 }
 
-void FrameFiles::moved(const QString& folder)
+void DesignFolder::moved(const QString& folder)
 {
     if (folder == m_folder)
         return;
@@ -102,7 +102,7 @@ void FrameFiles::moved(const QString& folder)
     m_folder = folder;
 }
 
-Message FrameFiles::makeOwnFolder(const Design& design)
+Message DesignFolder::makeOwnFolder(const Design& design)
 {
     const QString folder = ownRoot() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces);
     if (!QDir().mkpath(folder))
@@ -113,7 +113,7 @@ Message FrameFiles::makeOwnFolder(const Design& design)
     return problem;
 }
 
-Message FrameFiles::add(const QString& source, QString* name) const
+Message DesignFolder::add(const QString& source, QString* name) const
 {
     const QDir folder(m_folder);
     const QString inside = folder.relativeFilePath(QFileInfo(source).absoluteFilePath());
@@ -125,7 +125,7 @@ Message FrameFiles::add(const QString& source, QString* name) const
     return copyInto(folder, *name, source);
 }
 
-Message FrameFiles::copyTo(const QString& target, const Design& design, Design* moved) const
+Message DesignFolder::copyTo(const QString& target, const Design& design, Design* moved) const
 {
     *moved = design;
     const QDir to(target);

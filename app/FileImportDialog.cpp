@@ -1,4 +1,4 @@
-#include "FrameImportDialog.h"
+#include "FileImportDialog.h"
 
 #include "NumberBox.h"
 #include "Units.h"
@@ -16,13 +16,12 @@
 
 namespace bolster {
 
-FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const TriangleMesh> mesh,
-                                     std::optional<Frame> replaced, QWidget* parent)
+FileImportDialog::FileImportDialog(const QString& file, FileContent content, std::optional<Placement> replaced,
+                                   QWidget* parent)
     : QDialog(parent)
-    , m_name(QFileInfo(file).completeBaseName())
-    , m_mesh(std::move(mesh))
+    , m_content(std::move(content))
     , m_replaced(std::move(replaced))
-    , m_keep(new QCheckBox(tr("Keep scale, position and rotation of the frame"), this))
+    , m_keep(new QCheckBox(tr("Keep scale, position and rotation"), this))
     , m_unit(new QComboBox(this))
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
     , m_up(new QComboBox(this))
@@ -30,16 +29,19 @@ FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const 
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
 {
-    setWindowTitle(tr("Import frame"));
+    setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
     m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Another factor")});
     m_up->addItems({tr("z points up"), tr("y points up")});
 
     const QLocale locale;
-    auto* about = new QLabel(tr("<b>%1</b><br>%2 points, %3 triangles")
-                                 .arg(QFileInfo(file).fileName().toHtmlEscaped(),
-                                      locale.toString(static_cast<qulonglong>(m_mesh->points.size())),
-                                      locale.toString(static_cast<qulonglong>(m_mesh->triangles.size()))),
-                             this);
+    const QString name = QFileInfo(file).fileName().toHtmlEscaped();
+    const QString points = locale.toString(static_cast<qulonglong>(m_content.points().size()));
+    auto* about = new QLabel(
+        m_content.mesh
+            ? tr("<b>%1</b><br>%2 points, %3 triangles")
+                  .arg(name, points, locale.toString(static_cast<qulonglong>(m_content.mesh->triangles.size())))
+            : tr("<b>%1</b><br>%2 points").arg(name, points),
+        this);
     QFont large = m_size->font();
     large.setPointSizeF(large.pointSizeF() * 1.25);
     large.setWeight(QFont::DemiBold);
@@ -73,42 +75,46 @@ FrameImportDialog::FrameImportDialog(const QString& file, std::shared_ptr<const 
     layout->addWidget(buttons);
     setMinimumWidth(420);
 
-    connect(m_keep, &QCheckBox::toggled, this, &FrameImportDialog::updateSize);
-    connect(m_unit, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
-    connect(m_up, &QComboBox::currentIndexChanged, this, &FrameImportDialog::updateSize);
-    connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FrameImportDialog::updateSize);
+    connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updateSize);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
+    connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
+    connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FileImportDialog::updateSize);
     m_factor->setKeyboardTracking(true);
-    m_unit->setCurrentIndex(static_cast<int>(guessUnit(m_mesh->boundingBox())));
+    m_unit->setCurrentIndex(static_cast<int>(guessUnit(m_content.boundingBox(), largestSize())));
     m_up->setCurrentIndex(static_cast<int>(guessUpAxis(QFileInfo(file).suffix())));
     updateSize();
 }
 
-void FrameImportDialog::setUnit(FileUnit unit)
+void FileImportDialog::setUnit(FileUnit unit)
 {
     m_unit->setCurrentIndex(static_cast<int>(unit));
 }
 
-void FrameImportDialog::setUpAxis(UpAxis up)
+void FileImportDialog::setUpAxis(UpAxis up)
 {
     m_up->setCurrentIndex(static_cast<int>(up));
 }
 
-Frame FrameImportDialog::frame() const
+Placement FileImportDialog::placement() const
 {
     if (m_keep->isChecked())
         return *m_replaced;
-    Frame frame;
-    frame.name = m_name.toStdString();
-    frame.scale = m_factor->value();
-    frame.rotation = rotationFor(static_cast<UpAxis>(m_up->currentIndex()));
+    Placement placement;
+    placement.scale = m_factor->value();
+    placement.rotation = rotationFor(static_cast<UpAxis>(m_up->currentIndex()));
     if (m_onFloor->isChecked()) {
-        const Box3 box = placedBox(*m_mesh, frame);
-        frame.position = -Vec3(box.center().x(), box.center().y(), box.min().z());
+        const Box3 box = placedBox(m_content.points(), placement);
+        placement.position = -Vec3(box.center().x(), box.center().y(), box.min().z());
     }
-    return frame;
+    return placement;
 }
 
-void FrameImportDialog::updateSize()
+double FileImportDialog::largestSize() const
+{
+    return m_content.cloud ? largestScan : largestFurniture;
+}
+
+void FileImportDialog::updateSize()
 {
     const auto unit = static_cast<FileUnit>(m_unit->currentIndex());
     const bool keep = m_keep->isChecked();
@@ -117,12 +123,11 @@ void FrameImportDialog::updateSize()
     m_factor->setEnabled(!keep && unit == FileUnit::Custom);
     if (unit != FileUnit::Custom)
         m_factor->display(millimetresPer(unit));
-    const Vec3 size = placedBox(*m_mesh, frame()).sizes();
+    const Vec3 size = placedBox(m_content.points(), placement()).sizes();
     m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm")
                         .arg(decimalText(size.x(), 0, false), decimalText(size.y(), 0, false),
                              decimalText(size.z(), 0, false)));
-    const double largest = size.maxCoeff();
-    const bool odd = largest < 200 || largest > 5000;
+    const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();
     m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, ViewColors::of(colors).error);

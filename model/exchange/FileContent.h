@@ -1,0 +1,38 @@
+// What an element's file holds: a mesh, or the points of a scan.
+#pragma once
+
+#include "DesignFiles.h"
+#include "Element.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace bolster {
+
+enum class FileKind { Mesh, Cloud };
+
+/// What the element reads its file as; the element must be of a kind with one.
+FileKind fileKind(const Element& element);
+/// Of files that can be read as that, without the dot.
+QStringList fileEndings(FileKind kind);
+
+/// One of the two is there, or none when the file could not be read.
+struct FileContent {
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::shared_ptr<const PointCloud> cloud;
+
+    explicit operator bool() const { return mesh || cloud; }
+    /// File units.
+    const std::vector<Vec3>& points() const;
+    Box3 boundingBox() const;
+    void addTo(DesignFiles& files, ElementId element) const;
+};
+
+struct ImportedFile {
+    FileContent content; ///< nothing when refused
+    Message problem;     ///< why, with file and line or offset
+};
+
+ImportedFile importFile(FileKind kind, const QString& path);
+
+} // namespace bolster

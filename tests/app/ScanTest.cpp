@@ -1,0 +1,124 @@
+#include "WindowTest.h"
+
+#include "Actions.h"
+#include "CloudImport.h"
+#include "ElementEdits.h"
+#include "Inspector.h"
+#include "ScanLink.h"
+
+#include <QTemporaryDir>
+
+#include <cmath>
+
+namespace bolster {
+namespace {
+
+class ScanTest : public WindowTest {
+protected:
+    ElementId scanId()
+    {
+        ElementId found{};
+        window.document().design().each<Scan>([&](ElementId id, const Scan&) { found = id; });
+        return found;
+    }
+    const Scan& scan() { return *window.document().design().find<Scan>(scanId()); }
+    bool measured(const std::function<bool(const ScanFigures&)>& wanted)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                const auto& figures = window.scans().figures();
+                const auto found = figures.find(scanId());
+                return found != figures.end() && wanted(found->second);
+            },
+            60000);
+    }
+    void wish(ScanWish what) { emit window.inspector().scanWish(scanId(), what); }
+};
+
+TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
+{
+    ASSERT_TRUE(open(sample("armchair-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    ASSERT_TRUE(measured([](const ScanFigures& f) { return f.rms > 0 && f.rms < 3; }));
+
+    window.actions().showDeviation->trigger();
+    const SurfaceMapPtr map = window.scans().map();
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->values.size(), window.solver().surface()->positions.size());
+    EXPECT_EQ(window.scans().pairs().size(), static_cast<std::size_t>(std::ranges::count_if(
+                                                 map->values, [](float v) { return std::isfinite(v); })));
+
+    const Vec3 before = scan().position;
+    window.document().commit(edits::replaceElement(window.document().design(), scanId(),
+                                                   [&] {
+                                                       Scan off = scan();
+                                                       off.enabled = false;
+                                                       off.position += Vec3(12, 0, 8);
+                                                       return makeElement(off);
+                                                   }(),
+                                                   {}));
+    ASSERT_TRUE(waitUntilSolved());
+    wish(ScanWish::FitPlacement);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return (scan().position - before).norm() < 8; }, 60000))
+        << (scan().position - before).norm();
+}
+
+TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
+{
+    ASSERT_TRUE(open(sample("room-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    wish(ScanWish::ShowAll);
+    EXPECT_TRUE(scan().cuts.empty());
+    wish(ScanWish::KeepAroundCover);
+    ASSERT_EQ(scan().cuts.size(), 1U);
+    EXPECT_TRUE(scan().cuts[0].keep);
+
+    SurfaceView& view = window.surfaceView();
+    view.setCamera(view.camera()); // it may still be on its way to the cover
+    wish(ScanWish::CutAway);
+    const QPoint from(view.width() / 3, view.height() / 3), to(2 * view.width() / 3, 2 * view.height() / 3);
+    press(view, from);
+    move(view, to, Qt::LeftButton);
+    release(view, to);
+    ASSERT_EQ(scan().cuts.size(), 2U);
+    EXPECT_EQ(scan().cuts[1].halfSpaces.size(), 4U);
+    const Camera& camera = view.camera();
+    const auto removed = [&](double x, double y, double away) {
+        const Camera::Ray ray = camera.ray({x * view.width(), y * view.height()});
+        return scan().cuts[1].removes(scan().filePoint(ray.origin + away * ray.direction));
+    };
+    EXPECT_TRUE(removed(0.5, 0.5, 500));
+    EXPECT_TRUE(removed(0.4, 0.6, 4000));
+    EXPECT_FALSE(removed(0.2, 0.5, 2000));
+    EXPECT_FALSE(removed(0.5, 0.8, 2000));
+
+    wish(ScanWish::KeepOnly); // and a change of mind
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_EQ(scan().cuts.size(), 2U);
+    window.actions().undo->trigger();
+    EXPECT_EQ(scan().cuts.size(), 1U);
+}
+
+TEST_F(ScanTest, AnImportedScanComesBackWithItsDesign)
+{
+    QTemporaryDir folder;
+    ASSERT_TRUE(open(sample("box-cushion")));
+    QFile file(folder.filePath("points.xyz"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("0 0 0\n100 0 0\n0 100 0\n100 100 50\n");
+    file.close();
+    Scan added;
+    added.name = "Points";
+    EXPECT_TRUE(window.session()
+                    .addWithFile(file.fileName(), {nullptr, importCloud(file.fileName()).cloud}, added)
+                    .empty());
+    EXPECT_EQ(window.session().files().clouds.count(scanId()), 1U);
+    EXPECT_TRUE(window.selection().contains(scanId()));
+    window.actions().undo->trigger();
+    EXPECT_TRUE(window.session().files().clouds.empty());
+    window.actions().redo->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().files().clouds.size() == 1; }, 5000));
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,91 @@
+#include "PatternMap.h"
+#include "ScanPoints.h"
+#include "SurfaceSetup.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace bolster::test {
+namespace {
+
+SurfaceMapPtr mapOf(const SurfaceMeshPtr& cover, const std::function<float(const Vec3&)>& value)
+{
+    auto map = std::make_shared<SurfaceMap>();
+    map->topology = cover->topology;
+    map->limit = 2;
+    for (const Vec3& p : cover->positions)
+        map->values.push_back(value(p));
+    return map;
+}
+
+TEST(SurfaceMap, RunsFromBlueOverNearlyWhiteToRed)
+{
+    SurfaceMap map;
+    map.limit = 2;
+    const auto [lowRed, lowGreen, lowBlue, lowAlpha] = map.color(-5);
+    EXPECT_GT(lowBlue, lowRed + 50);
+    EXPECT_EQ(lowAlpha, 255);
+    EXPECT_EQ(map.color(-5), map.color(-2));
+    const auto [red, green, blue, alpha] = map.color(1.5);
+    EXPECT_GT(red, blue + 50);
+    const auto middle = map.color(0);
+    EXPECT_GT(std::min({middle[0], middle[1], middle[2]}), 230);
+    EXPECT_EQ(map.color(std::numeric_limits<float>::quiet_NaN())[3], 0) << "nothing is known: nothing is drawn";
+}
+
+TEST(SurfaceMap, HasARoundLimit)
+{
+    EXPECT_FLOAT_EQ(SurfaceMap::usualLimit(1.4), 2);
+    EXPECT_FLOAT_EQ(SurfaceMap::usualLimit(0.03), 0.05F);
+    EXPECT_FLOAT_EQ(SurfaceMap::usualLimit(100), 100);
+}
+
+TEST(PatternMap, PaintsEachPatchInItsOwnCoordinates)
+{
+    const SurfaceMeshPtr cover = twoSquaresCover();
+    PatternMap pictures;
+    pictures.setMap(mapOf(cover, [](const Vec3& p) { return p.x() < 199 ? -2.F : 2.F; }));
+    for (const SurfaceTopology::PatchRange& range : cover->topology->patches) {
+        const PatternMap::Picture* picture = pictures.picture(range.patch);
+        ASSERT_TRUE(picture);
+        EXPECT_NEAR(picture->box.width(), 200, 3);
+        EXPECT_NEAR(picture->box.height(), 200, 3);
+    }
+    const auto middle = [&](const SurfaceTopology::PatchRange& range) {
+        const QImage& image = pictures.picture(range.patch)->image;
+        return image.pixelColor(image.width() / 4, image.height() / 2);
+    };
+    EXPECT_GT(middle(cover->topology->patches[0]).blue(), middle(cover->topology->patches[0]).red());
+    EXPECT_GT(middle(cover->topology->patches[1]).red(), middle(cover->topology->patches[1]).blue());
+    pictures.setMap(nullptr);
+    EXPECT_FALSE(pictures.picture(cover->topology->patches[0].patch));
+}
+
+TEST(ScanPoints, ShowsWhatIsCutAwayOfASelectedScanOnly)
+{
+    const ElementId id{7};
+    Scan scan;
+    scan.scale = 10;
+    scan.position = {0, 0, 5};
+    scan.cuts = {{{{Vec3::UnitX(), 0.5}}, false}};
+    const Design design = Design().with({{}, {{id, nullptr, makeElement(scan)}}});
+    DesignFiles files;
+    files.clouds[id] = std::make_shared<const PointCloud>(PointCloud{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}});
+    ScanPoints points;
+    points.update(design, files);
+    EXPECT_TRUE(points.box(id).min().isApprox(Vec3(10, 0, 5)));
+    const ViewColors colors = ViewColors::of(QPalette());
+    const auto plain = points.looks({}, colors);
+    ASSERT_EQ(plain.size(), 1U);
+    EXPECT_EQ(plain[0].points->size(), 2U);
+    const auto selected = points.looks({id}, colors);
+    ASSERT_EQ(selected.size(), 2U);
+    EXPECT_EQ(selected[1].points->size(), 1U);
+    EXPECT_LT(selected[1].color.alphaF(), 1);
+    points.update(Design(), files);
+    EXPECT_TRUE(points.looks({}, colors).empty());
+}
+
+} // namespace
+} // namespace bolster::test

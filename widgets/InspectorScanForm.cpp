@@ -1,0 +1,60 @@
+// What the inspector shows of a scan.
+#include "InspectorForms.h"
+#include "PlacementFields.h"
+#include "ScanEdits.h"
+#include "Units.h"
+
+#include <QLocale>
+
+namespace bolster {
+
+void InspectorForms::addScan(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Scan> scan(m_document, id, form);
+    scan.name(tr("Name"));
+    scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
+    scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
+    scan.number(tr("Strength"), {{}, 2, 0, 100, 0.25}, &Scan::strength,
+                QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+    scan.number(tr("Threshold"), {QStringLiteral(" mm"), 1, 0.1, 1e4, 5}, &Scan::threshold,
+                QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"));
+    scan.choice(tr("Pull"), {tr("Along the normal"), tr("To the point itself")}, &Scan::target,
+                QT_TRANSLATE_NOOP("Message", "Change how %1 pulls"));
+    addScanReport(form, id);
+    addPlacementFields(form, scan, tr(" mm per unit"));
+    form.addButton(tr("Place on the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
+    addScanCuts(form, id);
+    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
+}
+
+void InspectorForms::addScanReport(PropertyForm& form, ElementId id) const
+{
+    const auto row = [&](const QString& label, auto text) {
+        form.addInfo(label, [this, id, text] {
+            const auto found = m_scanFigures.find(id);
+            return found == m_scanFigures.end() || found->second.coverage == 0 ? QStringLiteral("\u2013")
+                                                                               : text(found->second);
+        });
+    };
+    const auto mm = [](double value) { return lengthText(value, 2); };
+    row(tr("Deviation"), [mm](const ScanFigures& f) { return tr("%1 rms").arg(mm(f.rms)); });
+    row(tr("Median, 95 %"), [mm](const ScanFigures& f) { return tr("%1, %2").arg(mm(f.median), mm(f.p95)); });
+    row(tr("Largest"), [mm](const ScanFigures& f) { return mm(f.max); });
+    row(tr("Coverage"), [](const ScanFigures& f) { return percentText(f.coverage); });
+    row(tr("Points"), [](const ScanFigures& f) { return QLocale().toString(static_cast<qlonglong>(f.points)); });
+}
+
+void InspectorForms::addScanCuts(PropertyForm& form, ElementId id) const
+{
+    const InspectorSubject<Scan> scan(m_document, id, form);
+    form.addNumber(
+        tr("Floor at"), lengthRange, [scan] { return edits::floorOf(scan.now()).value_or(0); },
+        [this, id](double height) { m_document.commit(edits::cutFloor(m_document.design(), id, height)); });
+    scan.info(tr("Cuts"), [](const Design&, const Scan& s) { return QString::number(s.cuts.size()); });
+    form.addButton(tr("Cut away \u2026"), [this, id] { m_scanWish(id, ScanWish::CutAway); });
+    form.addButton(tr("Keep only \u2026"), [this, id] { m_scanWish(id, ScanWish::KeepOnly); });
+    form.addButton(tr("Keep around the cover"), [this, id] { m_scanWish(id, ScanWish::KeepAroundCover); });
+    form.addButton(tr("Remove all cuts"), [this, id] { m_scanWish(id, ScanWish::ShowAll); });
+}
+
+} // namespace bolster

@@ -1,0 +1,40 @@
+// The points of scans where they stand, for drawing.
+#pragma once
+
+#include "Design.h"
+#include "DesignFiles.h"
+#include "SurfaceScene.h"
+
+#include <map>
+#include <set>
+
+namespace bolster {
+
+/// Thinned out where there are more than can be seen; placed anew only when a scan changes.
+class ScanPoints {
+public:
+    void update(const Design& design, const DesignFiles& files);
+    /// Of the selected ones what is cut away is shown, too, dimmed.
+    std::vector<SurfaceScene::PointsLook> looks(const std::set<ElementId>& selected,
+                                                const ViewColors& colors) const;
+    /// Of what is not cut away, mm.
+    Box3 box(ElementId scan) const;
+    Box3 box() const;
+
+private:
+    using Points = std::vector<Eigen::Vector3f>;
+    struct Placed {
+        Scan scan;
+        std::shared_ptr<const PointCloud> cloud;
+        std::shared_ptr<const Points> kept;
+        std::shared_ptr<const Points> few; ///< of those that are kept
+        std::shared_ptr<const Points> cut;
+        Box3 box;
+    };
+
+    static Placed place(const Scan& scan, std::shared_ptr<const PointCloud> cloud);
+
+    std::map<ElementId, Placed> m_scans;
+};
+
+} // namespace bolster

@@ -1,0 +1,46 @@
+// Cuts away what a rectangle in the 3D view covers, or keeps only that.
+#pragma once
+
+#include "SurfaceTool.h"
+
+#include <QCoreApplication>
+
+#include <functional>
+
+namespace bolster {
+
+/// One drag, seen through to the far side of the scan; Escape or a click without a drag ends without a cut.
+class ScanCutTool : public SurfaceTool {
+    Q_DECLARE_TR_FUNCTIONS(ScanCutTool)
+
+public:
+    /// `done` is called when the tool has nothing left to do.
+    ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep, std::function<void()> done);
+
+    void press(const SurfacePointer& pointer) override;
+    bool move(const SurfacePointer& pointer) override;
+    void release(const SurfacePointer& pointer) override;
+    void doubleClick(const SurfacePointer&) override {}
+    bool keyPress(const QKeyEvent&) override { return false; }
+    bool keyRelease(const QKeyEvent&) override { return false; }
+    bool escape() override;
+    void leave() override {}
+
+    QString prompt() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    std::optional<std::pair<ElementId, int>> hoveredPoint() const override { return std::nullopt; }
+    std::vector<SurfaceLine> guides() const override;
+
+private:
+    /// Of the rectangle, around it.
+    std::array<Vec2, 4> corners() const;
+    void cut();
+
+    ElementId m_scan;
+    bool m_keep;
+    std::function<void()> m_done;
+    std::optional<QPointF> m_from;
+    QPointF m_to;
+};
+
+} // namespace bolster
