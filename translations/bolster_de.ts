@@ -130,6 +130,14 @@
         <source>Foam</source>
         <translation>Schaum</translation>
     </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -662,6 +670,74 @@
         <source>free</source>
         <translation>frei</translation>
     </message>
+    <message>
+        <source>Fit the cover to it</source>
+        <translation>Bezug daran anpassen</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>Along the normal</source>
+        <translation>Entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>To the point itself</source>
+        <translation>Zum Punkt selbst</translation>
+    </message>
+    <message>
+        <source>Place on the cover</source>
+        <translation>Am Bezug ausrichten</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1 quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Median, 95 %</source>
+        <translation>Median, 95 %</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Floor at</source>
+        <translation>Boden bei</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Cut away …</source>
+        <translation>Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>Keep only …</source>
+        <translation>Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Keep around the cover</source>
+        <translation>Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Remove all cuts</source>
+        <translation>Alle Schnitte entfernen</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -835,14 +911,6 @@
     <message>
         <source>two knots near %1 are almost equal; make them equal</source>
         <translation>zwei Knoten bei %1 sind beinahe gleich; machen Sie sie gleich</translation>
-    </message>
-    <message>
-        <source>there is no file &quot;%1&quot; in the design&apos;s folder; copy the mesh there or choose another one</source>
-        <translation>im Ordner des Entwurfs gibt es keine Datei „%1“; kopieren Sie das Netz dorthin oder wählen Sie ein anderes</translation>
-    </message>
-    <message>
-        <source>with this scale and position the frame reaches beyond 10,000,000 mm</source>
-        <translation>mit diesem Maßstab und dieser Lage reicht das Gestell über 10 000 000 mm hinaus</translation>
     </message>
     <message>
         <source>there is not enough memory for this design</source>
@@ -1293,10 +1361,6 @@
         <translation>Nach %1 Schritten bewegt sich die Oberfläche noch.</translation>
     </message>
     <message>
-        <source>no file is named; write the name of a mesh beside the design</source>
-        <translation>es ist keine Datei genannt; schreiben Sie den Namen eines Netzes, das neben dem Entwurf liegt</translation>
-    </message>
-    <message>
         <source>this is no name of a file</source>
         <translation>das ist kein Dateiname</translation>
     </message>
@@ -1323,18 +1387,6 @@
     <message>
         <source>the copy could not be read</source>
         <translation>die Kopie ließ sich nicht lesen</translation>
-    </message>
-    <message>
-        <source>Rename the frame&apos;s file</source>
-        <translation>Datei des Gestells umbenennen</translation>
-    </message>
-    <message>
-        <source>Change the mesh of %1</source>
-        <translation>Netz von %1 ändern</translation>
-    </message>
-    <message>
-        <source>the frame&apos;s file is missing</source>
-        <translation>die Datei des Gestells fehlt</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written</source>
@@ -1465,10 +1517,6 @@
         <translation>%1 mit %2 Nähten und Fixierungen entfernen</translation>
     </message>
     <message>
-        <source>it is the mesh of a frame in this design; choose another name</source>
-        <translation>das ist das Netz eines Gestells in diesem Entwurf; wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
         <source>is %1, but must be a positive length of at most %2; 12 mm is usual</source>
         <translation>ist %1, muss aber eine positive Länge von höchstens %2 sein; üblich sind 12 mm</translation>
     </message>
@@ -1495,10 +1543,6 @@
     <message>
         <source>the text is UTF-16; save it as UTF-8</source>
         <translation>der Text ist in UTF-16; speichern Sie ihn als UTF-8</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no file in the design&apos;s folder; copy the mesh into that folder and name it here</source>
-        <translation>„%1“ ist keine Datei im Ordner des Entwurfs; kopieren Sie das Netz in diesen Ordner und nennen Sie es hier</translation>
     </message>
     <message>
         <source>After %1 iterations the surface still moves by %2 mm in each: it does not come to rest. Lower the pressure, or make curves as long as the outlines they hold.</source>
@@ -1535,10 +1579,6 @@
     <message>
         <source>must be a text in quotation marks</source>
         <translation>muss ein Text in Anführungszeichen sein</translation>
-    </message>
-    <message>
-        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion and foam</source>
-        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion und foam</translation>
     </message>
     <message>
         <source>the curve in the patch and its target must both be open or both be closed</source>
@@ -1688,6 +1728,126 @@
         <source>Move points of %1 curves</source>
         <translation>Punkte von %1 Kurven verschieben</translation>
     </message>
+    <message>
+        <source>Rename a file</source>
+        <translation>Eine Datei umbenennen</translation>
+    </message>
+    <message>
+        <source>Change the file of %1</source>
+        <translation>Die Datei von %1 ändern</translation>
+    </message>
+    <message>
+        <source>the file is missing</source>
+        <translation>die Datei fehlt</translation>
+    </message>
+    <message>
+        <source>it is a file that this design refers to; choose another name</source>
+        <translation>es ist eine Datei, auf die dieser Entwurf verweist; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>There is no cover to place the scan on.</source>
+        <translation>Es gibt keinen Bezug, an dem der Scan ausgerichtet werden könnte.</translation>
+    </message>
+    <message>
+        <source>The scan could not be placed: move it nearer to the cover, or cut away what does not belong to it.</source>
+        <translation>Der Scan konnte nicht ausgerichtet werden: Rücken Sie ihn näher an den Bezug, oder schneiden Sie weg, was nicht dazugehört.</translation>
+    </message>
+    <message>
+        <source>Place %1 on the cover</source>
+        <translation>%1 am Bezug ausrichten</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 planes, [x, y, z, distance] each</source>
+        <translation>muss eine Liste von höchstens %1 Ebenen sein, je [x, y, z, Abstand]</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 cuts in braces</source>
+        <translation>muss eine Liste von höchstens %1 Schnitten in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>must be a cut in braces, with planes</source>
+        <translation>muss ein Schnitt in geschweiften Klammern sein, mit planes</translation>
+    </message>
+    <message>
+        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam and scan</source>
+        <translation>Die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam und scan</translation>
+    </message>
+    <message>
+        <source>the first three numbers are the plane&apos;s normal; not all of them may be 0</source>
+        <translation>die ersten drei Zahlen sind die Normale der Ebene; sie dürfen nicht alle 0 sein</translation>
+    </message>
+    <message>
+        <source>no file is named; write the name of a file beside the design</source>
+        <translation>es ist keine Datei genannt; schreiben Sie den Namen einer Datei neben dem Entwurf</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no file in the design&apos;s folder; copy the file into that folder and name it here</source>
+        <translation>„%1“ ist keine Datei im Ordner des Entwurfs; kopieren Sie die Datei in diesen Ordner und nennen Sie sie hier</translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; in the design&apos;s folder; copy the file there or choose another one</source>
+        <translation>im Ordner des Entwurfs gibt es keine Datei „%1“; kopieren Sie die Datei dorthin oder wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>with this scale and position the points reach beyond 10,000,000 mm</source>
+        <translation>mit diesem Maßstab und dieser Lage reichen die Punkte über 10.000.000 mm hinaus</translation>
+    </message>
+    <message>
+        <source>Add scan %1</source>
+        <translation>Scan %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 beschneiden</translation>
+    </message>
+    <message>
+        <source>Show all of %1</source>
+        <translation>%1 ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Cut the floor off %1</source>
+        <translation>Den Boden von %1 abschneiden</translation>
+    </message>
+    <message>
+        <source>%1 holds no points</source>
+        <translation>%1 enthält keine Punkte</translation>
+    </message>
+    <message>
+        <source>%1: the scan is too large, the limit is %2 points</source>
+        <translation>%1: der Scan ist zu groß, die Grenze liegt bei %2 Punkten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a scan that can be read; PLY, XYZ and PCD can</source>
+        <translation>„%1“ ist kein lesbarer Scan; lesbar sind PLY, XYZ und PCD</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not expected in a PCD header</source>
+        <translation>%1: „%2“ wird in einem PCD-Kopf nicht erwartet</translation>
+    </message>
+    <message>
+        <source>%1: the compressed points are damaged</source>
+        <translation>%1: die komprimierten Punkte sind beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a PCD format</source>
+        <translation>%1: „%2“ ist kein PCD-Format</translation>
+    </message>
+    <message>
+        <source>the cuts leave nothing of the scan; remove one of them</source>
+        <translation>die Schnitte lassen vom Scan nichts übrig; entfernen Sie einen davon</translation>
+    </message>
+    <message>
+        <source>Switch the fit to %1</source>
+        <translation>Die Anpassung an %1 umschalten</translation>
+    </message>
+    <message>
+        <source>Change the threshold of %1</source>
+        <translation>Die Schwelle von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change how %1 pulls</source>
+        <translation>Ändern, wie %1 zieht</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -1834,6 +1994,17 @@
     <message>
         <source>Drag to move it parallel to the picture</source>
         <translation>Ziehen verschiebt parallel zum Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ScanCutTool</name>
+    <message>
+        <source>Drag a rectangle around what is to be kept of the scan. Esc ends.</source>
+        <translation>Ziehen Sie ein Rechteck um das, was vom Scan bleiben soll. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle over what is to be cut away of the scan. Esc ends.</source>
+        <translation>Ziehen Sie ein Rechteck über das, was vom Scan wegfallen soll. Esc beendet.</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2282,22 @@
         <source>Draw &amp;fancy seam</source>
         <translation>&amp;Ziernaht zeichnen</translation>
     </message>
+    <message>
+        <source>I&amp;mport scan …</source>
+        <translation>Scan &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ans</source>
+        <translation>Sc&amp;ans</translation>
+    </message>
+    <message>
+        <source>Pairs of co&amp;ver and scan</source>
+        <translation>Paare von &amp;Bezug und Scan</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation from the scan</source>
+        <translation>A&amp;bweichung vom Scan</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -2301,16 +2488,36 @@
         <source>Delete the kept work on %1 for good? It cannot be brought back.</source>
         <translation>Die aufbewahrte Arbeit an %1 endgültig löschen? Sie lässt sich nicht zurückholen.</translation>
     </message>
+    <message>
+        <source>Scans (%1)</source>
+        <translation>Scans (%1)</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Scan importieren</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Eine andere Datei wählen</translation>
+    </message>
 </context>
 <context>
-    <name>bolster::FrameImportDialog</name>
+    <name>bolster::FileImportDialog</name>
+    <message>
+        <source>Keep scale, position and rotation</source>
+        <translation>Maßstab, Lage und Drehung behalten</translation>
+    </message>
     <message>
         <source> mm per unit</source>
-        <translation> mm je Einheit</translation>
+        <translation>mm je Einheit</translation>
     </message>
     <message>
         <source>Place it on the floor, in the middle</source>
         <translation>In die Mitte auf den Boden stellen</translation>
+    </message>
+    <message>
+        <source>Import scan</source>
+        <translation>Scan importieren</translation>
     </message>
     <message>
         <source>Import frame</source>
@@ -2349,6 +2556,10 @@
         <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %3 Dreiecke</translation>
     </message>
     <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte</translation>
+    </message>
+    <message>
         <source>Unit of the file</source>
         <translation>Einheit der Datei</translation>
     </message>
@@ -2375,10 +2586,6 @@
     <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>Das ist ungewöhnlich für ein Möbelstück: prüfen Sie die Einheit.</translation>
-    </message>
-    <message>
-        <source>Keep scale, position and rotation of the frame</source>
-        <translation>Maßstab, Lage und Drehung des Gestells behalten</translation>
     </message>
 </context>
 <context>
@@ -2449,6 +2656,18 @@
         <source>Foam belongs to a cushion: insert one first.</source>
         <translation>Schaum gehört zu einer Polsterung: fügen Sie zuerst eine ein.</translation>
     </message>
+    <message>
+        <source>Placing the scan on the cover …</source>
+        <translation>Der Scan wird am Bezug ausgerichtet …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Placing the scan on the cover: step %1</source>
+        <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NumberBox</name>
@@ -2462,6 +2681,21 @@
     <message>
         <source>Colour of the fabric</source>
         <translation>Farbe des Stoffs</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ScanLink</name>
+    <message>
+        <source>Deviation from %1</source>
+        <translation>Abweichung von %1</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
     </message>
 </context>
 <context>
