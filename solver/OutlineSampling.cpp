@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bolster {
 
@@ -262,7 +263,46 @@ std::vector<OutlineCuts::LineEnd> endsOf(const std::vector<PatchLine>& lines, co
     return ends;
 }
 
+/// Puts the points of lines drawn anew into their samplings. False when there are more or fewer of them.
+bool redrawLines(OutlineSampling& sampling, const std::vector<PatchLine>& drawn)
+{
+    std::map<ElementId, std::size_t> known; // by patch: lines that have been met
+    for (const PatchLine& line : drawn) {
+        const auto outline = std::ranges::find(sampling.outlines, line.patch, &OutlineSampling::Outline::patch);
+        const std::size_t index = known[line.patch]++;
+        if (index >= outline->lines.size())
+            return false;
+        OutlineSampling::Line& old = outline->lines[index];
+        if (old.element != line.element || old.across != line.across || old.shape.closed != line.closed ||
+            old.shape.points.size() != line.points.size() ||
+            (old.shape.startSample >= 0) != line.onOutline[0].has_value() ||
+            (old.shape.endSample >= 0) != line.onOutline[1].has_value())
+            return false;
+        old.shape.points = line.points;
+        old.fractions = line.fractions;
+        if (old.shape.startSample >= 0)
+            old.shape.points.front() = outline->points[old.shape.startSample];
+        if (old.shape.endSample >= 0)
+            old.shape.points.back() = outline->points[old.shape.endSample];
+    }
+    return std::ranges::all_of(sampling.outlines,
+                               [&](const auto& outline) { return known[outline.patch] == outline.lines.size(); });
+}
+
 } // namespace
+
+bool resample(OutlineSampling& sampling, const Design& design)
+{
+    for (OutlineSampling::Outline& outline : sampling.outlines) {
+        const BSpline2& curve = design.find<Patch>(outline.patch)->outline;
+        std::ranges::transform(outline.parameters, outline.points.begin(), [&](double t) { return curve.at(t); });
+    }
+    const PatchLines lines = drawPatchLines(design);
+    if (!lines.problems.empty() || !redrawLines(sampling, lines.lines))
+        return false;
+    retarget(sampling, design);
+    return sampling.problems.empty();
+}
 
 OutlineSampling sampleOutlines(const Design& design)
 {

@@ -72,4 +72,8 @@ OutlineSampling sampleOutlines(const Design& design);
 /// being kept.
 void retarget(OutlineSampling& sampling, const Design& design);
 
+/// All points again after outlines and curves in them have been reshaped, as many and in the same order. False when
+/// that cannot be; the sampling is of no use then.
+bool resample(OutlineSampling& sampling, const Design& design);
+
 } // namespace bolster

@@ -61,6 +61,12 @@ void Relaxation::refactor(Ghosts ghosts)
     replaceGhosts(std::move(ghosts), true);
 }
 
+void Relaxation::reshape(Ghosts ghosts)
+{
+    m_optimizer.reshape();
+    replaceGhosts(std::move(ghosts), false);
+}
+
 void Relaxation::replaceGhosts(Ghosts ghosts, bool refactor)
 {
     const bool sameWeights = m_optimizer.replaceGhosts(std::move(ghosts));

@@ -28,6 +28,8 @@ public:
     void retarget(Ghosts ghosts = {});
     /// The same when matrices change too.
     void refactor(Ghosts ghosts = {});
+    /// After reshape() of the mesh.
+    void reshape(Ghosts ghosts = {});
 
     /// One iteration; does nothing unless running.
     void iterate();

@@ -141,6 +141,8 @@ void appendRing(std::span<SewnMesh::RingEdge> halves, std::vector<SewnMesh::Ring
 void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
 {
     mesh.area.assign(topology.pattern.size(), 0);
+    mesh.ring.clear();
+    mesh.ringStart.clear();
     const std::vector<int> start = halfEdgeStarts(topology);
     std::vector<int> next(start.begin(), start.end() - 1);
     std::vector<SewnMesh::RingEdge> halves(static_cast<std::size_t>(start.back()));
@@ -168,6 +170,7 @@ void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
 void measureParts(SewnMesh& mesh)
 {
     for (SewnMesh::Part& part : mesh.parts) {
+        part.area = 0;
         double length = 0;
         int count = 0;
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
@@ -186,18 +189,23 @@ void findComponents(SewnMesh& mesh, const OutlineSampling& sampling)
         sewn.join(seam.outlineA, seam.outlineB);
     int count = 0;
     const std::vector<int> label = sewn.labels(&count);
-    std::vector<double> area(count, 0);
+    mesh.diameter.assign(count, 0);
     mesh.anchored.assign(count, 0);
-    for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    for (std::size_t p = 0; p < mesh.parts.size(); ++p)
         mesh.parts[p].component = label[p];
-        area[label[p]] += mesh.parts[p].area;
-    }
     for (const auto& chain : sampling.fixations)
         mesh.anchored[label[chain.outline]] = 1;
     for (const auto& chain : sampling.handles)
         mesh.anchored[label[chain.outline]] = 1;
-    for (double a : area)
-        mesh.diameter.push_back(std::sqrt(2 * a));
+}
+
+void measureComponents(SewnMesh& mesh)
+{
+    std::ranges::fill(mesh.diameter, 0);
+    for (const SewnMesh::Part& part : mesh.parts)
+        mesh.diameter[part.component] += part.area;
+    for (double& d : mesh.diameter)
+        d = std::sqrt(2 * d);
 }
 
 void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, const std::vector<int>& first)
@@ -286,8 +294,9 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     numberUnknowns(mesh, *topology, sampling);
     openSewnCorners(*topology);
     measureRestShape(mesh, *topology);
-    measureParts(mesh);
     findComponents(mesh, sampling);
+    measureParts(mesh);
+    measureComponents(mesh);
     collectChains(*topology, sampling, first);
     mesh.topology = std::move(topology);
     updateMaterials(mesh, design);
@@ -295,6 +304,16 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     mesh.reliefs = makeReliefs(mesh, sampling, design);
     updateReliefs(mesh, design);
     return mesh;
+}
+
+void reshape(SewnMesh& mesh, std::vector<Vec2> pattern)
+{
+    auto topology = std::make_shared<SurfaceTopology>(*mesh.topology);
+    topology->pattern = std::move(pattern);
+    measureRestShape(mesh, *topology);
+    measureParts(mesh);
+    measureComponents(mesh);
+    mesh.topology = std::move(topology);
 }
 
 Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k)

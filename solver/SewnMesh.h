@@ -85,6 +85,9 @@ struct SewnMesh {
 /// One mesh per outline of the sampling.
 SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes);
 
+/// The same triangles with another rest shape.
+void reshape(SewnMesh& mesh, std::vector<Vec2> pattern);
+
 /// Direction in which a chain of vertices runs at its k-th one, in the pattern plane.
 Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k);
 

@@ -3,6 +3,7 @@
 #include "FrameSigns.h"
 #include "LocalStep.h"
 #include "Orientations.h"
+#include "PatternWarp.h"
 #include "SheetMatrices.h"
 #include "StartPlacement.h"
 
@@ -18,6 +19,8 @@ namespace {
 
 // Below 4/3, see stableStep().
 constexpr double stableGain = 1.3;
+// Of the rest shape against that in the matrices, below 4/3 for L2, too.
+constexpr double mostDistortion = 1.2;
 // A vertex further out than this many D has been thrown away by an instability.
 constexpr double farthest = 1e4;
 
@@ -37,7 +40,7 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     pool.forTasks(2, [&](int system) {
         if (stop.stop_requested())
             return;
-        matrices[system] = system == 0 ? positionMatrix(mesh, m_ghostWeights) : frameMatrix(mesh, frameRows());
+        matrices[system] = system == 0 ? positionMatrix(mesh, ghostWeights()) : frameMatrix(mesh, frameRows());
         if (system == 0)
             m_positions.emplace(matrices[0], places.leftCols(mesh.freeCount));
         else
@@ -50,8 +53,18 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
 bool SheetOptimizer::refactor()
 {
     m_smoothSeams.emplace(m_mesh, m_rest);
-    return m_positions->factor(positionMatrix(m_mesh, m_ghostWeights), m_pool) &&
+    m_factored = m_mesh.rest();
+    m_distortion = 1;
+    return m_positions->factor(positionMatrix(m_mesh, ghostWeights()), m_pool) &&
            m_frames->factor(frameMatrix(m_mesh, frameRows()), m_pool);
+}
+
+bool SheetOptimizer::reshape()
+{
+    m_rings = SheetRings(m_mesh);
+    measureRings();
+    m_distortion = distortion(m_mesh.topology->triangles, m_factored, m_mesh.rest());
+    return m_distortion < mostDistortion ? ok() : refactor();
 }
 
 /// What smooth seams and held normals add to L2's diagonal.
@@ -78,14 +91,25 @@ bool SheetOptimizer::setFitting(bool on)
 /// False when they are no longer those in the matrix.
 bool SheetOptimizer::updateGhostWeights()
 {
-    std::vector<double> weights;
+    std::vector<double> gammas;
     for (const SewnMesh::Part& part : m_mesh.parts) {
         double gamma = 0;
         for (const auto& source : m_ghosts)
             gamma += acts(*source) ? source->gamma(part) : 0;
-        weights.push_back(gamma / (m_mesh.diameter[part.component] * m_mesh.diameter[part.component]));
+        gammas.push_back(gamma);
     }
-    return std::exchange(m_ghostWeights, std::move(weights)) == m_ghostWeights;
+    return std::exchange(m_gammas, std::move(gammas)) == m_gammas;
+}
+
+/// Of all sources, per part: gamma / D^2.
+std::vector<double> SheetOptimizer::ghostWeights() const
+{
+    std::vector<double> weights;
+    for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+        const double d = m_mesh.diameter[m_mesh.parts[p].component];
+        weights.push_back(m_gammas[p] / (d * d));
+    }
+    return weights;
 }
 
 void SheetOptimizer::precomputeRings()
@@ -94,12 +118,8 @@ void SheetOptimizer::precomputeRings()
     m_partOf.resize(vertices);
     for (int p = 0; p < std::ssize(m_mesh.parts); ++p)
         std::fill_n(m_partOf.begin() + m_mesh.parts[p].firstVertex, m_mesh.parts[p].vertexCount, p);
-    m_rest.assign(vertices, Eigen::Matrix2d::Zero());
-    for (int v = 0; v < vertices; ++v)
-        for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
-            m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
-
-    m_smoothSeams.emplace(m_mesh, m_rest);
+    measureRings();
+    m_factored = m_mesh.rest();
 
     m_cornersStart.assign(m_mesh.freeCount + 1, 0);
     const auto& unknown = m_mesh.topology->unknown;
@@ -114,10 +134,6 @@ void SheetOptimizer::precomputeRings()
         if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
             m_corners[next[unknown[v]]++] = v;
 
-    for (int c = 0; c < std::ssize(m_mesh.anchored); ++c)
-        if (!m_mesh.anchored[c])
-            m_freeBodies.emplace_back(m_mesh, c);
-
     m_map.setZero(4, 2 * vertices);
     m_stretch.setZero(4, vertices);
     m_forces.setZero(4, vertices);
@@ -126,6 +142,20 @@ void SheetOptimizer::precomputeRings()
     m_residual.setZero(4, m_mesh.freeCount);
     m_turns.setZero(4, vertices);
     m_moves.setZero(4, m_mesh.freeCount);
+}
+
+/// All that depends on the rest shape but the matrices.
+void SheetOptimizer::measureRings()
+{
+    m_rest.assign(m_mesh.vertexCount(), Eigen::Matrix2d::Zero());
+    for (int v = 0; v < m_mesh.vertexCount(); ++v)
+        for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
+            m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
+    m_smoothSeams.emplace(m_mesh, m_rest);
+    m_freeBodies.clear();
+    for (int c = 0; c < std::ssize(m_mesh.anchored); ++c)
+        if (!m_mesh.anchored[c])
+            m_freeBodies.emplace_back(m_mesh, c);
 }
 
 /// Calls body(part, begin, end) for runs of vertices of one part each, on all threads.
@@ -245,13 +275,14 @@ void SheetOptimizer::solveFrames()
 }
 
 /// Share of L1's move that may be made. The preferred stretch answers strain with up to 1 + |nu| times of it (pure
-/// shear for nu < 0, dilation for nu > 0), but an accelerated iteration diverges beyond 4/3.
+/// shear for nu < 0, dilation for nu > 0), and forces of a distorted rest shape exceed those in the matrix, but an
+/// accelerated iteration diverges beyond 4/3.
 double SheetOptimizer::stableStep() const
 {
     double poisson = 0;
     for (const SewnMesh::Part& part : m_mesh.parts)
         poisson = std::max(poisson, std::abs(part.material.poisson));
-    return std::min(1.0, stableGain / (1 + poisson));
+    return std::min(1.0, stableGain / ((1 + poisson) * m_distortion));
 }
 
 /// L1 in delta form: the residual at the present positions, then `step` times the move that it asks for.

@@ -27,6 +27,9 @@ public:
     /// Takes changed materials (stiffness, bending length) and continuities of seams into the matrices. Returns
     /// ok().
     bool refactor();
+    /// Takes a changed rest shape into the forces, and into the matrices when it has become too different from
+    /// theirs: up to then their solutions are good steps. Returns ok().
+    bool reshape();
 
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
     bool replaceGhosts(Ghosts ghosts);
@@ -57,6 +60,7 @@ public:
 private:
     std::vector<double> frameRows() const;
     void precomputeRings();
+    void measureRings();
     template <class Body>
     void forParts(const Body& body);
     void extrapolate();
@@ -65,6 +69,7 @@ private:
     void solvePositions(double step);
     bool acts(const GhostSource& source) const { return m_fitting || !source.misfit(); }
     bool updateGhostWeights();
+    std::vector<double> ghostWeights() const;
     void addGhosts();
     void addPressure(int vertex, Eigen::Vector4d& residual) const;
     double stableStep() const;
@@ -77,9 +82,11 @@ private:
 
     Ghosts m_ghosts;
     bool m_fitting = false;
-    std::vector<double> m_ghostWeights; // of all sources, per part: gamma / D^2
+    std::vector<double> m_gammas; // of all sources, per part
 
     SheetRings m_rings;
+    std::vector<Vec2> m_factored;        // the rest shape that is in the matrices
+    double m_distortion = 1;             // of the present one against it
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i
     std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown

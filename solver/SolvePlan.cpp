@@ -5,6 +5,13 @@
 
 namespace bolster {
 
+SolvePlan together(SolvePlan a, SolvePlan b)
+{
+    const auto [less, more] = std::minmax(a, b);
+    const bool factorsToo = less == SolvePlan::Refactor && more == SolvePlan::Warp; // which a warp keeps
+    return factorsToo ? SolvePlan::Rebuild : more;
+}
+
 namespace {
 
 SolvePlan compare(const Settings& a, const Settings& b)
@@ -19,25 +26,28 @@ SolvePlan compare(const Fabric& a, const Fabric& b)
     return a.poisson == b.poisson ? SolvePlan::Nothing : SolvePlan::Retarget;
 }
 
-SolvePlan compare(const Patch& a, const Patch& b)
-{
-    // The outward side sits in the order of the triangles, so it needs a new mesh.
-    if (!(a.outline == b.outline) || a.wrongSideOut != b.wrongSideOut || a.fabric != b.fabric)
-        return SolvePlan::Rebuild;
-    return a.pressure == b.pressure ? SolvePlan::Nothing : SolvePlan::Retarget;
-}
-
-SolvePlan compare(const BSpline3& a, const BSpline3& b)
+/// `moved`: what it asks for when only points have moved.
+template <int Dim>
+SolvePlan compareCurves(const BSpline<Dim>& a, const BSpline<Dim>& b, SolvePlan moved)
 {
     if (a == b)
         return SolvePlan::Nothing;
     const bool sameKind = a.degree() == b.degree() && a.closed() == b.closed() && a.knots() == b.knots();
-    return sameKind ? SolvePlan::Retarget : SolvePlan::Rebuild;
+    return sameKind ? moved : SolvePlan::Rebuild;
+}
+
+SolvePlan compare(const Patch& a, const Patch& b)
+{
+    // The outward side sits in the order of the triangles, so it needs a new mesh.
+    if (a.wrongSideOut != b.wrongSideOut || a.fabric != b.fabric)
+        return SolvePlan::Rebuild;
+    const SolvePlan outline = compareCurves(a.outline, b.outline, SolvePlan::Warp);
+    return std::max(outline, a.pressure == b.pressure ? SolvePlan::Nothing : SolvePlan::Retarget);
 }
 
 SolvePlan compare(const FixationCurve& a, const FixationCurve& b)
 {
-    return compare(a.curve, b.curve);
+    return compareCurves(a.curve, b.curve, SolvePlan::Retarget);
 }
 
 SolvePlan compare(const Orientation& a, const Orientation& b)
@@ -51,18 +61,22 @@ SolvePlan compare(const Orientation& a, const Orientation& b)
 
 SolvePlan compare(const HandleCurve& a, const HandleCurve& b)
 {
-    if (a.patch != b.patch || a.match != b.match || !(a.curve == b.curve))
+    if (a.patch != b.patch || a.match != b.match)
         return SolvePlan::Rebuild;
     if (a.hasTarget() != b.hasTarget())
         return SolvePlan::Resew;
-    const SolvePlan place = a.hasTarget() ? compare(a.target, b.target) : SolvePlan::Nothing;
-    return std::max(place, compare(a.orientation, b.orientation));
+    const SolvePlan place =
+        a.hasTarget() ? compareCurves(a.target, b.target, SolvePlan::Retarget) : SolvePlan::Nothing;
+    return together(compareCurves(a.curve, b.curve, SolvePlan::Warp),
+                    together(place, compare(a.orientation, b.orientation)));
 }
 
 SolvePlan compare(const FancySeam& a, const FancySeam& b)
 {
-    if (a.patch != b.patch || a.width != b.width || !(a.curve == b.curve))
+    if (a.patch != b.patch)
         return SolvePlan::Rebuild;
+    if (a.width != b.width || !(a.curve == b.curve))
+        return std::max(SolvePlan::Warp, compareCurves(a.curve, b.curve, SolvePlan::Warp));
     return a.depth == b.depth && a.profile == b.profile ? SolvePlan::Nothing : SolvePlan::Republish;
 }
 
@@ -179,7 +193,7 @@ SolvePlan planSolve(const SolveInput& before, const SolveInput& after)
         const bool idle =
             std::holds_alternative<Frame>(a ? *a : *b) && !acts(before.design, id) && !acts(after.design, id);
         if (!idle)
-            plan = std::max(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
+            plan = together(plan, a && b ? planOf(*a, *b) : planOf(a ? *a : *b));
     }
     return plan;
 }

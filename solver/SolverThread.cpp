@@ -15,7 +15,7 @@ void SolverThread::request(SolveInput input, std::uint64_t designRevision, bool 
 {
     m_input = input;
     m_revision = designRevision;
-    m_worker->request({std::move(input), designRevision, false, m_opening}, passing);
+    m_worker->request({std::move(input), designRevision, false, passing, m_opening});
 }
 
 void SolverThread::drawField(bool on)
@@ -25,7 +25,7 @@ void SolverThread::drawField(bool on)
 
 void SolverThread::settle()
 {
-    m_worker->request({m_input, m_revision, true, m_opening}, true);
+    m_worker->request({m_input, m_revision, true, true, m_opening});
 }
 
 std::optional<SolverOutput> SolverThread::take()

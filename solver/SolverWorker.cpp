@@ -34,9 +34,10 @@ SolverWorker::SolverWorker(std::function<void()> wake)
     : m_wake(std::move(wake))
 {}
 
-void SolverWorker::request(Request request, bool passing)
+void SolverWorker::request(Request request)
 {
     const std::lock_guard lock(m_requestMutex); // or it might stop what is made for itself
+    const bool passing = request.passing;
     m_in.put(std::move(request));
     if (!passing)
         m_preparing.request_stop();
@@ -96,6 +97,15 @@ bool SolverWorker::step()
     return true;
 }
 
+SolvePlan SolverWorker::planFor(const Request& request)
+{
+    if (!m_live)
+        return SolvePlan::Resew;
+    const SolvePlan plan = together(planSolve(m_input, request.input), std::exchange(m_owed, SolvePlan::Nothing));
+    const bool warped = plan == SolvePlan::Warp || m_live->warp;
+    return warped && !request.passing ? std::max(plan, SolvePlan::Rebuild) : plan;
+}
+
 void SolverWorker::begin(Request request)
 {
     if (std::exchange(m_opening, request.opening) != request.opening) {
@@ -106,9 +116,7 @@ void SolverWorker::begin(Request request)
         m_status = {};
         m_report = {};
     }
-    const SolvePlan plan =
-        m_live ? std::max(planSolve(m_input, request.input), std::exchange(m_owed, SolvePlan::Nothing))
-               : SolvePlan::Resew;
+    const SolvePlan plan = planFor(request);
     const bool light = plan > SolvePlan::Nothing && plan < SolvePlan::Rebuild;
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
@@ -163,7 +171,8 @@ bool SolverWorker::republishLive(const Design& design)
     return true;
 }
 
-/// Keeps samples and triangles. False when the change asks for more after all, or when it was given up.
+/// Keeps triangles, and samples but for their points. False when the change asks for more after all, or when it was
+/// given up.
 bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
 {
     Problems problems = checkDesign(input.design);
@@ -172,26 +181,45 @@ bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
     if (!sameElements(usable, prepared.design))
         return false;
     OutlineSampling sampling = prepared.sampling;
-    retarget(sampling, usable);
-    if (!sampling.problems.empty())
-        return false;
+    if (plan == SolvePlan::Warp) {
+        if (!resample(sampling, usable) || !warpLive(sampling))
+            return false;
+    } else {
+        retarget(sampling, usable);
+        if (!sampling.problems.empty())
+            return false;
+    }
     prepared.sampling = std::move(sampling);
     prepared.design = usable;
     prepared.files = input.files;
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
-    updateReliefs(prepared.mesh, usable);
+    prepared.mesh.reliefs = makeReliefs(prepared.mesh, prepared.sampling, usable);
     m_live->canonical = false;
     m_live->stale = true;
     Ghosts ghosts = ghostsFor(prepared, problems);
     if (m_preparing.stop_requested())
         return false; // they are not all there
-    if (plan == SolvePlan::Refactor)
+    if (plan == SolvePlan::Warp)
+        m_live->relaxation->reshape(std::move(ghosts));
+    else if (plan == SolvePlan::Refactor)
         m_live->relaxation->refactor(std::move(ghosts));
     else
         m_live->relaxation->retarget(std::move(ghosts));
     m_status.problems = std::move(problems);
     return true;
+}
+
+/// False when the triangles would be too distorted.
+bool SolverWorker::warpLive(const OutlineSampling& sampling)
+{
+    SewnMesh& mesh = m_live->prepared.mesh;
+    if (!m_live->warp)
+        m_live->warp.emplace(mesh);
+    std::optional<std::vector<Vec2>> pattern = m_live->warp->warped(mesh, sampling);
+    if (pattern)
+        reshape(mesh, std::move(*pattern));
+    return pattern.has_value();
 }
 
 /// False when it was given up.

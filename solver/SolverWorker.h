@@ -3,6 +3,7 @@
 
 #include "Mailbox.h"
 #include "MakeGhosts.h"
+#include "PatternWarp.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
 #include "SolvePlan.h"
@@ -22,15 +23,16 @@ public:
     struct Request {
         SolveInput input;
         std::uint64_t revision = 0;
-        bool settle = false; ///< make the resting surface the live one as soon as it is known
-        int opening = 0;     ///< different for designs that have nothing to do with each other
+        bool settle = false;  ///< make the resting surface the live one as soon as it is known
+        bool passing = false; ///< others follow at once: a drag
+        int opening = 0;      ///< different for designs that have nothing to do with each other
     };
 
     /// `wake` is called when an output waits and none was waiting before.
     explicit SolverWorker(std::function<void()> wake);
 
-    /// From another thread; `passing` as in SolverThread.
-    void request(Request request, bool passing);
+    /// From another thread.
+    void request(Request request);
     /// From another thread, as of the next answer.
     void drawField(bool on) { m_drawsField = on; }
     Mailbox<SolverOutput>& out() { return m_out; }
@@ -42,16 +44,19 @@ private:
     struct Sheet {
         PreparedSheet prepared;
         std::unique_ptr<Relaxation> relaxation;
-        bool canonical = false; ///< iterates from the canonical start, so it ends as the resting surface
-        bool stale = false;     ///< its samples belong to fixation curves as they were before a drag
+        std::optional<PatternWarp> warp; ///< once outlines have been dragged
+        bool canonical = false;          ///< iterates from the canonical start, so it ends as the resting surface
+        bool stale = false;              ///< its samples belong to curves as they were before a drag
     };
 
     std::optional<Request> takeRequest();
     static bool running(const Sheet& sheet);
     bool step();
+    SolvePlan planFor(const Request& request);
     void begin(Request request);
     bool republishLive(const Design& design);
     bool retargetLive(const SolveInput& input, SolvePlan plan);
+    bool warpLive(const OutlineSampling& sampling);
     bool rebuildLive(const SolveInput& input, bool torn);
     std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);
     Ghosts ghostsFor(const PreparedSheet& sheet, Problems& problems);

@@ -39,7 +39,7 @@ struct SurfaceTopology {
         double across = 0; ///< of a fancy seam: -1 and 1 are the outer lines, 0 the middle
     };
 
-    std::uint64_t serial = 0; ///< different for different topologies within one run of the program
+    std::uint64_t serial = 0; ///< within one run of the program; the same for those that differ in `pattern` alone
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
     std::vector<Vec2> pattern;          ///< outline coordinates of each vertex, mm: the texture coordinates
     std::vector<std::uint32_t> unknown; ///< merged vertex of each vertex: equal for sewn ones

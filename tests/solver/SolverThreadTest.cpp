@@ -25,7 +25,10 @@ using State = SolverStatus::State;
 /// A solver thread whose outputs can be waited for, as an event loop would.
 class Listener {
 public:
-    void request(const Design& design, std::uint64_t revision) { m_solver.request(design, revision); }
+    void request(const Design& design, std::uint64_t revision, bool passing = false)
+    {
+        m_solver.request(design, revision, passing);
+    }
     void request(const SolveInput& input, std::uint64_t revision) { m_solver.request(input, revision); }
     void drawField(bool on) { m_solver.drawField(on); }
     void settle() { m_solver.settle(); }
@@ -128,7 +131,14 @@ TEST(SolvePlan, AsksForAsLittleAsPossible)
     EXPECT_EQ(planSolve(design, withCurveMoved(design, Vec3(0, 0, 5))), SolvePlan::Retarget);
     EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.bendingLength = 3; })),
               SolvePlan::Refactor);
-    EXPECT_EQ(planSolve(design, withOutlineMoved(design, Vec2(3, 0))), SolvePlan::Rebuild);
+    const Design dragged = withOutlineMoved(design, Vec2(3, 0));
+    EXPECT_EQ(planSolve(design, dragged), SolvePlan::Warp);
+    EXPECT_EQ(planSolve(design, changed<Patch>(dragged, patch, [](Patch& p) { p.pressure = 1; })), SolvePlan::Warp);
+    EXPECT_EQ(planSolve(design, changed<Fabric>(dragged, fabric, [](Fabric& f) { f.stiffness = 2; })),
+              SolvePlan::Rebuild);
+    EXPECT_EQ(
+        planSolve(design, changed<Patch>(design, patch, [](Patch& p) { p.outline = p.outline.withKnot(0.5); })),
+        SolvePlan::Rebuild);
     ElementId held{};
     design.each<FixationSeam>([&](ElementId id, const FixationSeam&) { held = id; });
     const auto leaning = [&](const Design& from, const Vec3& normal, double weight) {
@@ -196,6 +206,52 @@ TEST(SolverThread, ComesBackToTheRestingSurfaceAfterADrag)
     const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(resting);
     EXPECT_EQ(resting->surface->positions, solved(design, 1e-6).surface->positions);
+}
+
+TEST(SolverThread, BendsTheTriangulationWhileAnOutlineIsDraggedAndMakesANewOneOnRelease)
+{
+    const Design design = hammock();
+    const auto dragged = [&](double step) { return withOutlineMoved(design, Vec2(-step, -0.5 * step)); };
+    Listener solver;
+    std::uint64_t revision = 1;
+    solver.request(design, revision);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    SurfaceMeshPtr last = before->surface;
+    for (int step = 1; step <= 12; ++step) {
+        solver.request(dragged(step), ++revision, true);
+        const auto output =
+            solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.surface; });
+        ASSERT_TRUE(output);
+        EXPECT_EQ(output->surface->positions.size(), last->positions.size());
+        EXPECT_LT((output->surface->topology->pattern[0] - Vec2(-step, -0.5 * step)).norm(), 1e-9);
+        last = output->surface;
+    }
+    solver.request(dragged(12), ++revision);
+    const auto released = solver.waitFor([&](const SolverOutput& o) {
+        return o.designRevision == revision && o.surface->topology->serial != last->topology->serial;
+    });
+    ASSERT_TRUE(released);
+    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(resting);
+    EXPECT_EQ(resting->surface->positions, solved(dragged(12), 1e-6).surface->positions);
+}
+
+/// While the pointer stands still the surface may be triangulated again; what follows is bent from there.
+TEST(SolverThread, DragsOnAfterARest)
+{
+    const Design design = hammock();
+    Listener solver;
+    solver.request(design, 1);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.resting; }));
+    for (std::uint64_t revision = 2; revision < 6; ++revision) {
+        const Design dragged = withOutlineMoved(design, Vec2(-4.0 * static_cast<double>(revision), 0));
+        solver.request(dragged, revision, true);
+        const auto output =
+            solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.status.resting; });
+        ASSERT_TRUE(output);
+        EXPECT_EQ(output->surface->positions, solved(dragged, 1e-6).surface->positions);
+    }
 }
 
 TEST(SolverThread, EachTakenRequestIsAnsweredWithASurface)
