@@ -21,10 +21,12 @@ public:
     /// definite or not finite, or when stopped; solve() must not be called then.
     bool factor(const Eigen::SparseMatrix<double>& matrix, WorkerPool& pool, const std::stop_token& stop = {});
     bool ok() const { return m_ok; }
-    /// Where each unknown lies in the vectors of solve().
+    /// Where each unknown lies in x().
     const std::vector<int>& slots() const { return m_packed.slots(); }
-    /// x := A^-1 x for four right-hand sides.
-    void solve(PackedFactor::Vectors& x, WorkerPool& pool) { m_packed.solve(x, pool); }
+    /// Four right-hand sides, then four solutions.
+    PackedFactor::Workspace x() { return m_packed.x(); }
+    /// x := A^-1 x.
+    void solve(WorkerPool& pool) { m_packed.solve(pool); }
     /// Memory that a solve reads twice.
     std::size_t bytes() const { return m_packed.bytes(); }
 

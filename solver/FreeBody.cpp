@@ -21,7 +21,8 @@ FreeBody::FreeBody(const SewnMesh& mesh, int component)
     }
 }
 
-void FreeBody::balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& residual) const
+void FreeBody::balance(const Eigen::Matrix4Xd& positions, const std::vector<int>& slots,
+                       Eigen::Ref<Eigen::Matrix4Xf> residual) const
 {
     Vec3 centre = Vec3::Zero();
     for (const Mass& mass : m_masses)
@@ -30,7 +31,7 @@ void FreeBody::balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& resi
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (const Mass& mass : m_masses) {
         const Vec3 arm = positions.col(mass.unknown).head<3>() - centre;
-        const Vec3 pull = residual.col(mass.unknown).head<3>();
+        const Vec3 pull = residual.col(slots[mass.unknown]).head<3>().cast<double>();
         force += pull;
         torque += arm.cross(pull);
         inertia += mass.area * (arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose());
@@ -39,7 +40,8 @@ void FreeBody::balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& resi
     const Vec3 spin = inertia.ldlt().solve(torque);
     for (const Mass& mass : m_masses) {
         const Vec3 arm = positions.col(mass.unknown).head<3>() - centre;
-        residual.col(mass.unknown).head<3>() -= mass.area * (force / m_area + spin.cross(arm));
+        residual.col(slots[mass.unknown]).head<3>() -=
+            (mass.area * (force / m_area + spin.cross(arm))).cast<float>();
     }
 }
 

@@ -13,9 +13,10 @@ class FreeBody {
 public:
     FreeBody(const SewnMesh& mesh, int component);
 
-    /// Takes net force and net torque out of `residual` (x y z 0, one column per free unknown), in proportion to
-    /// area.
-    void balance(const Eigen::Matrix4Xd& positions, Eigen::Matrix4Xd& residual) const;
+    /// Takes net force and net torque out of `residual` (x y z 0, one column per free unknown, where `slots`
+    /// says), in proportion to area.
+    void balance(const Eigen::Matrix4Xd& positions, const std::vector<int>& slots,
+                 Eigen::Ref<Eigen::Matrix4Xf> residual) const;
 
 private:
     struct Mass {

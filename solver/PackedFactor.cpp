@@ -99,13 +99,12 @@ std::span<const PackedNode> PackedFactor::part(int part) const
     return std::span(m_nodes).subspan(start[part], start[part + 1] - start[part]);
 }
 
-void PackedFactor::solve(Vectors& x, WorkerPool& pool)
+void PackedFactor::solve(WorkerPool& pool)
 {
     const PackedView view{m_values.get(), m_symbolic.rows.data()};
     const int outside = m_symbolic.outside();
     float* const work = m_x.get();
     const std::size_t spilled = 4 * static_cast<std::size_t>(m_symbolic.size() - outside);
-    std::copy_n(x.data(), x.size(), work);
     pool.forTasks(2, [&](int half) {
         std::fill_n(m_spill[half].get(), spilled, 0.0F);
         solveForward(view, part(half), work, outside, m_spill[half].get());
@@ -113,10 +112,9 @@ void PackedFactor::solve(Vectors& x, WorkerPool& pool)
     float* const above = work + 4 * static_cast<std::size_t>(outside);
     for (std::size_t i = 0; i < spilled; ++i)
         above[i] += m_spill[0][i] + m_spill[1][i];
-    solveForward(view, part(2), work, 0, nullptr);
+    solveForward(view, part(2), work, m_symbolic.size(), nullptr);
     solveBackward(view, part(2), work, m_scratch[0].get());
     pool.forTasks(2, [&](int half) { solveBackward(view, part(half), work, m_scratch[half].get()); });
-    std::copy_n(work, x.size(), x.data());
 }
 
 } // namespace bolster

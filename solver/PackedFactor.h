@@ -14,10 +14,10 @@
 namespace bolster {
 
 /// Supernodes in single precision with inverted diagonal blocks, for four right-hand sides at once. Unknowns are
-/// numbered in the order of their elimination: `slots()` says where each lies in the vectors of solve().
+/// numbered in the order of their elimination: `slots()` says where each lies in x().
 class PackedFactor {
 public:
-    using Vectors = Eigen::Matrix<float, 4, Eigen::Dynamic>;
+    using Workspace = Eigen::Map<Eigen::Matrix4Xf, Eigen::Aligned64>;
 
     PackedFactor() = default;
     explicit PackedFactor(SymbolicFactor symbolic);
@@ -27,9 +27,10 @@ public:
     bool factor(const double* values, WorkerPool& pool, const std::stop_token& stop = {});
 
     const std::vector<int>& slots() const { return m_symbolic.slots; }
-    /// x := A^-1 x, one column per unknown. The same bits on any number of threads: the work is always split at the
-    /// same place.
-    void solve(Vectors& x, WorkerPool& pool);
+    /// What solve() works on, one column per unknown.
+    Workspace x() { return {m_x.get(), 4, m_symbolic.size()}; }
+    /// x := A^-1 x. The same bits on any number of threads: the work is always split at the same place.
+    void solve(WorkerPool& pool);
     /// Memory that a solve reads twice.
     std::size_t bytes() const { return m_valueCount * sizeof(float); }
 

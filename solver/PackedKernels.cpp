@@ -66,10 +66,29 @@ HWY_INLINE void multiply(const Spread& spread, const float* HWY_RESTRICT block, 
     std::copy(sum, sum + Chunks * parts, sums);
 }
 
-HWY_INLINE void store(const Vector* sums, float* fourRows)
+/// Calls visit(row, fourRightHandSides) for the four rows of a chunk.
+template <class V, class Visit>
+HWY_INLINE void eachRow(V sums, int row, Visit visit)
+{
+    constexpr auto count = hn::MaxLanes(hn::DFromV<V>());
+    if constexpr (count == 4) {
+        visit(row, sums);
+    } else {
+        constexpr hn::Half<hn::DFromV<V>> half;
+        eachRow(hn::LowerHalf(half, sums), row, visit);
+        eachRow(hn::UpperHalf(half, sums), row + static_cast<int>(count) / 8, visit);
+    }
+}
+
+/// The same for a chunk of which only some rows are there.
+template <class Visit>
+HWY_INLINE void firstRows(const Vector* sums, int count, Visit visit)
 {
     for (int part = 0; part < parts; ++part)
-        hn::Store(sums[part], wide, fourRows + part * lanes);
+        eachRow(sums[part], part * rowsInVector, [&](int row, auto numbers) {
+            if (row < count)
+                visit(row, numbers);
+        });
 }
 
 template <int Chunks>
@@ -79,16 +98,14 @@ HWY_INLINE void pushDown(const Spread& spread, const PackedNode& node, const flo
     Vector sums[Chunks * parts];
     multiply<Chunks>(spread, panel + static_cast<std::size_t>(from) * node.width,
                      4 * static_cast<std::size_t>(node.width), node.width, own, sums);
-    HWY_ALIGN float products[16];
     for (int chunk = 0; chunk < Chunks; ++chunk) {
-        store(sums + chunk * parts, products);
         const int* at = rows + from + 4 * chunk;
-        const int count = std::min(4, node.below - from - 4 * chunk);
-        for (int r = 0; r < count; ++r) {
-            float* to = spill && at[r] >= outside ? spill + 4 * static_cast<std::size_t>(at[r] - outside)
-                                                  : x + 4 * static_cast<std::size_t>(at[r]);
-            hn::Store(hn::Sub(hn::Load(four, to), hn::Load(four, products + 4 * r)), four, to);
-        }
+        const auto lessen = [&](int row, auto product) {
+            float* to = at[row] >= outside ? spill + 4 * static_cast<std::size_t>(at[row] - outside)
+                                           : x + 4 * static_cast<std::size_t>(at[row]);
+            hn::Store(hn::Sub(hn::Load(four, to), product), four, to);
+        };
+        firstRows(sums + chunk * parts, node.below - from - 4 * chunk, lessen);
     }
 }
 
@@ -100,7 +117,6 @@ std::size_t chunkSize(const PackedNode& node, int chunk)
 void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill)
 {
     const Spread spread;
-    HWY_ALIGN float products[16];
     for (const PackedNode& node : nodes) {
         float* const own = x + 4 * static_cast<std::size_t>(node.first);
         // The last rows first: what they need of the others is still there.
@@ -111,26 +127,52 @@ void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float*
             block -= size;
             Vector sums[parts];
             multiply<1>(spread, block, 0, static_cast<int>(size / 4), own, sums);
-            store(sums, products);
-            const int count = std::min(4, node.width - 4 * chunk);
-            for (int r = 0; r < count; ++r)
-                hn::Store(hn::Load(four, products + 4 * r), four, own + 16 * chunk + 4 * r);
+            firstRows(sums, node.width - 4 * chunk,
+                      [&](int row, auto numbers) { hn::Store(numbers, four, own + 16 * chunk + 4 * row); });
         }
         const float* const panel = factor.values + node.panel;
         const int* const rows = factor.rows + node.rows;
         int from = 0;
         for (; from + 4 * chunksAtOnce < node.below + 4; from += 4 * chunksAtOnce)
             pushDown<chunksAtOnce>(spread, node, panel, rows, from, own, x, outside, spill);
-        for (; from < node.below; from += 4)
+        for (; from + 4 < node.below; from += 8)
+            pushDown<2>(spread, node, panel, rows, from, own, x, outside, spill);
+        if (from < node.below)
             pushDown<1>(spread, node, panel, rows, from, own, x, outside, spill);
     }
 }
 
+using FourVector = hn::Vec<Four>;
+
+/// The rows of a vector added up.
+template <class V>
+HWY_INLINE FourVector sumOfRows(V rows)
+{
+    if constexpr (hn::MaxLanes(hn::DFromV<V>()) == 4) {
+        return rows;
+    } else {
+        constexpr hn::Half<hn::DFromV<V>> half;
+        return sumOfRows(hn::Add(hn::LowerHalf(half, rows), hn::UpperHalf(half, rows)));
+    }
+}
+
+/// `Count` unknowns side by side; get(i) has the i-th.
+template <int Count, class Get>
+HWY_INLINE auto sideBySide(Get get, int first = 0)
+{
+    if constexpr (Count == 1) {
+        return get(first);
+    } else {
+        const auto lower = sideBySide<Count / 2>(get, first), upper = sideBySide<Count / 2>(get, first + Count / 2);
+        return hn::Combine(hn::FixedTag<float, 4 * Count>(), upper, lower);
+    }
+}
+
 /// Columns column .. column + Columns - 1 of some chunks, transposed, times y: replaces or lessens `out`.
-template <int Columns, bool Lessen, class Offset>
+/// y(chunk, part) has `rowsInVector` rows of it.
+template <int Columns, bool Lessen, class Offset, class Load>
 HWY_INLINE void multiplyTransposed(const Spread& spread, const float* HWY_RESTRICT block, Offset offset,
-                                   int firstChunk, int lastChunk, int column, const float* HWY_RESTRICT y,
-                                   float* out)
+                                   int firstChunk, int lastChunk, int column, const Load& y, float* out)
 {
     Vector sum[Columns];
     for (Vector& s : sum)
@@ -138,21 +180,47 @@ HWY_INLINE void multiplyTransposed(const Spread& spread, const float* HWY_RESTRI
     for (int chunk = firstChunk; chunk < lastChunk; ++chunk) {
         const float* const numbers = block + offset(chunk) + 4 * column;
         for (int part = 0; part < parts; ++part) {
-            const Vector rows = hn::LoadU(wide, y + 16 * chunk + part * lanes);
+            const Vector rows = y(chunk, part);
             for (int k = 0; k < Columns; ++k)
                 sum[k] = hn::MulAdd(spread(hn::LoadDup128(wide, numbers + 4 * k), part), rows, sum[k]);
         }
     }
-    HWY_ALIGN float rows[16];
-    for (int k = 0; k < Columns; ++k) {
-        hn::Store(sum[k], wide, rows);
-        auto total = hn::Load(four, rows);
-        for (int row = 1; row < rowsInVector; ++row)
-            total = hn::Add(total, hn::Load(four, rows + 4 * row));
-        if (Lessen)
-            total = hn::Sub(hn::Load(four, out + 4 * k), total);
-        hn::Store(total, four, out + 4 * k);
+    // What is stored together can be loaded together at once.
+    constexpr int together = std::min(Columns, rowsInVector);
+    constexpr hn::FixedTag<float, 4 * together> tag;
+    for (int k = 0; k < Columns; k += together) {
+        const auto total = sideBySide<together>([&](int i) { return sumOfRows(sum[k + i]); });
+        hn::StoreU(Lessen ? hn::Sub(hn::LoadU(tag, out + 4 * k), total) : total, tag, out + 4 * k);
     }
+}
+
+/// All columns of a node.
+template <bool Lessen, class Offset, class First, class Load>
+HWY_INLINE void multiplyColumns(const Spread& spread, const float* block, int width, Offset offset,
+                                First firstChunk, int chunks, const Load& y, float* own)
+{
+    int k = 0;
+    if (Lessen)
+        for (; k + 8 <= width; k += 8)
+            multiplyTransposed<8, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
+    for (; k + 4 <= width; k += 4)
+        multiplyTransposed<4, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
+    if (k + 2 <= width) {
+        multiplyTransposed<2, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
+        k += 2;
+    }
+    if (k < width)
+        multiplyTransposed<1, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
+}
+
+/// Rows from + part * rowsInVector ... of a node, zeros behind the last.
+template <class At>
+HWY_INLINE Vector gathered(int from, int part, int count, At at)
+{
+    return sideBySide<rowsInVector>([&](int i) {
+        const int row = from + part * rowsInVector + i;
+        return row < count ? hn::Load(four, at(row)) : hn::Zero(four);
+    });
 }
 
 void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
@@ -162,30 +230,37 @@ void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float
         float* const own = x + 4 * static_cast<std::size_t>(node->first);
         if (node->below > 0) {
             const int* const rows = factor.rows + node->rows;
-            for (int r = 0; r < node->below; ++r)
-                hn::Store(hn::Load(four, x + 4 * static_cast<std::size_t>(rows[r])), four, scratch + 4 * r);
-            std::fill_n(scratch + 4 * static_cast<std::size_t>(node->below), 16, 0.0F);
-            const float* const panel = factor.values + node->panel;
+            const auto below = [&](int row) { return x + 4 * static_cast<std::size_t>(rows[row]); };
             const int chunks = (node->below + 3) / 4;
+            const float* const panel = factor.values + node->panel;
             const auto offset = [&](int chunk) { return 4 * static_cast<std::size_t>(chunk) * node->width; };
-            int k = 0;
-            for (; k + 8 <= node->width; k += 8)
-                multiplyTransposed<8, true>(spread, panel, offset, 0, chunks, k, scratch, own + 4 * k);
-            for (; k + 4 <= node->width; k += 4)
-                multiplyTransposed<4, true>(spread, panel, offset, 0, chunks, k, scratch, own + 4 * k);
-            for (; k < node->width; ++k)
-                multiplyTransposed<1, true>(spread, panel, offset, 0, chunks, k, scratch, own + 4 * k);
+            const auto all = [](int) { return 0; };
+            constexpr int narrow = 8;
+            if (node->width <= narrow) {
+                const auto gather = [&](int chunk, int part) {
+                    return gathered(4 * chunk, part, node->below, below);
+                };
+                multiplyColumns<true>(spread, panel, node->width, offset, all, chunks, gather, own);
+            } else {
+                for (int row = 0; row < 4 * chunks; row += rowsInVector)
+                    hn::Store(gathered(row, 0, node->below, below), wide, scratch + 4 * row);
+                const auto load = [&](int chunk, int part) {
+                    return hn::Load(wide, scratch + 16 * chunk + part * lanes);
+                };
+                multiplyColumns<true>(spread, panel, node->width, offset, all, chunks, load, own);
+            }
         }
-        std::copy_n(own, 4 * static_cast<std::size_t>(node->width), scratch);
-        std::fill_n(scratch + 4 * static_cast<std::size_t>(node->width), 16, 0.0F);
-        const float* const block = factor.values + node->diagonal;
-        const int chunks = (node->width + 3) / 4;
+        // The first columns first: what they need of the others is still there.
         const auto offset = [](int chunk) { return 8 * static_cast<std::size_t>(chunk) * (chunk + 1); };
-        int k = 0;
-        for (; k + 4 <= node->width; k += 4)
-            multiplyTransposed<4, false>(spread, block, offset, k / 4, chunks, k, scratch, own + 4 * k);
-        for (; k < node->width; ++k)
-            multiplyTransposed<1, false>(spread, block, offset, k / 4, chunks, k, scratch, own + 4 * k);
+        const auto load = [&](int chunk, int part) {
+            const int row = 4 * chunk + part * rowsInVector;
+            return row + rowsInVector <= node->width
+                       ? hn::LoadU(wide, own + 4 * row)
+                       : gathered(row, 0, node->width, [own](int r) { return own + 4 * r; });
+        };
+        multiplyColumns<false>(
+            spread, factor.values + node->diagonal, node->width, offset, [](int k) { return k / 4; },
+            (node->width + 3) / 4, load, own);
     }
 }
 

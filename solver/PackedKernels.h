@@ -24,7 +24,7 @@ struct PackedView {
 };
 
 /// x := L^-1 x for these nodes, in this order. What they add to rows of later nodes from `outside` on goes to
-/// `spill` (row `outside` first) instead of x; without a spill all goes to x.
+/// `spill` (row `outside` first) instead of x.
 void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill);
 /// x := L^-T x for these nodes, last first. `scratch` has room for the longest list of rows and columns.
 void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch);

@@ -20,15 +20,32 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// A column: the compiler makes of it what the instruction set has.
 using Four [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
+using FourFloats [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = float;
+
+template <class Number>
+HWY_INLINE Number* at(Number* columns, int i)
+{
+    return columns + 4 * static_cast<std::ptrdiff_t>(i);
+}
 
 HWY_INLINE const Four& column(const Columns& columns, int i)
 {
-    return *reinterpret_cast<const Four*>(columns.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    return *reinterpret_cast<const Four*>(at(columns.data(), i));
 }
 
 HWY_INLINE Four& column(Columns& columns, int i)
 {
-    return *reinterpret_cast<Four*>(columns.data() + 4 * static_cast<std::ptrdiff_t>(i));
+    return *reinterpret_cast<Four*>(at(columns.data(), i));
+}
+
+HWY_INLINE void widen(const float* numbers, Four& to)
+{
+    to = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(numbers), Four);
+}
+
+HWY_INLINE void narrow(const Four& numbers, float* to)
+{
+    *reinterpret_cast<FourFloats*>(to) = __builtin_convertvector(numbers, FourFloats);
 }
 
 HWY_INLINE double dot(const Four& a, const Four& b)
@@ -37,7 +54,7 @@ HWY_INLINE double dot(const Four& a, const Four& b)
     return (product[0] + product[1]) + (product[2] + product[3]);
 }
 
-constexpr int block = 8; // vertices that are fitted together
+constexpr int block = 8; // vertices that are worked on together
 
 // One number of each vertex of a block.
 using Wide = hn::CappedTag<double, block>;
@@ -46,16 +63,32 @@ constexpr Wide wide;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
 constexpr double regularisation = 4e-4; // as in LocalStep
 constexpr double largestStrain = 0.5;
+constexpr double suspicious =
+    0.05; // of a ring's weight: so far its frames are apart where one may be of opposite sign
 
-struct alignas(64) FitBlock {
-    double covariance[6][block]; // two columns
-    double area[block];
-    double inverse[3][block];
-    double frame[4][block];
-    double fitted[4][block];
-    double stretch[3][block];
-    double sound[block]; // 0 where the closed form fails
+/// A column of each vertex of a block.
+struct alignas(64) Columns8 {
+    double numbers[block][4];
+
+    HWY_INLINE Four& operator[](int i) { return *reinterpret_cast<Four*>(numbers[i]); }
+    HWY_INLINE void fill(const Columns& from, int first, int count)
+    {
+        for (int i = 0; i < count; ++i)
+            (*this)[i] = column(from, first + i);
+    }
 };
+
+/// The same, turned: a vector for each row.
+struct Rows {
+    Vector w, x, y, z;
+
+    HWY_INLINE explicit Rows(const double* columns) { hn::LoadInterleaved4(wide, columns, w, x, y, z); }
+};
+
+HWY_INLINE void store(Vector w, Vector x, Vector y, Vector z, double* columns)
+{
+    hn::StoreInterleaved4(w, x, y, z, wide, columns);
+}
 
 struct Rotated {
     Vector x, y, z;
@@ -66,27 +99,51 @@ HWY_INLINE Vector inner(const Rotated& a, const Rotated& b)
     return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
-/// fitVertex of LocalStep for a register of vertices.
-HWY_INLINE void fit(FitBlock& in, int at, double poisson)
+/// Two columns of a rotation matrix.
+struct TwoColumns {
+    Rotated first, second;
+};
+
+HWY_INLINE TwoColumns rotated(const Rows& q)
 {
-    const auto load = [&](const double* numbers) { return hn::Load(wide, numbers + at); };
     const Vector one = hn::Set(wide, 1.0), two = hn::Set(wide, 2.0);
-    const Vector w = load(in.frame[0]), x = load(in.frame[1]), y = load(in.frame[2]), z = load(in.frame[3]);
-    const Vector pull = hn::Mul(hn::Set(wide, regularisation), load(in.area));
     const auto twiceSum = [&](Vector a, Vector b, Vector c, Vector d) {
         return hn::Mul(two, hn::MulAdd(a, b, hn::Mul(c, d)));
     };
     const auto twiceDifference = [&](Vector a, Vector b, Vector c, Vector d) {
         return hn::Mul(two, hn::MulSub(a, b, hn::Mul(c, d)));
     };
-    const Rotated before0{hn::Sub(one, twiceSum(y, y, z, z)), twiceSum(x, y, w, z), twiceDifference(x, z, w, y)};
-    const Rotated before1{twiceDifference(x, y, w, z), hn::Sub(one, twiceSum(x, x, z, z)), twiceSum(y, z, w, x)};
-    const Rotated g0{hn::MulAdd(pull, before0.x, load(in.covariance[0])),
-                     hn::MulAdd(pull, before0.y, load(in.covariance[1])),
-                     hn::MulAdd(pull, before0.z, load(in.covariance[2]))};
-    const Rotated g1{hn::MulAdd(pull, before1.x, load(in.covariance[3])),
-                     hn::MulAdd(pull, before1.y, load(in.covariance[4])),
-                     hn::MulAdd(pull, before1.z, load(in.covariance[5]))};
+    return {{hn::Sub(one, twiceSum(q.y, q.y, q.z, q.z)), twiceSum(q.x, q.y, q.w, q.z),
+             twiceDifference(q.x, q.z, q.w, q.y)},
+            {twiceDifference(q.x, q.y, q.w, q.z), hn::Sub(one, twiceSum(q.x, q.x, q.z, q.z)),
+             twiceSum(q.y, q.z, q.w, q.x)}};
+}
+
+HWY_INLINE Rotated combine(const Rotated& a, Vector p, const Rotated& b, Vector q)
+{
+    return {hn::MulAdd(a.x, p, hn::Mul(b.x, q)), hn::MulAdd(a.y, p, hn::Mul(b.y, q)),
+            hn::MulAdd(a.z, p, hn::Mul(b.z, q))};
+}
+
+struct FitBlock {
+    Columns8 covariance[2], frame, smoothing; // in
+    Columns8 fitted, residual, stretch;       // out; the last number of a stretch is -1 where the closed form fails
+};
+
+/// fitVertex of LocalStep for a register of vertices, and the residual of L2.
+HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex, double poisson, double bending)
+{
+    const auto load = [&](const std::vector<double>& numbers) { return hn::LoadU(wide, numbers.data() + vertex); };
+    const Vector one = hn::Set(wide, 1.0);
+    const Rows q(in.frame.numbers[from]);
+    const Vector ringArea = load(rings.area);
+    const Vector pull = hn::Mul(hn::Set(wide, regularisation), ringArea);
+    const TwoColumns before = rotated(q);
+    const auto regular = [&](const Rows& c, const Rotated& r) {
+        return Rotated{hn::MulAdd(pull, r.x, c.w), hn::MulAdd(pull, r.y, c.x), hn::MulAdd(pull, r.z, c.y)};
+    };
+    const Rotated g0 = regular(Rows(in.covariance[0].numbers[from]), before.first);
+    const Rotated g1 = regular(Rows(in.covariance[1].numbers[from]), before.second);
     const Rotated normal{hn::MulSub(g0.y, g1.z, hn::Mul(g0.z, g1.y)), hn::MulSub(g0.z, g1.x, hn::Mul(g0.x, g1.z)),
                          hn::MulSub(g0.x, g1.y, hn::Mul(g0.y, g1.x))};
     const Vector area = hn::Sqrt(inner(normal, normal));
@@ -94,10 +151,6 @@ HWY_INLINE void fit(FitBlock& in, int at, double poisson)
     const Vector determinant = hn::MulSub(m00, m11, hn::Mul(m01, m01));
     const Vector scale = hn::Div(hn::Sqrt(hn::Add(m00, m11)), determinant);
     const Vector s00 = hn::Mul(m11, scale), s11 = hn::Mul(m00, scale), s01 = hn::Neg(hn::Mul(m01, scale));
-    const auto combine = [](const Rotated& a, Vector p, const Rotated& b, Vector q) {
-        return Rotated{hn::MulAdd(a.x, p, hn::Mul(b.x, q)), hn::MulAdd(a.y, p, hn::Mul(b.y, q)),
-                       hn::MulAdd(a.z, p, hn::Mul(b.z, q))};
-    };
     const Rotated r0 = combine(g0, s00, g1, s01), r1 = combine(g0, s01, g1, s11);
     const Vector unit = hn::Div(one, area);
     const Rotated r2{hn::Mul(normal.x, unit), hn::Mul(normal.y, unit), hn::Mul(normal.z, unit)};
@@ -106,19 +159,26 @@ HWY_INLINE void fit(FitBlock& in, int at, double poisson)
     const Vector wx = hn::Sub(r1.z, r2.y), wy = hn::Sub(r2.x, r0.z), wz = hn::Sub(r0.y, r1.x);
     const Vector xy = hn::Add(r0.y, r1.x), xz = hn::Add(r0.z, r2.x), yz = hn::Add(r1.z, r2.y);
     const auto row = [&](Vector a, Vector b, Vector c, Vector d) {
-        return hn::MulAdd(a, w, hn::MulAdd(b, x, hn::MulAdd(c, y, hn::Mul(d, z))));
+        return hn::MulAdd(a, q.w, hn::MulAdd(b, q.x, hn::MulAdd(c, q.y, hn::Mul(d, q.z))));
     };
     const Vector plus = hn::Add(one, r0.x), minus = hn::Sub(one, r0.x);
     const Vector sum = hn::Add(r1.y, r2.z), difference = hn::Sub(r1.y, r2.z);
-    const Vector q[4] = {row(hn::Add(plus, sum), wx, wy, wz), row(wx, hn::Sub(plus, sum), xy, xz),
-                         row(wy, xy, hn::Add(minus, difference), yz), row(wz, xz, yz, hn::Sub(minus, difference))};
+    Vector f[4] = {row(hn::Add(plus, sum), wx, wy, wz), row(wx, hn::Sub(plus, sum), xy, xz),
+                   row(wy, xy, hn::Add(minus, difference), yz), row(wz, xz, yz, hn::Sub(minus, difference))};
     const Vector square =
-        hn::MulAdd(q[0], q[0], hn::MulAdd(q[1], q[1], hn::MulAdd(q[2], q[2], hn::Mul(q[3], q[3]))));
+        hn::MulAdd(f[0], f[0], hn::MulAdd(f[1], f[1], hn::MulAdd(f[2], f[2], hn::Mul(f[3], f[3]))));
     const Vector length = hn::Div(one, hn::Sqrt(square));
-    for (int i = 0; i < 4; ++i)
-        hn::Store(hn::Mul(q[i], length), wide, in.fitted[i] + at);
+    for (Vector& number : f)
+        number = hn::Mul(number, length);
+    store(f[0], f[1], f[2], f[3], in.fitted.numbers[from]);
+    const Rows smoothing(in.smoothing.numbers[from]);
+    const auto residual = [&](Vector wanted, Vector now, Vector smooth) {
+        return hn::MulAdd(ringArea, hn::Sub(wanted, now), hn::Mul(hn::Set(wide, bending), smooth));
+    };
+    store(residual(f[0], q.w, smoothing.w), residual(f[1], q.x, smoothing.x), residual(f[2], q.y, smoothing.y),
+          residual(f[3], q.z, smoothing.z), in.residual.numbers[from]);
 
-    const Vector i00 = load(in.inverse[0]), i01 = load(in.inverse[1]), i11 = load(in.inverse[2]);
+    const Vector i00 = load(rings.inverse[0]), i01 = load(rings.inverse[1]), i11 = load(rings.inverse[2]);
     const Rotated f0 = combine(g0, i00, g1, i01), f1 = combine(g0, i01, g1, i11);
     const auto clamped = [](Vector strain) {
         return hn::Clamp(strain, hn::Set(wide, -largestStrain), hn::Set(wide, largestStrain));
@@ -126,95 +186,87 @@ HWY_INLINE void fit(FitBlock& in, int at, double poisson)
     const Vector nu = hn::Set(wide, poisson);
     const Vector xxStrain = clamped(hn::Sub(inner(r0, f0), one)), yyStrain = clamped(hn::Sub(inner(r1, f1), one));
     const Vector xyStrain = clamped(hn::Mul(hn::Set(wide, 0.5), hn::Add(inner(r0, f1), inner(r1, f0))));
-    hn::Store(hn::NegMulAdd(nu, yyStrain, one), wide, in.stretch[0] + at);
-    hn::Store(hn::Mul(nu, xyStrain), wide, in.stretch[1] + at);
-    hn::Store(hn::NegMulAdd(nu, xxStrain, one), wide, in.stretch[2] + at);
-
     const auto sound = hn::And(hn::And(hn::Gt(determinant, hn::Zero(wide)), hn::Gt(area, hn::Zero(wide))),
                                hn::Gt(square, hn::Set(wide, 1e-12)));
-    hn::Store(hn::IfThenElseZero(sound, one), wide, in.sound + at);
+    store(hn::NegMulAdd(nu, yyStrain, one), hn::Mul(nu, xyStrain), hn::NegMulAdd(nu, xxStrain, one),
+          hn::IfThenElse(sound, hn::Zero(wide), hn::Set(wide, -1.0)), in.stretch.numbers[from]);
 }
 
-void FitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson, int begin,
-               int end, Columns& right, Columns& stretch)
+bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
+               double bending, int begin, int end, const SheetResults& to)
 {
     FitBlock in{};
+    bool agree = true;
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
         for (int i = 0; i < count; ++i) {
             const SheetRings::Vertex* const vertex = &rings.vertices[first + i];
-            const Four here = column(positions, vertex->unknown);
-            Four c0 = here * -vertex->pull[0], c1 = here * -vertex->pull[1];
+            const Four here = column(positions, vertex->unknown), frame = column(frames, first + i);
+            Four c0 = here * -vertex->pull[0], c1 = here * -vertex->pull[1], smoothing = frame * -vertex->weight;
             for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
                 const SheetRings::Edge& edge = rings.edges[k];
-                const Four there = column(positions, edge.unknown);
+                const Four there = column(positions, edge.unknown), frameThere = column(frames, edge.vertex);
                 c0 += there * edge.pull[0];
                 c1 += there * edge.pull[1];
+                smoothing += frameThere * edge.weight;
             }
-            for (int c = 0; c < 3; ++c) {
-                in.covariance[c][i] = c0[c];
-                in.covariance[3 + c][i] = c1[c];
-                in.inverse[c][i] = vertex->inverse[c];
-            }
-            const Four frame = column(frames, first + i);
-            for (int c = 0; c < 4; ++c)
-                in.frame[c][i] = frame[c];
-            in.area[i] = vertex->area;
+            agree = agree && dot(frame, smoothing) > -suspicious * vertex->weight;
+            in.covariance[0][i] = c0;
+            in.covariance[1][i] = c1;
+            in.smoothing[i] = smoothing;
+            in.frame[i] = frame;
         }
-        for (int at = 0; at < block; at += lanes)
-            fit(in, at, poisson);
+        for (int from = 0; from < block; from += lanes)
+            fit(in, from, rings, first + from, poisson, bending);
         for (int i = 0; i < count; ++i) {
-            Four fitted, strain{in.stretch[0][i], in.stretch[1][i], in.stretch[2][i], 0};
-            for (int c = 0; c < 4; ++c)
-                fitted[c] = in.fitted[c][i];
-            column(right, first + i) = fitted * in.area[i];
-            column(stretch, first + i) = in.sound[i] != 0 ? strain : Four{0, 0, 0, -1}; // -1: by the slow way
+            narrow(in.residual[i], at(to.turns, to.turnSlots[first + i]));
+            narrow(in.stretch[i], at(to.stretch, first + i));
+            if (to.fitted)
+                *reinterpret_cast<Four*>(at(to.fitted, first + i)) = in.fitted[i] * rings.area[first + i];
         }
     }
+    return agree;
 }
 
-bool FrameResiduals(const SheetRings& rings, const Columns& frames, const Columns& right, double bending, int begin,
-                    int end, const std::vector<int>& slots, Eigen::Matrix4Xf& residuals)
+void TurnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
+                Columns& maps)
 {
-    double least = 0;
-    for (int v = begin; v < end; ++v) {
-        const SheetRings::Vertex* const vertex = &rings.vertices[v];
-        const Four here = column(frames, v);
-        Four smoothing = here * -vertex->weight;
-        for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
-            const Four there = column(frames, rings.edges[k].vertex);
-            smoothing += there * rings.edges[k].weight;
-            least = std::min(least, dot(here, there));
+    Columns8 before{}, after{}, stretch{}, map[2]{};
+    for (int first = begin; first < end; first += block) {
+        const int count = std::min(block, end - first);
+        before.fill(frames, first, count);
+        for (int i = 0; i < count; ++i) {
+            widen(at(results.turns, results.turnSlots[first + i]), after[i]);
+            after[i] += before[i];
+            widen(at(results.stretch, first + i), stretch[i]);
         }
-        const Four residual = column(right, v) - here * vertex->area + smoothing * bending;
-        float* const to = residuals.data() + 4 * static_cast<std::ptrdiff_t>(slots[v]);
-        for (int c = 0; c < 4; ++c)
-            to[c] = static_cast<float>(residual[c]);
-    }
-    return least >= 0;
-}
-
-void TurnFrames(const Columns& frames, const Eigen::Matrix4Xf& turns, const std::vector<int>& slots,
-                const Columns& stretch, int begin, int end, Columns& turned, Columns& maps)
-{
-    for (int v = begin; v < end; ++v) {
-        const float* const turn = turns.data() + 4 * static_cast<std::ptrdiff_t>(slots[v]);
-        const Four before = column(frames, v);
-        Four q = before + Four{turn[0], turn[1], turn[2], turn[3]};
-        const double square = dot(q, q);
-        q = square > 1e-24 ? q * (1 / std::sqrt(square)) : before;
-        column(turned, v) = q;
-        const double w = q[0], x = q[1], y = q[2], z = q[3];
-        const Four r0{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y), 0};
-        const Four r1{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x), 0};
-        const Four t = column(stretch, v);
-        column(maps, 2 * v) = r0 * t[0] + r1 * t[1];
-        column(maps, 2 * v + 1) = r0 * t[1] + r1 * t[2];
+        for (int from = 0; from < block; from += lanes) {
+            const Rows old(before.numbers[from]), t(stretch.numbers[from]);
+            Rows q(after.numbers[from]);
+            const Vector square =
+                hn::MulAdd(q.w, q.w, hn::MulAdd(q.x, q.x, hn::MulAdd(q.y, q.y, hn::Mul(q.z, q.z))));
+            const auto sound = hn::Gt(square, hn::Set(wide, 1e-24));
+            const Vector length = hn::Div(hn::Set(wide, 1.0), hn::Sqrt(square));
+            q.w = hn::IfThenElse(sound, hn::Mul(q.w, length), old.w);
+            q.x = hn::IfThenElse(sound, hn::Mul(q.x, length), old.x);
+            q.y = hn::IfThenElse(sound, hn::Mul(q.y, length), old.y);
+            q.z = hn::IfThenElse(sound, hn::Mul(q.z, length), old.z);
+            store(q.w, q.x, q.y, q.z, after.numbers[from]);
+            const TwoColumns r = rotated(q);
+            const Rotated m0 = combine(r.first, t.w, r.second, t.x), m1 = combine(r.first, t.x, r.second, t.y);
+            store(m0.x, m0.y, m0.z, hn::Zero(wide), map[0].numbers[from]);
+            store(m1.x, m1.y, m1.z, hn::Zero(wide), map[1].numbers[from]);
+        }
+        for (int i = 0; i < count; ++i) {
+            column(turned, first + i) = after[i];
+            column(maps, 2 * (first + i)) = map[0][i];
+            column(maps, 2 * (first + i) + 1) = map[1][i];
+        }
     }
 }
 
 void RingForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, Columns& forces)
+                int end, const SheetResults& to)
 {
     for (int v = begin; v < end; ++v) {
         const SheetRings::Vertex* const vertex = &rings.vertices[v];
@@ -226,7 +278,13 @@ void RingForces(const SheetRings& rings, const Columns& positions, const Columns
             preferred +=
                 column(maps, 2 * edge.vertex) * edge.pull[0] + column(maps, 2 * edge.vertex + 1) * edge.pull[1];
         }
-        column(forces, v) = (places * 2 - preferred) * stiffness;
+        Four force = (places * 2 - preferred) * stiffness;
+        if (to.outer)
+            force += *reinterpret_cast<const Four*>(at(to.outer, v));
+        if (to.moveSlots[v] >= 0)
+            narrow(force, at(to.moves, to.moveSlots[v]));
+        else
+            *reinterpret_cast<Four*>(at(to.forces, v)) = force;
     }
 }
 
@@ -238,21 +296,59 @@ HWY_AFTER_NAMESPACE();
 namespace bolster {
 
 HWY_EXPORT(FitFrames);
-HWY_EXPORT(FrameResiduals);
 HWY_EXPORT(TurnFrames);
 HWY_EXPORT(RingForces);
 
+namespace {
+
+constexpr double regular = 4e-4; // as in LocalStep
+
+/// A collapsed ring, or a half turn: rare.
+void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
+               double bending, int v, const SheetResults& to)
+{
+    const SheetRings::Vertex* const vertex = &rings.vertices[v];
+    const Eigen::Vector4d frame = frames.col(v);
+    Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Vector4d smoothing = Eigen::Vector4d::Zero();
+    for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
+        const SheetRings::Edge& ring = rings.edges[k];
+        const Vec3 edge = (positions.col(ring.unknown) - positions.col(vertex->unknown)).head<3>();
+        covariance += edge * Eigen::RowVector2d(ring.pull[0], ring.pull[1]);
+        smoothing += ring.weight * (frames.col(ring.vertex) - frame);
+    }
+    Eigen::Matrix2d inverse;
+    inverse << rings.inverse[0][v], rings.inverse[1][v], rings.inverse[1][v], rings.inverse[2][v];
+    const double area = rings.area[v];
+    const Eigen::Matrix2d rest = inverse.inverse() - regular * area * Eigen::Matrix2d::Identity();
+    const LocalFit fit = fitVertex(covariance, rest, area, frame, poisson);
+    using Four = Eigen::Map<Eigen::Vector4d>;
+    using FourFloats = Eigen::Map<Eigen::Vector4f>;
+    const auto column = [](auto* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); };
+    FourFloats(column(to.turns, to.turnSlots[v])) =
+        (area * (fit.frame - frame) + bending * smoothing).cast<float>();
+    FourFloats(column(to.stretch, v)) =
+        Eigen::Vector4d(fit.stretch(0, 0), fit.stretch(0, 1), fit.stretch(1, 1), 0).cast<float>();
+    if (to.fitted)
+        Four(column(to.fitted, v)) = area * fit.frame;
+}
+
+} // namespace
+
 SheetRings::SheetRings(const SewnMesh& mesh)
 {
-    constexpr double regular = 4e-4;
     const auto& unknown = mesh.topology->unknown;
+    const std::size_t padded = mesh.area.size() + 8; // whole registers are read
     edges.reserve(mesh.ring.size());
     vertices.reserve(mesh.area.size() + 1);
+    area.assign(padded, 1);
+    std::ranges::copy(mesh.area, area.begin());
+    for (auto& numbers : inverse)
+        numbers.assign(padded, 1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         Vertex vertex;
         vertex.unknown = static_cast<int>(unknown[v]);
         vertex.firstEdge = static_cast<int>(edges.size());
-        vertex.area = mesh.area[v];
         Eigen::Matrix2d rest = regular * mesh.area[v] * Eigen::Matrix2d::Identity();
         for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
             const SewnMesh::RingEdge& ring = mesh.ring[k];
@@ -265,9 +361,9 @@ SheetRings::SheetRings(const SewnMesh& mesh)
             rest += pull * ring.rest.transpose();
         }
         const double determinant = rest.determinant();
-        vertex.inverse[0] = rest(1, 1) / determinant;
-        vertex.inverse[1] = -rest(0, 1) / determinant;
-        vertex.inverse[2] = rest(0, 0) / determinant;
+        inverse[0][v] = rest(1, 1) / determinant;
+        inverse[1][v] = -rest(0, 1) / determinant;
+        inverse[2][v] = rest(0, 0) / determinant;
         vertices.push_back(vertex);
     }
     Vertex last;
@@ -275,45 +371,26 @@ SheetRings::SheetRings(const SewnMesh& mesh)
     vertices.push_back(last);
 }
 
-void fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson, int begin,
-               int end, Columns& right, Columns& stretch)
+bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
+               double bending, int begin, int end, const SheetResults& to)
 {
-    HWY_DYNAMIC_DISPATCH(FitFrames)(rings, positions, frames, poisson, begin, end, right, stretch);
+    const bool agree = HWY_DYNAMIC_DISPATCH(FitFrames)(rings, positions, frames, poisson, bending, begin, end, to);
     for (int v = begin; v < end; ++v)
-        if (stretch(3, v) < 0) {
-            // A collapsed ring, or a half turn: rare.
-            const SheetRings::Vertex* const vertex = &rings.vertices[v];
-            Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
-            Eigen::Matrix2d inverse;
-            inverse << vertex->inverse[0], vertex->inverse[1], vertex->inverse[1], vertex->inverse[2];
-            for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
-                const Vec3 edge =
-                    (positions.col(rings.edges[k].unknown) - positions.col(vertex->unknown)).head<3>();
-                covariance += edge * Eigen::RowVector2d(rings.edges[k].pull[0], rings.edges[k].pull[1]);
-            }
-            const Eigen::Matrix2d rest = inverse.inverse() - 4e-4 * vertex->area * Eigen::Matrix2d::Identity();
-            const LocalFit fit = fitVertex(covariance, rest, vertex->area, frames.col(v), poisson);
-            right.col(v) = vertex->area * fit.frame;
-            stretch.col(v) << fit.stretch(0, 0), fit.stretch(0, 1), fit.stretch(1, 1), 0;
-        }
+        if (to.stretch[4 * static_cast<std::ptrdiff_t>(v) + 3] < 0)
+            fitSlowly(rings, positions, frames, poisson, bending, v, to);
+    return agree;
 }
 
-bool frameResiduals(const SheetRings& rings, const Columns& frames, const Columns& right, double bending, int begin,
-                    int end, const std::vector<int>& slots, Eigen::Matrix4Xf& residuals)
+void turnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
+                Columns& maps)
 {
-    return HWY_DYNAMIC_DISPATCH(FrameResiduals)(rings, frames, right, bending, begin, end, slots, residuals);
-}
-
-void turnFrames(const Columns& frames, const Eigen::Matrix4Xf& turns, const std::vector<int>& slots,
-                const Columns& stretch, int begin, int end, Columns& turned, Columns& maps)
-{
-    HWY_DYNAMIC_DISPATCH(TurnFrames)(frames, turns, slots, stretch, begin, end, turned, maps);
+    HWY_DYNAMIC_DISPATCH(TurnFrames)(frames, results, begin, end, turned, maps);
 }
 
 void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, Columns& forces)
+                int end, const SheetResults& to)
 {
-    HWY_DYNAMIC_DISPATCH(RingForces)(rings, positions, maps, stiffness, begin, end, forces);
+    HWY_DYNAMIC_DISPATCH(RingForces)(rings, positions, maps, stiffness, begin, end, to);
 }
 
 } // namespace bolster

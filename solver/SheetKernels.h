@@ -4,6 +4,7 @@
 #include "SewnMesh.h"
 #include "SheetState.h"
 
+#include <array>
 #include <vector>
 
 namespace bolster {
@@ -21,33 +22,45 @@ struct SheetRings {
     struct Vertex {
         int unknown = 0;
         int firstEdge = 0;
-        double area = 0;               ///< A_i
-        double weight = 0;             ///< sum of w_ij
-        double pull[2] = {0, 0};       ///< sum of w_ij e_ij
-        double inverse[3] = {0, 0, 0}; ///< of the regularised S_i: xx, xy, yy
+        double weight = 0;       ///< sum of w_ij
+        double pull[2] = {0, 0}; ///< sum of w_ij e_ij
     };
 
     std::vector<Edge> edges;      ///< ring after ring
     std::vector<Vertex> vertices; ///< and one more, where the last ring ends
+    // Per vertex, and some more, since whole registers are read.
+    std::vector<double> area;                   ///< A_i
+    std::array<std::vector<double>, 3> inverse; ///< of the regularised S_i: xx, xy, yy
+};
+
+/// Where the loops put what they find: four numbers for each vertex or unknown.
+struct SheetResults {
+    const int* turnSlots = nullptr; ///< where each vertex lies in `turns`
+    float* turns = nullptr;         ///< L2's residuals, then its corrections
+    float* stretch = nullptr;       ///< T_i: xx, xy, yy, 0
+    double* fitted = nullptr;       ///< A_i qhat_i, if wanted
+
+    const double* outer = nullptr; ///< forces that are not the ring's, if there are any
+    /// Where each vertex' unknown lies in `moves` if the vertex alone has it and it is free, else -1.
+    const int* moveSlots = nullptr;
+    float* moves = nullptr;   ///< L1's residuals
+    double* forces = nullptr; ///< of the other vertices
 };
 
 // All for the vertices begin .. end - 1 of one part, so that parts of a mesh can be given to threads.
 
-/// The local step: A_i qhat_i and T_i (xx, xy, yy, unused). `poisson` is nu.
-void fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson, int begin,
-               int end, Columns& right, Columns& stretch);
-
-/// The residual of L2, right_i - A_i q_i + bending * sum w_ij (q_j - q_i), in the order of `slots`; `bending` is
-/// 2 lambda^2. False when some neighbours' quaternions lie in opposite hemispheres.
-bool frameResiduals(const SheetRings& rings, const Columns& frames, const Columns& right, double bending, int begin,
-                    int end, const std::vector<int>& slots, Eigen::Matrix4Xf& residuals);
+/// The local step and the residual of L2, A_i (qhat_i - q_i) + bending * sum w_ij (q_j - q_i). `poisson` is nu,
+/// `bending` is 2 lambda^2. False when neighbours are so far apart that their quaternions may lie in
+/// opposite hemispheres.
+bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
+               double bending, int begin, int end, const SheetResults& to);
 
 /// Frames after L2 has answered, normalised, and the two columns of every R(q_i) T_i.
-void turnFrames(const Columns& frames, const Eigen::Matrix4Xf& turns, const std::vector<int>& slots,
-                const Columns& stretch, int begin, int end, Columns& turned, Columns& maps);
+void turnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
+                Columns& maps);
 
-/// The elastic force of every vertex' ring: stiffness * sum w_ij (2 (p_j - p_i) - (M_i + M_j) e_ij).
+/// The force on every vertex: stiffness * sum w_ij (2 (p_j - p_i) - (M_i + M_j) e_ij), and the outer one.
 void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, Columns& forces);
+                int end, const SheetResults& to);
 
 } // namespace bolster

@@ -46,8 +46,10 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
         else
             m_frames.emplace(matrices[1], places(Eigen::all, mesh.topology->unknown));
     });
-    if (!stop.stop_requested())
-        m_positions->factor(matrices[0], pool, stop) && m_frames->factor(matrices[1], pool, stop);
+    if (stop.stop_requested())
+        return;
+    numberSlots();
+    m_positions->factor(matrices[0], pool, stop) && m_frames->factor(matrices[1], pool, stop);
 }
 
 bool SheetOptimizer::refactor()
@@ -121,27 +123,42 @@ void SheetOptimizer::precomputeRings()
     measureRings();
     m_factored = m_mesh.rest();
 
-    m_cornersStart.assign(m_mesh.freeCount + 1, 0);
-    const auto& unknown = m_mesh.topology->unknown;
-    for (int v = 0; v < vertices; ++v)
-        if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
-            ++m_cornersStart[unknown[v] + 1];
-    for (int u = 0; u < m_mesh.freeCount; ++u)
-        m_cornersStart[u + 1] += m_cornersStart[u];
-    m_corners.resize(m_cornersStart.back());
-    std::vector<int> next(m_cornersStart.begin(), m_cornersStart.end() - 1);
-    for (int v = 0; v < vertices; ++v)
-        if (static_cast<int>(unknown[v]) < m_mesh.freeCount)
-            m_corners[next[unknown[v]]++] = v;
-
     m_map.setZero(4, 2 * vertices);
-    m_stretch.setZero(4, vertices);
     m_forces.setZero(4, vertices);
     m_displacements.setZero(4, vertices);
-    m_frameRight.setZero(4, vertices);
-    m_residual.setZero(4, m_mesh.freeCount);
-    m_turns.setZero(4, vertices);
-    m_moves.setZero(4, m_mesh.freeCount);
+    m_stretch.setZero(4, vertices);
+    m_sums.resize(WorkerPool::chunkCount(m_mesh.freeCount));
+}
+
+/// When both systems are there.
+void SheetOptimizer::numberSlots()
+{
+    const auto& unknown = m_mesh.topology->unknown;
+    std::vector<int> count(m_mesh.unknownCount(), 0), merged(m_mesh.unknownCount(), -1);
+    for (const std::uint32_t u : unknown)
+        ++count[u];
+    m_moveSlots.assign(unknown.size(), -1);
+    for (std::size_t v = 0; v < unknown.size(); ++v) {
+        const int u = static_cast<int>(unknown[v]);
+        if (u >= m_mesh.freeCount)
+            continue;
+        if (count[u] == 1)
+            m_moveSlots[v] = m_positions->slots()[u];
+        else if (merged[u] < 0) {
+            merged[u] = static_cast<int>(m_merged.size());
+            const int begin = static_cast<int>(m_corners.size());
+            m_merged.push_back({m_positions->slots()[u], begin, begin});
+            m_corners.resize(m_corners.size() + count[u]);
+        }
+        if (merged[u] >= 0)
+            m_corners[m_merged[merged[u]].end++] = static_cast<int>(v);
+    }
+    m_results.turnSlots = m_frames->slots().data();
+    m_results.turns = m_frames->x().data();
+    m_results.stretch = m_stretch.data();
+    m_results.moveSlots = m_moveSlots.data();
+    m_results.moves = m_positions->x().data();
+    m_results.forces = m_forces.data();
 }
 
 /// All that depends on the rest shape but the matrices.
@@ -156,6 +173,10 @@ void SheetOptimizer::measureRings()
     for (int c = 0; c < std::ssize(m_mesh.anchored); ++c)
         if (!m_mesh.anchored[c])
             m_freeBodies.emplace_back(m_mesh, c);
+    m_scale.resize(m_mesh.freeCount);
+    for (int v = 0; v < m_mesh.vertexCount(); ++v)
+        if (const auto u = static_cast<int>(m_mesh.topology->unknown[v]); u < m_mesh.freeCount)
+            m_scale[u] = std::pow(m_mesh.diameter[m_mesh.parts[m_partOf[v]].component], -2);
 }
 
 /// Calls body(part, begin, end) for runs of vertices of one part each, on all threads.
@@ -196,8 +217,7 @@ void SheetOptimizer::retarget()
 {
     for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
         m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)).head<3>() = m_mesh.targets[k];
-    m_before = m_state;
-    m_next = m_state;
+    m_other = m_state;
     m_momentum = 1;
     m_signsAgree = false;
 }
@@ -205,12 +225,12 @@ void SheetOptimizer::retarget()
 void SheetOptimizer::relaxPositions()
 {
     m_ahead = m_state;
-    m_next.frames = m_state.frames;
+    m_other.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
         m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>();
-    solvePositions(1);
-    m_state = m_next;
-    m_before = m_state;
+    solvePositions();
+    movePositions(1);
+    m_state = m_other;
     m_momentum = 1;
 }
 
@@ -221,7 +241,8 @@ std::optional<double> SheetOptimizer::iterate()
     extrapolate();
     fit();
     solveFrames();
-    solvePositions(stableStep());
+    solvePositions();
+    movePositions(stableStep());
     return accept();
 }
 
@@ -231,46 +252,65 @@ void SheetOptimizer::extrapolate()
     const double momentum = 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
     const double beta = m_accelerated ? (m_momentum - 1) / momentum : 0;
     m_momentum = momentum;
-    m_pool.forChunks(m_mesh.unknownCount(), [&](int, int begin, int end) {
-        for (int u = begin; u < end; ++u)
-            m_ahead.positions.col(u) =
-                m_state.positions.col(u) + beta * (m_state.positions.col(u) - m_before.positions.col(u));
-    });
+    // There are at least as many vertices as unknowns.
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        const int count = std::min(end, m_mesh.unknownCount()) - begin;
+        if (count > 0)
+            m_ahead.positions.middleCols(begin, count) = (1 + beta) * m_state.positions.middleCols(begin, count) -
+                                                         beta * m_other.positions.middleCols(begin, count);
         for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d now = m_state.frames.col(v), before = m_before.frames.col(v);
-            const double sign = now.dot(before) < 0 ? -1 : 1;
-            m_ahead.frames.col(v) = ((1 + beta) * now - sign * beta * before).normalized();
+            const Eigen::Vector4d now = m_state.frames.col(v), before = m_other.frames.col(v);
+            const double sign = now.dot(before) < 0 ? -beta : beta;
+            const Eigen::Vector4d ahead = (1 + beta) * now - sign * before;
+            m_ahead.frames.col(v) = (1 / std::sqrt(ahead.squaredNorm())) * ahead;
         }
     });
 }
 
-/// The local step.
+/// The local step, and the residual of L2.
 void SheetOptimizer::fit()
 {
+    m_correctable = m_smoothSeams->vertices();
+    for (const SewnMesh::Oriented& held : m_mesh.oriented)
+        m_correctable.push_back(held.vertex);
+    if (!m_correctable.empty())
+        m_fitted.resize(4, m_mesh.vertexCount());
+    m_results.fitted = m_correctable.empty() ? nullptr : m_fitted.data();
+    std::atomic<bool> agree = true;
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
-        fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, begin, end, m_frameRight,
-                  m_stretch);
+        if (!fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, 2 * part.bendingSquared(),
+                       begin, end, m_results))
+            agree.store(false, std::memory_order_relaxed);
     });
+    m_signsAgree = agree;
+    if (!m_correctable.empty())
+        correctFits();
+}
+
+/// At smooth seams and where normals are held.
+void SheetOptimizer::correctFits()
+{
+    std::ranges::sort(m_correctable);
+    const auto repeated = std::ranges::unique(m_correctable);
+    m_correctable.erase(repeated.begin(), repeated.end());
+    const Columns before = m_fitted(Eigen::all, m_correctable);
     const SheetView now{m_mesh, m_ahead.positions, m_ahead.frames};
-    m_smoothSeams->correct(now, m_pool, m_frameRight);
-    addOrientations(now, m_frameRight);
+    m_smoothSeams->correct(now, m_pool, m_fitted);
+    addOrientations(now, m_fitted);
+    PackedFactor::Workspace turns = m_frames->x();
+    for (std::size_t k = 0; k < m_correctable.size(); ++k) {
+        const int v = m_correctable[k];
+        turns.col(m_frames->slots()[v]) +=
+            (m_fitted.col(v) - before.col(static_cast<Eigen::Index>(k))).cast<float>();
+    }
 }
 
 /// L2 in delta form.
 void SheetOptimizer::solveFrames()
 {
-    const std::vector<int>& slots = m_frames->slots();
-    std::atomic<bool> agree = true;
-    forParts([&](const SewnMesh::Part& part, int begin, int end) {
-        if (!frameResiduals(m_rings, m_ahead.frames, m_frameRight, 2 * part.bendingSquared(), begin, end, slots,
-                            m_turns))
-            agree.store(false, std::memory_order_relaxed);
-    });
-    m_signsAgree = agree;
-    m_frames->solve(m_turns, m_pool);
+    m_frames->solve(m_pool);
     forParts([&](const SewnMesh::Part&, int begin, int end) {
-        turnFrames(m_ahead.frames, m_turns, slots, m_stretch, begin, end, m_next.frames, m_map);
+        turnFrames(m_ahead.frames, m_results, begin, end, m_other.frames, m_map);
     });
 }
 
@@ -285,42 +325,44 @@ double SheetOptimizer::stableStep() const
     return std::min(1.0, stableGain / ((1 + poisson) * m_distortion));
 }
 
-/// L1 in delta form: the residual at the present positions, then `step` times the move that it asks for.
-void SheetOptimizer::solvePositions(double step)
+/// L1 in delta form, at the present positions.
+void SheetOptimizer::solvePositions()
 {
+    addOuterForces();
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
-        ringForces(m_rings, m_ahead.positions, m_map, part.material.stiffness, begin, end, m_forces);
+        ringForces(m_rings, m_ahead.positions, m_map, part.material.stiffness, begin, end, m_results);
     });
-    addGhosts();
-    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
-        for (int u = begin; u < end; ++u) {
-            Eigen::Vector4d residual = Eigen::Vector4d::Zero();
-            for (int c = m_cornersStart[u]; c < m_cornersStart[u + 1]; ++c) {
-                residual += m_forces.col(m_corners[c]);
-                addPressure(m_corners[c], residual);
-            }
-            m_residual.col(u) = residual;
-        }
-    });
+    PackedFactor::Workspace moves = m_positions->x();
+    for (const Merged& merged : m_merged) {
+        Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+        for (int c = merged.begin; c < merged.end; ++c)
+            sum += m_forces.col(m_corners[c]);
+        moves.col(merged.slot) = sum.cast<float>();
+    }
     for (const FreeBody& body : m_freeBodies)
-        body.balance(m_ahead.positions, m_residual);
-    if (m_mesh.freeCount == 0)
-        return;
-    const std::vector<int>& slots = m_positions->slots();
-    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
-        for (int u = begin; u < end; ++u)
-            m_moves.col(slots[u]) = m_residual.col(u).cast<float>();
-    });
-    m_positions->solve(m_moves, m_pool);
-    m_pool.forChunks(m_mesh.freeCount, [&](int, int begin, int end) {
-        for (int u = begin; u < end; ++u)
-            m_next.positions.col(u) = m_ahead.positions.col(u) + step * m_moves.col(slots[u]).cast<double>();
-    });
+        body.balance(m_ahead.positions, m_positions->slots(), moves);
+    if (m_mesh.freeCount > 0)
+        m_positions->solve(m_pool);
 }
 
-void SheetOptimizer::addGhosts()
+/// Ghosts and pressure.
+void SheetOptimizer::addOuterForces()
 {
-    const SheetView sheet{m_mesh, m_ahead.positions, m_next.frames};
+    const bool pressed = std::ranges::any_of(m_mesh.parts, [](const auto& p) { return p.material.pressure != 0; });
+    const bool pulled = std::ranges::any_of(m_ghosts, [this](const auto& source) { return acts(*source); });
+    m_results.outer = nullptr;
+    if (!pressed && !pulled)
+        return;
+    m_outer.resize(4, m_mesh.vertexCount());
+    m_results.outer = m_outer.data();
+    const SheetView sheet{m_mesh, m_ahead.positions, m_other.frames};
+    forParts([&](const SewnMesh::Part& part, int begin, int end) {
+        const double pressure = part.material.pressure / m_mesh.diameter[part.component];
+        m_outer.middleCols(begin, end - begin).setZero();
+        if (pressure != 0)
+            for (int v = begin; v < end; ++v)
+                m_outer.col(v).head<3>() = pressure * m_mesh.area[v] * sheet.outside(part, v);
+    });
     for (const auto& source : m_ghosts) {
         if (!acts(*source))
             continue;
@@ -332,53 +374,45 @@ void SheetOptimizer::addGhosts()
                 return;
             source->displace(sheet, part, begin, end, m_displacements);
             for (int v = begin; v < end; ++v)
-                m_forces.col(v) += weight * m_mesh.area[v] * m_displacements.col(v);
+                m_outer.col(v) += weight * m_mesh.area[v] * m_displacements.col(v);
         });
     }
 }
 
-void SheetOptimizer::addPressure(int vertex, Eigen::Vector4d& residual) const
+/// `step` times the move that L1 asks for, and what accept() needs to know of it.
+void SheetOptimizer::movePositions(double step)
 {
-    const SewnMesh::Part& part = m_mesh.parts[m_partOf[vertex]];
-    const double pressure = part.material.pressure;
-    if (pressure == 0)
-        return;
-    const Vec3 normal = SheetView{m_mesh, m_ahead.positions, m_next.frames}.outside(part, vertex);
-    residual.head<3>() += (pressure * m_mesh.area[vertex] / m_mesh.diameter[part.component]) * normal;
-}
-
-/// Measures the move, restarts the acceleration when it has overshot, and makes the new state the present one.
-std::optional<double> SheetOptimizer::accept()
-{
-    struct Sums {
-        double overshoot = 0;
-        double farthestMove = 0; // squared, relative to D
-        bool bounded = true;
-    };
-    std::vector<Sums> sums(WorkerPool::chunkCount(m_mesh.freeCount));
+    const std::vector<int>& slots = m_positions->slots();
+    const PackedFactor::Workspace moves = m_positions->x();
     const double bound = farthest * m_mesh.largestDiameter();
     m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
-        Sums s;
+        Sums sums;
         for (int u = begin; u < end; ++u) {
-            const Eigen::Vector4d next = m_next.positions.col(u);
-            const Eigen::Vector4d move = next - m_state.positions.col(u);
-            const double d = m_mesh.diameter[m_mesh.parts[m_partOf[m_corners[m_cornersStart[u]]]].component];
-            s.overshoot += (m_ahead.positions.col(u) - next).dot(move);
-            s.farthestMove = std::max(s.farthestMove, move.squaredNorm() / (d * d));
-            s.bounded = s.bounded && next.cwiseAbs().maxCoeff() < bound + m_state.positions.col(u).norm();
+            const Eigen::Vector4d now = m_state.positions.col(u);
+            const Eigen::Vector4d stepped = step * moves.col(slots[u]).cast<double>();
+            const Eigen::Vector4d next = m_ahead.positions.col(u) + stepped, move = next - now;
+            m_other.positions.col(u) = next;
+            sums.overshoot -= stepped.dot(move);
+            sums.farthestMove = std::max(sums.farthestMove, move.squaredNorm() * m_scale[u]);
+            sums.bounded = sums.bounded && move.cwiseAbs().maxCoeff() < bound;
         }
-        sums[chunk] = s;
+        m_sums[chunk] = sums;
     });
+}
+
+/// Makes the new state the present one, and restarts the acceleration when it has overshot. Returns the largest
+/// move.
+std::optional<double> SheetOptimizer::accept()
+{
     Sums total;
-    for (const Sums& s : sums) {
+    for (const Sums& s : m_sums) {
         total.overshoot += s.overshoot;
         total.farthestMove = std::max(total.farthestMove, s.farthestMove);
         total.bounded = total.bounded && s.bounded;
     }
     if (!total.bounded || !std::isfinite(total.overshoot))
         return std::nullopt;
-    std::swap(m_before, m_state);
-    std::swap(m_state, m_next);
+    std::swap(m_state, m_other);
     if (total.overshoot > 0)
         m_momentum = 1;
     return std::sqrt(total.farthestMove);

@@ -60,18 +60,20 @@ public:
 private:
     std::vector<double> frameRows() const;
     void precomputeRings();
+    void numberSlots();
     void measureRings();
     template <class Body>
     void forParts(const Body& body);
     void extrapolate();
     void fit();
+    void correctFits();
     void solveFrames();
-    void solvePositions(double step);
+    void solvePositions();
+    void movePositions(double step);
+    void addOuterForces();
     bool acts(const GhostSource& source) const { return m_fitting || !source.misfit(); }
     bool updateGhostWeights();
     std::vector<double> ghostWeights() const;
-    void addGhosts();
-    void addPressure(int vertex, Eigen::Vector4d& residual) const;
     double stableStep() const;
     std::optional<double> accept();
 
@@ -85,12 +87,19 @@ private:
     std::vector<double> m_gammas; // of all sources, per part
 
     SheetRings m_rings;
+    SheetResults m_results;
     std::vector<Vec2> m_factored;        // the rest shape that is in the matrices
     double m_distortion = 1;             // of the present one against it
     std::vector<int> m_partOf;           // per vertex
     std::vector<Eigen::Matrix2d> m_rest; // S_i
-    std::vector<int> m_cornersStart;     // CSR: the vertices of each free unknown
+    std::vector<int> m_moveSlots;        // as in SheetResults
+    struct Merged {
+        int slot = 0;           ///< of a free unknown
+        int begin = 0, end = 0; ///< of its vertices in m_corners
+    };
+    std::vector<Merged> m_merged; // free unknowns with several vertices
     std::vector<int> m_corners;
+    std::vector<double> m_scale; // per free unknown: 1 / D^2
 
     std::optional<SmoothSeams> m_smoothSeams;
     std::vector<FreeBody> m_freeBodies; // components that nothing holds
@@ -101,18 +110,23 @@ private:
     };
     State m_state;
     State m_ahead; // y: the extrapolated state from which an iteration starts
-    State m_next;
-    State m_before;
+    State m_other; // the state before; once frames are turned, the next one
     bool m_accelerated = true;
     bool m_signsAgree = false;
-    double m_momentum = 1;                  // t_k of Nesterov's scheme
-    Columns m_map;                          // the two columns of R(q_i) T_i, per vertex
-    Columns m_stretch;                      // T_i: xx, xy, yy
-    Columns m_forces;                       // per vertex
-    Columns m_displacements;                // per vertex: where a ghost source wants it, from where it is
-    Columns m_frameRight;                   // A_i qhat_i
-    Columns m_residual;                     // of L1, per free unknown
-    PackedFactor::Vectors m_turns, m_moves; // residuals, then corrections, in the factors' order
+    double m_momentum = 1; // t_k of Nesterov's scheme
+    struct Sums {
+        double overshoot = 0;
+        double farthestMove = 0; // squared, relative to D
+        bool bounded = true;
+    };
+    std::vector<Sums> m_sums;       // of a move, per chunk of free unknowns
+    Columns m_map;                  // the two columns of R(q_i) T_i, per vertex
+    Columns m_forces;               // per vertex, where several have one unknown
+    Columns m_outer;                // per vertex: ghosts and pressure
+    Columns m_displacements;        // per vertex: where a ghost source wants it, from where it is
+    Columns m_fitted;               // A_i qhat_i, where frames are corrected afterwards
+    Eigen::Matrix4Xf m_stretch;     // T_i
+    std::vector<int> m_correctable; // vertices whose fits are
 };
 
 } // namespace bolster

@@ -304,6 +304,16 @@ Eigen::Vector4d SmoothSeams::turnToPartners(const Joint& joint, const Columns& f
            Eigen::Vector4d(pull.w(), pull.x(), pull.y(), pull.z());
 }
 
+std::vector<int> SmoothSeams::vertices() const
+{
+    std::vector<int> result;
+    for (const Lopsided& l : m_lopsided)
+        result.push_back(l.vertex);
+    for (const Joint& joint : m_joints)
+        result.push_back(joint.vertex);
+    return result;
+}
+
 void SmoothSeams::correct(const SheetView& sheet, WorkerPool& pool, Columns& right) const
 {
     const auto present = [&](int v) -> Eigen::Vector4d { return sheet.frames.col(v); };

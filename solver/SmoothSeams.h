@@ -22,6 +22,9 @@ public:
     /// `sheet` is the present one.
     void correct(const SheetView& sheet, WorkerPool& pool, Columns& right) const;
 
+    /// The vertices whose right-hand sides it replaces.
+    std::vector<int> vertices() const;
+
     /// Per vertex, what must be added to its diagonal in L2's matrix (not to its residual). The other side's frames
     /// are those of the iteration before, and the answer to them would overshoot from one to the next.
     std::vector<double> damping() const;

@@ -14,13 +14,12 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
 
-/// UMFPACK without iterative refinement: an iteration takes 0.85 of the time that it takes with CGAL's default,
-/// Eigen's SparseLU with COLAMD, and less than a third of that with AMD. The matrix is not symmetric, because held
-/// vertices are rows of their own, so it has no Cholesky factor.
+/// UMFPACK without iterative refinement: faster than CGAL's default, Eigen's SparseLU with COLAMD, and less than a
+/// third of SparseLU with AMD. The matrix is not symmetric, because held vertices are rows of their own, so it has
+/// no Cholesky factor.
 struct Umfpack : Eigen::UmfPackLU<Matrix> {
     Umfpack() { umfpackControl()(UMFPACK_IRSTEP) = 0; }
 };
-using Solver = CGAL::Eigen_solver_traits<Umfpack>;
 
 struct CgalPeer::Deformation {
     virtual ~Deformation() = default;
@@ -41,7 +40,7 @@ Mesh meshOf(const HeldSurface& surface)
     return mesh;
 }
 
-template <CGAL::Deformation_algorithm_tag tag>
+template <CGAL::Deformation_algorithm_tag tag, class Solver>
 struct Arap : CgalPeer::Deformation {
     explicit Arap(const HeldSurface& surface)
         : deformation((mesh = meshOf(surface)))
@@ -62,12 +61,15 @@ struct Arap : CgalPeer::Deformation {
 
 } // namespace
 
-CgalPeer::CgalPeer(const HeldSurface& surface, Energy energy)
+CgalPeer::CgalPeer(const HeldSurface& surface, Energy energy, Solver solver)
 {
-    if (energy == Energy::Original)
-        m_deformation = std::make_unique<Arap<CGAL::ORIGINAL_ARAP>>(surface);
-    else
-        m_deformation = std::make_unique<Arap<CGAL::SRE_ARAP>>(surface);
+    const auto make = [&]<CGAL::Deformation_algorithm_tag tag>() -> std::unique_ptr<Deformation> {
+        if (solver == Solver::Default)
+            return std::make_unique<Arap<tag, CGAL::Default>>(surface);
+        return std::make_unique<Arap<tag, CGAL::Eigen_solver_traits<Umfpack>>>(surface);
+    };
+    m_deformation =
+        energy == Energy::Original ? make.operator()<CGAL::ORIGINAL_ARAP>() : make.operator()<CGAL::SRE_ARAP>();
 }
 
 CgalPeer::~CgalPeer() = default;

@@ -18,12 +18,14 @@ struct HeldSurface {
     double diameter = 0; ///< D, mm
 };
 
-/// As-rigid-as-possible deformation by CGAL, factored beforehand, with the fastest solver that its matrix admits.
+/// As-rigid-as-possible deformation by CGAL, factored beforehand.
 class CgalPeer {
 public:
     enum class Energy { Original, SmoothRotations }; ///< ORIGINAL_ARAP, SRE_ARAP
 
-    CgalPeer(const HeldSurface& surface, Energy energy);
+    enum class Solver { Default, Umfpack }; ///< as CGAL comes, or the fastest that its matrix admits
+
+    CgalPeer(const HeldSurface& surface, Energy energy, Solver solver = Solver::Default);
     ~CgalPeer();
     CgalPeer(CgalPeer&&) noexcept;
 

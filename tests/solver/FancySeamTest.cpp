@@ -275,7 +275,7 @@ TEST(FancySeam, PlansAreAsLightAsCanBe)
     EXPECT_EQ(planWith([](FancySeam& s) { s.name = "Other"; }), SolvePlan::Nothing);
     EXPECT_EQ(planWith([](FancySeam& s) { s.depth = 1; }), SolvePlan::Republish);
     EXPECT_EQ(planWith([](FancySeam& s) { s.profile = Profile::Welt; }), SolvePlan::Republish);
-    EXPECT_EQ(planWith([](FancySeam& s) { s.width = 9; }), SolvePlan::Rebuild);
+    EXPECT_EQ(planWith([](FancySeam& s) { s.width = 9; }), SolvePlan::Warp);
     EXPECT_EQ(planSolve(design, design.with({{}, {{id, design.element(id), nullptr}}})), SolvePlan::Rebuild);
 }
 

@@ -327,7 +327,7 @@ TEST(Handle, PlansAreAsLightAsCanBe)
     EXPECT_EQ(planWith([](HandleCurve& h) { h.name = "Other"; }), SolvePlan::Nothing);
     EXPECT_EQ(planWith([](HandleCurve& h) { h.target = h.target.withPoint(0, {0, 0, 9}); }), SolvePlan::Retarget);
     EXPECT_EQ(planWith([](HandleCurve& h) { h.target = h.target.withKnot(0.5); }), SolvePlan::Rebuild);
-    EXPECT_EQ(planWith([](HandleCurve& h) { h.curve = h.curve.withPoint(0, {60, 200}); }), SolvePlan::Rebuild);
+    EXPECT_EQ(planWith([](HandleCurve& h) { h.curve = h.curve.withPoint(0, {60, 200}); }), SolvePlan::Warp);
     EXPECT_EQ(planSolve(design, design.with({{}, {{id, design.element(id), nullptr}}})), SolvePlan::Rebuild);
 }
 

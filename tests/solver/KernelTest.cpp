@@ -135,21 +135,20 @@ struct Grid {
 
 WorkerPool onePool(1);
 
-PackedFactor::Vectors solution(FactoredSystem& system, const Eigen::MatrixXd& right, int threads)
+Eigen::Matrix4Xf solution(FactoredSystem& system, const Eigen::MatrixXd& right, int threads)
 {
     WorkerPool pool(threads);
-    PackedFactor::Vectors x(4, right.cols());
+    PackedFactor::Workspace x = system.x();
     for (int i = 0; i < right.cols(); ++i)
         x.col(system.slots()[i]) = right.col(i).cast<float>();
-    system.solve(x, pool);
-    PackedFactor::Vectors result(4, right.cols());
+    system.solve(pool);
+    Eigen::Matrix4Xf result(4, right.cols());
     for (int i = 0; i < right.cols(); ++i)
         result.col(i) = x.col(system.slots()[i]);
     return result;
 }
 
-double error(const Eigen::SparseMatrix<double>& matrix, const PackedFactor::Vectors& x,
-             const Eigen::MatrixXd& right)
+double error(const Eigen::SparseMatrix<double>& matrix, const Eigen::Matrix4Xf& x, const Eigen::MatrixXd& right)
 {
     const Eigen::MatrixXd product = matrix.selfadjointView<Eigen::Lower>() * x.transpose().cast<double>();
     return (product.transpose() - right).norm() / right.norm();
@@ -162,7 +161,7 @@ TEST(FactoredSystem, SolvesGridsOfAnySize)
         FactoredSystem system(grid.matrix, grid.places);
         ASSERT_TRUE(system.factor(grid.matrix, onePool));
         const Eigen::MatrixXd right = Eigen::MatrixXd::Random(4, columns * rows);
-        const PackedFactor::Vectors x = solution(system, right, 1);
+        const Eigen::Matrix4Xf x = solution(system, right, 1);
         EXPECT_LT(error(grid.matrix, x, right), 1e-5) << columns << " x " << rows;
         for (const int threads : {2, 3})
             EXPECT_EQ(solution(system, right, threads), x) << "bit for bit";
