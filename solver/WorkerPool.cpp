@@ -19,18 +19,19 @@ void pause()
 #endif
 }
 
-// How m_next is divided: the region, its tasks, the next one to be claimed.
+// How a share is divided: the region, the task behind its last one, the next one to be claimed.
 constexpr int taskBits = 22; // chunks of 512 of as many things as an int can count
 constexpr std::uint64_t taskMask = (std::uint64_t{1} << taskBits) - 1;
 
-std::uint64_t firstTask(std::uint32_t region, int count)
+std::uint64_t share(std::uint32_t region, int begin, int end)
 {
-    return std::uint64_t{region} << (2 * taskBits) | static_cast<std::uint64_t>(count) << taskBits;
+    return std::uint64_t{region} << (2 * taskBits) | static_cast<std::uint64_t>(end) << taskBits |
+           static_cast<std::uint64_t>(begin);
 }
 
 bool isOf(std::uint64_t next, std::uint32_t region)
 {
-    return (next ^ firstTask(region, 0)) >> (2 * taskBits) == 0;
+    return (next ^ share(region, 0, 0)) >> (2 * taskBits) == 0;
 }
 
 /// Waits until `value` is no longer `old`; sleeps when that takes long.
@@ -51,8 +52,9 @@ WorkerPool::WorkerPool(int threads)
 {
     if (threads <= 0)
         threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    m_shares = std::vector<Share>(static_cast<std::size_t>(threads));
     for (int i = 1; i < threads; ++i)
-        m_threads.emplace_back([this] { work(); });
+        m_threads.emplace_back([this, i] { work(i); });
 }
 
 WorkerPool::~WorkerPool()
@@ -78,10 +80,16 @@ void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
     const std::uint32_t region = m_region.load(std::memory_order_relaxed) + 1;
     m_body.store(&body, std::memory_order_relaxed);
     m_done.store(0, std::memory_order_relaxed);
-    m_next.store(firstTask(region, count), std::memory_order_release);
+    m_count.store(count, std::memory_order_relaxed);
+    const int threads = static_cast<int>(m_shares.size());
+    for (int i = 0; i < threads; ++i) {
+        const auto begin = static_cast<int>(std::int64_t{count} * i / threads);
+        const auto end = static_cast<int>(std::int64_t{count} * (i + 1) / threads);
+        m_shares[static_cast<std::size_t>(i)].next.store(share(region, begin, end), std::memory_order_release);
+    }
     m_region.store(region, std::memory_order_release);
     m_region.notify_all();
-    runTasks(region);
+    runTasks(region, 0);
     for (int done = m_done.load(std::memory_order_acquire); done != count;
          done = m_done.load(std::memory_order_acquire))
         waitForChange(m_done, done);
@@ -89,27 +97,34 @@ void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
         std::rethrow_exception(std::exchange(m_exception, nullptr));
 }
 
-void WorkerPool::work()
+void WorkerPool::work(int thread)
 {
     for (std::uint32_t seen = 0;;) {
         waitForChange(m_region, seen);
         seen = m_region.load(std::memory_order_acquire);
         if (m_stopping)
             return;
-        runTasks(seen);
+        runTasks(seen, thread);
     }
 }
 
-void WorkerPool::runTasks(std::uint32_t region)
+/// The own share first, then what others have left.
+void WorkerPool::runTasks(std::uint32_t region, int thread)
 {
-    for (std::uint64_t next = m_next.load(std::memory_order_acquire); isOf(next, region);) {
+    for (std::size_t i = 0; i < m_shares.size(); ++i)
+        runShare(region, m_shares[(static_cast<std::size_t>(thread) + i) % m_shares.size()].next);
+}
+
+void WorkerPool::runShare(std::uint32_t region, std::atomic<std::uint64_t>& share)
+{
+    for (std::uint64_t next = share.load(std::memory_order_acquire); isOf(next, region);) {
         const auto* body =
             m_body.load(std::memory_order_relaxed); // of a later region, perhaps: then the claim fails
         const int task = static_cast<int>(next & taskMask);
-        const int count = static_cast<int>(next >> taskBits & taskMask);
-        if (task >= count)
+        const int end = static_cast<int>(next >> taskBits & taskMask);
+        if (task >= end)
             return;
-        if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
+        if (!share.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
             continue;
         try {
             (*body)(task);
@@ -117,9 +132,10 @@ void WorkerPool::runTasks(std::uint32_t region)
             if (!m_thrown.exchange(true))
                 m_exception = std::current_exception();
         }
+        const int count = m_count.load(std::memory_order_relaxed); // of this region: it cannot end before this task
         if (m_done.fetch_add(1, std::memory_order_acq_rel) + 1 == count)
             m_done.notify_all();
-        next = m_next.load(std::memory_order_acquire);
+        next = share.load(std::memory_order_acquire);
     }
 }
 

@@ -29,14 +29,19 @@ public:
     void forChunks(int count, const std::function<void(int, int, int)>& body);
 
 private:
-    void work();
-    void runTasks(std::uint32_t region);
+    void work(int thread);
+    void runTasks(std::uint32_t region, int thread);
+    void runShare(std::uint32_t region, std::atomic<std::uint64_t>& share);
 
-    // What the threads work on. A task is claimed by counting m_next up, which also holds the number of the region
-    // and its count of tasks: who comes late to a region that is over cannot claim anything, so nobody waits for
-    // him. The count must not stand apart, or a latecomer could see the next region's and claim what is not there.
+    // What the threads work on. A task is claimed by counting a share up, which also holds the number of the region
+    // and where the share ends: who comes late to a region that is over cannot claim anything, so nobody waits for
+    // him. The end must not stand apart, or a latecomer could see the next region's and claim what is not there.
+    struct alignas(64) Share {
+        std::atomic<std::uint64_t> next{0};
+    };
+    std::vector<Share> m_shares; // of each thread
     std::atomic<const std::function<void(int)>*> m_body{nullptr};
-    std::atomic<std::uint64_t> m_next{0};
+    std::atomic<int> m_count{0};
     std::atomic<int> m_done{0};
     std::atomic<std::uint32_t> m_region{0};
     std::atomic<bool> m_thrown{false}; // whoever sets it writes m_exception
