@@ -1,24 +1,19 @@
 #include "Rig.h"
 
-#include "MakeGhosts.h"
 #include "Scenes.h"
 
 #include <stdexcept>
 
 namespace bolster::bench {
 
-Rig::Rig(const SolveInput& input, const MakeGhosts& standIn)
+Rig::Rig(const SolveInput& input)
 {
     TriangulationCache cache;
     m_sheet = *prepareSheet(input, cache);
     if (!m_sheet.errors.empty())
         throw std::runtime_error(m_sheet.errors.front().english());
-    GhostCache ghostCache;
-    Ghosts ghosts = makeGhosts(input, mesh(), ghostCache, m_sheet.warnings, m_pool);
-    if (ghosts.empty() && standIn)
-        ghosts = standIn(mesh());
     constexpr double never = 0; // a tolerance that no iteration falls below
-    m_relaxation.emplace(mesh(), m_pool, never, std::move(ghosts));
+    m_relaxation.emplace(mesh(), m_pool, never, makeGhosts(input, mesh(), m_ghostCache, m_sheet.warnings, m_pool));
     startCanonically();
 }
 
@@ -30,10 +25,20 @@ void Rig::startFlat()
     m_relaxation->startFrom(std::move(flat), true);
 }
 
+void Rig::reachFit()
+{
+    if (m_sheet.files.clouds.empty())
+        return;
+    while (m_relaxation->phase() == Relaxation::Phase::Running)
+        m_relaxation->iterate();
+}
+
 double Rig::iterate()
 {
+    if (m_relaxation->phase() == Relaxation::Phase::Converged)
+        m_relaxation->startFrom(m_relaxation->state(), false);
     m_relaxation->iterate();
-    if (m_relaxation->phase() != Relaxation::Phase::Running)
+    if (m_relaxation->phase() == Relaxation::Phase::Failed)
         throw std::runtime_error("a benchmark failed: " + m_relaxation->reason().english());
     return m_relaxation->movement();
 }

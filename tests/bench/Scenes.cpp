@@ -2,9 +2,11 @@
 
 #include "PatchEdits.h"
 #include "PreparedSheet.h"
+#include "RestingSolve.h"
 
 #include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 namespace bolster::bench {
@@ -151,6 +153,42 @@ Design seatWithEdges(double edgeLength, Continuity topSeams)
     return b.design();
 }
 
+template <class T>
+ElementId addTo(SolveInput& input, T element)
+{
+    const ElementId id = input.design.nextId();
+    input.design = input.design.with({{}, {{id, nullptr, makeElement(std::move(element))}}});
+    return id;
+}
+
+template <class T>
+T named(const char* name)
+{
+    T element;
+    element.name = name;
+    if constexpr (requires { element.file; })
+        element.file = "in memory";
+    return element;
+}
+
+TriangleMesh boxMesh(const Box3& box)
+{
+    TriangleMesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.points.push_back(box.corner(static_cast<Box3::CornerType>(corner)));
+    for (const auto& [a, b, c, d] : {std::array{0U, 2U, 3U, 1U},
+                                     {4U, 5U, 7U, 6U},
+                                     {0U, 1U, 5U, 4U},
+                                     {2U, 6U, 7U, 3U},
+                                     {0U, 4U, 6U, 2U},
+                                     {1U, 3U, 7U, 5U}}) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    }
+    mesh.parts = {{"Box", 0, 12}};
+    return mesh;
+}
+
 } // namespace
 
 Design bentStrip(int vertices, double length, double width)
@@ -187,9 +225,43 @@ Design seat(int vertices, Continuity topSeams)
     return ofSize(vertices, area, [&](double edge) { return seatWithEdges(edge, topSeams); });
 }
 
-Box3 seatBox()
+SolveInput cushionedSeat(int vertices, Continuity topSeams)
 {
-    return {Vec3::Zero(), Vec3(seatWidth, seatDepth, seatHeight)};
+    SolveInput input(seat(vertices, topSeams));
+    const ElementId frame = addTo(input, named<Frame>("Box"));
+    constexpr double padding = 30;
+    const Vec3 inset(padding, padding, 0);
+    input.files.meshes[frame] = std::make_shared<const TriangleMesh>(
+        boxMesh({inset - 20 * Vec3::UnitZ(), Vec3(seatWidth, seatDepth, seatHeight - padding / 2) - inset}));
+    Cushion cushion = named<Cushion>("Foam");
+    cushion.frame = frame;
+    cushion.dilation = padding;
+    addTo(input, std::move(cushion));
+    return input;
+}
+
+SolveInput scannedSeat(int vertices, int points)
+{
+    SolveInput input(seat(vertices));
+    const SurfaceMeshPtr cover = solveResting(input, {}).surface;
+    if (!cover)
+        throw std::runtime_error("a benchmark failed: its seat could not be solved");
+    PointCloud cloud;
+    std::mt19937 random(1);
+    const auto share = [&] { return std::generate_canonical<double, 32>(random); };
+    const auto& triangles = cover->topology->triangles;
+    for (int k = 0; k < points; ++k) { // the triangles are of like size
+        const auto& [a, b, c] =
+            triangles[static_cast<std::size_t>(share() * static_cast<double>(triangles.size()))];
+        const double root = std::sqrt(share()), along = share();
+        const Vec3 place = (1 - root) * cover->positions[a] + root * (1 - along) * cover->positions[b] +
+                           root * along * cover->positions[c];
+        const Vec3 normal = cover->normals[a].cast<double>();
+        cloud.points.push_back(place + (2 + share() - 0.5) * normal);
+    }
+    const ElementId scan = addTo(input, named<Scan>("Scan"));
+    input.files.clouds[scan] = std::make_shared<const PointCloud>(std::move(cloud));
+    return input;
 }
 
 Design withLongerInsert(const Design& seat, double share)

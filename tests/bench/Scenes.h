@@ -3,6 +3,7 @@
 
 #include "CgalPeer.h"
 #include "SewnMesh.h"
+#include "SolveInput.h"
 
 namespace bolster::bench {
 
@@ -18,8 +19,10 @@ HeldSurface heldSurface(const SewnMesh& mesh);
 /// A car seat of an insert between two bolsters with a panel on each side, held along its lower edges. With so many
 /// vertices within 1 %, sewn ones counted once.
 Design seat(int vertices, Continuity topSeams = Continuity::C0);
-/// Where the seat lies, mm.
-Box3 seatBox();
+/// The seat over a box, padded all round (paper, section 4.1).
+SolveInput cushionedSeat(int vertices, Continuity topSeams = Continuity::C0);
+/// The seat with a scan of so many points all over it, 2 mm outside, a little noisy (section 4.2).
+SolveInput scannedSeat(int vertices, int points);
 /// The seat after the rear edge of its insert has been dragged until the insert was longer by this share.
 Design withLongerInsert(const Design& seat, double share);
 
