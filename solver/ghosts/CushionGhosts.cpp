@@ -27,17 +27,18 @@ CushionGhosts::CushionGhosts(ElementId element, double gamma, const Placement& f
     , m_strengths(std::move(strengths))
 {
     m_frame.scale = 1;
+    m_axes = m_frame.rotation.toRotationMatrix();
 }
 
 /// f_v, mm.
 Vec3 CushionGhosts::push(const SheetView& sheet, const SewnMesh::Part& part, int vertex) const
 {
     const ForceField::Push push =
-        m_fields[part.component]->at(m_frame.filePoint(sheet.position(vertex)), m_strengths);
+        m_fields[part.component]->at(m_axes.transpose() * (sheet.position(vertex) - m_frame.position), m_strengths);
     if (push.depth == 0)
         return Vec3::Zero();
     const Vec3 normal = sheet.outside(part, vertex);
-    return std::clamp(normal.dot(m_frame.rotation * push.force), 0.0, 2 * push.depth) * normal;
+    return std::clamp(normal.dot(m_axes * push.force), 0.0, 2 * push.depth) * normal;
 }
 
 void CushionGhosts::displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,

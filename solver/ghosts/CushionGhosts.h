@@ -30,6 +30,7 @@ private:
     ElementId m_element;
     double m_gamma;
     Placement m_frame; ///< without the scale, which is in the fields
+    Eigen::Matrix3d m_axes;
     Fields m_fields;
     std::vector<double> m_strengths;
 };

@@ -31,7 +31,7 @@ ForceField::ForceField(const VoxelGrid& grid, const std::vector<float>& depths, 
                     slope += derivative * derivative;
                 }
                 constexpr float flattest = 0.1F; // between two surfaces the force vanishes, and no way is meant
-                cell.depth = std::max(0.0F, depths[i]) / std::max(flattest, std::sqrt(slope));
+                cell.force[3] = std::max(0.0F, depths[i]) / std::max(flattest, std::sqrt(slope));
             }
     });
 }
@@ -39,25 +39,31 @@ ForceField::ForceField(const VoxelGrid& grid, const std::vector<float>& depths, 
 ForceField::Push ForceField::at(const Vec3& point, std::span<const double> strengths) const
 {
     std::array<int, 3> cell{};
-    Vec3 share;
+    std::array<float, 3> share{};
     for (int k = 0; k < 3; ++k) {
         const double place = point[k] / m_grid.edge - m_grid.low[k] - 0.5;
         if (!(place >= 0 && place < m_grid.size[k] - 1))
             return {};
         cell[k] = static_cast<int>(place);
-        share[k] = place - cell[k];
+        share[k] = static_cast<float>(place - cell[k]);
     }
-    Push push;
-    for (int corner = 0; corner < 8; ++corner) {
-        const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
-        const double weight =
-            (dx ? share.x() : 1 - share.x()) * (dy ? share.y() : 1 - share.y()) * (dz ? share.z() : 1 - share.z());
-        const std::size_t i = m_grid.index(cell[0] + dx, cell[1] + dy, cell[2] + dz);
-        const Cell& c = m_cells[i];
-        const double strength = strengths.empty() ? 1 : strengths[m_owners.empty() ? 0 : m_owners[i]];
-        push.force += weight * strength * Vec3(c.force[0], c.force[1], c.force[2]);
-        push.depth += weight * c.depth;
+    const std::size_t first = m_grid.index(cell[0], cell[1], cell[2]);
+    const std::size_t row = static_cast<std::size_t>(m_grid.size[0]);
+    const std::size_t layer = row * static_cast<std::size_t>(m_grid.size[1]);
+    Eigen::Array4f sum = Eigen::Array4f::Zero(); // force, depth
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::size_t dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
+        const float weight =
+            (dx ? share[0] : 1 - share[0]) * (dy ? share[1] : 1 - share[1]) * (dz ? share[2] : 1 - share[2]);
+        const std::size_t i = first + dx + dy * row + dz * layer;
+        Eigen::Array4f c = Eigen::Map<const Eigen::Array4f>(m_cells[i].force);
+        if (!m_owners.empty() && !strengths.empty())
+            c.head<3>() *= static_cast<float>(strengths[m_owners[i]]);
+        sum += weight * c;
     }
+    Push push{sum.matrix().head<3>().cast<double>(), sum[3]};
+    if (m_owners.empty() && !strengths.empty())
+        push.force *= strengths[0];
     return push;
 }
 

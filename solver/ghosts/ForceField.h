@@ -31,8 +31,7 @@ public:
 
 private:
     struct Cell {
-        float force[3] = {0, 0, 0};
-        float depth = 0;
+        float force[4] = {0, 0, 0, 0}; ///< and, last, the depth
     };
 
     VoxelGrid m_grid;
