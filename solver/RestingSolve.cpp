@@ -5,6 +5,7 @@
 #include "OutlineSampling.h"
 #include "Relaxation.h"
 #include "ScanMeasure.h"
+#include "SolveFailure.h"
 #include "Stopwatch.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -59,10 +60,8 @@ SolveResult failed(SolveResult result, Message reason)
     return result;
 }
 
-} // namespace
-
-SolveResult solveResting(const SolveInput& input, const SolveOptions& options, std::stop_token stop,
-                         const std::function<void(int, double)>& progress)
+SolveResult solve(const SolveInput& input, const SolveOptions& options, const std::stop_token& stop,
+                  const std::function<void(int, double)>& progress)
 {
     Stopwatch watch;
     SolveResult result;
@@ -85,39 +84,51 @@ SolveResult solveResting(const SolveInput& input, const SolveOptions& options, s
 
     WorkerPool pool(options.threads);
     GhostCache ghostCache;
-    Relaxation solve(
+    Relaxation relaxation(
         sheet->mesh, pool, options.tolerance,
         makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghostCache, result.warnings, pool, stop), stop);
     if (stop.stop_requested()) {
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    solve.startCanonically();
-    while (solve.phase() == Relaxation::Phase::Running && solve.iterations() < options.maxIterations) {
+    relaxation.startCanonically();
+    while (relaxation.phase() == Relaxation::Phase::Running && relaxation.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
             result.status = SolveResult::Status::Cancelled;
             return result;
         }
-        solve.iterate();
+        relaxation.iterate();
         if (progress)
-            progress(solve.iterations(), solve.movement());
+            progress(relaxation.iterations(), relaxation.movement());
     }
-    if (solve.phase() == Relaxation::Phase::Failed)
-        return failed(std::move(result), solve.reason());
+    if (relaxation.phase() == Relaxation::Phase::Failed)
+        return failed(std::move(result), relaxation.reason());
 
-    result.report = reportOn(*sheet, solve);
+    result.report = reportOn(*sheet, relaxation);
     result.report.time.total = watch.elapsed(); // with what lies between the stages
     if (result.report.flippedTriangles > 0)
         result.warnings.push_back(flippedWarning(result.report.flippedTriangles, result.report.triangles));
-    result.surface = makeSurface(sheet->mesh, solve.state(), 0);
+    result.surface = makeSurface(sheet->mesh, relaxation.state(), 0);
     result.report.scans = measureScans({sheet->design, sheet->files}, *result.surface, ghostCache.scans, pool);
-    if (solve.phase() == Relaxation::Phase::Converged) {
+    if (relaxation.phase() == Relaxation::Phase::Converged) {
         result.status = SolveResult::Status::Solved;
     } else {
         result.status = SolveResult::Status::NotConverged;
-        result.reason = unrest(solve, sheet->mesh.largestDiameter());
+        result.reason = unrest(relaxation, sheet->mesh.largestDiameter());
     }
     return result;
+}
+
+} // namespace
+
+SolveResult solveResting(const SolveInput& input, const SolveOptions& options, std::stop_token stop,
+                         const std::function<void(int, double)>& progress)
+{
+    try {
+        return solve(input, options, stop, progress);
+    } catch (const std::exception& error) {
+        return failed({}, failureMessage(error));
+    }
 }
 
 Problems checkSolvable(const Design& design)

@@ -230,7 +230,8 @@ void SheetOptimizer::relaxPositions()
         m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>();
     solvePositions();
     movePositions(1);
-    m_state = m_other;
+    if (accept()) // else the next iteration fails, too
+        m_other = m_state;
     m_momentum = 1;
 }
 

@@ -3,6 +3,7 @@
 #include "DesignCheck.h"
 #include "Relief.h"
 #include "ScanMeasure.h"
+#include "SolveFailure.h"
 #include "StateTransfer.h"
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
@@ -45,10 +46,13 @@ void SolverWorker::request(Request request)
 
 std::optional<SolverWorker::Request> SolverWorker::takeRequest()
 {
+    std::stop_source preparing; // before the request is taken, or it would be lost if there were no memory for it
     const std::lock_guard lock(m_requestMutex);
     std::optional<Request> request = m_in.take();
-    if (request)
-        m_preparing = {};
+    if (request) {
+        m_preparing = std::move(preparing);
+        m_takenRevision = request->revision;
+    }
     return request;
 }
 
@@ -62,13 +66,8 @@ void SolverWorker::run(std::stop_token stop)
         bool busy = false;
         try {
             busy = step();
-        } catch (const std::bad_alloc&) {
-            fail({QT_TRANSLATE_NOOP("Message",
-                                    "There is not enough memory for this surface. Choose a larger edge length."),
-                  {}});
         } catch (const std::exception& error) {
-            fail({QT_TRANSLATE_NOOP("Message", "The solver failed: %1. The last good surface is kept."),
-                  {error.what()}});
+            failBy(error);
         }
         if (!busy)
             m_in.wait(stop);
@@ -376,11 +375,24 @@ void SolverWorker::reportLive()
     m_report.scans = measureScans({prepared.design, prepared.files}, *m_surface, m_ghostCache.scans, m_pool);
 }
 
+void SolverWorker::failBy(const std::exception& error)
+{
+    constexpr int attempts = 2; // to say so takes a little memory, which the first one has freed
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        try {
+            fail(failureMessage(error));
+            return;
+        } catch (const std::bad_alloc&) {
+        }
+    }
+}
+
 void SolverWorker::fail(Message reason)
 {
     m_resting.reset();
     m_live.reset(); // the next request starts anew; the published surface stays
     m_restingDone = true;
+    m_designRevision = m_takenRevision;
     m_status.reason = std::move(reason);
     publish(SolverStatus::State::Failed);
 }

@@ -65,6 +65,7 @@ private:
     void beginResting();
     void iterateResting();
     void adoptResting();
+    void failBy(const std::exception& error);
     void fail(Message reason);
     void publishSurface();
     void updateField();
@@ -82,7 +83,8 @@ private:
     GhostCache m_ghostCache;
     SolveInput m_input;                    // as requested, bad elements included
     SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
-    std::uint64_t m_designRevision = 0;
+    std::uint64_t m_takenRevision = 0;
+    std::uint64_t m_designRevision = 0; // of what is published: the one before until a request has been begun
     bool m_settleWanted = false;
     int m_opening = 0;
     std::unique_ptr<Sheet> m_live;

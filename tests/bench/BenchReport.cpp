@@ -71,9 +71,9 @@ The result of `bolster bench --markdown docs/performance.md`, on a machine with 
 held vertices, are factored beforehand, and run in turns (A B A B ...) for some milliseconds each, so that a busy machine
 hits all alike; `ratio` is peer / ours. Everything is compiled with the same options (-O3); Bolster has two threads and
 chooses its vector instructions at run time, the peers have one thread. `iteration_...` is on a square whose clamped ends
-are bent. CGAL's Surface_mesh_deformation solves with UMFPACK without iterative refinement, which is faster than its
-default, Eigen's SparseLU, with any order; its matrix is not symmetric, so it has no Cholesky factor. `converge_bend_11k`
-is a strip bent by turning one clamped end, from flat until the estimated distance to the method's own limit is below
+are bent. CGAL's Surface_mesh_deformation solves with its default, Eigen's SparseLU, and where it says so with
+UMFPACK without iterative refinement, the fastest that its matrix admits: that is not symmetric, so it has no Cholesky
+factor. `converge_bend_11k` is a strip bent by turning one clamped end, from flat until the estimated distance to the method's own limit is below
 1e-4 of the size D; for CGAL it is the number of iterations, counted beforehand, times the time of one. `solve_...` is
 L and L^T of L1, in the order of the factor: Bolster with four right-hand sides in single precision, the others with the
 three that are needed in double precision. CHOLMOD keeps the best of AMD, METIS and nested dissection; Eigen uses AMD.

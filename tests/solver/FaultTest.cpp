@@ -1,0 +1,303 @@
+// Memory that runs out, exceptions, numbers that are none, cancelling: a status each, and the solver goes on.
+#include "TestDesigns.h"
+
+#include "PatchEdits.h"
+#include "PreparedSheet.h"
+#include "Relaxation.h"
+#include "SolverThread.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <random>
+#include <semaphore>
+#include <thread>
+
+namespace {
+
+std::atomic<std::int64_t> allocationsLeft = -1; // before one fails; negative: none does
+std::atomic<std::int64_t> allocations = 0;
+std::thread::id spared; // its allocations do not count
+
+bool failsNow()
+{
+    if (allocationsLeft.load(std::memory_order_relaxed) < 0 || std::this_thread::get_id() == spared)
+        return false;
+    ++allocations;
+    return allocationsLeft.fetch_sub(1) == 0;
+}
+
+void* allocate(std::size_t size, std::size_t alignment)
+{
+    if (failsNow())
+        throw std::bad_alloc();
+    const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
+    if (void* memory = std::aligned_alloc(alignment, whole))
+        return memory;
+    throw std::bad_alloc();
+}
+
+} // namespace
+
+// Those of this program, the solver's included.
+void* operator new(std::size_t size)
+{
+    return allocate(size, alignof(std::max_align_t));
+}
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+{
+    std::free(memory);
+}
+
+namespace bolster::test {
+namespace {
+
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr int rounds = 100;
+#else
+constexpr int rounds = 1000;
+#endif
+
+Design cover(double size)
+{
+    return box(size, 60, 30, 10, 0.1);
+}
+
+/// Lets the n-th allocation from now on fail, until the end of its life.
+class FailingMemory {
+public:
+    explicit FailingMemory(std::int64_t n, std::thread::id sparedThread = {})
+    {
+        spared = sparedThread;
+        allocations = 0;
+        allocationsLeft = n;
+    }
+    ~FailingMemory() { allocationsLeft = -1; }
+    FailingMemory(const FailingMemory&) = delete;
+    FailingMemory& operator=(const FailingMemory&) = delete;
+};
+
+TEST(Faults, SolvesThatRunOutOfMemorySaySo)
+{
+    const Design design = cover(200);
+    SolveOptions options;
+    options.threads = 2;
+    constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+    std::int64_t all = 0;
+    {
+        const FailingMemory counted(never);
+        EXPECT_EQ(solveResting(design, options).status, SolveResult::Status::Solved);
+        all = allocations;
+    }
+    std::mt19937_64 random(1);
+    int failed = 0;
+    for (int round = 0; round < rounds; ++round) {
+        SolveResult result;
+        {
+            const FailingMemory failing(std::uniform_int_distribution<std::int64_t>(0, all - 1)(random));
+            result = solveResting(design, options);
+        }
+        if (result.status == SolveResult::Status::Solved)
+            continue; // allocations vary a little with the threads
+        ++failed;
+        ASSERT_EQ(result.status, SolveResult::Status::Failed);
+        ASSERT_NE(result.reason.english().find("memory"), std::string::npos) << result.reason.english();
+        ASSERT_FALSE(result.surface);
+    }
+    EXPECT_GT(failed, rounds / 2);
+}
+
+/// A solver thread that is asked one thing at a time.
+class Asker {
+public:
+    /// Until the solver has nothing more to do for this design.
+    SolverOutput ask(const Design& design, const std::function<bool(const SolverOutput&)>& answered)
+    {
+        m_solver.request(design, ++m_revision);
+        for (;;) {
+            if (!m_woken.try_acquire_for(std::chrono::seconds(60)))
+                throw std::runtime_error("the solver does not answer");
+            if (const auto output = m_solver.take();
+                output && output->designRevision == m_revision && answered(*output))
+                return *output;
+        }
+    }
+
+private:
+    std::uint64_t m_revision = 0;
+    std::counting_semaphore<> m_woken{0};
+    SolverThread m_solver{[this] { m_woken.release(); }};
+};
+
+bool settled(const SolverOutput& output)
+{
+    return output.status.state == SolverStatus::State::Failed ||
+           (output.status.state == SolverStatus::State::Settled &&
+            (output.status.resting || output.status.restingDistance));
+}
+
+TEST(Faults, TheSolverThreadOutlivesMemoryThatRunsOut)
+{
+    const Design good = cover(200);
+    Asker asker;
+    const SurfaceMeshPtr resting = asker.ask(good, settled).surface;
+    ASSERT_TRUE(resting);
+    std::mt19937_64 random(2);
+    int failed = 0;
+    for (int round = 0; round < rounds / 2; ++round) {
+        const Design other = cover(200 + 40 * std::generate_canonical<double, 32>(random));
+        SolverOutput output;
+        {
+            const FailingMemory failing(std::uniform_int_distribution<std::int64_t>(0, 6000)(random),
+                                        std::this_thread::get_id());
+            output = asker.ask(other, settled);
+        }
+        ASSERT_TRUE(output.surface) << "the last good one must stay";
+        if (output.status.state == SolverStatus::State::Failed) {
+            ++failed;
+            ASSERT_NE(output.status.reason.english().find("memory"), std::string::npos);
+        }
+        if (round % 20 == 0) {
+            const SolverOutput again = asker.ask(good, [](const SolverOutput& o) { return o.status.resting; });
+            ASSERT_EQ(again.surface->positions, resting->positions);
+        }
+    }
+    EXPECT_GT(failed, rounds / 10);
+}
+
+TEST(Faults, SolvesCanBeCancelledAtAnyTime)
+{
+    const Design design = cover(200);
+    std::mt19937 random(3);
+    int cancelled = 0;
+    for (int round = 0; round < rounds; ++round) {
+        std::stop_source stop;
+        std::atomic<bool> ready = false;
+        const auto delay = std::chrono::microseconds(std::uniform_int_distribution<int>(0, 8000)(random));
+        std::jthread canceller([&] {
+            ready = true;
+            std::this_thread::sleep_for(delay);
+            stop.request_stop();
+        });
+        while (!ready)
+            std::this_thread::yield();
+        const SolveResult result = solveResting(design, {}, stop.get_token());
+        if (result.status == SolveResult::Status::Cancelled) {
+            ++cancelled;
+            ASSERT_FALSE(result.surface);
+        } else {
+            ASSERT_EQ(result.status, SolveResult::Status::Solved) << result.reason.english();
+        }
+    }
+    EXPECT_GT(cancelled, 0);
+}
+
+/// Pulls somewhere that is no place, or throws, from some iteration on.
+class Faulty : public GhostSource {
+public:
+    enum class Fault { NotANumber, Huge, Exception };
+
+    Faulty(Fault fault, int after)
+        : m_fault(fault)
+        , m_after(after)
+    {}
+
+    double gamma(const SewnMesh::Part&) const override { return 10; }
+    void follow(const SheetView&, WorkerPool&) override { ++m_iteration; }
+    void displace(const SheetView&, const SewnMesh::Part&, int begin, int end,
+                  Columns& displacements) const override
+    {
+        displacements.middleCols(begin, end - begin).setZero();
+        if (m_iteration <= m_after)
+            return;
+        if (m_fault == Fault::Exception)
+            throw std::runtime_error("a fault");
+        const double pull = m_fault == Fault::Huge ? 1e200 : std::numeric_limits<double>::quiet_NaN();
+        displacements(begin % 3, begin) = pull;
+    }
+
+private:
+    Fault m_fault;
+    int m_after;
+    int m_iteration = 0;
+};
+
+TEST(Faults, NumbersThatAreNoneEndASolveAndKeepTheStateBefore)
+{
+    TriangulationCache cache;
+    const auto sheet = prepareSheet(cover(200), cache);
+    WorkerPool pool(2);
+    for (const auto fault : {Faulty::Fault::NotANumber, Faulty::Fault::Huge})
+        for (int after = 0; after < 40; after += 3) {
+            Ghosts ghosts;
+            ghosts.push_back(std::make_unique<Faulty>(fault, after));
+            Relaxation relaxation(sheet->mesh, pool, 1e-12, std::move(ghosts));
+            relaxation.startCanonically();
+            while (relaxation.phase() == Relaxation::Phase::Running)
+                relaxation.iterate();
+            EXPECT_EQ(relaxation.phase(), Relaxation::Phase::Failed);
+            EXPECT_NE(relaxation.reason().english().find("ran away"), std::string::npos);
+            EXPECT_TRUE(relaxation.state().positions.allFinite());
+        }
+}
+
+TEST(Faults, ExceptionsReachTheCaller)
+{
+    TriangulationCache cache;
+    const auto sheet = prepareSheet(cover(200), cache);
+    WorkerPool pool(3);
+    for (int after = 1; after < 10; ++after) {
+        Ghosts ghosts;
+        ghosts.push_back(std::make_unique<Faulty>(Faulty::Fault::Exception, after));
+        Relaxation relaxation(sheet->mesh, pool, 1e-12, std::move(ghosts));
+        relaxation.startCanonically();
+        EXPECT_THROW(
+            {
+                for (int i = 0; i < 20; ++i)
+                    relaxation.iterate();
+            },
+            std::runtime_error);
+    }
+}
+
+/// Nothing ties the vertices of such a sheet to each other.
+TEST(Faults, SingularSystemsAreRefused)
+{
+    TriangulationCache cache;
+    const auto sheet = prepareSheet(cover(200), cache);
+    WorkerPool pool(2);
+    for (const double weight :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1.0}) {
+        SewnMesh mesh = sheet->mesh;
+        for (SewnMesh::RingEdge& edge : mesh.ring)
+            edge.weight = weight;
+        Relaxation relaxation(mesh, pool, 1e-6);
+        EXPECT_EQ(relaxation.phase(), Relaxation::Phase::Failed);
+        relaxation.startCanonically();
+        relaxation.iterate();
+        EXPECT_EQ(relaxation.phase(), Relaxation::Phase::Failed);
+        EXPECT_FALSE(relaxation.reason().english().empty());
+    }
+}
+
+} // namespace
+} // namespace bolster::test
