@@ -34,9 +34,13 @@ private:
         std::vector<SewnMesh::RingEdge> edges; ///< as triangulated, ring after ring
         std::vector<int> firstEdge;            ///< per vertex, and one more
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> laplacian;
+
+        Inside(const SewnMesh& mesh, int part);
+        /// Of its vertices, from those around it. False when that cannot be.
+        bool solve(std::vector<Vec2>& moves) const;
     };
 
-    Inside& insideOf(const SewnMesh& mesh, int part);
+    bool follow(const SewnMesh& mesh, const OutlineSampling& sampling, int part, std::vector<Vec2>& moves) const;
 
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
     std::vector<Vec2> m_base;

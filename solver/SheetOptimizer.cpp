@@ -5,6 +5,7 @@
 #include "Orientations.h"
 #include "PatternWarp.h"
 #include "SheetMatrices.h"
+#include "SolveReport.h"
 #include "StartPlacement.h"
 
 #include <algorithm>
@@ -200,8 +201,11 @@ SheetState SheetOptimizer::state() const
 
 void SheetOptimizer::report(SolveReport& report) const
 {
-    for (const auto& source : m_ghosts)
+    for (const auto& source : m_ghosts) {
+        for (const SewnMesh::Part& part : m_mesh.parts)
+            report.constraints.ghost += acts(*source) && source->gamma(part) > 0 ? part.vertexCount : 0;
         source->report({m_mesh, m_state.positions, m_state.frames}, report);
+    }
 }
 
 void SheetOptimizer::restart(SheetState state)

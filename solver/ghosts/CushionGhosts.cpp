@@ -61,7 +61,6 @@ void CushionGhosts::report(const SheetView& sheet, SolveReport& report) const
     for (const SewnMesh::Part& part : sheet.mesh.parts) {
         if (!m_fields[part.component])
             continue;
-        report.constraints.ghost += part.vertexCount;
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             const double length = push(sheet, part, v).norm();
             if (length > touch)

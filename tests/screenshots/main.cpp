@@ -33,6 +33,8 @@ struct Options {
     QCommandLineOption size{"size", "Of the window.", "WxH", "1400x900"};
     QCommandLineOption dark{"dark", "Dark theme."};
     QCommandLineOption mesh{"mesh", "Show the triangulation."};
+    QCommandLineOption deviation{"deviation", "Show how far the cover lies from scans."};
+    QCommandLineOption field{"field", "Show the forces of cushions."};
     QCommandLineOption select{"select", "Select these elements.", "ID,..."};
     QCommandLineOption close{"close-up", "Show the selection alone."};
     QCommandLineOption history{"history", "Make some edits, with a branch, and show the history."};
@@ -66,6 +68,8 @@ void arrange(MainWindow& window, const QCommandLineParser& parser, const Options
     window.resize(size.value(0).toInt(), size.value(1).toInt());
     window.docks().reset();
     window.actions().showMesh->setChecked(parser.isSet(options.mesh));
+    window.actions().showDeviation->setChecked(parser.isSet(options.deviation));
+    window.actions().showField->setChecked(parser.isSet(options.field));
     Selection::Elements selected;
     for (const QString& id : parser.value(options.select).split(',', Qt::SkipEmptyParts))
         selected.insert(ElementId{id.toInt()});
@@ -85,8 +89,8 @@ int run(QApplication& application)
     parser.addHelpOption();
     parser.addPositionalArgument("DESIGN", "What to open.");
     parser.addPositionalArgument("PICTURE", "Where to write.");
-    parser.addOptions({options.size, options.dark, options.mesh, options.select, options.close, options.history,
-                       options.language, options.problems, options.dialog});
+    parser.addOptions({options.size, options.dark, options.mesh, options.deviation, options.field, options.select,
+                       options.close, options.history, options.language, options.problems, options.dialog});
     parser.process(application);
     if (parser.positionalArguments().size() != 2)
         parser.showHelp(2);

@@ -123,6 +123,7 @@ TEST(Scan, ACoverTakesTheShapeOfItsScanWhereverThatIsPlaced)
     EXPECT_LE(fit.median, fit.p95);
     EXPECT_LE(fit.p95, fit.max);
     EXPECT_GT(fit.coverage, 0.97);
+    EXPECT_EQ(result.report.constraints.ghost, static_cast<std::int64_t>(result.surface->positions.size()));
 }
 
 TEST(Scan, FineDetailSurvives)
