@@ -1,4 +1,5 @@
 // Memory that runs out, exceptions, numbers that are none, cancelling: a status each, and the solver goes on.
+#include "FailingMemory.h"
 #include "TestDesigns.h"
 
 #include "PatchEdits.h"
@@ -9,64 +10,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 #include <semaphore>
 #include <thread>
-
-namespace {
-
-std::atomic<std::int64_t> allocationsLeft = -1; // before one fails; negative: none does
-std::atomic<std::int64_t> allocations = 0;
-std::thread::id spared; // its allocations do not count
-
-bool failsNow()
-{
-    if (allocationsLeft.load(std::memory_order_relaxed) < 0 || std::this_thread::get_id() == spared)
-        return false;
-    ++allocations;
-    return allocationsLeft.fetch_sub(1) == 0;
-}
-
-void* allocate(std::size_t size, std::size_t alignment)
-{
-    if (failsNow())
-        throw std::bad_alloc();
-    const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
-    if (void* memory = std::aligned_alloc(alignment, whole))
-        return memory;
-    throw std::bad_alloc();
-}
-
-} // namespace
-
-// Those of this program, the solver's included.
-void* operator new(std::size_t size)
-{
-    return allocate(size, alignof(std::max_align_t));
-}
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-    return allocate(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace bolster::test {
 namespace {
@@ -82,20 +29,6 @@ Design cover(double size)
     return box(size, 60, 30, 10, 0.1);
 }
 
-/// Lets the n-th allocation from now on fail, until the end of its life.
-class FailingMemory {
-public:
-    explicit FailingMemory(std::int64_t n, std::thread::id sparedThread = {})
-    {
-        spared = sparedThread;
-        allocations = 0;
-        allocationsLeft = n;
-    }
-    ~FailingMemory() { allocationsLeft = -1; }
-    FailingMemory(const FailingMemory&) = delete;
-    FailingMemory& operator=(const FailingMemory&) = delete;
-};
-
 TEST(Faults, SolvesThatRunOutOfMemorySaySo)
 {
     const Design design = cover(200);
@@ -106,7 +39,7 @@ TEST(Faults, SolvesThatRunOutOfMemorySaySo)
     {
         const FailingMemory counted(never);
         EXPECT_EQ(solveResting(design, options).status, SolveResult::Status::Solved);
-        all = allocations;
+        all = counted.allocations();
     }
     std::mt19937_64 random(1);
     int failed = 0;
