@@ -22,12 +22,16 @@ bool failsNow()
     return left.fetch_sub(1) == 0;
 }
 
+/// Null when it fails.
+void* tryAllocate(std::size_t size, std::size_t alignment) noexcept
+{
+    const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
+    return failsNow() ? nullptr : std::aligned_alloc(alignment, whole);
+}
+
 void* allocate(std::size_t size, std::size_t alignment)
 {
-    if (failsNow())
-        throw std::bad_alloc();
-    const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
-    if (void* memory = std::aligned_alloc(alignment, whole))
+    if (void* memory = tryAllocate(size, alignment))
         return memory;
     throw std::bad_alloc();
 }
@@ -66,6 +70,16 @@ void* operator new(std::size_t size, std::align_val_t alignment)
     return allocate(size, static_cast<std::size_t>(alignment));
 }
 
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+    return tryAllocate(size, alignof(std::max_align_t));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept
+{
+    return tryAllocate(size, static_cast<std::size_t>(alignment));
+}
+
 void operator delete(void* memory) noexcept
 {
     std::free(memory);
@@ -82,6 +96,16 @@ void operator delete(void* memory, std::align_val_t) noexcept
 }
 
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, const std::nothrow_t&) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t, const std::nothrow_t&) noexcept
 {
     std::free(memory);
 }
