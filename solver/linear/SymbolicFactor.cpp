@@ -109,9 +109,9 @@ double sizeOf(int width, int height)
 /// Zeros cost reading them twice in every solve, a node some dozen instructions and indices.
 bool worthMerging(int width, double zeros, double size)
 {
-    if (width <= 4)
+    if (width <= 8)
         return true;
-    const double share = width <= 16 ? 0.3 : width <= 48 ? 0.1 : 0.05;
+    const double share = width <= 16 ? 0.4 : width <= 48 ? 0.15 : 0.05;
     return zeros < share * size;
 }
 

@@ -389,19 +389,18 @@ void SheetOptimizer::movePositions(double step)
 {
     const std::vector<int>& slots = m_positions->slots();
     const PackedFactor::Workspace moves = m_positions->x();
-    const double bound = farthest * m_mesh.largestDiameter();
     m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
-        Sums sums;
+        double farthestMove = 0;
+        Eigen::Array4d overshoot = Eigen::Array4d::Zero();
         for (int u = begin; u < end; ++u) {
-            const Eigen::Vector4d now = m_state.positions.col(u);
-            const Eigen::Vector4d stepped = step * moves.col(slots[u]).cast<double>();
-            const Eigen::Vector4d next = m_ahead.positions.col(u) + stepped, move = next - now;
-            m_other.positions.col(u) = next;
-            sums.overshoot -= stepped.dot(move);
-            sums.farthestMove = std::max(sums.farthestMove, move.squaredNorm() * m_scale[u]);
-            sums.bounded = sums.bounded && move.cwiseAbs().maxCoeff() < bound;
+            const Eigen::Array4d stepped = step * moves.col(slots[u]).cast<double>().array();
+            const Eigen::Array4d next = m_ahead.positions.col(u).array() + stepped;
+            const Eigen::Array4d move = next - m_state.positions.col(u).array();
+            m_other.positions.col(u) = next.matrix();
+            overshoot -= stepped * move;
+            farthestMove = std::max(farthestMove, move.square().sum() * m_scale[u]);
         }
-        m_sums[chunk] = sums;
+        m_sums[chunk] = {overshoot.sum(), farthestMove};
     });
 }
 
@@ -413,9 +412,9 @@ std::optional<double> SheetOptimizer::accept()
     for (const Sums& s : m_sums) {
         total.overshoot += s.overshoot;
         total.farthestMove = std::max(total.farthestMove, s.farthestMove);
-        total.bounded = total.bounded && s.bounded;
     }
-    if (!total.bounded || !std::isfinite(total.overshoot))
+    const bool bounded = total.farthestMove < farthest * farthest && std::isfinite(total.overshoot);
+    if (!bounded)
         return std::nullopt;
     std::swap(m_state, m_other);
     if (total.overshoot > 0)

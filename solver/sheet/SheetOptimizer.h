@@ -117,7 +117,6 @@ private:
     struct Sums {
         double overshoot = 0;
         double farthestMove = 0; // squared, relative to D
-        bool bounded = true;
     };
     std::vector<Sums> m_sums;       // of a move, per chunk of free unknowns
     Columns m_map;                  // the two columns of R(q_i) T_i, per vertex
