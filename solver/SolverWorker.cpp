@@ -193,7 +193,10 @@ bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
     prepared.files = input.files;
     updateTargets(prepared.mesh, prepared.sampling);
     updateMaterials(prepared.mesh, usable);
-    prepared.mesh.reliefs = makeReliefs(prepared.mesh, prepared.sampling, usable);
+    if (plan == SolvePlan::Warp)
+        prepared.mesh.reliefs = makeReliefs(prepared.mesh, prepared.sampling, usable);
+    else
+        updateReliefs(prepared.mesh, usable);
     m_live->canonical = false;
     m_live->stale = true;
     Ghosts ghosts = ghostsFor(prepared, problems);

@@ -26,10 +26,12 @@ public:
             ++m_sharing[unknown];
     }
 
-    SewnMesh::Relief relief(int outline, ElementId seam, double width) const
+    SewnMesh::Relief relief(int outline, ElementId seam, const FancySeam& shape) const
     {
         SewnMesh::Relief relief;
         relief.seam = seam;
+        relief.depth = shape.depth;
+        relief.profile = shape.profile;
         std::vector<int> own;
         const std::vector<OutlineSampling::Line>& lines = m_sampling.outlines[outline].lines;
         for (int k = 0; k < std::ssize(lines); ++k)
@@ -45,9 +47,9 @@ public:
             for (std::size_t i = 0; i < count; ++i) {
                 double share = 1;
                 if (!lines[k].shape.closed && fadesAtStart)
-                    share *= smoothstep(along[i] / width);
+                    share *= smoothstep(along[i] / shape.width);
                 if (!lines[k].shape.closed && fadesAtEnd)
-                    share *= smoothstep((along.back() - along[i]) / width);
+                    share *= smoothstep((along.back() - along[i]) / shape.width);
                 relief.points.push_back({static_cast<int>(vertices[i]), lines[k].across, share});
             }
         }
@@ -101,7 +103,7 @@ std::vector<SewnMesh::Relief> makeReliefs(const SewnMesh& mesh, const OutlineSam
     design.each<FancySeam>([&](ElementId id, const FancySeam& seam) {
         for (int o = 0; o < std::ssize(sampling.outlines); ++o)
             if (sampling.outlines[o].patch == seam.patch)
-                reliefs.push_back(maker.relief(o, id, seam.width));
+                reliefs.push_back(maker.relief(o, id, seam));
     });
     return reliefs;
 }

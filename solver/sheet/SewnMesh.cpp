@@ -302,7 +302,6 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     updateMaterials(mesh, design);
     updateTargets(mesh, sampling);
     mesh.reliefs = makeReliefs(mesh, sampling, design);
-    updateReliefs(mesh, design);
     return mesh;
 }
 

@@ -425,6 +425,20 @@ TEST(SolverThread, ShowsAnotherDepthWithoutSolvingAgain)
                                      [&](const auto& line) { return line.element == drawn.seam; }));
 }
 
+/// How deep a fancy seam lies under its outer lines halfway along, mm.
+double depthInTheMiddle(const SurfaceMesh& surface, ElementId seam)
+{
+    double depth = 0;
+    for (const SurfaceTopology::Line& line : surface.topology->lines) {
+        const double height = surface.positions[line.vertices[line.vertices.size() / 2]].z();
+        if (line.element == seam && std::abs(line.across) == 1)
+            depth += 0.5 * height;
+        else if (line.element == seam && line.across == 0)
+            depth -= height;
+    }
+    return depth;
+}
+
 TEST(SolverThread, FollowsTheTargetOfAHandle)
 {
     const DrawnOn drawn;
@@ -447,6 +461,8 @@ TEST(SolverThread, FollowsTheTargetOfAHandle)
             for (const std::uint32_t v :
                  line.element == drawn.handle ? line.vertices : std::vector<std::uint32_t>())
                 EXPECT_NEAR(output->surface->positions[v].z(), 30 + 2 * step, 1e-9) << "with every surface";
+        const double depth = drawn.design.find<FancySeam>(drawn.seam)->depth;
+        EXPECT_NEAR(depthInTheMiddle(*output->surface, drawn.seam), depth, 0.3 * depth) << "with every surface";
     }
     const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(resting);
