@@ -146,6 +146,15 @@ private:
     std::vector<std::vector<double>> m_parameters;
 };
 
+/// Lines that end at an outline end at its samples.
+void tieEnds(InnerLine& line, const std::vector<Vec2>& samples)
+{
+    if (line.startSample >= 0)
+        line.points.front() = samples[line.startSample];
+    if (line.endSample >= 0)
+        line.points.back() = samples[line.endSample];
+}
+
 /// Turns divided pieces into samples, and stretches into chains of them.
 class Chainer {
 public:
@@ -210,10 +219,7 @@ public:
             OutlineSampling::Outline& outline = m_result.outlines[o];
             InnerLine shape{line.points, line.closed, sampleAt(o, line.onOutline[0], line.reach),
                             sampleAt(o, line.onOutline[1], line.reach)};
-            if (shape.startSample >= 0)
-                shape.points.front() = outline.points[shape.startSample];
-            if (shape.endSample >= 0)
-                shape.points.back() = outline.points[shape.endSample];
+            tieEnds(shape, outline.points);
             const int index = static_cast<int>(outline.lines.size());
             const auto* handle = design.find<HandleCurve>(line.element);
             if (handle && handle->hasTarget())
@@ -280,10 +286,7 @@ bool redrawLines(OutlineSampling& sampling, const std::vector<PatchLine>& drawn)
             return false;
         old.shape.points = line.points;
         old.fractions = line.fractions;
-        if (old.shape.startSample >= 0)
-            old.shape.points.front() = outline->points[old.shape.startSample];
-        if (old.shape.endSample >= 0)
-            old.shape.points.back() = outline->points[old.shape.endSample];
+        tieEnds(old.shape, outline->points);
     }
     return std::ranges::all_of(sampling.outlines,
                                [&](const auto& outline) { return known[outline.patch] == outline.lines.size(); });

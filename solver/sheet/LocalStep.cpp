@@ -11,10 +11,6 @@ namespace {
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-// Pulls a collapsed ring back to its previous frame; an absolute size, or it would stay collapsed for ever.
-constexpr double regularisation = 1e-4;
-constexpr double largestStrain = 0.5;
-
 /// The rotation closest to a map of the plane into space. The plane has two directions only, so the polar factor
 /// has a closed form and reflections cannot occur. False when the map is degenerate.
 bool closestRotation(const Matrix32& map, Eigen::Matrix3d& rotation)
@@ -58,9 +54,10 @@ Eigen::Vector4d quaternionNear(const Eigen::Matrix3d& r, const Eigen::Vector4d& 
 Eigen::Matrix2d preferredStretch(const Matrix32& gradient, const Eigen::Matrix3d& rotation, double poisson)
 {
     const Eigen::Matrix2d inPlane = rotation.leftCols<2>().transpose() * gradient;
-    const double xx = std::clamp(inPlane(0, 0) - 1, -largestStrain, largestStrain);
-    const double yy = std::clamp(inPlane(1, 1) - 1, -largestStrain, largestStrain);
-    const double xy = std::clamp(0.5 * (inPlane(0, 1) + inPlane(1, 0)), -largestStrain, largestStrain);
+    const double xx = std::clamp(inPlane(0, 0) - 1, -largestAnsweredStrain, largestAnsweredStrain);
+    const double yy = std::clamp(inPlane(1, 1) - 1, -largestAnsweredStrain, largestAnsweredStrain);
+    const double xy =
+        std::clamp(0.5 * (inPlane(0, 1) + inPlane(1, 0)), -largestAnsweredStrain, largestAnsweredStrain);
     Eigen::Matrix2d stretch;
     stretch << 1 - poisson * yy, poisson * xy, poisson * xy, 1 - poisson * xx;
     return stretch;
@@ -72,7 +69,7 @@ LocalFit fitVertex(const Matrix32& covariance, const Eigen::Matrix2d& rest, doub
                    const Eigen::Vector4d& previousFrame, double poisson)
 {
     const Eigen::Matrix3d previous = rotationOf(previousFrame);
-    const double pull = regularisation * 4 * area;
+    const double pull = ringRegularisation * area;
     const Matrix32 regular = covariance + pull * previous.leftCols<2>();
     Eigen::Matrix3d rotation;
     if (!closestRotation(regular, rotation))

@@ -5,6 +5,12 @@
 
 namespace bolster {
 
+/// Pulls a collapsed ring back to its previous frame, times the vertex area; an absolute size, or it would stay
+/// collapsed for ever.
+inline constexpr double ringRegularisation = 4e-4;
+/// Strain beyond which the preferred stretch answers no more.
+inline constexpr double largestAnsweredStrain = 0.5;
+
 /// What a vertex wants: its best-fitting frame, and the in-plane stretch that its material prefers there.
 struct LocalFit {
     Eigen::Vector4d frame;

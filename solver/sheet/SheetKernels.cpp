@@ -61,10 +61,8 @@ using Wide = hn::CappedTag<double, block>;
 using Vector = hn::Vec<Wide>;
 constexpr Wide wide;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
-constexpr double regularisation = 4e-4; // as in LocalStep
-constexpr double largestStrain = 0.5;
-constexpr double suspicious =
-    0.05; // of a ring's weight: so far its frames are apart where one may be of opposite sign
+// Of a ring's weight: so far its frames are apart where one may be of opposite sign.
+constexpr double suspicious = 0.05;
 
 /// A column of each vertex of a block.
 struct alignas(64) Columns8 {
@@ -137,7 +135,7 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Vector one = hn::Set(wide, 1.0);
     const Rows q(in.frame.numbers[from]);
     const Vector ringArea = load(rings.area);
-    const Vector pull = hn::Mul(hn::Set(wide, regularisation), ringArea);
+    const Vector pull = hn::Mul(hn::Set(wide, ringRegularisation), ringArea);
     const TwoColumns before = rotated(q);
     const auto regular = [&](const Rows& c, const Rotated& r) {
         return Rotated{hn::MulAdd(pull, r.x, c.w), hn::MulAdd(pull, r.y, c.x), hn::MulAdd(pull, r.z, c.y)};
@@ -181,7 +179,7 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Vector i00 = load(rings.inverse[0]), i01 = load(rings.inverse[1]), i11 = load(rings.inverse[2]);
     const Rotated f0 = combine(g0, i00, g1, i01), f1 = combine(g0, i01, g1, i11);
     const auto clamped = [](Vector strain) {
-        return hn::Clamp(strain, hn::Set(wide, -largestStrain), hn::Set(wide, largestStrain));
+        return hn::Clamp(strain, hn::Set(wide, -largestAnsweredStrain), hn::Set(wide, largestAnsweredStrain));
     };
     const Vector nu = hn::Set(wide, poisson);
     const Vector xxStrain = clamped(hn::Sub(inner(r0, f0), one)), yyStrain = clamped(hn::Sub(inner(r1, f1), one));
@@ -301,8 +299,6 @@ HWY_EXPORT(RingForces);
 
 namespace {
 
-constexpr double regular = 4e-4; // as in LocalStep
-
 /// A collapsed ring, or a half turn: rare.
 void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
                double bending, int v, const SheetResults& to)
@@ -320,7 +316,7 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
     Eigen::Matrix2d inverse;
     inverse << rings.inverse[0][v], rings.inverse[1][v], rings.inverse[1][v], rings.inverse[2][v];
     const double area = rings.area[v];
-    const Eigen::Matrix2d rest = inverse.inverse() - regular * area * Eigen::Matrix2d::Identity();
+    const Eigen::Matrix2d rest = inverse.inverse() - ringRegularisation * area * Eigen::Matrix2d::Identity();
     const LocalFit fit = fitVertex(covariance, rest, area, frame, poisson);
     using Four = Eigen::Map<Eigen::Vector4d>;
     using FourFloats = Eigen::Map<Eigen::Vector4f>;
@@ -349,7 +345,7 @@ SheetRings::SheetRings(const SewnMesh& mesh)
         Vertex vertex;
         vertex.unknown = static_cast<int>(unknown[v]);
         vertex.firstEdge = static_cast<int>(edges.size());
-        Eigen::Matrix2d rest = regular * mesh.area[v] * Eigen::Matrix2d::Identity();
+        Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
         for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
             const SewnMesh::RingEdge& ring = mesh.ring[k];
             const Vec2 pull = ring.weight * ring.rest;

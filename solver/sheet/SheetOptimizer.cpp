@@ -56,6 +56,11 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
 bool SheetOptimizer::refactor()
 {
     m_smoothSeams.emplace(m_mesh, m_rest);
+    return factor();
+}
+
+bool SheetOptimizer::factor()
+{
     m_factored = m_mesh.rest();
     m_distortion = 1;
     return m_positions->factor(positionMatrix(m_mesh, ghostWeights()), m_pool) &&
@@ -67,7 +72,7 @@ bool SheetOptimizer::reshape()
     m_rings = SheetRings(m_mesh);
     measureRings();
     m_distortion = distortion(m_mesh.topology->triangles, m_factored, m_mesh.rest());
-    return m_distortion < mostDistortion ? ok() : refactor();
+    return m_distortion < mostDistortion ? ok() : factor();
 }
 
 /// What smooth seams and held normals add to L2's diagonal.
@@ -224,6 +229,7 @@ void SheetOptimizer::retarget()
     m_other = m_state;
     m_momentum = 1;
     m_signsAgree = false;
+    findCorrectable();
 }
 
 void SheetOptimizer::relaxPositions()
@@ -237,6 +243,20 @@ void SheetOptimizer::relaxPositions()
     if (accept()) // else the next iteration fails, too
         m_other = m_state;
     m_momentum = 1;
+}
+
+/// Smooth seams and held normals may be others than before.
+void SheetOptimizer::findCorrectable()
+{
+    m_correctable = m_smoothSeams->vertices();
+    for (const SewnMesh::Oriented& held : m_mesh.oriented)
+        m_correctable.push_back(held.vertex);
+    std::ranges::sort(m_correctable);
+    const auto repeated = std::ranges::unique(m_correctable);
+    m_correctable.erase(repeated.begin(), repeated.end());
+    if (!m_correctable.empty())
+        m_fitted.resize(4, m_mesh.vertexCount());
+    m_results.fitted = m_correctable.empty() ? nullptr : m_fitted.data();
 }
 
 std::optional<double> SheetOptimizer::iterate()
@@ -275,12 +295,6 @@ void SheetOptimizer::extrapolate()
 /// The local step, and the residual of L2.
 void SheetOptimizer::fit()
 {
-    m_correctable = m_smoothSeams->vertices();
-    for (const SewnMesh::Oriented& held : m_mesh.oriented)
-        m_correctable.push_back(held.vertex);
-    if (!m_correctable.empty())
-        m_fitted.resize(4, m_mesh.vertexCount());
-    m_results.fitted = m_correctable.empty() ? nullptr : m_fitted.data();
     std::atomic<bool> agree = true;
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
         if (!fitFrames(m_rings, m_ahead.positions, m_ahead.frames, part.material.poisson, 2 * part.bendingSquared(),
@@ -295,9 +309,6 @@ void SheetOptimizer::fit()
 /// At smooth seams and where normals are held.
 void SheetOptimizer::correctFits()
 {
-    std::ranges::sort(m_correctable);
-    const auto repeated = std::ranges::unique(m_correctable);
-    m_correctable.erase(repeated.begin(), repeated.end());
     const Columns before = m_fitted(Eigen::all, m_correctable);
     const SheetView now{m_mesh, m_ahead.positions, m_ahead.frames};
     m_smoothSeams->correct(now, m_pool, m_fitted);

@@ -61,6 +61,8 @@ private:
     std::vector<double> frameRows() const;
     void precomputeRings();
     void numberSlots();
+    bool factor();
+    void findCorrectable();
     void measureRings();
     template <class Body>
     void forParts(const Body& body);

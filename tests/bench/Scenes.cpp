@@ -13,20 +13,26 @@ namespace bolster::bench {
 
 namespace {
 
+template <class T>
+ElementId addTo(Design& design, T element)
+{
+    const ElementId id = design.nextId();
+    design = design.with({{}, {{id, nullptr, makeElement(std::move(element))}}});
+    return id;
+}
+
 class Builder {
 public:
     explicit Builder(double edgeLength)
     {
-        put(settingsId, Settings{edgeLength});
+        m_design = m_design.with({{}, {{settingsId, nullptr, makeElement(Settings{edgeLength})}}});
         m_fabric = add(Fabric{.name = "Leather"});
     }
 
     template <class T>
     ElementId add(T element)
     {
-        const ElementId id = m_design.nextId();
-        put(id, std::move(element));
-        return id;
+        return addTo(m_design, std::move(element));
     }
     ElementId patch(std::string name, std::vector<Vec2> outline, double pressure = 0)
     {
@@ -50,12 +56,6 @@ public:
     const Design& design() const { return m_design; }
 
 private:
-    template <class T>
-    void put(ElementId id, T element)
-    {
-        m_design = m_design.with({{}, {{id, nullptr, makeElement(std::move(element))}}});
-    }
-
     Design m_design;
     ElementId m_fabric{};
 };
@@ -154,14 +154,6 @@ Design seatWithEdges(double edgeLength, Continuity topSeams)
 }
 
 template <class T>
-ElementId addTo(SolveInput& input, T element)
-{
-    const ElementId id = input.design.nextId();
-    input.design = input.design.with({{}, {{id, nullptr, makeElement(std::move(element))}}});
-    return id;
-}
-
-template <class T>
 T named(const char* name)
 {
     T element;
@@ -228,7 +220,7 @@ Design seat(int vertices, Continuity topSeams)
 SolveInput cushionedSeat(int vertices, Continuity topSeams)
 {
     SolveInput input(seat(vertices, topSeams));
-    const ElementId frame = addTo(input, named<Frame>("Box"));
+    const ElementId frame = addTo(input.design, named<Frame>("Box"));
     constexpr double padding = 30;
     const Vec3 inset(padding, padding, 0);
     input.files.meshes[frame] = std::make_shared<const TriangleMesh>(
@@ -236,7 +228,7 @@ SolveInput cushionedSeat(int vertices, Continuity topSeams)
     Cushion cushion = named<Cushion>("Foam");
     cushion.frame = frame;
     cushion.dilation = padding;
-    addTo(input, std::move(cushion));
+    addTo(input.design, std::move(cushion));
     return input;
 }
 
@@ -259,7 +251,7 @@ SolveInput scannedSeat(int vertices, int points)
         const Vec3 normal = cover->normals[a].cast<double>();
         cloud.points.push_back(place + (2 + share() - 0.5) * normal);
     }
-    const ElementId scan = addTo(input, named<Scan>("Scan"));
+    const ElementId scan = addTo(input.design, named<Scan>("Scan"));
     input.files.clouds[scan] = std::make_shared<const PointCloud>(std::move(cloud));
     return input;
 }
