@@ -10,7 +10,8 @@ namespace bolster {
 
 namespace {
 
-constexpr std::size_t lineSize = 16; // numbers in a cache line
+constexpr std::size_t lineSize = 16;    // numbers in a cache line
+constexpr std::size_t cached = 4 << 20; // bytes
 
 std::size_t inChunks(int rows)
 {
@@ -101,7 +102,7 @@ std::span<const PackedNode> PackedFactor::part(int part) const
 
 void PackedFactor::solve(WorkerPool& pool)
 {
-    const PackedView view{m_values.get(), m_symbolic.rows.data()};
+    const PackedView view{m_values.get(), m_symbolic.rows.data(), bytes() > cached};
     const int outside = m_symbolic.outside();
     float* const work = m_x.get();
     const std::size_t spilled = 4 * static_cast<std::size_t>(m_symbolic.size() - outside);

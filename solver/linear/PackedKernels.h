@@ -21,6 +21,7 @@ struct PackedNode {
 struct PackedView {
     const float* values = nullptr;
     const int* rows = nullptr;
+    bool streamed = false; ///< whether the values are too many for a cache
 };
 
 /// x := L^-1 x for these nodes, in this order. What they add to rows of later nodes from `outside` on goes to

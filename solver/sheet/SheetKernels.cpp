@@ -38,6 +38,11 @@ HWY_INLINE Four& column(Columns& columns, int i)
     return *reinterpret_cast<Four*>(at(columns.data(), i));
 }
 
+HWY_INLINE FourFloats& column(float* numbers, int i)
+{
+    return *reinterpret_cast<FourFloats*>(at(numbers, i));
+}
+
 HWY_INLINE void widen(const float* numbers, Four& to)
 {
     to = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(numbers), Four);
@@ -131,7 +136,10 @@ struct FitBlock {
 /// fitVertex of LocalStep for a register of vertices, and the residual of L2.
 HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex, double poisson, double bending)
 {
-    const auto load = [&](const std::vector<double>& numbers) { return hn::LoadU(wide, numbers.data() + vertex); };
+    constexpr hn::Rebind<float, Wide> narrow;
+    const auto load = [&](const std::vector<float>& numbers) {
+        return hn::PromoteTo(wide, hn::LoadU(narrow, numbers.data() + vertex));
+    };
     const Vector one = hn::Set(wide, 1.0);
     const Rows q(in.frame.numbers[from]);
     const Vector ringArea = load(rings.area);
@@ -186,7 +194,7 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Vector xyStrain = clamped(hn::Mul(hn::Set(wide, 0.5), hn::Add(inner(r0, f1), inner(r1, f0))));
     const auto sound = hn::And(hn::And(hn::Gt(determinant, hn::Zero(wide)), hn::Gt(area, hn::Zero(wide))),
                                hn::Gt(square, hn::Set(wide, 1e-12)));
-    store(hn::NegMulAdd(nu, yyStrain, one), hn::Mul(nu, xyStrain), hn::NegMulAdd(nu, xxStrain, one),
+    store(hn::Neg(hn::Mul(nu, yyStrain)), hn::Mul(nu, xyStrain), hn::Neg(hn::Mul(nu, xxStrain)),
           hn::IfThenElse(sound, hn::Zero(wide), hn::Set(wide, -1.0)), in.stretch.numbers[from]);
 }
 
@@ -200,15 +208,17 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
         for (int i = 0; i < count; ++i) {
             const SheetRings::Vertex* const vertex = &rings.vertices[first + i];
             const Four here = column(positions, vertex->unknown), frame = column(frames, first + i);
-            Four c0 = here * -vertex->pull[0], c1 = here * -vertex->pull[1], smoothing = frame * -vertex->weight;
+            Four c0{}, c1{}, smoothing{};
+            double weight = 0;
             for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
                 const SheetRings::Edge& edge = rings.edges[k];
-                const Four there = column(positions, edge.unknown), frameThere = column(frames, edge.vertex);
-                c0 += there * edge.pull[0];
-                c1 += there * edge.pull[1];
-                smoothing += frameThere * edge.weight;
+                const Four apart = column(positions, edge.unknown) - here;
+                c0 += apart * static_cast<double>(edge.pull[0]);
+                c1 += apart * static_cast<double>(edge.pull[1]);
+                smoothing += (column(frames, edge.vertex) - frame) * static_cast<double>(edge.weight);
+                weight += static_cast<double>(edge.weight);
             }
-            agree = agree && dot(frame, smoothing) > -suspicious * vertex->weight;
+            agree = agree && dot(frame, smoothing) > -suspicious * weight;
             in.covariance[0][i] = c0;
             in.covariance[1][i] = c1;
             in.smoothing[i] = smoothing;
@@ -220,43 +230,47 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
             narrow(in.residual[i], at(to.turns, to.turnSlots[first + i]));
             narrow(in.stretch[i], at(to.stretch, first + i));
             if (to.fitted)
-                *reinterpret_cast<Four*>(at(to.fitted, first + i)) = in.fitted[i] * rings.area[first + i];
+                *reinterpret_cast<Four*>(at(to.fitted, first + i)) =
+                    in.fitted[i] * static_cast<double>(rings.area[first + i]);
         }
     }
     return agree;
 }
 
-void TurnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
-                Columns& maps)
+/// The frame `beta` of the step from `before` to `now` further on. Their signs may be opposite.
+HWY_INLINE void extrapolate(const Four& before, const Four& now, double beta, Four& ahead)
 {
-    Columns8 before{}, after{}, stretch{}, map[2]{};
+    const Four further = now + (now - (dot(now, before) < 0 ? -before : before)) * beta;
+    ahead = further * (1 / std::sqrt(dot(further, further)));
+}
+
+void TurnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
+                Columns& turned, Columns& ahead, Columns& maps)
+{
+    Columns8 after{}, stretch{}, map[2]{};
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
-        before.fill(frames, first, count);
         for (int i = 0; i < count; ++i) {
-            widen(at(results.turns, results.turnSlots[first + i]), after[i]);
-            after[i] += before[i];
+            Four& from = column(ahead, first + i);
+            Four q;
+            widen(at(results.turns, results.turnSlots[first + i]), q);
+            q += from;
+            const double square = dot(q, q);
+            const Four unit = square > 1e-24 ? q * (1 / std::sqrt(square)) : from;
+            column(turned, first + i) = after[i] = unit;
+            extrapolate(column(before, first + i), unit, beta, from);
             widen(at(results.stretch, first + i), stretch[i]);
         }
         for (int from = 0; from < block; from += lanes) {
-            const Rows old(before.numbers[from]), t(stretch.numbers[from]);
-            Rows q(after.numbers[from]);
-            const Vector square =
-                hn::MulAdd(q.w, q.w, hn::MulAdd(q.x, q.x, hn::MulAdd(q.y, q.y, hn::Mul(q.z, q.z))));
-            const auto sound = hn::Gt(square, hn::Set(wide, 1e-24));
-            const Vector length = hn::Div(hn::Set(wide, 1.0), hn::Sqrt(square));
-            q.w = hn::IfThenElse(sound, hn::Mul(q.w, length), old.w);
-            q.x = hn::IfThenElse(sound, hn::Mul(q.x, length), old.x);
-            q.y = hn::IfThenElse(sound, hn::Mul(q.y, length), old.y);
-            q.z = hn::IfThenElse(sound, hn::Mul(q.z, length), old.z);
-            store(q.w, q.x, q.y, q.z, after.numbers[from]);
-            const TwoColumns r = rotated(q);
-            const Rotated m0 = combine(r.first, t.w, r.second, t.x), m1 = combine(r.first, t.x, r.second, t.y);
+            const Rows t(stretch.numbers[from]);
+            const TwoColumns r = rotated(Rows(after.numbers[from]));
+            const Vector one = hn::Set(wide, 1.0);
+            const Rotated m0 = combine(r.first, hn::Add(one, t.w), r.second, t.x);
+            const Rotated m1 = combine(r.first, t.x, r.second, hn::Add(one, t.y));
             store(m0.x, m0.y, m0.z, hn::Zero(wide), map[0].numbers[from]);
             store(m1.x, m1.y, m1.z, hn::Zero(wide), map[1].numbers[from]);
         }
         for (int i = 0; i < count; ++i) {
-            column(turned, first + i) = after[i];
             column(maps, 2 * (first + i)) = map[0][i];
             column(maps, 2 * (first + i) + 1) = map[1][i];
         }
@@ -268,13 +282,14 @@ void RingForces(const SheetRings& rings, const Columns& positions, const Columns
 {
     for (int v = begin; v < end; ++v) {
         const SheetRings::Vertex* const vertex = &rings.vertices[v];
-        Four places = column(positions, vertex->unknown) * -vertex->weight;
-        Four preferred = column(maps, 2 * v) * vertex->pull[0] + column(maps, 2 * v + 1) * vertex->pull[1];
+        const Four here = column(positions, vertex->unknown);
+        const Four map0 = column(maps, 2 * v), map1 = column(maps, 2 * v + 1);
+        Four places{}, preferred{};
         for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
             const SheetRings::Edge& edge = rings.edges[k];
-            places += column(positions, edge.unknown) * edge.weight;
-            preferred +=
-                column(maps, 2 * edge.vertex) * edge.pull[0] + column(maps, 2 * edge.vertex + 1) * edge.pull[1];
+            places += (column(positions, edge.unknown) - here) * static_cast<double>(edge.weight);
+            preferred += (column(maps, 2 * edge.vertex) + map0) * static_cast<double>(edge.pull[0]) +
+                         (column(maps, 2 * edge.vertex + 1) + map1) * static_cast<double>(edge.pull[1]);
         }
         Four force = (places * 2 - preferred) * stiffness;
         if (to.outer)
@@ -282,7 +297,7 @@ void RingForces(const SheetRings& rings, const Columns& positions, const Columns
         if (to.moveSlots[v] >= 0)
             narrow(force, at(to.moves, to.moveSlots[v]));
         else
-            *reinterpret_cast<Four*>(at(to.forces, v)) = force;
+            narrow(force, at(to.forces, v));
     }
 }
 
@@ -310,8 +325,8 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
     for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
         const SheetRings::Edge& ring = rings.edges[k];
         const Vec3 edge = (positions.col(ring.unknown) - positions.col(vertex->unknown)).head<3>();
-        covariance += edge * Eigen::RowVector2d(ring.pull[0], ring.pull[1]);
-        smoothing += ring.weight * (frames.col(ring.vertex) - frame);
+        covariance += edge * Eigen::RowVector2f(ring.pull[0], ring.pull[1]).cast<double>();
+        smoothing += static_cast<double>(ring.weight) * (frames.col(ring.vertex) - frame);
     }
     Eigen::Matrix2d inverse;
     inverse << rings.inverse[0][v], rings.inverse[1][v], rings.inverse[1][v], rings.inverse[2][v];
@@ -324,7 +339,7 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
     FourFloats(column(to.turns, to.turnSlots[v])) =
         (area * (fit.frame - frame) + bending * smoothing).cast<float>();
     FourFloats(column(to.stretch, v)) =
-        Eigen::Vector4d(fit.stretch(0, 0), fit.stretch(0, 1), fit.stretch(1, 1), 0).cast<float>();
+        Eigen::Vector4d(fit.stretch(0, 0) - 1, fit.stretch(0, 1), fit.stretch(1, 1) - 1, 0).cast<float>();
     if (to.fitted)
         Four(column(to.fitted, v)) = area * fit.frame;
 }
@@ -334,37 +349,31 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
 SheetRings::SheetRings(const SewnMesh& mesh)
 {
     const auto& unknown = mesh.topology->unknown;
-    const std::size_t padded = mesh.area.size() + 8; // whole registers are read
+    const std::size_t padded = mesh.area.size() + 16; // whole registers are read
     edges.reserve(mesh.ring.size());
     vertices.reserve(mesh.area.size() + 1);
     area.assign(padded, 1);
-    std::ranges::copy(mesh.area, area.begin());
     for (auto& numbers : inverse)
         numbers.assign(padded, 1);
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-        Vertex vertex;
-        vertex.unknown = static_cast<int>(unknown[v]);
-        vertex.firstEdge = static_cast<int>(edges.size());
+        vertices.push_back({static_cast<int>(unknown[v]), static_cast<int>(edges.size())});
         Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
         for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
             const SewnMesh::RingEdge& ring = mesh.ring[k];
             const Vec2 pull = ring.weight * ring.rest;
-            edges.push_back(
-                {ring.vertex, static_cast<int>(unknown[ring.vertex]), ring.weight, {pull.x(), pull.y()}});
-            vertex.weight += ring.weight;
-            vertex.pull[0] += pull.x();
-            vertex.pull[1] += pull.y();
+            edges.push_back({ring.vertex,
+                             static_cast<int>(unknown[ring.vertex]),
+                             static_cast<float>(ring.weight),
+                             {static_cast<float>(pull.x()), static_cast<float>(pull.y())}});
             rest += pull * ring.rest.transpose();
         }
-        const double determinant = rest.determinant();
-        inverse[0][v] = rest(1, 1) / determinant;
-        inverse[1][v] = -rest(0, 1) / determinant;
-        inverse[2][v] = rest(0, 0) / determinant;
-        vertices.push_back(vertex);
+        const Eigen::Matrix2f inverted = rest.inverse().cast<float>();
+        inverse[0][v] = inverted(0, 0);
+        inverse[1][v] = inverted(0, 1);
+        inverse[2][v] = inverted(1, 1);
+        area[v] = static_cast<float>(mesh.area[v]);
     }
-    Vertex last;
-    last.firstEdge = static_cast<int>(edges.size());
-    vertices.push_back(last);
+    vertices.push_back({0, static_cast<int>(edges.size())});
 }
 
 bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
@@ -377,10 +386,10 @@ bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns&
     return agree;
 }
 
-void turnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
-                Columns& maps)
+void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
+                Columns& turned, Columns& ahead, Columns& maps)
 {
-    HWY_DYNAMIC_DISPATCH(TurnFrames)(frames, results, begin, end, turned, maps);
+    HWY_DYNAMIC_DISPATCH(TurnFrames)(before, beta, begin, end, results, turned, ahead, maps);
 }
 
 void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,

@@ -9,6 +9,10 @@
 
 namespace bolster {
 
+// What belongs to the mesh and what is corrected once more in the next iteration is kept in single precision, since
+// iterations wait for memory. All that is measured is in double precision: rounding it would shake the cover by
+// 1e-8 of its size for ever.
+
 /// What the loops need of the mesh, packed. Symbols are those of docs/solver.md.
 struct SheetRings {
     explicit SheetRings(const SewnMesh& mesh);
@@ -16,35 +20,33 @@ struct SheetRings {
     struct Edge {
         int vertex = 0;
         int unknown = 0;
-        double weight = 0;       ///< w_ij
-        double pull[2] = {0, 0}; ///< w_ij e_ij
+        float weight = 0;       ///< w_ij
+        float pull[2] = {0, 0}; ///< w_ij e_ij
     };
     struct Vertex {
         int unknown = 0;
         int firstEdge = 0;
-        double weight = 0;       ///< sum of w_ij
-        double pull[2] = {0, 0}; ///< sum of w_ij e_ij
     };
 
     std::vector<Edge> edges;      ///< ring after ring
     std::vector<Vertex> vertices; ///< and one more, where the last ring ends
     // Per vertex, and some more, since whole registers are read.
-    std::vector<double> area;                   ///< A_i
-    std::array<std::vector<double>, 3> inverse; ///< of the regularised S_i: xx, xy, yy
+    std::vector<float> area;                   ///< A_i
+    std::array<std::vector<float>, 3> inverse; ///< of the regularised S_i: xx, xy, yy
 };
 
 /// Where the loops put what they find: four numbers for each vertex or unknown.
 struct SheetResults {
     const int* turnSlots = nullptr; ///< where each vertex lies in `turns`
     float* turns = nullptr;         ///< L2's residuals, then its corrections
-    float* stretch = nullptr;       ///< T_i: xx, xy, yy, 0
+    float* stretch = nullptr;       ///< T_i - I: xx, xy, yy, 0
     double* fitted = nullptr;       ///< A_i qhat_i, if wanted
 
     const double* outer = nullptr; ///< forces that are not the ring's, if there are any
     /// Where each vertex' unknown lies in `moves` if the vertex alone has it and it is free, else -1.
     const int* moveSlots = nullptr;
-    float* moves = nullptr;   ///< L1's residuals
-    double* forces = nullptr; ///< of the other vertices
+    float* moves = nullptr;  ///< L1's residuals
+    float* forces = nullptr; ///< of the other vertices
 };
 
 // All for the vertices begin .. end - 1 of one part, so that parts of a mesh can be given to threads.
@@ -55,9 +57,10 @@ struct SheetResults {
 bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
                double bending, int begin, int end, const SheetResults& to);
 
-/// Frames after L2 has answered, normalised, and the two columns of every R(q_i) T_i.
-void turnFrames(const Columns& frames, const SheetResults& results, int begin, int end, Columns& turned,
-                Columns& maps);
+/// Frames after L2 has answered, normalised, and the two columns of every R(q_i) T_i. `ahead` are the frames that
+/// it was asked at; they become those for the next time, `beta` of the step from `before` to `turned` further on.
+void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
+                Columns& turned, Columns& ahead, Columns& maps);
 
 /// The force on every vertex: stiffness * sum w_ij (2 (p_j - p_i) - (M_i + M_j) e_ij), and the outer one.
 void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,

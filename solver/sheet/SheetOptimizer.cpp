@@ -227,22 +227,21 @@ void SheetOptimizer::retarget()
     for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
         m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)).head<3>() = m_mesh.targets[k];
     m_other = m_state;
-    m_momentum = 1;
+    m_aheadIsReady = false;
     m_signsAgree = false;
     findCorrectable();
 }
 
 void SheetOptimizer::relaxPositions()
 {
-    m_ahead = m_state;
+    startHere();
     m_other.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
         m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>();
     solvePositions();
     movePositions(1);
-    if (accept()) // else the next iteration fails, too
-        m_other = m_state;
-    m_momentum = 1;
+    accept(); // else the next iteration fails, too
+    m_aheadIsReady = false;
 }
 
 /// Smooth seams and held normals may be others than before.
@@ -261,9 +260,11 @@ void SheetOptimizer::findCorrectable()
 
 std::optional<double> SheetOptimizer::iterate()
 {
+    if (!std::exchange(m_aheadIsReady, false)) // until the iteration has succeeded
+        startHere();
+    m_momentum = nextMomentum();
     if (!m_signsAgree)
-        alignSigns(m_mesh, m_pool, m_state.frames);
-    extrapolate();
+        alignSigns(m_mesh, m_pool, m_ahead.frames);
     fit();
     solveFrames();
     solvePositions();
@@ -271,25 +272,27 @@ std::optional<double> SheetOptimizer::iterate()
     return accept();
 }
 
-/// Nesterov's step ahead along the last move, frames included.
-void SheetOptimizer::extrapolate()
+/// Without acceleration, from the present state.
+void SheetOptimizer::startHere()
 {
-    const double momentum = 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
-    const double beta = m_accelerated ? (m_momentum - 1) / momentum : 0;
-    m_momentum = momentum;
-    // There are at least as many vertices as unknowns.
+    m_momentum = 1;
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
-        const int count = std::min(end, m_mesh.unknownCount()) - begin;
-        if (count > 0)
-            m_ahead.positions.middleCols(begin, count) = (1 + beta) * m_state.positions.middleCols(begin, count) -
-                                                         beta * m_other.positions.middleCols(begin, count);
-        for (int v = begin; v < end; ++v) {
-            const Eigen::Vector4d now = m_state.frames.col(v), before = m_other.frames.col(v);
-            const double sign = now.dot(before) < 0 ? -beta : beta;
-            const Eigen::Vector4d ahead = (1 + beta) * now - sign * before;
-            m_ahead.frames.col(v) = (1 / std::sqrt(ahead.squaredNorm())) * ahead;
-        }
+        m_ahead.frames.middleCols(begin, end - begin) = m_state.frames.middleCols(begin, end - begin);
+        // There are at least as many vertices as unknowns.
+        if (const int count = std::min(end, m_mesh.unknownCount()) - begin; count > 0)
+            m_ahead.positions.middleCols(begin, count) = m_state.positions.middleCols(begin, count);
     });
+}
+
+double SheetOptimizer::nextMomentum() const
+{
+    return 0.5 * (1 + std::sqrt(1 + 4 * m_momentum * m_momentum));
+}
+
+/// Of the step that is being made, the share to go further (Nesterov).
+double SheetOptimizer::beta() const
+{
+    return m_accelerated ? (m_momentum - 1) / nextMomentum() : 0;
 }
 
 /// The local step, and the residual of L2.
@@ -325,8 +328,9 @@ void SheetOptimizer::correctFits()
 void SheetOptimizer::solveFrames()
 {
     m_frames->solve(m_pool);
+    const double further = beta();
     forParts([&](const SewnMesh::Part&, int begin, int end) {
-        turnFrames(m_ahead.frames, m_results, begin, end, m_other.frames, m_map);
+        turnFrames(m_state.frames, further, begin, end, m_results, m_other.frames, m_ahead.frames, m_map);
     });
 }
 
@@ -350,10 +354,9 @@ void SheetOptimizer::solvePositions()
     });
     PackedFactor::Workspace moves = m_positions->x();
     for (const Merged& merged : m_merged) {
-        Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+        moves.col(merged.slot).setZero();
         for (int c = merged.begin; c < merged.end; ++c)
-            sum += m_forces.col(m_corners[c]);
-        moves.col(merged.slot) = sum.cast<float>();
+            moves.col(merged.slot) += m_forces.col(m_corners[c]);
     }
     for (const FreeBody& body : m_freeBodies)
         body.balance(m_ahead.positions, m_positions->slots(), moves);
@@ -400,6 +403,7 @@ void SheetOptimizer::movePositions(double step)
 {
     const std::vector<int>& slots = m_positions->slots();
     const PackedFactor::Workspace moves = m_positions->x();
+    const double further = beta();
     m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
         double farthestMove = 0;
         Eigen::Array4d overshoot = Eigen::Array4d::Zero();
@@ -408,6 +412,7 @@ void SheetOptimizer::movePositions(double step)
             const Eigen::Array4d next = m_ahead.positions.col(u).array() + stepped;
             const Eigen::Array4d move = next - m_state.positions.col(u).array();
             m_other.positions.col(u) = next.matrix();
+            m_ahead.positions.col(u) = (next + further * move).matrix();
             overshoot -= stepped * move;
             farthestMove = std::max(farthestMove, move.square().sum() * m_scale[u]);
         }
@@ -425,11 +430,10 @@ std::optional<double> SheetOptimizer::accept()
         total.farthestMove = std::max(total.farthestMove, s.farthestMove);
     }
     const bool bounded = total.farthestMove < farthest * farthest && std::isfinite(total.overshoot);
+    m_aheadIsReady = bounded && !(total.overshoot > 0);
     if (!bounded)
         return std::nullopt;
     std::swap(m_state, m_other);
-    if (total.overshoot > 0)
-        m_momentum = 1;
     return std::sqrt(total.farthestMove);
 }
 

@@ -66,7 +66,9 @@ private:
     void measureRings();
     template <class Body>
     void forParts(const Body& body);
-    void extrapolate();
+    void startHere();
+    double nextMomentum() const;
+    double beta() const;
     void fit();
     void correctFits();
     void solveFrames();
@@ -112,21 +114,22 @@ private:
     };
     State m_state;
     State m_ahead; // y: the extrapolated state from which an iteration starts
-    State m_other; // the state before; once frames are turned, the next one
+    State m_other; // becomes the next one
     bool m_accelerated = true;
     bool m_signsAgree = false;
-    double m_momentum = 1; // t_k of Nesterov's scheme
+    bool m_aheadIsReady = false; // else it is the present state
+    double m_momentum = 1;       // t_k of Nesterov's scheme
     struct Sums {
         double overshoot = 0;
         double farthestMove = 0; // squared, relative to D
     };
     std::vector<Sums> m_sums;       // of a move, per chunk of free unknowns
     Columns m_map;                  // the two columns of R(q_i) T_i, per vertex
-    Columns m_forces;               // per vertex, where several have one unknown
+    Eigen::Matrix4Xf m_forces;      // per vertex, where several have one unknown
     Columns m_outer;                // per vertex: ghosts and pressure
     Columns m_displacements;        // per vertex: where a ghost source wants it, from where it is
     Columns m_fitted;               // A_i qhat_i, where frames are corrected afterwards
-    Eigen::Matrix4Xf m_stretch;     // T_i
+    Eigen::Matrix4Xf m_stretch;     // T_i - I
     std::vector<int> m_correctable; // vertices whose fits are
 };
 
