@@ -375,27 +375,24 @@ void SheetOptimizer::addOuterForces()
     m_outer.resize(4, m_mesh.vertexCount());
     m_results.outer = m_outer.data();
     const SheetView sheet{m_mesh, m_ahead.positions, m_other.frames};
+    for (const auto& source : m_ghosts)
+        if (acts(*source))
+            source->follow(sheet, m_pool);
     forParts([&](const SewnMesh::Part& part, int begin, int end) {
-        const double pressure = part.material.pressure / m_mesh.diameter[part.component];
+        const double d = m_mesh.diameter[part.component];
         m_outer.middleCols(begin, end - begin).setZero();
-        if (pressure != 0)
+        if (part.material.pressure != 0)
             for (int v = begin; v < end; ++v)
-                m_outer.col(v).head<3>() = pressure * m_mesh.area[v] * sheet.outside(part, v);
-    });
-    for (const auto& source : m_ghosts) {
-        if (!acts(*source))
-            continue;
-        source->follow(sheet, m_pool);
-        forParts([&](const SewnMesh::Part& part, int begin, int end) {
-            const double d = m_mesh.diameter[part.component];
-            const double weight = source->gamma(part) / (d * d);
+                m_outer.col(v).head<3>() = part.material.pressure / d * m_mesh.area[v] * sheet.outside(part, v);
+        for (const auto& source : m_ghosts) {
+            const double weight = acts(*source) ? source->gamma(part) / (d * d) : 0;
             if (weight == 0)
-                return;
+                continue;
             source->displace(sheet, part, begin, end, m_displacements);
             for (int v = begin; v < end; ++v)
                 m_outer.col(v) += weight * m_mesh.area[v] * m_displacements.col(v);
-        });
-    }
+        }
+    });
 }
 
 /// `step` times the move that L1 asks for, and what accept() needs to know of it.
