@@ -15,6 +15,7 @@ Actions::Actions(QObject* parent)
     addEdit();
     addView();
     addInsert();
+    addPattern();
     addRest();
 }
 
@@ -138,11 +139,26 @@ void Actions::addInsert()
     }
 }
 
+QAction* Actions::addTool(PatternToolKind kind, const QString& text, const QString& iconName,
+                          const QKeySequence& shortcut)
+{
+    QAction* action = addToggle(text, iconName, false, shortcut);
+    action->setData(static_cast<int>(kind));
+    patternTools.append(action);
+    return action;
+}
+
+void Actions::addPattern()
+{
+    using Kind = PatternToolKind;
+    addTool(Kind::Select, tr("&Select and move"), QStringLiteral("select"), QKeySequence(Qt::Key_V))
+        ->setChecked(true);
+    addTool(Kind::HandleCurve, tr("Draw &handle curve"), QStringLiteral("handle-curve"), QKeySequence(Qt::Key_H));
+    addTool(Kind::FancySeam, tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), QKeySequence(Qt::Key_N));
+}
+
 void Actions::addRest()
 {
-    drawHandle =
-        addToggle(tr("Draw &handle curve"), QStringLiteral("handle-curve"), false, QKeySequence(Qt::Key_H));
-    drawFancySeam = addToggle(tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), false, QKeySequence(Qt::Key_N));
     turnLeft =
         add(tr("Turn 90\u00b0 to the &left"), QStringLiteral("rotate-left"), QKeySequence(Qt::CTRL | Qt::Key_L));
     turnRight = add(tr("Turn 90\u00b0 to the &right"), QStringLiteral("rotate-right"),

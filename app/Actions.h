@@ -1,6 +1,8 @@
 // Everything the user can ask for, each with its text, icon and shortcut. What happens then, others decide.
 #pragma once
 
+#include "PatternTools.h"
+
 #include <QAction>
 #include <QList>
 #include <QObject>
@@ -53,8 +55,7 @@ public:
     QAction* insertCushion;
     QList<QAction*> insertFoam; ///< data: Foam::Shape
     // Pattern
-    QAction* drawHandle;
-    QAction* drawFancySeam;
+    QList<QAction*> patternTools; ///< data: PatternToolKind
     QAction* turnLeft;
     QAction* turnRight;
     // Surface
@@ -69,10 +70,13 @@ public:
 private:
     QAction* add(const QString& text, const QString& iconName, const QKeySequence& shortcut = {});
     QAction* addToggle(const QString& text, const QString& iconName, bool on, const QKeySequence& shortcut = {});
+    QAction* addTool(PatternToolKind kind, const QString& text, const QString& iconName,
+                     const QKeySequence& shortcut);
     void addFile();
     void addEdit();
     void addView();
     void addInsert();
+    void addPattern();
     void addRest();
 };
 

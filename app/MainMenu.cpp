@@ -96,7 +96,7 @@ private:
     void addPattern()
     {
         QMenu* menu = m_bar.addMenu(tr("&Pattern"));
-        menu->addActions({m_actions.drawHandle, m_actions.drawFancySeam});
+        menu->addActions(m_actions.patternTools);
         menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
     }

@@ -95,7 +95,7 @@ void MainWindow::buildToolBars()
     bar->addSeparator();
     bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
     bar->addSeparator();
-    bar->addActions({m_actions->drawHandle, m_actions->drawFancySeam});
+    bar->addActions(m_actions->patternTools);
     bar->addSeparator();
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();

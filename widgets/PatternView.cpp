@@ -3,7 +3,6 @@
 #include "ArcLength.h"
 #include "Document.h"
 #include "ElementText.h"
-#include "PatternSelectTool.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
@@ -33,7 +32,7 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     , m_selection(selection)
     , m_problems(problems)
     , m_legend(new MapLegend(this))
-    , m_tool(new PatternSelectTool(*this))
+    , m_tool(makePatternTool(m_toolKind, *this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -113,32 +112,26 @@ void PatternView::apply(const PatternTransform& transform)
     refresh();
 }
 
-void PatternView::draw(std::optional<DrawnKind> kind)
+void PatternView::setTool(PatternToolKind kind)
 {
-    if (kind == drawing())
+    if (kind == m_toolKind)
         return;
     m_tool->leave();
-    PatternToolContext& context = *this;
-    if (kind) {
-        m_tool = std::make_unique<PatternDrawTool>(context, *kind);
+    m_toolKind = kind;
+    m_tool = makePatternTool(kind, *this);
+    if (kind != PatternToolKind::Select)
         setFocus();
-    } else {
-        m_tool = std::make_unique<PatternSelectTool>(context);
-    }
-    emit drawingChanged();
+    emit toolChanged(kind);
     refresh();
-}
-
-std::optional<DrawnKind> PatternView::drawing() const
-{
-    const auto* tool = dynamic_cast<const PatternDrawTool*>(m_tool.get());
-    return tool ? std::optional(tool->kind()) : std::nullopt;
 }
 
 void PatternView::endTool()
 {
-    QMetaObject::invokeMethod(
-        this, [this] { draw({}); }, Qt::QueuedConnection);
+    const auto back = [this, ended = m_tool.get()] {
+        if (m_tool.get() == ended) // else another one has been begun meanwhile
+            setTool(PatternToolKind::Select);
+    };
+    QMetaObject::invokeMethod(this, back, Qt::QueuedConnection);
 }
 
 QString PatternView::prompt() const

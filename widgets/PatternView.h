@@ -2,9 +2,8 @@
 #pragma once
 
 #include "MapLegend.h"
-#include "PatternDrawTool.h"
 #include "PatternPainter.h"
-#include "PatternTool.h"
+#include "PatternTools.h"
 #include "SurfaceMesh.h"
 
 #include <QWidget>
@@ -34,9 +33,8 @@ public:
     const PatternTransform& transform() const override { return m_transform; }
     void setTransform(const PatternTransform& transform);
 
-    /// Begins to draw, or goes back to selecting.
-    void draw(std::optional<DrawnKind> kind);
-    std::optional<DrawnKind> drawing() const;
+    void setTool(bolster::PatternToolKind kind);
+    PatternToolKind tool() const { return m_toolKind; }
 
     QString prompt() const;
     PatternHit hit(QPointF pixel) const override;
@@ -44,8 +42,7 @@ public:
 
 signals:
     void promptChanged(const QString& prompt);
-    /// Drawing began or ended.
-    void drawingChanged();
+    void toolChanged(bolster::PatternToolKind kind);
     void pointerMoved(const std::optional<bolster::Vec2>& layout);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
@@ -92,6 +89,7 @@ private:
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;
+    PatternToolKind m_toolKind = PatternToolKind::Select;
     std::unique_ptr<PatternTool> m_tool;
     QString m_prompt;
     Box2 m_fitted; ///< in the layout: fills the view, whatever its size, until the user moves it

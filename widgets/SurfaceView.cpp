@@ -7,7 +7,6 @@
 #include "Selection.h"
 #include "SoftwareCanvas.h"
 #include "SurfaceMarks.h"
-#include "SurfaceSelectTool.h"
 #include "SurfaceViewCube.h"
 
 #include <QEvent>
@@ -48,7 +47,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     })
     , m_cube(new SurfaceViewCube(this))
     , m_legend(new MapLegend(this))
-    , m_tool(std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this)))
+    , m_tool(makeSurfaceTool(m_toolKind, *this))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
         m_scene.occlusion = std::move(occlusion);
         draw(false);
@@ -185,20 +184,32 @@ void SurfaceView::setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs)
     draw(false);
 }
 
+void SurfaceView::setTool(SurfaceToolKind kind)
+{
+    if (kind == m_toolKind)
+        return;
+    m_tool->leave();
+    m_toolKind = kind;
+    m_tool = makeSurfaceTool(kind, *this);
+    if (kind != SurfaceToolKind::Select)
+        setFocus();
+    emit toolChanged(kind);
+    refresh();
+}
+
+void SurfaceView::endTool()
+{
+    const auto back = [this, ended = m_tool.get()] {
+        if (m_tool.get() == ended) // else another one has been begun meanwhile
+            setTool(SurfaceToolKind::Select);
+    };
+    QMetaObject::invokeMethod(this, back, Qt::QueuedConnection);
+}
+
 void SurfaceView::startScanCut(ElementId scan, bool keep)
 {
-    m_tool->escape();
-    const auto back = [this] { // not inside the tool's own function
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                m_tool = std::make_unique<SurfaceSelectTool>(static_cast<SurfaceToolContext&>(*this));
-                refresh();
-            },
-            Qt::QueuedConnection);
-    };
-    m_tool = std::make_unique<ScanCutTool>(static_cast<SurfaceToolContext&>(*this), scan, keep, back);
-    setFocus();
+    setTool(SurfaceToolKind::CutScan);
+    m_tool = std::make_unique<ScanCutTool>(static_cast<SurfaceToolContext&>(*this), scan, keep);
     refresh();
 }
 

@@ -11,7 +11,7 @@
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
 #include "SurfaceJob.h"
-#include "SurfaceTool.h"
+#include "SurfaceTools.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -63,6 +63,8 @@ public:
     void setMap(SurfaceMapPtr map);
     /// Which points of a scan belong to which places of the cover, mm: shown as lines.
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
+    void setTool(bolster::SurfaceToolKind kind);
+    SurfaceToolKind tool() const { return m_toolKind; }
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(bolster::ElementId scan, bool keep);
     /// The forces of cushioning; null for none. Shown in their layer.
@@ -96,6 +98,7 @@ signals:
     /// "No OpenGL: drawn in software", or "".
     void rendererNote(const QString& note);
     void perspectiveChanged(bool perspective);
+    void toolChanged(bolster::SurfaceToolKind kind);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -124,6 +127,7 @@ private:
     const ViewColors& colors() const override { return m_scene.colors; }
     void refresh() override;
     void report(const QString& problem) override { emit failed(problem); }
+    void endTool() override;
 
     void makeCanvas();
     void useSoftware(const QString& note);
@@ -169,6 +173,7 @@ private:
     std::unique_ptr<SurfaceCanvas> m_canvas;
     SurfaceViewCube* m_cube;
     MapLegend* m_legend;
+    SurfaceToolKind m_toolKind = SurfaceToolKind::Select;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;

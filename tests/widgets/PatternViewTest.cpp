@@ -353,14 +353,14 @@ protected:
 TEST_F(PatternDrawTest, DrawsAHandleOnTheSurfaceAndGoesBackToSelecting)
 {
     view.setSurface(firstSquareSurface());
-    QSignalSpy changed(&view, &PatternView::drawingChanged);
-    view.draw(DrawnKind::HandleCurve);
-    EXPECT_EQ(view.drawing(), DrawnKind::HandleCurve);
+    QSignalSpy changed(&view, &PatternView::toolChanged);
+    view.setTool(PatternToolKind::HandleCurve);
+    EXPECT_EQ(view.tool(), PatternToolKind::HandleCurve);
     click(pixel({20, 20}));
     click(pixel({50, 70}));
     click(pixel({60, 30}));
     doubleClick(pixel({80, 80}));
-    EXPECT_EQ(view.drawing(), std::nullopt);
+    EXPECT_EQ(view.tool(), PatternToolKind::Select);
     EXPECT_EQ(changed.count(), 2);
     ASSERT_EQ(all<HandleCurve>().size(), 1u);
     const HandleCurve handle = all<HandleCurve>().front();
@@ -377,7 +377,7 @@ TEST_F(PatternDrawTest, DrawsAHandleOnTheSurfaceAndGoesBackToSelecting)
 
 TEST_F(PatternDrawTest, DrawsAFancySeamFromBorderToBorder)
 {
-    view.draw(DrawnKind::FancySeam);
+    view.setTool(PatternToolKind::FancySeam);
     click(pixel({50, 2}));
     click(pixel({50, 50}));
     click(pixel({70, 97}));
@@ -392,7 +392,7 @@ TEST_F(PatternDrawTest, DrawsAFancySeamFromBorderToBorder)
 
 TEST_F(PatternDrawTest, ClosesOnTheFirstPointAndTakesPointsBack)
 {
-    view.draw(DrawnKind::FancySeam);
+    view.setTool(PatternToolKind::FancySeam);
     for (const Vec2& p : {Vec2(30, 30), Vec2(70, 30), Vec2(90, 90), Vec2(70, 70), Vec2(30, 70)}) {
         click(pixel(p));
         if (p == Vec2(90, 90))
@@ -407,17 +407,17 @@ TEST_F(PatternDrawTest, ClosesOnTheFirstPointAndTakesPointsBack)
 TEST_F(PatternDrawTest, EscapeGivesUpTheCurveThenTheTool)
 {
     QSignalSpy failed(&view, &PatternView::failed);
-    view.draw(DrawnKind::HandleCurve);
+    view.setTool(PatternToolKind::HandleCurve);
     click(pixel({150, 50}));
     EXPECT_EQ(failed.count(), 1) << "begins in a patch only";
     click(pixel({20, 20}));
     key(Qt::Key_Escape);
-    EXPECT_TRUE(view.drawing());
+    EXPECT_EQ(view.tool(), PatternToolKind::HandleCurve);
     key(Qt::Key_Escape);
-    EXPECT_FALSE(view.drawing());
+    EXPECT_EQ(view.tool(), PatternToolKind::Select);
     EXPECT_TRUE(document.design() == twoSquares());
 
-    view.draw(DrawnKind::HandleCurve);
+    view.setTool(PatternToolKind::HandleCurve);
     click(pixel({20, 20}));
     doubleClick(pixel({80, 80}));
     EXPECT_EQ(failed.count(), 2) << "no surface to lie on";

@@ -13,11 +13,10 @@ constexpr double leastSize = 4; // pixels: less is a click
 
 } // namespace
 
-ScanCutTool::ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep, std::function<void()> done)
+ScanCutTool::ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep)
     : SurfaceTool(context)
     , m_scan(scan)
     , m_keep(keep)
-    , m_done(std::move(done))
 {}
 
 void ScanCutTool::press(const SurfacePointer& pointer)
@@ -51,7 +50,7 @@ bool ScanCutTool::escape()
 {
     m_from.reset();
     m_context.refresh();
-    m_done();
+    m_context.endTool();
     return true;
 }
 

@@ -5,8 +5,6 @@
 
 #include <QCoreApplication>
 
-#include <functional>
-
 namespace bolster {
 
 /// One drag, seen through to the far side of the scan; Escape or a click without a drag ends without a cut.
@@ -14,8 +12,7 @@ class ScanCutTool : public SurfaceTool {
     Q_DECLARE_TR_FUNCTIONS(ScanCutTool)
 
 public:
-    /// `done` is called when the tool has nothing left to do.
-    ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep, std::function<void()> done);
+    ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep);
 
     void press(const SurfacePointer& pointer) override;
     bool move(const SurfacePointer& pointer) override;
@@ -38,7 +35,6 @@ private:
 
     ElementId m_scan;
     bool m_keep;
-    std::function<void()> m_done;
     std::optional<QPointF> m_from;
     QPointF m_to;
 };

@@ -28,6 +28,8 @@ public:
     virtual void refresh() = 0;
     /// Something that could not be done, in the user's words.
     virtual void report(const QString& problem) = 0;
+    /// The tool has done its work: back to selecting, when its event is over.
+    virtual void endTool() = 0;
 };
 
 /// The pointer of the left button.

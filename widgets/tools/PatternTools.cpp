@@ -1,0 +1,21 @@
+#include "PatternTools.h"
+
+#include "PatternDrawTool.h"
+#include "PatternSelectTool.h"
+
+namespace bolster {
+
+std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context)
+{
+    switch (kind) {
+    case PatternToolKind::HandleCurve:
+        return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
+    case PatternToolKind::FancySeam:
+        return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::Select:
+        break;
+    }
+    return std::make_unique<PatternSelectTool>(context);
+}
+
+} // namespace bolster

@@ -1,0 +1,14 @@
+// The tools of the pattern view.
+#pragma once
+
+#include "PatternTool.h"
+
+#include <memory>
+
+namespace bolster {
+
+enum class PatternToolKind { Select, HandleCurve, FancySeam };
+
+std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context);
+
+} // namespace bolster
