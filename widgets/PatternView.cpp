@@ -174,6 +174,25 @@ void PatternView::report(const QString& problem)
 
 bool PatternView::event(QEvent* event)
 {
+    try {
+        return handle(event);
+    } catch (const std::exception& error) {
+        toolFailed(error);
+        return true;
+    }
+}
+
+/// The design is again what it was before the gesture.
+void PatternView::toolFailed(const std::exception& error)
+{
+    m_document.cancelGesture();
+    m_tool = makePatternTool(m_toolKind, *this);
+    emit failed(tr("This could not be done, and nothing was changed: %1").arg(QString::fromUtf8(error.what())));
+    refresh();
+}
+
+bool PatternView::handle(QEvent* event)
+{
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);

@@ -8,6 +8,7 @@
 
 #include <QWidget>
 
+#include <exception>
 #include <memory>
 #include <optional>
 
@@ -68,6 +69,8 @@ private:
     const PatternScene& scene() const override { return m_scene; }
     SurfaceMeshPtr surface() const override { return m_surface; }
     void endTool() override;
+    bool handle(QEvent* event);
+    void toolFailed(const std::exception& error);
     bool pointsShown(ElementId id) const override;
     void refresh() override;
     void report(const QString& problem) override;

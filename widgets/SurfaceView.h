@@ -19,6 +19,7 @@
 #include <QVariantAnimation>
 #include <QWidget>
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <set>
@@ -128,6 +129,8 @@ private:
     void refresh() override;
     void report(const QString& problem) override { emit failed(problem); }
     void endTool() override;
+    bool handle(QEvent* event);
+    void toolFailed(const std::exception& error);
 
     void makeCanvas();
     void useSoftware(const QString& note);

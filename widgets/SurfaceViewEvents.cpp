@@ -120,6 +120,25 @@ void SurfaceView::wheelEvent(QWheelEvent* event)
 
 bool SurfaceView::event(QEvent* event)
 {
+    try {
+        return handle(event);
+    } catch (const std::exception& error) {
+        toolFailed(error);
+        return true;
+    }
+}
+
+/// The design is again what it was before the gesture.
+void SurfaceView::toolFailed(const std::exception& error)
+{
+    m_document.cancelGesture();
+    m_tool = makeSurfaceTool(m_toolKind, *this);
+    emit failed(tr("This could not be done, and nothing was changed: %1").arg(QString::fromUtf8(error.what())));
+    refresh();
+}
+
+bool SurfaceView::handle(QEvent* event)
+{
     if (event->type() == QEvent::NativeGesture) {
         const auto& gesture = static_cast<const QNativeGestureEvent&>(*event);
         if (gesture.gestureType() == Qt::ZoomNativeGesture) {

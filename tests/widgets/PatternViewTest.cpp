@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 namespace bolster {
 namespace {
@@ -108,6 +110,28 @@ TEST_F(PatternViewTest, DragsAControlPointAsOneEdit)
     EXPECT_TRUE(selection.contains(Selection::Point{firstSquare, 3}));
     document.undo();
     EXPECT_TRUE(document.design() == twoSquares());
+}
+
+TEST_F(PatternViewTest, TakesAGestureBackThatThrows)
+{
+    selection.set({firstSquare});
+    QSignalSpy failed(&view, &PatternView::failed);
+    bool thrown = false;
+    QObject::connect(&document, &Document::changed, &view, [&] {
+        if (document.gestureRunning() && !std::exchange(thrown, true))
+            throw std::runtime_error("no memory left");
+    });
+    press(pixel({0, 100}));
+    move(pixel({0, 100}) + QPoint(20, 20));
+    ASSERT_TRUE(thrown);
+    EXPECT_FALSE(document.gestureRunning());
+    EXPECT_TRUE(document.design() == twoSquares());
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_TRUE(failed.front().front().toString().contains(QStringLiteral("no memory left")));
+    release(pixel({0, 100}) + QPoint(30, 30));
+    EXPECT_EQ(document.history().count(), 1);
+    drag(pixel({0, 100}), pixel({0, 100}) + QPoint(20, 20));
+    EXPECT_EQ(document.history().count(), 2) << "the next one works";
 }
 
 TEST_F(PatternViewTest, DragsSelectedPointsTogetherInTurnedPatches)

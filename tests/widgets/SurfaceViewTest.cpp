@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
 namespace bolster::test {
 namespace {
@@ -208,6 +210,26 @@ TEST_F(SurfaceViewTest, PromptSaysWhatCanBeDone)
     mouse.move(pixel(curve().at(0.3)));
     EXPECT_NE(view.prompt(), overCover);
     EXPECT_EQ(prompts.last()[0].toString(), view.prompt());
+}
+
+TEST_F(SurfaceViewTest, TakesAGestureBackThatThrows)
+{
+    const Design before = document.design();
+    const QPointF from = selectPoint(1);
+    QSignalSpy failed(&view, &SurfaceView::failed);
+    bool thrown = false;
+    QObject::connect(&document, &Document::changed, &view, [&] {
+        if (document.gestureRunning() && !std::exchange(thrown, true))
+            throw std::runtime_error("no memory left");
+    });
+    mouse.press(from);
+    mouse.move(from + QPointF(30, 20));
+    ASSERT_TRUE(thrown);
+    EXPECT_FALSE(document.gestureRunning());
+    EXPECT_TRUE(document.design() == before);
+    EXPECT_EQ(failed.count(), 1);
+    mouse.release(from + QPointF(30, 20));
+    EXPECT_TRUE(document.design() == before);
 }
 
 TEST_F(SurfaceViewTest, DraggingAControlPointChangesTheDesign)
