@@ -49,6 +49,26 @@ private:
     QVector<double> m_lengths;
 };
 
+/// Letters on a ground of the seam's colour: coloured letters alone would be hard to read.
+void paintSeamLabel(QPainter& painter, QPointF centre, const QString& label, const QColor& color)
+{
+    painter.save();
+    QFont font = painter.font();
+    font.setPointSizeF(0.85 * font.pointSizeF());
+    font.setBold(true);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const double height = metrics.height();
+    const double width = std::max(height, metrics.horizontalAdvance(label) + 6);
+    const QRectF box(centre - QPointF(width, height) / 2, QSizeF(width, height));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawRoundedRect(box, height / 2, height / 2);
+    painter.setPen(color.lightness() > 150 ? Qt::black : Qt::white);
+    painter.drawText(box, Qt::AlignCenter, label);
+    painter.restore();
+}
+
 } // namespace
 
 void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
@@ -95,6 +115,8 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
         head.closeSubpath();
         painter.fillPath(head, color);
+        if (!arrow.label.isEmpty() && walk.length() > 60)
+            paintSeamLabel(painter, centre - spot.along * (size + 9), arrow.label, color);
         return;
     }
 }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double largestNumber = 1e7;
 constexpr double shortestLength = 1e-3; // mm: of anything that has a length
-constexpr double mostEase = 0.05;
 constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
