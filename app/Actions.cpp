@@ -163,7 +163,7 @@ void Actions::addPattern()
 void Actions::addSeams()
 {
     flipSeams = add(tr("&Flip"), QStringLiteral("flip-seam"), QKeySequence(Qt::SHIFT | Qt::Key_W));
-    swapSeamSides = add(tr("S&wap sides"), QStringLiteral("swap"));
+    swapSeamSides = add(tr("Swap si&des"), QStringLiteral("swap"));
     const struct {
         Continuity continuity;
         QString name;

@@ -64,7 +64,7 @@ void paintSeamLabel(QPainter& painter, QPointF centre, const QString& label, con
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
     painter.drawRoundedRect(box, height / 2, height / 2);
-    painter.setPen(color.lightness() > 150 ? Qt::black : Qt::white);
+    painter.setPen(qGray(color.rgb()) > 120 ? Qt::black : Qt::white);
     painter.drawText(box, Qt::AlignCenter, label);
     painter.restore();
 }
@@ -101,8 +101,10 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         return;
     const double size = arrow.strong ? 6 : 4.5;
     const QRectF taboo = written.adjusted(-size - 2, -size - 1, size + 2, size + 1);
-    // Not in the middle: in narrow patches it would meet the arrow of the other side.
-    for (const double share : {0.33, 0.2, 0.8, 0.66}) {
+    // Not in the middle: in narrow patches it would meet the arrow of the other side. Short ones keep off the
+    // corners.
+    const bool shortOne = walk.length() < 110;
+    for (const double share : {shortOne ? 0.6 : 0.33, 0.2, 0.8, 0.66}) {
         const Spot spot = walk.at(share * walk.length());
         // Pixels run downwards: there the left of the layout is (y, -x).
         const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (arrow.leftIsInside ? 1 : -1);
@@ -115,7 +117,7 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
         head.closeSubpath();
         painter.fillPath(head, color);
-        if (!arrow.label.isEmpty() && walk.length() > 60)
+        if (!arrow.label.isEmpty() && walk.length() > 45)
             paintSeamLabel(painter, centre - spot.along * (size + 9), arrow.label, color);
         return;
     }

@@ -200,7 +200,9 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
         return toolTip(row);
     case Qt::TextAlignmentRole:
-        return QVariant(Qt::AlignVCenter | (number ? Qt::AlignRight : Qt::AlignLeft));
+        return QVariant(Qt::AlignVCenter | (number                               ? Qt::AlignRight
+                                            : index.column() == ContinuityColumn ? Qt::AlignHCenter
+                                                                                 : Qt::AlignLeft));
     case Qt::DecorationRole:
         if (const auto color = m_colors.find(row.id); index.column() == Label && color != m_colors.end())
             return colorSpot(color->second);

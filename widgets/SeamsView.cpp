@@ -160,8 +160,8 @@ void SeamsView::buildTable()
     header->setMinimumSectionSize(28);
     const int digit = m_table->fontMetrics().horizontalAdvance(u'0');
     for (const auto& [column, digits] :
-         {std::pair(SeamsModel::Label, 6), std::pair(SeamsModel::Name, 20), std::pair(SeamsModel::Difference, 13),
-          std::pair(SeamsModel::Ratio, 9), std::pair(SeamsModel::ContinuityColumn, 7),
+         {std::pair(SeamsModel::Label, 5), std::pair(SeamsModel::Name, 15), std::pair(SeamsModel::Difference, 11),
+          std::pair(SeamsModel::Ratio, 9), std::pair(SeamsModel::ContinuityColumn, 6),
           std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
           std::pair(SeamsModel::MatchColumn, 11)})
         header->resizeSection(column, digits * digit + 8);

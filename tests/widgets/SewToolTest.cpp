@@ -3,6 +3,7 @@
 #include "PatternView.h"
 #include "Picture.h"
 #include "ProblemSet.h"
+#include "SeamColors.h"
 #include "Selection.h"
 
 #include <QMouseEvent>
@@ -169,6 +170,40 @@ TEST_F(SewToolTest, ShiftTakesTwoPoints)
     click(leftTop);
     ASSERT_EQ(seams().size(), 1U);
     expectOnLowerEdge(seams()[0].a, 40, 120);
+}
+
+TEST_F(SewToolTest, EdgesThatLieOnEachOtherAreSewn)
+{
+    Patch below = *document.design().find<Patch>(left);
+    below.position = {50, -80}; // touches the wide one
+    document.commit({{}, {{left, nullptr, makeElement(below)}}});
+    click({100, 1});
+    click({100, 1});
+    ASSERT_EQ(seams().size(), 1U);
+    EXPECT_EQ(seams()[0], (Seam{{wide, 0, 1}, {left, 2, 3}, true}));
+}
+
+TEST_F(SewToolTest, BothSidesGetTheSameLetter)
+{
+    click(lowerEdge);
+    click(leftTop);
+    view.setTool(PatternToolKind::Select);
+    selection.clear();
+    const QColor color = seamColors(document.design(), false).at(ElementId{5});
+    const auto colored = [&](const Vec2& at, bool letters) {
+        PatternLayers layers = view.layers();
+        layers.labels = letters;
+        view.setLayers(layers);
+        const QImage picture = view.grab().toImage();
+        int count = 0;
+        for (int y = -12; y <= 12; ++y)
+            for (int x = -40; x <= 40; ++x)
+                count += picture.pixelColor(pixel(at) + QPoint(x, y)) == color;
+        return count;
+    };
+    for (const Vec2& inside : {Vec2(60, 6), Vec2(10, -66)}) // where the arrows are
+        EXPECT_GT(colored(inside, true), colored(inside, false) + 60);
+    keepPicture(view, "sew-letters");
 }
 
 TEST_F(SewToolTest, SeveralInARow)

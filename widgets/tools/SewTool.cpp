@@ -1,5 +1,6 @@
 #include "SewTool.h"
 
+#include "CurvePath.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "SeamEdits.h"
@@ -36,25 +37,39 @@ const Design& SewTool::design() const
     return m_context.document().design();
 }
 
-/// The outline near a place; a free one rather than a sewn one, then one whose patch lies there.
+/// Of what will be sewn.
+bool SewTool::isTaken(const Place& place) const
+{
+    const BSpline2& outline = design().find<Patch>(place.patch)->outline;
+    const double start = outline.domainStart();
+    return std::ranges::any_of(m_taken, [&](const Stretch& stretch) {
+        const double way = outline.wrapped(start + place.parameter - stretch.from) - start;
+        return stretch.patch == place.patch &&
+               way <= unwrappedEnd(stretch.from, stretch.to, start, outline.domainEnd()) - stretch.from;
+    });
+}
+
+/// The outline near a place: where two edges lie on each other a free one rather than a sewn one, then the one
+/// whose patch lies there.
 std::optional<SewTool::Place> SewTool::placeAt(const Vec2& layout) const
 {
     const double tolerance = m_context.transform().millimetres(reach);
     std::optional<Place> best;
-    std::tuple<bool, bool, double> worst;
+    std::tuple<bool, bool, double> bestRank;
     for (const auto& [id, patch] : m_context.scene().patches()) {
         if (patch.patch().outline.empty() || patch.box.exteriorDistance(layout) > tolerance)
             continue;
         const auto closest = patch.patch().outline.closest(fromLayout(patch.patch(), layout));
         if (closest.distance > tolerance)
             continue;
-        const bool sewn = edits::sewnAt(design(), id, closest.parameter).has_value();
-        const bool outside = !patch.path.contains(QPointF(layout.x(), layout.y()));
-        const std::tuple rank(sewn, outside, closest.distance);
-        if (best && rank >= worst)
+        const Place place{id, closest.parameter, toLayout(patch.patch(), closest.point)};
+        const bool used = edits::sewnAt(design(), id, place.parameter) || isTaken(place);
+        const bool outside = !patch.path.contains(toPoint(layout));
+        const std::tuple rank(used, outside, closest.distance);
+        if (best && rank >= bestRank)
             continue;
-        worst = rank;
-        best = Place{id, closest.parameter, toLayout(patch.patch(), closest.point)};
+        bestRank = rank;
+        best = place;
     }
     return best;
 }

@@ -40,6 +40,7 @@ private:
     };
 
     const Design& design() const;
+    bool isTaken(const Place& place) const;
     std::optional<Place> placeAt(const Vec2& layout) const;
     Place snapped(const Place& place) const;
     std::optional<Place> snappedOn(ElementId patch, const Vec2& layout) const;
