@@ -197,7 +197,7 @@ bool PatternView::event(QEvent* event)
 QString PatternView::toolTipAt(QPointF pixel) const
 {
     const PatternHit found = hit(pixel);
-    if (!found)
+    if (!found || m_toolKind == PatternToolKind::Sew) // it shows figures of its own
         return {};
     const Design& design = m_document.design();
     const ElementId id = found.element();

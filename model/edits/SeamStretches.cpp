@@ -30,8 +30,9 @@ double endOf(const BSpline2& outline, const Stretch& stretch)
 double lengthOf(const Design& design, const Stretch& stretch)
 {
     const BSpline2* outline = outlineOf(design, stretch.patch);
+    // A closed curve may be addressed from 0 or from its first knot.
     const auto valid = [&](double t) {
-        return std::isfinite(t) && t >= outline->domainStart() && t <= outline->domainEnd();
+        return t >= std::min(0.0, outline->domainStart()) && t <= std::max(outline->period(), outline->domainEnd());
     };
     if (!outline || !valid(stretch.from) || !valid(stretch.to))
         return 0;
@@ -208,7 +209,7 @@ std::optional<std::pair<ElementId, Stretch>> sewnAt(const Design& design, Elemen
     const double slack = 1e-9 * outline->period();
     eachSewn(design, patch, [&](ElementId id, const Stretch& sewn) {
         const double to = endOf(*outline, sewn);
-        for (const double at : {t, t + outline->period()})
+        for (const double at : {t - outline->period(), t, t + outline->period()})
             if (at > sewn.from - slack && at < to - slack)
                 found = std::pair(id, sewn);
     });

@@ -85,6 +85,19 @@ TEST_F(SeamEdits, AnEdgePassesTheStartOfTheOutline)
     EXPECT_EQ(sewnAt(half, longOne, 0.5)->second, (Stretch{longOne, 0, 1}));
 }
 
+TEST_F(SeamEdits, FindsSeamsOfOutlinesThatNoLongerBeginAtZero)
+{
+    const BSpline2 outline(1, true, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, {1, 2, 3, 4, 5});
+    Patch patch = *design.find<Patch>(turned);
+    patch.outline = outline;
+    const Seam seam{{turned, 0, 1}, {three, 2, 3}};
+    const Design moved =
+        design.with({{}, {{turned, nullptr, makeElement(patch)}, {ElementId{30}, nullptr, makeElement(seam)}}});
+    EXPECT_FALSE(freeStretchAt(moved, turned, 4.5)) << "0 to 1 is 4 to 5";
+    EXPECT_EQ(freeStretchAt(moved, turned, 3.5), (Stretch{turned, 3, 4}));
+    EXPECT_FALSE(moveSeamEnd(moved, ElementId{30}, SeamSide::B, StretchEnd::To, 2.5).empty());
+}
+
 TEST_F(SeamEdits, SewsTwoStretches)
 {
     const Edit edit = addSeam(design, {longOne, 0, 2}, {two, 2, 3}, true);

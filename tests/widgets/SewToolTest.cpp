@@ -202,7 +202,7 @@ TEST_F(SewToolTest, BothSidesGetTheSameLetter)
         return count;
     };
     for (const Vec2& inside : {Vec2(60, 6), Vec2(10, -66)}) // where the arrows are
-        EXPECT_GT(colored(inside, true), colored(inside, false) + 60);
+        EXPECT_GT(colored(inside, true), colored(inside, false) + 30);
     keepPicture(view, "sew-letters");
 }
 

@@ -116,6 +116,7 @@ void SewTool::forgetOffer()
     m_offer.reset();
     m_refusal.clear();
     m_mark.reset();
+    m_pointing = false;
 }
 
 void SewTool::forgetAll()
@@ -200,9 +201,10 @@ void SewTool::offerEdge(const PatternPointer& pointer)
     if (!place)
         return;
     m_mark = place;
-    if (pointer.modifiers & Qt::ShiftModifier) {
+    m_pointing = pointer.modifiers & Qt::ShiftModifier;
+    if (m_pointing) {
         m_mark = snapped(*place);
-        return; // a click sets a point
+        return;
     }
     m_offer = edits::freeStretchAt(design(), place->patch, place->parameter);
     if (std::ranges::find(m_taken, m_offer.value_or(Stretch{})) != m_taken.end())
@@ -426,7 +428,7 @@ void SewTool::paint(QPainter& painter, const ViewColors& colors) const
     picture.buttonHovered = onFlipButton(m_pointer);
     if (m_from)
         picture.marks.push_back(m_from->at);
-    if (m_mark && (m_from || !m_offer))
+    if (m_mark && (m_from || m_pointing))
         picture.marks.push_back(m_mark->at);
     picture.paint(painter, colors);
 }

@@ -66,7 +66,8 @@ private:
 
     std::optional<Stretch> m_offer; ///< what a click would take
     QString m_refusal;              ///< why it would take nothing here
-    std::optional<Place> m_mark;    ///< the point that a click would set
+    std::optional<Place> m_mark;    ///< where the pointer is on an outline
+    bool m_pointing = false;        ///< a click sets a point there
     std::optional<Place> m_from;    ///< the first end of a stretch between two points
     double m_way = 0;               ///< from there along the outline to the pointer, while dragging
     bool m_dragging = false;
