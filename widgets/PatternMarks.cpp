@@ -117,8 +117,9 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
         head.closeSubpath();
         painter.fillPath(head, color);
-        if (!arrow.label.isEmpty() && walk.length() > 45)
-            paintSeamLabel(painter, centre - spot.along * (size + 9), arrow.label, color);
+        const double gap = size + 9;
+        if (!arrow.label.isEmpty() && share * walk.length() > gap + 6)
+            paintSeamLabel(painter, centre - spot.along * gap, arrow.label, color);
         return;
     }
 }

@@ -146,6 +146,7 @@ void SeamsView::buildTable()
     m_table->setRootIsDecorated(false);
     m_table->setIconSize({14, 14});
     m_table->setUniformRowHeights(true);
+    m_table->setTextElideMode(Qt::ElideMiddle); // the edges of both sides are told
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setEditTriggers(QAbstractItemView::SelectedClicked | QAbstractItemView::DoubleClicked |
                              QAbstractItemView::EditKeyPressed);
