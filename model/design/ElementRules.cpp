@@ -12,7 +12,7 @@ namespace {
 
 constexpr double largestNumber = 1e7;
 constexpr double shortestLength = 1e-3; // mm: of anything that has a length
-constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
+constexpr double resolvedShare = 0.35;  // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
 constexpr std::size_t mostDirections = 10'000;
