@@ -1,6 +1,7 @@
 #include "Actions.h"
 
 #include "Icons.h"
+#include "Seam.h"
 #include "SurfaceView.h"
 #include "Theme.h"
 
@@ -16,6 +17,7 @@ Actions::Actions(QObject* parent)
     addView();
     addInsert();
     addPattern();
+    addSeams();
     addRest();
 }
 
@@ -155,6 +157,32 @@ void Actions::addPattern()
         ->setChecked(true);
     addTool(Kind::HandleCurve, tr("Draw &handle curve"), QStringLiteral("handle-curve"), QKeySequence(Qt::Key_H));
     addTool(Kind::FancySeam, tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), QKeySequence(Qt::Key_N));
+    sew = addTool(Kind::Sew, tr("Se&w"), QStringLiteral("sew"), QKeySequence(Qt::Key_W));
+}
+
+void Actions::addSeams()
+{
+    flipSeams = add(tr("&Flip"), QStringLiteral("flip-seam"), QKeySequence(Qt::SHIFT | Qt::Key_W));
+    swapSeamSides = add(tr("Swap si&des"), QStringLiteral("swap"));
+    const struct {
+        Continuity continuity;
+        QString name;
+        Qt::Key key;
+    } continuities[] = {
+        {Continuity::C0, tr("C&0 \u2013 an edge"), Qt::Key_0},
+        {Continuity::C1, tr("C&1 \u2013 smooth, texture too"), Qt::Key_1},
+        {Continuity::G1, tr("&G1 \u2013 rounded"), Qt::Key_2},
+    };
+    for (const auto& [continuity, name, key] : continuities) {
+        seamContinuities.append(addToggle(name, {}, false, QKeySequence(Qt::CTRL | key)));
+        seamContinuities.back()->setData(static_cast<int>(continuity));
+    }
+    for (const auto& [match, name] : {std::pair(Match::Length, tr("Match by &length")),
+                                      std::pair(Match::Parameter, tr("Match by &parameter"))}) {
+        seamMatches.append(addToggle(name, {}, false));
+        seamMatches.back()->setData(static_cast<int>(match));
+    }
+    showSeamList = add(tr("Show seam li&st"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
 }
 
 void Actions::addRest()

@@ -58,6 +58,13 @@ public:
     QList<QAction*> patternTools; ///< data: PatternToolKind
     QAction* turnLeft;
     QAction* turnRight;
+    // Seam
+    QAction* sew; ///< also one of the pattern tools
+    QAction* flipSeams;
+    QAction* swapSeamSides;
+    QList<QAction*> seamContinuities; ///< data: Continuity
+    QList<QAction*> seamMatches;      ///< data: Match
+    QAction* showSeamList;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -77,6 +84,7 @@ private:
     void addView();
     void addInsert();
     void addPattern();
+    void addSeams();
     void addRest();
 };
 

@@ -32,6 +32,7 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
                         parts.inspector))
     , problems(newDock(window, QStringLiteral("problems"), QCoreApplication::translate("Docks", "Problems"),
                        parts.problems))
+    , seams(newDock(window, QStringLiteral("seams"), QCoreApplication::translate("Docks", "Seams"), parts.seams))
     , m_window(window)
 {
     window.setDockNestingEnabled(true);
@@ -50,6 +51,7 @@ void Docks::reset()
     m_window.splitDockWidget(cover, elements, Qt::Horizontal);
     m_window.splitDockWidget(elements, inspector, Qt::Vertical);
     m_window.tabifyDockWidget(elements, history);
+    m_window.tabifyDockWidget(history, seams);
     m_window.splitDockWidget(pattern, problems, Qt::Vertical);
     for (QDockWidget* dock : all())
         dock->setVisible(dock != problems);

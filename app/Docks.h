@@ -19,6 +19,7 @@ public:
         QWidget* history;
         QWidget* inspector;
         QWidget* problems;
+        QWidget* seams;
     };
 
     Docks(QMainWindow& window, const Parts& parts);
@@ -29,7 +30,8 @@ public:
     QDockWidget* history;
     QDockWidget* inspector;
     QDockWidget* problems;
-    QList<QDockWidget*> all() const { return {pattern, cover, elements, history, inspector, problems}; }
+    QDockWidget* seams;
+    QList<QDockWidget*> all() const { return {pattern, cover, elements, history, inspector, problems, seams}; }
 
     void reset();
     /// Shows a part and brings it to the front.

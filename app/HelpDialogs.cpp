@@ -72,6 +72,8 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Draw a handle curve or a fancy seam"),
          HelpDialogs::tr("click points; Enter or double click ends; click the first one to close; B: straight or "
                          "smooth")},
+        {HelpDialogs::tr("Sew"), HelpDialogs::tr("click two edges; drag or Shift+click takes a part of one; "
+                                                 "Ctrl+click several in a row, Enter sews them; F: flip")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};

@@ -31,6 +31,7 @@ public:
         addView();
         addInsert();
         addPattern();
+        addSeam();
         addSurface();
         addWindow();
         QMenu* help = m_bar.addMenu(tr("&Help"));
@@ -99,6 +100,20 @@ private:
         menu->addActions(m_actions.patternTools);
         menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
+    }
+
+    void addSeam()
+    {
+        QMenu* menu = m_bar.addMenu(tr("Sea&m"));
+        menu->addAction(m_actions.sew);
+        menu->addSeparator();
+        menu->addActions({m_actions.flipSeams, m_actions.swapSeamSides});
+        menu->addSeparator();
+        menu->addActions(m_actions.seamContinuities);
+        menu->addSeparator();
+        menu->addActions(m_actions.seamMatches);
+        menu->addSeparator();
+        menu->addAction(m_actions.showSeamList);
     }
 
     void addSurface()

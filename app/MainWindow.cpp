@@ -12,6 +12,7 @@
 #include "ProblemsView.h"
 #include "RayRenderer.h"
 #include "ScanLink.h"
+#include "SeamsView.h"
 #include "SelectionEdits.h"
 #include "StartHint.h"
 #include "StatusLine.h"
@@ -33,7 +34,7 @@ namespace {
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
-constexpr int layoutVersion = 1; // larger when docks are added or renamed
+constexpr int layoutVersion = 2; // larger when docks are added or renamed
 
 } // namespace
 
@@ -49,6 +50,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_history(new HistoryView(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
     , m_problemList(new ProblemsView(m_problems))
+    , m_seams(new SeamsView(document(), m_selection))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
@@ -58,11 +60,12 @@ MainWindow::MainWindow(QWidget* parent)
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
     buildToolBars();
     m_docks = std::make_unique<Docks>(
-        *this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector, m_problemList});
+        *this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector, m_problemList, m_seams});
     buildMenus(*this, *m_actions, *m_files, *m_docks);
     connectDocument();
     connectViews();
     connectScans();
+    connectSewing();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);

@@ -23,6 +23,7 @@ class Inspector;
 class PatternView;
 class ProblemsView;
 class ScanLink;
+class SeamsView;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -46,6 +47,7 @@ public:
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
     Actions& actions() { return *m_actions; }
+    SeamsView& seams() { return *m_seams; }
     Docks& docks() { return *m_docks; }
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
@@ -71,6 +73,8 @@ private:
     void updateSolverState();
     void showMeasured();
     void connectScans();
+    void connectSewing();
+    void updateSeamActions();
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
@@ -93,6 +97,7 @@ private:
     HistoryView* m_history;
     Inspector* m_inspector;
     ProblemsView* m_problemList;
+    SeamsView* m_seams;
     StatusLine* m_status;
     Banner* m_banner;
     FileFlow* m_files;

@@ -49,6 +49,26 @@ private:
     QVector<double> m_lengths;
 };
 
+/// Letters on a ground of the seam's colour: coloured letters alone would be hard to read.
+void paintSeamLabel(QPainter& painter, QPointF centre, const QString& label, const QColor& color)
+{
+    painter.save();
+    QFont font = painter.font();
+    font.setPointSizeF(0.85 * font.pointSizeF());
+    font.setBold(true);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const double height = metrics.height();
+    const double width = std::max(height, metrics.horizontalAdvance(label) + 6);
+    const QRectF box(centre - QPointF(width, height) / 2, QSizeF(width, height));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawRoundedRect(box, height / 2, height / 2);
+    painter.setPen(qGray(color.rgb()) > 120 ? Qt::black : Qt::white);
+    painter.drawText(box, Qt::AlignCenter, label);
+    painter.restore();
+}
+
 } // namespace
 
 void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
@@ -81,8 +101,10 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         return;
     const double size = arrow.strong ? 6 : 4.5;
     const QRectF taboo = written.adjusted(-size - 2, -size - 1, size + 2, size + 1);
-    // Not in the middle: in narrow patches it would meet the arrow of the other side.
-    for (const double share : {0.33, 0.2, 0.8, 0.66}) {
+    // Not in the middle: in narrow patches it would meet the arrow of the other side. Short ones keep off the
+    // corners.
+    const bool shortOne = walk.length() < 110;
+    for (const double share : {shortOne ? 0.6 : 0.33, 0.2, 0.8, 0.66}) {
         const Spot spot = walk.at(share * walk.length());
         // Pixels run downwards: there the left of the layout is (y, -x).
         const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (arrow.leftIsInside ? 1 : -1);
@@ -95,6 +117,9 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
         head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
         head.closeSubpath();
         painter.fillPath(head, color);
+        const double gap = size + 9;
+        if (!arrow.label.isEmpty() && share * walk.length() > gap + 6)
+            paintSeamLabel(painter, centre - spot.along * gap, arrow.label, color);
         return;
     }
 }

@@ -12,11 +12,12 @@ namespace bolster {
 /// layout.
 void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool counterClockwise, const QColor& color,
                         bool strong);
-/// An arrow on the inner side that says which way the seam runs.
+/// An arrow on the inner side that says which way the seam runs, with a letter behind it.
 struct SeamArrow {
     QPainterPath stretch;      ///< as the seam walks it
     bool leftIsInside = false; ///< the patch lies to the left of it (in the layout, where y points up)
     bool strong = false;
+    QString label = {}; ///< left out where the stretch is hardly longer
 };
 /// Keeps off `written`; short stretches have no arrow.
 void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written);

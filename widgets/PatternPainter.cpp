@@ -5,6 +5,7 @@
 #include "PatternLabel.h"
 #include "PatternMarks.h"
 #include "ProblemSet.h"
+#include "SeamColors.h"
 #include "Selection.h"
 
 #include <QPainter>
@@ -192,8 +193,10 @@ void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& wr
         const auto color = m_in.seamColors.find(owner);
         if (stretch.patch != patch.id || color == m_in.seamColors.end())
             continue;
-        const SeamArrow arrow{inPixels(stretch.path), counterClockwise != stretch.backwards,
-                              selected(owner) || hovered(owner)};
+        SeamArrow arrow{inPixels(stretch.path), counterClockwise != stretch.backwards,
+                        selected(owner) || hovered(owner)};
+        if (m_in.layers.labels)
+            arrow.label = seamLabel(static_cast<std::size_t>(std::distance(m_in.seamColors.begin(), color)));
         paintSeamArrow(m_painter, arrow, m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
                        written);
     }

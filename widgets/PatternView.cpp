@@ -216,7 +216,7 @@ bool PatternView::handle(QEvent* event)
 QString PatternView::toolTipAt(QPointF pixel) const
 {
     const PatternHit found = hit(pixel);
-    if (!found)
+    if (!found || m_toolKind == PatternToolKind::Sew) // it shows figures of its own
         return {};
     const Design& design = m_document.design();
     const ElementId id = found.element();

@@ -49,4 +49,12 @@ std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground
     return colors;
 }
 
+QString seamLabel(std::size_t before)
+{
+    QString label;
+    for (std::size_t rest = before + 1; rest > 0; rest = (rest - 1) / 26)
+        label.prepend(QChar(u'A' + static_cast<char16_t>((rest - 1) % 26)));
+    return label;
+}
+
 } // namespace bolster

@@ -12,4 +12,7 @@ namespace bolster {
 /// Seams at the same patch get different colours as far as the palette reaches. Depends on the design alone.
 std::map<ElementId, QColor> seamColors(const Design& design, bool darkBackground);
 
+/// "A", "B" ... "Z", "AA": of the seam with so many before it, the same for both of its sides.
+QString seamLabel(std::size_t before);
+
 } // namespace bolster

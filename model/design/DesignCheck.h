@@ -20,6 +20,9 @@ Design usablePart(const Design& design, const Problems& problems, Problems* left
 /// The edge length (mm) below which the patches would need more than five million triangles.
 double smallestEdgeLength(const Design& design);
 
+/// Seams with more ease than this get a warning: the fabric puckers.
+inline constexpr double mostEase = 0.05;
+
 /// Length of the longer stretch over that of the shorter one, minus 1. 0 when an end is missing.
 double seamEase(const Design& design, const Seam& seam);
 

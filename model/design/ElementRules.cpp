@@ -12,8 +12,7 @@ namespace {
 
 constexpr double largestNumber = 1e7;
 constexpr double shortestLength = 1e-3; // mm: of anything that has a length
-constexpr double mostEase = 0.05;
-constexpr double resolvedShare = 0.35; // of the edge length: the smallest bending length that a mesh can show
+constexpr double resolvedShare = 0.35;  // of the edge length: the smallest bending length that a mesh can show
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
 constexpr std::size_t mostDirections = 10'000;
@@ -43,6 +42,29 @@ double ease(double lengthA, double lengthB)
 {
     const auto [shorter, longer] = std::minmax(lengthA, lengthB);
     return shorter > 0 ? longer / shorter - 1 : 0;
+}
+
+bool stretchesOverlap(const BSpline2& outline, const Stretch& first, const Stretch& second)
+{
+    const double period = outline.period();
+    const auto extent = [&](const Stretch& stretch) {
+        return unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
+    };
+    const double offset = second.from - first.from;
+    const double ahead = offset - period * std::floor(offset / period); // of the second start, seen from the first
+    const double slack = 1e-9 * period;
+    const bool startsInside = ahead < extent(first) - slack && ahead < period - slack;
+    return startsInside || ahead + extent(second) > period + slack || (period - ahead < slack);
+}
+
+// Outlines that run the same way round, seen from their right sides, meet right side to right side when one of them
+// is walked backwards.
+bool rightSidesMeetReversed(const Patch& a, const Patch& b)
+{
+    const auto counterClockwise = [](const Patch& patch) {
+        return (patch.outline.signedArea() > 0) != patch.wrongSideOut;
+    };
+    return counterClockwise(a) == counterClockwise(b);
 }
 
 ElementRules::ElementRules(const Design& design, Problems& problems)
@@ -241,32 +263,6 @@ double ElementRules::lengthOf(const Stretch& stretch, const BSpline2& outline)
                            unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
 }
 
-// Whether two stretches of one outline have more than end points in common.
-bool ElementRules::overlapsItself(const Seam& seam, const BSpline2& outline) const
-{
-    if (seam.a.patch != seam.b.patch)
-        return false;
-    const double period = outline.period();
-    const auto extent = [&](const Stretch& stretch) {
-        return unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
-    };
-    const double offset = seam.b.from - seam.a.from;
-    const double ahead = offset - period * std::floor(offset / period); // of b's start, seen from a's
-    const double slack = 1e-9 * period;
-    const bool startsInside = ahead < extent(seam.a) - slack && ahead < period - slack;
-    return startsInside || ahead + extent(seam.b) > period + slack || (period - ahead < slack);
-}
-
-// Outlines that run the same way round, seen from their right sides, meet right side to right side when one of them
-// is walked backwards.
-bool ElementRules::joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const
-{
-    const auto counterClockwise = [](const Patch& patch) {
-        return (patch.outline.signedArea() > 0) != patch.wrongSideOut;
-    };
-    return seam.reversed == (counterClockwise(a) == counterClockwise(b));
-}
-
 // Whether no seam before joins the same two stretches.
 bool ElementRules::sewsAnew(const Seam& seam)
 {
@@ -293,7 +289,7 @@ void ElementRules::rules(const Seam& seam)
     const Patch* b = stretch("b.", seam.b);
     if (!a || !b)
         return;
-    if (overlapsItself(seam, a->outline)) {
+    if (seam.a.patch == seam.b.patch && stretchesOverlap(a->outline, seam.a, seam.b)) {
         error("b", {QT_TRANSLATE_NOOP("Message",
                                       "the seam would sew a stretch of \"%1\" to itself: %2 to %3 and %4 to %5 "
                                       "overlap; choose two separate stretches"),
@@ -303,7 +299,7 @@ void ElementRules::rules(const Seam& seam)
     }
     if (!sewsAnew(seam))
         return;
-    if (!joinsRightSides(seam, *a, *b)) {
+    if (seam.reversed != rightSidesMeetReversed(*a, *b)) {
         Message message{QT_TRANSLATE_NOOP("Message",
                                           "the seam joins the right side of \"%1\" to the wrong side of \"%2\"; "
                                           "turn \"reversed\" round, or one patch wrong side out"),

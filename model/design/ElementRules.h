@@ -10,6 +10,10 @@ namespace bolster {
 
 /// Length of the longer one over that of the shorter one, minus 1; 0 when there is none.
 double ease(double lengthA, double lengthB);
+/// Whether two stretches of one outline have more than end points in common.
+bool stretchesOverlap(const BSpline2& outline, const Stretch& first, const Stretch& second);
+/// Whether two patches meet right side to right side when the second one's outline is walked backwards.
+bool rightSidesMeetReversed(const Patch& a, const Patch& b);
 
 class ElementRules {
 public:
@@ -52,8 +56,6 @@ private:
                double to);
     void orientation(const Orientation& orientation);
     bool sewsAnew(const Seam& seam);
-    bool overlapsItself(const Seam& seam, const BSpline2& outline) const;
-    bool joinsRightSides(const Seam& seam, const Patch& a, const Patch& b) const;
     double lengthOf(const Stretch& stretch, const BSpline2& outline);
     const std::optional<Message>& outlineProblemOf(ElementId id, const BSpline2& outline);
 

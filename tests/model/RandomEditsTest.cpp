@@ -7,6 +7,8 @@
 #include "Gesture.h"
 #include "HandleEdits.h"
 #include "PatchEdits.h"
+#include "SeamEdits.h"
+#include "SeamStretches.h"
 
 #include <gtest/gtest.h>
 
@@ -33,6 +35,8 @@ public:
             return patchEdit(design, id, *patch);
         if (const FixationCurve* curve = design.find<FixationCurve>(id))
             return curveEdit(design, id, *curve);
+        if (const Seam* seam = design.find<Seam>(id))
+            return seamEdit(design, id, *seam);
         const ElementPtr element = design.element(id);
         if (element && patchCurve(*element))
             return drawnEdit(design, id, *element);
@@ -83,6 +87,32 @@ private:
             return edits::turnPatches(design, ids, {0, 0}, somewhere(180));
         default:
             return pick(20) == 0 ? edits::removeElements(design, ids) : Edit{};
+        }
+    }
+
+    Edit seamEdit(const Design& design, ElementId id, const Seam& seam)
+    {
+        const std::vector ids = {id};
+        const auto side = static_cast<edits::SeamSide>(pick(2));
+        const auto end = static_cast<edits::StretchEnd>(pick(2));
+        const std::optional<Stretch> whole = edits::freeStretchAt(design, seam.a.patch, somewhere(10));
+        const std::optional<Stretch> other = edits::freeStretchAt(design, seam.b.patch, somewhere(10));
+        switch (pick(8)) {
+        case 0:
+            return edits::flipSeams(design, ids);
+        case 1:
+            return edits::swapSeamSides(design, ids);
+        case 2:
+            return edits::setContinuity(design, ids, static_cast<Continuity>(pick(3)));
+        case 3:
+            return edits::setMatch(design, ids, static_cast<Match>(pick(2)));
+        case 4:
+        case 5:
+            return edits::moveSeamEnd(design, id, side, end, somewhere(10));
+        case 6:
+            return whole && other ? edits::sewInRow(design, *whole, std::vector{*other}, pick(2) == 0) : Edit{};
+        default:
+            return pick(5) == 0 ? edits::removeElements(design, ids) : Edit{};
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
+#include "SewTool.h"
 
 namespace bolster {
 
@@ -12,6 +13,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::Sew:
+        return std::make_unique<SewTool>(context);
     case PatternToolKind::Select:
         break;
     }

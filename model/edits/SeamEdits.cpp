@@ -1,0 +1,138 @@
+#include "SeamEdits.h"
+
+#include "EditHelpers.h"
+#include "SeamStretches.h"
+
+#include <array>
+
+namespace bolster::edits {
+
+namespace {
+
+Edit refused(const Message& why, Message* problem)
+{
+    if (problem)
+        *problem = why;
+    return {};
+}
+
+std::string seamName(const Design& design, const Seam& seam)
+{
+    return displayName(design, seam.a.patch) + " \u2013 " + displayName(design, seam.b.patch);
+}
+
+Edit withSeams(const Design& design, std::span<const Seam> seams, Message verb)
+{
+    Edit edit{std::move(verb), {}};
+    int next = number(design.nextId());
+    for (const Seam& seam : seams)
+        edit.changes.push_back({ElementId{next++}, nullptr, makeElement(seam)});
+    return edit;
+}
+
+/// Changes each seam by change(Seam&); `one` is the verb for a single one, with its name.
+template <class Change>
+Edit changed(const Design& design, std::span<const ElementId> seams, Change change, const char* one,
+             const char* several)
+{
+    Edit edit;
+    std::string name;
+    for (const ElementId id : std::set<ElementId>(seams.begin(), seams.end())) {
+        const auto* seam = design.find<Seam>(id);
+        if (!seam)
+            continue;
+        Seam now = *seam;
+        change(now);
+        if (now == *seam)
+            continue;
+        name = seamName(design, *seam);
+        edit.changes.push_back({id, design.element(id), makeElement(now)});
+    }
+    if (edit.empty())
+        return {};
+    edit.verb =
+        edit.changes.size() == 1 ? Message{one, {name}} : Message{several, {std::to_string(edit.changes.size())}};
+    return edit;
+}
+
+} // namespace
+
+Edit addSeam(const Design& design, const Stretch& a, const Stretch& b, bool reversed, Message* problem)
+{
+    if (const auto why = sewingProblem(design, a, std::array{b}))
+        return refused(*why, problem);
+    return withSeams(design, std::array{Seam{a, b, reversed}},
+                     {QT_TRANSLATE_NOOP("Message", "Sew %1 to %2"),
+                      {displayName(design, a.patch), displayName(design, b.patch)}});
+}
+
+Edit sewInRow(const Design& design, const Stretch& whole, std::span<const Stretch> row, bool flipped,
+              Message* problem)
+{
+    if (const auto why = sewingProblem(design, whole, row))
+        return refused(*why, problem);
+    const std::vector<Seam> seams = seamsInRow(design, whole, row, flipped);
+    if (seams.size() == 1)
+        return addSeam(design, seams[0].a, seams[0].b, seams[0].reversed, problem);
+    if (seams.empty())
+        return {};
+    return withSeams(design, seams,
+                     {QT_TRANSLATE_NOOP("Message", "Sew %1 to %2 stretches in a row"),
+                      {displayName(design, whole.patch), std::to_string(row.size())}});
+}
+
+Edit flipSeams(const Design& design, std::span<const ElementId> seams)
+{
+    return changed(
+        design, seams, [](Seam& seam) { seam.reversed = !seam.reversed; }, QT_TRANSLATE_NOOP("Message", "Flip %1"),
+        QT_TRANSLATE_NOOP("Message", "Flip %1 seams"));
+}
+
+Edit swapSeamSides(const Design& design, std::span<const ElementId> seams)
+{
+    return changed(
+        design, seams, [](Seam& seam) { std::swap(seam.a, seam.b); },
+        QT_TRANSLATE_NOOP("Message", "Swap the sides of %1"),
+        QT_TRANSLATE_NOOP("Message", "Swap the sides of %1 seams"));
+}
+
+Edit setContinuity(const Design& design, std::span<const ElementId> seams, Continuity continuity)
+{
+    return changed(
+        design, seams, [continuity](Seam& seam) { seam.continuity = continuity; },
+        QT_TRANSLATE_NOOP("Message", "Change the continuity of %1"),
+        QT_TRANSLATE_NOOP("Message", "Change the continuity of %1 seams"));
+}
+
+Edit setMatch(const Design& design, std::span<const ElementId> seams, Match match)
+{
+    return changed(
+        design, seams, [match](Seam& seam) { seam.match = match; },
+        QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"),
+        QT_TRANSLATE_NOOP("Message", "Change how %1 seams are matched"));
+}
+
+Edit moveSeamEnd(const Design& design, ElementId id, SeamSide side, StretchEnd end, double parameter,
+                 Message* problem)
+{
+    const auto* seam = design.find<Seam>(id);
+    const auto* patch = seam ? design.find<Patch>((side == SeamSide::A ? seam->a : seam->b).patch) : nullptr;
+    if (!patch || patch->outline.empty() || !std::isfinite(parameter))
+        return {};
+    Seam moved = *seam;
+    Stretch& stretch = side == SeamSide::A ? moved.a : moved.b;
+    const Stretch& other = side == SeamSide::A ? moved.b : moved.a;
+    (end == StretchEnd::From ? stretch.from : stretch.to) = parameter;
+    stretch = stretchBetween(stretch.patch, patch->outline, stretch.from, stretch.to);
+    // Where both ends meet a stretch means the whole outline; who moves an end there means nothing of it.
+    if (patch->outline.wrapped(stretch.from) == patch->outline.wrapped(stretch.to))
+        return refused({QT_TRANSLATE_NOOP("Message", "This stretch has no length: choose two different points.")},
+                       problem);
+    const Design without = design.with({{}, {{id, design.element(id), nullptr}}});
+    if (const auto why = sewingProblem(without, stretch, std::array{other}))
+        return refused(*why, problem);
+    return replaceWith(design, id, moved,
+                       {QT_TRANSLATE_NOOP("Message", "Move an end of %1"), {seamName(design, *seam)}});
+}
+
+} // namespace bolster::edits
