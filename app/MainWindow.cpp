@@ -63,6 +63,8 @@ MainWindow::MainWindow(QWidget* parent)
     connectDocument();
     connectViews();
     connectScans();
+    connectFixing();
+    connect3D();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);
@@ -96,6 +98,8 @@ void MainWindow::buildToolBars()
     bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
     bar->addSeparator();
     bar->addActions(m_actions->patternTools);
+    bar->addActions(m_actions->surfaceTools);
+    bar->addAction(m_actions->createFixation);
     bar->addSeparator();
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();

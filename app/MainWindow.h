@@ -11,6 +11,8 @@
 
 #include <memory>
 
+class QMenu;
+
 namespace bolster {
 
 class Actions;
@@ -71,6 +73,15 @@ private:
     void updateSolverState();
     void showMeasured();
     void connectScans();
+    void connectFixing();
+    void createFixation();
+    void updateFixingActions();
+    void connect3D();
+    void linkViews();
+    void addOpacitySliders();
+    void fillSavedViews(QMenu& menu);
+    void saveView();
+    void update3DActions();
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);

@@ -1,5 +1,6 @@
 #include "PatternTools.h"
 
+#include "AttachTool.h"
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
 
@@ -12,6 +13,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::Attach:
+        return std::make_unique<AttachTool>(context);
     case PatternToolKind::Select:
         break;
     }
