@@ -199,9 +199,9 @@ void AttachTool::paint(QPainter& painter, const ViewColors& colors) const
     for (const Stretch& stretch : m_collected)
         paint(painter, stretch, colors.accent);
     if (m_hover)
-        paint(painter, *m_hover, problemOf(*m_hover).isEmpty() ? colors.fixation : colors.error);
+        paint(painter, *m_hover, problemOf(*m_hover).isEmpty() ? colors.accent : colors.error);
     else if (const auto selected = stretchToFix(design(), m_context.selection()); selected && m_collected.empty())
-        paint(painter, *selected, colors.fixation);
+        paint(painter, *selected, colors.accent);
 }
 
 } // namespace bolster
