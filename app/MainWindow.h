@@ -78,6 +78,7 @@ private:
     void updateFixingActions();
     void connect3D();
     void linkViews();
+    void linkSelections();
     void addOpacitySliders();
     void fillSavedViews(QMenu& menu);
     void saveView();
@@ -94,6 +95,7 @@ private:
 
     std::unique_ptr<DesignSession> m_session;
     Selection m_selection;
+    Selection m_surfaceSelection; ///< the same, but for what is hovered when the views are not linked
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;

@@ -44,6 +44,7 @@ void MainWindow::connect3D()
     if (auto* saved = menuBar()->findChild<QMenu*>(QStringLiteral("saved-views")))
         connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViews(*saved); });
     addOpacitySliders();
+    linkSelections();
     linkViews();
     update3DActions();
 }
@@ -54,6 +55,19 @@ void MainWindow::update3DActions()
     m_actions->hideSelected->setEnabled(any);
     m_actions->isolate->setEnabled(!m_selection.elements().empty());
     m_actions->showHidden->setEnabled(!m_surface->hidden().empty());
+}
+
+void MainWindow::linkSelections()
+{
+    const auto follow = [this](Selection& from, Selection& to) {
+        connect(&from, &Selection::changed, this, [&from, &to] { to.set(from.elements(), from.points()); });
+        connect(&from, &Selection::hoverChanged, this, [this, &from, &to] {
+            if (m_actions->linkViews->isChecked())
+                to.hover(from.hovered());
+        });
+    };
+    follow(m_selection, m_surfaceSelection);
+    follow(m_surfaceSelection, m_selection);
 }
 
 void MainWindow::linkViews()

@@ -72,10 +72,19 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
     const QPoint middle = patternPixel({250, 250});
     move(window.patternView(), middle, Qt::NoButton);
     EXPECT_TRUE(mark->isVisible());
+    EXPECT_EQ(window.selection().hovered(), top);
     window.actions().linkViews->trigger();
     EXPECT_FALSE(mark->isVisible());
     move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
     EXPECT_FALSE(mark->isVisible());
+    const Vec2 cover = *window.surfaceView().camera().pixel(window.solver().surface()->boundingBox().center());
+    move(window.patternView(), {2, 2}, Qt::NoButton);
+    move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
+    EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";
+    window.actions().linkViews->trigger();
+    press(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    release(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    EXPECT_EQ(window.selection().elements().size(), 1u) << "what is selected is selected everywhere";
 }
 
 TEST_F(FixingTest, ViewsAreSavedByName)
