@@ -18,6 +18,8 @@ Actions::Actions(QObject* parent)
     addInsert();
     addPattern();
     addSeams();
+    addFixing();
+    add3D();
     addRest();
 }
 
@@ -183,6 +185,33 @@ void Actions::addSeams()
         seamMatches.back()->setData(static_cast<int>(match));
     }
     showSeamList = add(tr("Show seam li&st"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
+}
+
+void Actions::addFixing()
+{
+    addTool(PatternToolKind::Attach, tr("&Attach to fixation curve"), QStringLiteral("attach"),
+            QKeySequence(Qt::SHIFT | Qt::Key_A));
+    surfaceTools.append(addToggle(tr("&Draw fixation curve"), QStringLiteral("draw-fixation"), false,
+                                  QKeySequence(Qt::SHIFT | Qt::Key_F)));
+    surfaceTools.back()->setData(static_cast<int>(SurfaceToolKind::DrawFixation));
+    createFixation = add(tr("&Create fixation curve"), QStringLiteral("create-fixation"),
+                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F));
+}
+
+void Actions::add3D()
+{
+    showHandles = addToggle(tr("&Handle curves"), QStringLiteral("handle-curve"), true);
+    showFancySeams = addToggle(tr("Fanc&y seams"), QStringLiteral("fancy-seam"), true);
+    linkViews =
+        addToggle(tr("Lin&k the views"), QStringLiteral("link-views"), true, QKeySequence(Qt::SHIFT | Qt::Key_L));
+    linkViews->setToolTip(tr("Show the pointer's place in the other view, too (%1)")
+                              .arg(linkViews->shortcut().toString(QKeySequence::NativeText)));
+    hideSelected = add(tr("&Hide selected"), QStringLiteral("hide"), QKeySequence(Qt::SHIFT | Qt::Key_H));
+    isolate = add(tr("&Isolate selected"), QStringLiteral("isolate"), QKeySequence(Qt::SHIFT | Qt::Key_I));
+    showHidden = add(tr("Show h&idden again"), QStringLiteral("show-hidden"),
+                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
+    section = addToggle(tr("Se&ction"), QStringLiteral("section"), false, QKeySequence(Qt::SHIFT | Qt::Key_X));
+    saveView = add(tr("&Save view \u2026"), {});
 }
 
 void Actions::addRest()

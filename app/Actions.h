@@ -50,12 +50,22 @@ public:
     QAction* showDeviation;
     QAction* showGround;
     QAction* showField;
+    QAction* showHandles;
+    QAction* showFancySeams;
+    QAction* linkViews;
+    QAction* hideSelected;
+    QAction* isolate;
+    QAction* showHidden;
+    QAction* section;
+    QAction* saveView;
     QList<QAction*> themes; ///< data: Theme
     // Insert
     QAction* insertCushion;
     QList<QAction*> insertFoam; ///< data: Foam::Shape
     // Pattern
     QList<QAction*> patternTools; ///< data: PatternToolKind
+    QList<QAction*> surfaceTools; ///< of the 3D view; data: SurfaceToolKind
+    QAction* createFixation;
     QAction* turnLeft;
     QAction* turnRight;
     // Seam
@@ -85,6 +95,8 @@ private:
     void addInsert();
     void addPattern();
     void addSeams();
+    void addFixing();
+    void add3D();
     void addRest();
 };
 

@@ -74,6 +74,8 @@ Rows mouseInPattern()
                          "smooth")},
         {HelpDialogs::tr("Sew"), HelpDialogs::tr("click two edges; drag or Shift+click takes a part of one; "
                                                  "Ctrl+click several in a row, Enter sews them; F: flip")},
+        {HelpDialogs::tr("Attach to the selected fixation curve"),
+         HelpDialogs::tr("click an edge; Shift+click collects several")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
@@ -84,7 +86,11 @@ Rows mouseInCover()
     return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
             {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button")},
             {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
-            {HelpDialogs::tr("Move control points of curves"), HelpDialogs::tr("drag")}};
+            {HelpDialogs::tr("Move control points of curves"),
+             HelpDialogs::tr(
+                 "drag; those on a frame stay on it: Ctrl lifts them off, S lets go; X, Y, Z keep to an axis")},
+            {HelpDialogs::tr("Draw a fixation curve"),
+             HelpDialogs::tr("click points on a frame; Enter or double click ends; click the first one to close")}};
 }
 
 } // namespace

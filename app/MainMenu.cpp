@@ -32,6 +32,7 @@ public:
         addInsert();
         addPattern();
         addSeam();
+        addFrame();
         addSurface();
         addWindow();
         QMenu* help = m_bar.addMenu(tr("&Help"));
@@ -76,13 +77,21 @@ private:
         menu->addActions({m_actions.fitAll, m_actions.fitSelection});
         QMenu* views = menu->addMenu(tr("Look at the &cover from"));
         views->addActions(m_actions.standardViews);
+        QMenu* saved = menu->addMenu(tr("Sa&ved views"));
+        saved->setObjectName(QStringLiteral("saved-views")); // filled by the window
         menu->addAction(m_actions.perspective);
         menu->addSeparator();
         menu->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
-                          m_actions.showSeams, m_actions.showCurves, m_actions.showGrid, m_actions.showLabels,
-                          m_actions.showScans, m_actions.showGround, m_actions.showField});
+                          m_actions.showSeams, m_actions.showCurves, m_actions.showHandles,
+                          m_actions.showFancySeams, m_actions.showGrid, m_actions.showLabels, m_actions.showScans,
+                          m_actions.showGround, m_actions.showField});
         menu->addSeparator();
         menu->addActions({m_actions.showDeviation, m_actions.showScanPairs});
+        menu->addSeparator();
+        menu->addActions({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden});
+        QMenu* transparency = menu->addMenu(tr("Opacit&y"));
+        transparency->setObjectName(QStringLiteral("opacity")); // filled by the window
+        menu->addActions({m_actions.section, m_actions.linkViews});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }
@@ -114,6 +123,13 @@ private:
         menu->addActions(m_actions.seamMatches);
         menu->addSeparator();
         menu->addAction(m_actions.showSeamList);
+    }
+
+    void addFrame()
+    {
+        QMenu* menu = m_bar.addMenu(tr("F&rame"));
+        menu->addActions(m_actions.surfaceTools);
+        menu->addAction(m_actions.createFixation);
     }
 
     void addSurface()

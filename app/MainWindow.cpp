@@ -45,7 +45,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
-    , m_surface(new SurfaceView(document(), m_selection))
+    , m_surface(new SurfaceView(document(), m_surfaceSelection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
     , m_history(new HistoryView(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
@@ -66,6 +66,8 @@ MainWindow::MainWindow(QWidget* parent)
     connectViews();
     connectScans();
     connectSewing();
+    connectFixing();
+    connect3D();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);
@@ -99,6 +101,8 @@ void MainWindow::buildToolBars()
     bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
     bar->addSeparator();
     bar->addActions(m_actions->patternTools);
+    bar->addActions(m_actions->surfaceTools);
+    bar->addAction(m_actions->createFixation);
     bar->addSeparator();
     bar->addActions({m_actions->fitAll, m_actions->fitSelection});
     bar->addSeparator();
@@ -140,6 +144,7 @@ void MainWindow::connectDocument()
     connect(&document(), &Document::historyChanged, this, &MainWindow::updateEditActions);
     connect(&document(), &Document::changed, this, [this] {
         pruneSelection(m_selection, document().design());
+        pruneSelection(m_surfaceSelection, document().design());
         m_actions->undo->setEnabled(document().history().canUndo() || document().gestureRunning());
     });
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);

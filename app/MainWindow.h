@@ -11,6 +11,8 @@
 
 #include <memory>
 
+class QMenu;
+
 namespace bolster {
 
 class Actions;
@@ -75,6 +77,16 @@ private:
     void connectScans();
     void connectSewing();
     void updateSeamActions();
+    void connectFixing();
+    void createFixation();
+    void updateFixingActions();
+    void connect3D();
+    void linkViews();
+    void linkSelections();
+    void addOpacitySliders();
+    void fillSavedViews(QMenu& menu);
+    void saveView();
+    void update3DActions();
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
@@ -87,6 +99,7 @@ private:
 
     std::unique_ptr<DesignSession> m_session;
     Selection m_selection;
+    Selection m_surfaceSelection; ///< the same, but for what is hovered when the views are not linked
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;

@@ -99,7 +99,8 @@ void MainWindow::connectViewActions()
     for (QAction* toggle :
          {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames, m_actions->showPoints,
           m_actions->showSeams, m_actions->showCurves, m_actions->showGrid, m_actions->showLabels,
-          m_actions->showScans, m_actions->showScanPairs, m_actions->showGround, m_actions->showField})
+          m_actions->showHandles, m_actions->showFancySeams, m_actions->showScans, m_actions->showScanPairs,
+          m_actions->showGround, m_actions->showField})
         connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
     connect(m_actions->showDeviation, &QAction::toggled, this, &MainWindow::showMeasured);
     for (QAction* action : m_actions->themes)
@@ -126,6 +127,8 @@ void MainWindow::applyLayers()
     m_surface->setLayerVisible(Layer::Seams, m_actions->showSeams->isChecked());
     m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
     m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
+    m_surface->setLayerVisible(Layer::HandleCurves, m_actions->showHandles->isChecked());
+    m_surface->setLayerVisible(Layer::FancySeams, m_actions->showFancySeams->isChecked());
     m_surface->setLayerVisible(Layer::Scans, m_actions->showScans->isChecked());
     m_surface->setLayerVisible(Layer::ScanPairs, m_actions->showScanPairs->isChecked());
     m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());

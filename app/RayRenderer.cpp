@@ -15,6 +15,9 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
         scene.looks.push_back({look.patch, look.color.name().toStdString()});
     for (const auto& look : request.frames)
         scene.frames.push_back({look.mesh, look.placement.scale, look.placement.position, look.placement.rotation});
+    scene.frameOpacity = request.frameOpacity;
+    if (request.section)
+        scene.section = {request.section->normal, request.section->offset};
     if (request.map && request.surface && request.map->fits(*request.surface->topology))
         scene.vertexColors = request.map->colors();
     scene.checker = request.checker;
@@ -47,6 +50,7 @@ bool RayRenderer::prepared(const Request& request) const
         return a.mesh == b.mesh && a.placement == b.placement;
     };
     return m_last && m_renderer && m_last->surface == request.surface && m_last->map == request.map &&
+           m_last->frameOpacity == request.frameOpacity && m_last->section == request.section &&
            m_last->checker == request.checker && m_last->ground == request.ground &&
            m_last->backgroundTop == request.backgroundTop && m_last->backgroundBottom == request.backgroundBottom &&
            std::ranges::equal(m_last->looks, request.looks, sameLook) &&

@@ -3,6 +3,7 @@
 #include "MeshShape.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace bolster {
 
@@ -76,6 +77,27 @@ std::optional<FrameShapes::Hit> FrameShapes::first(const Camera::Ray& ray) const
         nearest = {id, ray.origin + distance * ray.direction};
     }
     return nearest;
+}
+
+std::optional<FrameShapes::Foot> FrameShapes::nearest(const Vec3& point) const
+{
+    std::optional<Foot> best;
+    double distance = std::numeric_limits<double>::max(); // mm
+    for (const auto& [id, look] : m_frames) {
+        const ShapePtr shape = shapeOf(look.mesh);
+        if (!shape)
+            continue;
+        const Vec3 there = look.placement.filePoint(point);
+        const auto found =
+            shape->rays.nearest(there.cast<float>(), static_cast<float>(distance / look.placement.scale));
+        if (!found)
+            continue;
+        const auto& [a, b, c] = shape->normals[found->triangle];
+        const Vec3 position = look.placement.placed(found->point.cast<double>());
+        distance = (position - point).norm();
+        best = {position, (look.placement.rotation * (a + b + c).cast<double>()).normalized()};
+    }
+    return best;
 }
 
 } // namespace bolster

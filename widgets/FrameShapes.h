@@ -28,6 +28,11 @@ public:
         Vec3 position = Vec3::Zero(); ///< mm
     };
 
+    struct Foot {
+        Vec3 position = Vec3::Zero(); ///< mm
+        Vec3 normal = Vec3::UnitZ();  ///< unit
+    };
+
     /// `ready` is called when there is something new.
     explicit FrameShapes(std::function<void()> ready);
 
@@ -36,6 +41,8 @@ public:
     std::vector<ShapePtr> shapes() const;
     /// The nearest hit of the frames whose shape is known.
     std::optional<Hit> first(const Camera::Ray& ray) const;
+    /// The place that is nearest to a point, mm, likewise.
+    std::optional<Foot> nearest(const Vec3& point) const;
 
 private:
     struct Known {

@@ -2,6 +2,8 @@
 
 #include "FrameShapes.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
@@ -52,7 +54,7 @@ void GlFrames::draw(const SurfaceScene& scene, const GlView& view)
     view.setTransforms(m_program);
     view.setLights(m_program);
     m_program.set("material", Eigen::Vector3f(0.42F, 0.43F, 0.45F));
-    m_program.set("opacity", solid ? 1.F : 0.45F);
+    m_program.set("opacity", std::min(1.F, (solid ? 1.F : 0.45F) * static_cast<float>(scene.frameOpacity)));
     m_program.set("push", solid ? 0.F : foam);
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     if (!solid) { // curves and seams behind it stay visible

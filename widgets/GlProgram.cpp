@@ -60,6 +60,11 @@ void GlProgram::set(const char* name, const Eigen::Vector3f& value)
     m_gl->glUniform3fv(location(name), 1, value.data());
 }
 
+void GlProgram::set(const char* name, const Eigen::Vector4f& value)
+{
+    m_gl->glUniform4fv(location(name), 1, value.data());
+}
+
 void GlProgram::set(const char* name, const Eigen::Matrix4f& value)
 {
     m_gl->glUniformMatrix4fv(location(name), 1, GL_FALSE, value.data());

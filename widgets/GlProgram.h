@@ -23,6 +23,7 @@ public:
     void set(const char* name, float value);
     void set(const char* name, const Eigen::Vector2f& value);
     void set(const char* name, const Eigen::Vector3f& value);
+    void set(const char* name, const Eigen::Vector4f& value);
     void set(const char* name, const Eigen::Matrix4f& value);
     void set(const char* name, const QColor& value); ///< with alpha, as displayed
 

@@ -38,6 +38,8 @@ GlView::GlView(const SurfaceScene& scene, const Camera& camera, const QSize& siz
     Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
     shift(0, 3) = 2 * jitter.x() / size.width();
     shift(1, 3) = 2 * jitter.y() / size.height();
+    if (scene.section)
+        section << scene.section->normal.cast<float>(), static_cast<float>(scene.section->offset);
     view = camera.viewMatrix().cast<float>();
     projection = (shift * camera.projectionMatrix(drawnBox(scene))).cast<float>();
     pixelRatio = viewport.y() / static_cast<float>(std::max(camera.size.y(), 1.0));
@@ -49,6 +51,7 @@ void GlView::setTransforms(GlProgram& program) const
 {
     program.set("view", view);
     program.set("projection", projection);
+    program.set("section", section);
 }
 
 void GlView::setLights(GlProgram& program) const

@@ -286,22 +286,49 @@ void InspectorForms::addFixationCurve(PropertyForm& form, ElementId id) const
                [](const Design&, const FixationCurve& c) { return QString::number(c.curve.pointCount()); });
 }
 
+void InspectorForms::addCurveChoice(PropertyForm& form, ElementId id) const
+{
+    const FixationSeam* now = m_document.design().find<FixationSeam>(id);
+    std::vector<ElementId> curves;
+    QStringList names;
+    if (!now || !now->hasCurve() || !now->orientation.empty()) { // something must be held
+        curves.emplace_back();
+        names << tr("none");
+    }
+    m_document.design().each<FixationCurve>([&](ElementId curve, const FixationCurve&) {
+        curves.push_back(curve);
+        names << displayName(m_document.design(), curve);
+    });
+    const InspectorSubject<FixationSeam> fixation(m_document, id, form);
+    form.addChoice(
+        tr("Curve"), names,
+        [fixation, curves] {
+            const auto found = std::ranges::find(curves, fixation.now().curve);
+            return found == curves.end() ? -1 : static_cast<int>(found - curves.begin());
+        },
+        [fixation, curves](int chosen) {
+            fixation.change(QT_TRANSLATE_NOOP("Message", "Change the curve of %1"), [&](FixationSeam& f) {
+                f.curve = curves[static_cast<std::size_t>(chosen)];
+                f.curveRange.reset();
+            });
+        });
+}
+
 void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
 {
     const InspectorSubject<FixationSeam> fixation(m_document, id, form);
     fixation.info(tr("Outline"), [](const Design& design, const FixationSeam& f) {
         return tr("%1, %2").arg(displayName(design, f.stretch.patch), lengthText(stretchLength(design, f.stretch)));
     });
-    fixation.info(tr("Curve"), [](const Design& design, const FixationSeam& f) {
-        if (!f.hasCurve())
-            return tr("none");
+    addCurveChoice(form, id);
+    fixation.info(tr("On the curve"), [](const Design& design, const FixationSeam& f) {
         const FixationCurve* curve = design.find<FixationCurve>(f.curve);
         if (!curve || curve->curve.empty())
-            return displayName(design, f.curve);
+            return QString();
         const ArcLength3 length(curve->curve);
         const double all =
             f.curveRange ? length.between(f.curveRange->first, f.curveRange->second) : length.total();
-        return tr("%1, %2").arg(displayName(design, f.curve), lengthText(all));
+        return lengthText(all);
     });
     fixation.choice(tr("Match"), matchNames(), &FixationSeam::match,
                     QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));

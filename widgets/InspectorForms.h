@@ -41,6 +41,7 @@ private:
     void addPatch(PropertyForm& form, ElementId id) const;
     void addSeam(PropertyForm& form, ElementId id) const;
     void addFixationCurve(PropertyForm& form, ElementId id) const;
+    void addCurveChoice(PropertyForm& form, ElementId id) const;
     void addFixationSeam(PropertyForm& form, ElementId id) const;
     void addHandleCurve(PropertyForm& form, ElementId id) const;
     void addFancySeam(PropertyForm& form, ElementId id) const;

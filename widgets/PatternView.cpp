@@ -1,6 +1,7 @@
 #include "PatternView.h"
 
 #include "ArcLength.h"
+#include "Crosshair.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "ProblemSet.h"
@@ -23,6 +24,7 @@ namespace {
 // Pixels.
 constexpr double grabRadius = 7;
 constexpr double fitMargin = 36;
+constexpr double clickReach = 5;
 
 } // namespace
 
@@ -32,6 +34,7 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     , m_selection(selection)
     , m_problems(problems)
     , m_legend(new MapLegend(this))
+    , m_crosshair(new Crosshair(this))
     , m_tool(makePatternTool(m_toolKind, *this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -109,6 +112,7 @@ void PatternView::setTransform(const PatternTransform& transform)
 void PatternView::apply(const PatternTransform& transform)
 {
     m_transform = transform;
+    placeCrosshair();
     refresh();
 }
 
@@ -152,6 +156,38 @@ bool PatternView::pointsShown(ElementId id) const
     const PatternPatch* patch = m_scene.patch(id);
     return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id) &&
            PatternPainter::pointsReadable(*patch, m_transform);
+}
+
+std::optional<CoverPoint> PatternView::patchPointAt(QPointF pixel) const
+{
+    const PatternHit found = hit(pixel);
+    const Patch* patch = m_document.design().find<Patch>(found.patch);
+    if (!patch)
+        return std::nullopt;
+    return CoverPoint{found.patch, fromLayout(*patch, m_transform.toLayout(pixel))};
+}
+
+void PatternView::showPlace(const std::optional<CoverPoint>& point)
+{
+    m_place = point;
+    placeCrosshair();
+}
+
+void PatternView::placeCrosshair()
+{
+    const Patch* patch = m_place ? m_document.design().find<Patch>(m_place->patch) : nullptr;
+    m_crosshair->showAt(patch ? std::optional(m_transform.toPixels(toLayout(*patch, m_place->outline)))
+                              : std::nullopt);
+}
+
+void PatternView::reveal(const CoverPoint& point)
+{
+    const Patch* patch = m_document.design().find<Patch>(point.patch);
+    if (!patch)
+        return;
+    const QPointF pixel = m_transform.toPixels(toLayout(*patch, point.outline));
+    if (!QRectF(rect()).contains(pixel))
+        setTransform(m_transform.panned(QRectF(rect()).center() - pixel));
 }
 
 void PatternView::refresh()
@@ -274,6 +310,7 @@ void PatternView::mousePressEvent(QMouseEvent* event)
         m_panFrom = event->position();
         refresh();
     } else if (event->button() == Qt::LeftButton) {
+        m_pressedAt = event->position();
         m_tool->press(pointerOf(*event));
     } else if (event->button() == Qt::RightButton) {
         // The context menu that follows is about what lies under the pointer.
@@ -291,6 +328,7 @@ void PatternView::mouseMoveEvent(QMouseEvent* event)
         m_tool->move(pointerOf(*event));
     }
     emit pointerMoved(m_transform.toLayout(event->position()));
+    emit patchPointed(patchPointAt(event->position()));
 }
 
 void PatternView::mouseReleaseEvent(QMouseEvent* event)
@@ -300,6 +338,10 @@ void PatternView::mouseReleaseEvent(QMouseEvent* event)
         refresh();
     } else if (event->button() == Qt::LeftButton) {
         m_tool->release(pointerOf(*event));
+        const bool click = (event->position() - m_pressedAt).manhattanLength() < clickReach;
+        if (const auto point = patchPointAt(event->position());
+            point && click && m_toolKind == PatternToolKind::Select)
+            emit patchClicked(*point);
     }
 }
 
@@ -344,6 +386,7 @@ void PatternView::leaveEvent(QEvent*)
 {
     m_tool->leave();
     emit pointerMoved(std::nullopt);
+    emit patchPointed(std::nullopt);
 }
 
 void PatternView::focusOutEvent(QFocusEvent* event)

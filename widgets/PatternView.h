@@ -1,6 +1,7 @@
 // The pattern view: the patches in their layout, with seams and fixations.
 #pragma once
 
+#include "CoverPlaces.h"
 #include "MapLegend.h"
 #include "PatternPainter.h"
 #include "PatternTools.h"
@@ -13,6 +14,8 @@
 #include <optional>
 
 namespace bolster {
+
+class Crosshair;
 
 /// The wheel zooms at the pointer; the middle button, or Space with the left one, pans; Home shows everything.
 class PatternView : public QWidget, private PatternToolContext {
@@ -37,6 +40,11 @@ public:
     void setTool(bolster::PatternToolKind kind);
     PatternToolKind tool() const { return m_toolKind; }
 
+    /// A cross-hair at a point of a patch; nothing takes it away.
+    void showPlace(const std::optional<bolster::CoverPoint>& point);
+    /// Moves the picture if the point is not in it.
+    void reveal(const bolster::CoverPoint& point);
+
     QString prompt() const;
     PatternHit hit(QPointF pixel) const override;
     QSize sizeHint() const override { return {640, 640}; }
@@ -45,6 +53,10 @@ signals:
     void promptChanged(const QString& prompt);
     void toolChanged(bolster::PatternToolKind kind);
     void pointerMoved(const std::optional<bolster::Vec2>& layout);
+    /// The point of a patch under the pointer; nothing beside them.
+    void patchPointed(const std::optional<bolster::CoverPoint>& point);
+    /// Clicked with the tool that selects.
+    void patchClicked(const bolster::CoverPoint& point);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -79,6 +91,8 @@ private:
     void apply(const PatternTransform& transform);
     void showBox(const Box2& box);
     QString toolTipAt(QPointF pixel) const;
+    std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
+    void placeCrosshair();
     PatternPointer pointerOf(const QMouseEvent& event) const;
 
     Document& m_document;
@@ -88,6 +102,9 @@ private:
     PatternMesh m_mesh;
     PatternMap m_map;
     MapLegend* m_legend;
+    Crosshair* m_crosshair;
+    std::optional<CoverPoint> m_place; ///< of the cross-hair
+    QPointF m_pressedAt;               ///< the left button
     SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;

@@ -55,10 +55,13 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
 }
 
 std::vector<SurfaceScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& selected,
-                                                        const ViewColors& colors) const
+                                                        const ViewColors& colors,
+                                                        const std::set<ElementId>& hidden) const
 {
     std::vector<SurfaceScene::PointsLook> looks;
     for (const auto& [id, placed] : m_scans) {
+        if (hidden.contains(id))
+            continue;
         const QColor plain = colors.dark ? QColor(0x6f, 0xb6, 0xe8) : QColor(0x1f, 0x6f, 0xa8);
         if (!selected.contains(id)) {
             looks.push_back({placed.few, plain, 1.6F});

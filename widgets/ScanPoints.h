@@ -15,8 +15,8 @@ class ScanPoints {
 public:
     void update(const Design& design, const DesignFiles& files);
     /// Of the selected ones what is cut away is shown, too, dimmed.
-    std::vector<SurfaceScene::PointsLook> looks(const std::set<ElementId>& selected,
-                                                const ViewColors& colors) const;
+    std::vector<SurfaceScene::PointsLook> looks(const std::set<ElementId>& selected, const ViewColors& colors,
+                                                const std::set<ElementId>& hidden) const;
     /// Of what is not cut away, mm.
     Box3 box(ElementId scan) const;
     Box3 box() const;

@@ -49,6 +49,8 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
         request.looks.push_back({look.patch, m_scene.dimmed ? mixed(look.fabric, veil, 0.5) : look.fabric});
     }
     request.frames = m_scene.frames;
+    request.frameOpacity = m_scene.frameOpacity;
+    request.section = m_scene.section;
     request.map = m_scene.map;
     request.camera = m_camera;
     const double scale = devicePixelRatioF() * (moving ? movingScale : 1);

@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "Frame.h"
+#include "SectionPlane.h"
 #include "SurfaceMap.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
@@ -11,6 +12,7 @@
 #include <QImage>
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -36,7 +38,9 @@ public:
         std::vector<PatchLook> looks;
         SurfaceMapPtr map;             ///< null, or of another topology: plain cloth
         std::vector<FrameLook> frames; ///< see-through where there is a cover
-        Camera camera;                 ///< its size is the size of the picture
+        double frameOpacity = 1;       ///< times the usual one over a cover
+        std::optional<SectionPlane> section;
+        Camera camera; ///< its size is the size of the picture
         QColor backgroundTop;
         QColor backgroundBottom;
         bool checker = true;

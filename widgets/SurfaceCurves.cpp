@@ -21,12 +21,12 @@ SurfaceCurve sampled(const ElementPtr& element)
 
 } // namespace
 
-void SurfaceCurves::update(const Design& design)
+void SurfaceCurves::update(const Design& design, const std::set<ElementId>& unseen)
 {
     std::map<ElementId, SurfaceCurve> curves;
     for (const auto& [id, element] : design.elements()) {
         const BSpline3* curve = spaceCurve(*element);
-        if (!curve || curve->empty())
+        if (!curve || curve->empty() || unseen.contains(id))
             continue;
         const auto known = m_curves.find(id);
         const bool unchanged = known != m_curves.end() && known->second.element == element;

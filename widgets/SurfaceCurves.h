@@ -4,6 +4,7 @@
 #include "Design.h"
 
 #include <map>
+#include <set>
 #include <vector>
 
 namespace bolster {
@@ -19,7 +20,8 @@ struct SurfaceCurve {
 
 class SurfaceCurves {
 public:
-    void update(const Design& design);
+    /// Without those that are `unseen`.
+    void update(const Design& design, const std::set<ElementId>& unseen = {});
     const std::map<ElementId, SurfaceCurve>& all() const { return m_curves; }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bolster {
 
@@ -20,7 +21,7 @@ struct OnSegment {
     double distance = 0; ///< pixels
 };
 
-OnSegment nearest(const Vec2& p, const Vec2& a, const Vec2& b)
+OnSegment onSegment(const Vec2& p, const Vec2& a, const Vec2& b)
 {
     const double length2 = (b - a).squaredNorm();
     const double share = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0;
@@ -61,26 +62,75 @@ const SurfaceRays& SurfaceHitTest::rays() const
     return m_rays;
 }
 
+/// The ray from where it enters what is kept.
+Camera::Ray SurfaceHitTest::keptRay(const Camera::Ray& ray) const
+{
+    const double climb = m_section ? m_section->normal.dot(ray.direction) : 0;
+    if (!m_section || m_section->keeps(ray.origin) || climb >= 0)
+        return ray;
+    return {ray.origin + m_section->height(ray.origin) / climb * ray.direction, ray.direction};
+}
+
+SurfaceHit SurfaceHitTest::hitCover(const Camera::Ray& ray) const
+{
+    SurfaceHit result;
+    if (!m_surface)
+        return result;
+    const auto hit = rays().first(ray.origin.cast<float>(), ray.direction.cast<float>());
+    if (!hit)
+        return result;
+    result.position = ray.origin + static_cast<double>(hit->distance) * ray.direction;
+    if (m_section && m_section->height(result.position) < -1e-3)
+        return result;
+    result.kind = SurfaceHit::Kind::Cover;
+    result.triangle = hit->triangle;
+    for (const SurfaceTopology::PatchRange& range : m_surface->topology->patches)
+        if (hit->triangle - range.firstTriangle < range.triangleCount)
+            result.element = range.patch;
+    return result;
+}
+
+SurfaceHit SurfaceHitTest::hitFrame(const Camera::Ray& ray) const
+{
+    SurfaceHit result;
+    const auto hit = m_frames.first(ray);
+    if (!hit || (m_section && m_section->height(hit->position) < -1e-3))
+        return result;
+    result.kind = SurfaceHit::Kind::Frame;
+    result.position = hit->position;
+    result.element = hit->frame;
+    return result;
+}
+
 SurfaceHit SurfaceHitTest::hitSolid(const Camera& camera, QPointF pixel) const
 {
-    const Camera::Ray ray = camera.ray({pixel.x(), pixel.y()});
-    const Eigen::Vector3f origin = ray.origin.cast<float>(), direction = ray.direction.cast<float>();
-    SurfaceHit result;
-    if (m_surface)
-        if (const auto hit = rays().first(origin, direction)) {
-            result.kind = SurfaceHit::Kind::Cover;
-            result.position = ray.origin + static_cast<double>(hit->distance) * ray.direction;
-            for (const SurfaceTopology::PatchRange& range : m_surface->topology->patches)
-                if (hit->triangle - range.firstTriangle < range.triangleCount)
-                    result.element = range.patch;
-            return result;
-        }
-    if (const auto hit = m_frames.first(ray)) {
-        result.kind = SurfaceHit::Kind::Frame;
-        result.position = hit->position;
-        result.element = hit->frame;
+    const Camera::Ray ray = keptRay(camera.ray({pixel.x(), pixel.y()}));
+    const SurfaceHit cover = hitCover(ray);
+    return cover ? cover : hitFrame(ray);
+}
+
+SurfaceHit SurfaceHitTest::hitGround(const Camera& camera, QPointF pixel) const
+{
+    const SurfaceHit frame = hitFrame(keptRay(camera.ray({pixel.x(), pixel.y()})));
+    return frame ? frame : hitSolid(camera, pixel);
+}
+
+std::optional<SurfaceFoot> SurfaceHitTest::nearest(const Vec3& point, SurfaceHit::Kind on) const
+{
+    if (on == SurfaceHit::Kind::Frame) {
+        const auto foot = m_frames.nearest(point);
+        return foot ? std::optional(SurfaceFoot{foot->position, foot->normal}) : std::nullopt;
     }
-    return result;
+    if (!m_surface)
+        return std::nullopt;
+    const auto found = rays().nearest(point.cast<float>(), std::numeric_limits<float>::max());
+    if (!found)
+        return std::nullopt;
+    const auto& corners = m_surface->topology->triangles[found->triangle];
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+    for (const std::uint32_t corner : corners)
+        normal += m_surface->normals[corner];
+    return SurfaceFoot{found->point.cast<double>(), normal.cast<double>().normalized()};
 }
 
 SurfaceHit SurfaceHitTest::hitPoint(const Question& question, const Vec2& pixel) const
@@ -113,7 +163,7 @@ SurfaceHit SurfaceHitTest::hitCurve(const Question& question, const Vec2& pixel,
         for (std::size_t i = 0; i < curve.points.size(); ++i) {
             const std::optional<Vec2> next = question.camera.pixel(curve.points[i]);
             if (last && next) {
-                const OnSegment near = nearest(pixel, *last, *next);
+                const OnSegment near = onSegment(pixel, *last, *next);
                 const Vec3 at = curve.points[i - 1] + near.share * (curve.points[i] - curve.points[i - 1]);
                 if (near.distance < bestDistance && (selected || !hidden(question.camera, at, solid))) {
                     bestDistance = near.distance;
@@ -138,7 +188,7 @@ SurfaceHit SurfaceHitTest::hitSeam(const Question& question, const Vec2& pixel, 
             const Vec3& here = m_surface->positions[vertices[i]];
             const std::optional<Vec2> next = question.camera.pixel(here);
             if (last && next) {
-                const OnSegment near = nearest(pixel, *last, *next);
+                const OnSegment near = onSegment(pixel, *last, *next);
                 const Vec3& before = m_surface->positions[vertices[i - 1]];
                 const Vec3 at = before + near.share * (here - before);
                 if (near.distance < bestDistance && !hidden(question.camera, at, solid)) {

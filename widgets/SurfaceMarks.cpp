@@ -69,22 +69,19 @@ void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, 
     scene.lines.clear();
     scene.dots.clear();
     if (scene.surface) {
-        if (m_shown.seams) {
+        if (m_shown.seams)
             addSeams(scene);
-            addFancySeams(scene);
-        }
+        addFancySeams(scene);
         addOutlines(scene);
-        if (m_shown.curves)
+        if (m_shown.heldNormals)
             addHeldNormals(scene);
     }
-    if (m_shown.curves) {
-        for (const auto& [id, curve] : m_curves.all())
-            addCurve(scene, id, curve);
-        for (const auto& [id, curve] : m_curves.all())
-            if (m_selection.contains(id) || m_selection.hovered() == id)
-                addControlPoints(scene, id, curve,
-                                 hoveredPoint && hoveredPoint->first == id ? hoveredPoint->second : -1);
-    }
+    for (const auto& [id, curve] : m_curves.all())
+        addCurve(scene, id, curve);
+    for (const auto& [id, curve] : m_curves.all())
+        if (m_selection.contains(id) || m_selection.hovered() == id)
+            addControlPoints(scene, id, curve,
+                             hoveredPoint && hoveredPoint->first == id ? hoveredPoint->second : -1);
     ++scene.marks;
 }
 

@@ -15,12 +15,12 @@ QColor fixationCurveColor(const ViewColors& colors);
 /// Adds sections and arrows, seen through the cover.
 void addFieldLines(const FieldPicture& field, SurfaceScene& scene);
 
-/// Fills in the scene's lines and dots.
+/// Fills in the scene's lines and dots: all curves, and what lies on the cover.
 class SurfaceMarks {
 public:
     struct Shown {
         bool seams = true;
-        bool curves = true;
+        bool heldNormals = true;
     };
 
     SurfaceMarks(const Design& design, const SurfaceCurves& curves, const Selection& selection, Shown shown)

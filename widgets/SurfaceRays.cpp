@@ -27,6 +27,30 @@ float meeting(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, c
     return u >= -1e-5f && v >= -1e-5f && u + v <= 1.00001f && t > 0 ? t : infinite;
 }
 
+/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+Eigen::Vector3f nearestPoint(const Eigen::Vector3f& p, const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                             const Eigen::Vector3f& c)
+{
+    const Eigen::Vector3f ab = b - a, ac = c - a, bc = c - b, ap = p - a, bp = p - b, cp = p - c;
+    const float d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
+                d6 = ac.dot(cp);
+    if (d1 <= 0 && d2 <= 0)
+        return a;
+    if (d3 >= 0 && d4 <= d3)
+        return b;
+    if (d6 >= 0 && d5 <= d6)
+        return c;
+    const float vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+        return a + d1 / (d1 - d3) * ab;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+        return a + d2 / (d2 - d6) * ac;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * bc;
+    const float all = va + vb + vc;
+    return all > 0 ? Eigen::Vector3f(a + vb / all * ab + vc / all * ac) : a;
+}
+
 } // namespace
 
 void SurfaceRays::build(std::vector<Vec3f> points, std::vector<Triangle> triangles)
@@ -174,6 +198,41 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& farOrigin, const
         }
         return false;
     });
+    return best;
+}
+
+std::optional<SurfaceRays::Nearest> SurfaceRays::nearest(const Vec3f& point, float reach) const
+{
+    if (m_nodes.empty())
+        return std::nullopt;
+    const auto gap = [&](const Node& node) { // squared
+        return (node.low - point.array()).max(point.array() - node.high).max(0.F).matrix().squaredNorm();
+    };
+    std::optional<Nearest> best;
+    float bestSquare = reach * reach;
+    std::array<std::uint32_t, 64> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+        const std::uint32_t index = waiting[--count];
+        const Node& node = m_nodes[index];
+        if (!(gap(node) < bestSquare))
+            continue;
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Triangle& t = m_triangles[i];
+            const Vec3f on = nearestPoint(point, m_points[t[0]], m_points[t[1]], m_points[t[2]]);
+            const float square = (on - point).squaredNorm();
+            if (square < bestSquare) {
+                bestSquare = square;
+                best = Nearest{m_ids[i], on};
+            }
+        }
+        if (node.count > 0)
+            continue;
+        const bool leftFirst = gap(m_nodes[index + 1]) < gap(m_nodes[node.first]);
+        waiting[count++] = leftFirst ? node.first : index + 1;
+        waiting[count++] = leftFirst ? index + 1 : node.first;
+    }
     return best;
 }
 

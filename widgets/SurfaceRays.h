@@ -1,4 +1,4 @@
-// Finds the triangle that a ray meets: a tree of boxes that follows moving points.
+// Finds the triangle that a ray meets, or that is nearest to a point: a tree of boxes that follows moving points.
 #pragma once
 
 #include "Geometry.h"
@@ -22,11 +22,18 @@ public:
         float distance = 0; ///< in lengths of the direction
     };
 
+    struct Nearest {
+        std::uint32_t triangle = 0;
+        Vec3f point = Vec3f::Zero(); ///< on it
+    };
+
     void build(std::vector<Vec3f> points, std::vector<Triangle> triangles);
     /// The same triangles with moved points: much cheaper.
     void move(std::vector<Vec3f> points);
 
     std::optional<Hit> first(const Vec3f& origin, const Vec3f& direction) const;
+    /// Nothing when no triangle is nearer than `reach`.
+    std::optional<Nearest> nearest(const Vec3f& point, float reach) const;
     bool blocked(const Vec3f& origin, const Vec3f& direction, float reach) const;
 
 private:

@@ -43,6 +43,8 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
     m_gl.glClear(GL_DEPTH_BUFFER_BIT);
 
     m_ground.draw(scene, camera, view);
+    if (scene.section)
+        m_gl.glEnable(GL_CLIP_DISTANCE0);
     m_cover.draw(scene, view);
     if (scene.meshEdges) {
         m_gl.glEnable(GL_BLEND);
@@ -50,6 +52,7 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
         m_gl.glDisable(GL_BLEND);
     }
     m_frames.draw(scene, view);
+    m_gl.glDisable(GL_CLIP_DISTANCE0);
     m_points.draw(view);
     m_marks.draw(view, true);
     m_marks.draw(view, false);

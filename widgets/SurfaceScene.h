@@ -1,12 +1,14 @@
 // What the 3D view shows, as a value that both of its canvases draw.
 #pragma once
 
+#include "SectionPlane.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceMap.h"
 #include "SurfaceOcclusion.h"
 #include "ViewColors.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -60,6 +62,9 @@ struct SurfaceScene {
 
     Box3 box;         ///< of cover, frames and curves
     double floor = 0; ///< height of the ground
+
+    std::optional<SectionPlane> section; ///< of cover and frames; lines, dots and points are cut already
+    double frameOpacity = 1;             ///< times the usual one over a cover
 
     bool checker = true;
     bool meshEdges = false;

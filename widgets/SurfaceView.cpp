@@ -1,9 +1,11 @@
 #include "SurfaceView.h"
 
+#include "Crosshair.h"
 #include "Document.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
 #include "ScanCutTool.h"
+#include "SectionPanel.h"
 #include "Selection.h"
 #include "SoftwareCanvas.h"
 #include "SurfaceMarks.h"
@@ -39,14 +41,16 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
-    , m_layers{Layer::Cover,          Layer::Checker, Layer::Seams, Layer::Frames,
-               Layer::FixationCurves, Layer::Scans,   Layer::Ground}
+    , m_layers{Layer::Cover,        Layer::Checker,    Layer::Seams, Layer::Frames, Layer::FixationCurves,
+               Layer::HandleCurves, Layer::FancySeams, Layer::Scans, Layer::Ground}
     , m_frameShapes([this] {
         m_scene.frameShapes = m_frameShapes.shapes();
         draw(false);
     })
     , m_cube(new SurfaceViewCube(this))
     , m_legend(new MapLegend(this))
+    , m_sectionPanel(new SectionPanel(this))
+    , m_crosshair(new Crosshair(this))
     , m_tool(makeSurfaceTool(m_toolKind, *this))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
         m_scene.occlusion = std::move(occlusion);
@@ -81,6 +85,9 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
         camera.orbit(azimuthBy, elevationBy, m_scene.box.isEmpty() ? m_camera.target : Vec3(m_scene.box.center()));
         setCamera(camera);
     });
+    m_sectionPanel->setScene([this] { return m_scene.box; }, [this] { return m_camera; });
+    connect(m_sectionPanel, &SectionPanel::changed, this, &SurfaceView::setSection);
+    connect(m_sectionPanel, &SectionPanel::closed, this, &SurfaceView::sectionClosed);
     connect(&m_document, &Document::changed, this, &SurfaceView::designChanged);
     const auto selectionChanged = [this] {
         updateScans();
@@ -138,8 +145,7 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
                         surface->positions.size() == surface->topology->vertexCount() &&
                         surface->normals.size() == surface->positions.size();
     m_surface = usable ? std::move(surface) : nullptr;
-    m_scene.surface = layerVisible(Layer::Cover) ? m_surface : nullptr;
-    m_hitTest.setSurface(m_scene.surface);
+    updateCover();
     const bool moving = m_sinceSurface.isValid() && m_sinceSurface.elapsed() < movingWithin;
     m_sinceSurface.start();
     m_occlusionJob.cancel();
@@ -232,6 +238,7 @@ void SurfaceView::setLayerVisible(Layer layer, bool visible)
     m_scene.checker = layerVisible(Layer::Checker);
     m_scene.meshEdges = layerVisible(Layer::MeshEdges);
     m_scene.ground = layerVisible(Layer::Ground);
+    updateCurves();
     updateFrames();
     updateScans();
     updateMarks();
@@ -243,7 +250,7 @@ void SurfaceView::designChanged(const std::set<ElementId>& ids)
     if (!ids.empty() &&
         std::ranges::all_of(ids, [this](ElementId id) { return seenInSurface(m_document.design(), id); }))
         return;
-    m_curves.update(m_document.design());
+    updateCurves();
     updateFrames();
     updateScans();
     updateLooks();
@@ -257,7 +264,8 @@ void SurfaceView::updateScans()
     m_scanPoints.update(m_document.design(), m_files);
     m_scene.points.clear();
     if (layerVisible(Layer::Scans) && !m_scene.map) // which says more, and would be hidden
-        m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors);
+        m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors, m_hidden);
+    cutPoints();
 }
 
 void SurfaceView::updateFrames()
@@ -267,7 +275,7 @@ void SurfaceView::updateFrames()
     if (layerVisible(Layer::Frames))
         m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
             const auto mesh = m_files.meshes.find(id);
-            if (mesh == m_files.meshes.end() || !mesh->second)
+            if (mesh == m_files.meshes.end() || !mesh->second || m_hidden.contains(id))
                 return;
             frames.push_back({mesh->second, frame});
             ids.push_back(id);
@@ -275,6 +283,8 @@ void SurfaceView::updateFrames()
     m_foamMeshes.update(m_document.design(), m_files);
     if (layerVisible(Layer::Frames))
         for (const auto& [id, mesh] : m_foamMeshes.all()) {
+            if (m_hidden.contains(id))
+                continue;
             frames.push_back({mesh, *m_document.design().find<Foam>(id)});
             ids.push_back(id);
         }
@@ -329,6 +339,7 @@ void SurfaceView::updateMarks()
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
     addScanPairs();
+    cutMarks();
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
 }
@@ -395,8 +406,10 @@ void SurfaceView::refresh()
     }
     setCursor(m_tool->cursor());
     const auto hovered = m_tool->hoveredPoint();
-    if (hovered != m_hoveredPoint || !m_tool->guides().empty()) {
+    const bool guided = !m_tool->guides().empty();
+    if (hovered != m_hoveredPoint || guided || m_guided) {
         m_hoveredPoint = hovered;
+        m_guided = guided;
         updateMarks();
         draw(m_document.gestureRunning());
     }
@@ -409,8 +422,7 @@ QString SurfaceView::prompt() const
 
 SurfaceHit SurfaceView::hit(QPointF pixel) const
 {
-    const SurfaceCurves* curves = layerVisible(Layer::FixationCurves) ? &m_curves : nullptr;
-    return m_hitTest.hit({m_camera, curves, m_selection, layerVisible(Layer::Seams)}, pixel);
+    return m_hitTest.hit({m_camera, &m_curves, m_selection, layerVisible(Layer::Seams)}, pixel);
 }
 
 void SurfaceView::apply(const Camera& camera)
@@ -419,6 +431,7 @@ void SurfaceView::apply(const Camera& camera)
     m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
     if (!m_tool->guides().empty())
         updateMarks(); // handles keep their size in the picture
+    placeCrosshair();
     draw(true);
 }
 
@@ -536,6 +549,8 @@ void SurfaceView::resizeEvent(QResizeEvent* event)
     if (m_canvas)
         m_canvas->widget().setGeometry(rect());
     m_legend->place();
+    m_sectionPanel->place();
+    placeCrosshair();
     m_cube->move(width() - m_cube->width() - cubeMargin, cubeMargin);
     m_cube->setVisible(width() > 3 * m_cube->width() && height() > 2 * m_cube->height());
     updateBox();

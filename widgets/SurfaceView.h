@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Camera.h"
+#include "CoverPlaces.h"
 #include "DesignFile.h"
 #include "FieldPicture.h"
 #include "FoamMeshes.h"
@@ -12,6 +13,7 @@
 #include "SurfaceHit.h"
 #include "SurfaceJob.h"
 #include "SurfaceTools.h"
+#include "VisibleCover.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -27,6 +29,8 @@
 namespace bolster {
 
 class Document;
+class Crosshair;
+class SectionPanel;
 class Selection;
 class SurfaceViewCube;
 
@@ -39,7 +43,20 @@ public:
     using StandardView = Camera::StandardView;
 
     /// What can be shown and hidden.
-    enum class Layer { Cover, Checker, MeshEdges, Seams, Frames, FixationCurves, Scans, ScanPairs, Ground, Field };
+    enum class Layer {
+        Cover,
+        Checker,
+        MeshEdges,
+        Seams,
+        Frames,
+        FixationCurves,
+        HandleCurves,
+        FancySeams,
+        Scans,
+        ScanPairs,
+        Ground,
+        Field
+    };
     Q_ENUM(Layer)
 
     enum class Drawing {
@@ -81,9 +98,27 @@ public:
     bool perspective() const { return m_camera.perspective; }
     const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
+    /// Turns smoothly; the size of the picture stays.
+    void flyTo(const Camera& camera);
 
     void setLayerVisible(bolster::SurfaceView::Layer layer, bool visible);
     bool layerVisible(bolster::SurfaceView::Layer layer) const { return m_layers.contains(layer); }
+
+    /// What is not shown, until it is shown again; not a part of the design.
+    void setHidden(std::set<bolster::ElementId> hidden);
+    const std::set<ElementId>& hidden() const { return m_hidden; }
+    /// Cuts open what is shown; a panel in the corner moves the plane.
+    void setSectionShown(bool shown);
+    /// Nothing: not cut open.
+    void setSection(const std::optional<bolster::SectionPlane>& section);
+    const std::optional<SectionPlane>& section() const { return m_scene.section; }
+    /// 0 to 1: frames and foam over a cover, usually 0.45; points of scans, usually 1.
+    void setFrameOpacity(double opacity);
+    void setScanOpacity(double opacity);
+    /// A cross-hair where the point lies on the cover; nothing takes it away.
+    void showPlace(const std::optional<bolster::CoverPoint>& point);
+    /// Moves the picture if the point is not in it.
+    void reveal(const bolster::CoverPoint& point);
 
     /// What the view shows now, in device pixels, drawn finely.
     QImage grabPicture();
@@ -96,6 +131,12 @@ signals:
     void promptChanged(const QString& prompt);
     /// Where the pointer touches the cover, mm; nothing beside it.
     void pointerMoved(const std::optional<bolster::Vec3>& point);
+    /// The point of the pattern under the pointer; nothing beside the cover.
+    void coverPointed(const std::optional<bolster::CoverPoint>& point);
+    /// Clicked with the tool that selects.
+    void coverClicked(const bolster::CoverPoint& point);
+    void hiddenChanged();
+    void sectionClosed();
     /// "No OpenGL: drawn in software", or "".
     void rendererNote(const QString& note);
     void perspectiveChanged(bool perspective);
@@ -135,12 +176,24 @@ private:
     void makeCanvas();
     void useSoftware(const QString& note);
     void designChanged(const std::set<bolster::ElementId>& ids);
+    SurfaceHit ground(QPointF pixel) const override { return m_hitTest.hitGround(m_camera, pixel); }
+    std::optional<SurfaceFoot> nearest(const Vec3& point, SurfaceHit::Kind on) const override
+    {
+        return m_hitTest.nearest(point, on);
+    }
     void updateFrames();
     Vec3 middleOf(ElementId id) const override;
     void updateScans();
     void addScanPairs();
     void updateLooks();
     void updateMarks();
+    void updateCurves();
+    void updateCover();
+    std::set<ElementId> unseen() const;
+    void cutMarks();
+    void cutPoints();
+    void placeCrosshair();
+    std::optional<CoverPoint> coverPointAt(QPointF pixel) const;
     void updateBox();
     void draw(bool moving);
     void requestOcclusion();
@@ -164,6 +217,10 @@ private:
     DesignFiles m_files;
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
+    std::set<ElementId> m_hidden;
+    VisibleCover m_visibleCover;
+    CoverPlaces m_places; ///< on what is shown of the cover
+    double m_scanOpacity = 1;
     FrameShapes m_frameShapes;
     Box3 m_frameBox;                   ///< mm
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
@@ -176,10 +233,15 @@ private:
     std::unique_ptr<SurfaceCanvas> m_canvas;
     SurfaceViewCube* m_cube;
     MapLegend* m_legend;
+    SectionPanel* m_sectionPanel;
+    Crosshair* m_crosshair;
+    std::optional<Vec3> m_place; ///< of the cross-hair, mm
+    QPointF m_pressedAt;         ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
+    bool m_guided = false;    ///< the tool's guides are among the lines
     bool m_fitPending = true; ///< until there is something to see and a size
 
     Navigation m_navigation = Navigation::None;

@@ -14,6 +14,7 @@ namespace bolster {
 namespace {
 
 constexpr double turnSpeed = 0.0075; ///< radians per pixel
+constexpr double clickReach = 5;     ///< pixels
 constexpr double wheelStep = 0.88;   ///< distance after one notch
 
 SurfacePointer pointerOf(const QMouseEvent& event)
@@ -63,6 +64,7 @@ void SurfaceView::mousePressEvent(QMouseEvent* event)
         return;
     const bool left = event->button() == Qt::LeftButton, alt = event->modifiers() & Qt::AltModifier;
     if (left && !alt) {
+        m_pressedAt = event->position();
         m_tool->press(pointerOf(*event));
         return;
     }
@@ -86,6 +88,7 @@ void SurfaceView::mouseMoveEvent(QMouseEvent* event)
     }
     const SurfaceHit solid = m_hitTest.hitSolid(m_camera, event->position());
     emit pointerMoved(solid.kind == SurfaceHit::Kind::Cover ? std::optional(solid.position) : std::nullopt);
+    emit coverPointed(m_navigation == Navigation::None ? coverPointAt(event->position()) : std::nullopt);
 }
 
 void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
@@ -97,6 +100,10 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
         }
     } else if (event->button() == Qt::LeftButton) {
         m_tool->release(pointerOf(*event));
+        const bool click = (event->position() - m_pressedAt).manhattanLength() < clickReach;
+        if (const auto point = coverPointAt(event->position());
+            point && click && m_toolKind == SurfaceToolKind::Select)
+            emit coverClicked(*point);
     }
 }
 
@@ -148,10 +155,14 @@ bool SurfaceView::handle(QEvent* event)
             return true;
         }
     }
+    if (event->type() == QEvent::ShortcutOverride && m_tool->wants(static_cast<QKeyEvent*>(event)->key())) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
         // During a drag these belong to the tool, whatever the menus say.
         const int key = static_cast<const QKeyEvent&>(*event).key();
-        if (key == Qt::Key_Escape || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z) {
+        if (key == Qt::Key_Escape || key == Qt::Key_S || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z) {
             event->accept();
             return true;
         }
@@ -179,6 +190,7 @@ void SurfaceView::leaveEvent(QEvent*)
 {
     m_tool->leave();
     emit pointerMoved(std::nullopt);
+    emit coverPointed(std::nullopt);
 }
 
 void SurfaceView::focusOutEvent(QFocusEvent* event)

@@ -5,6 +5,7 @@ layout(location = 2) in vec3 pattern;  // outline coordinates in mm, and 0 on a 
 layout(location = 3) in vec2 openness; // of the outside and of the inside
 layout(location = 4) in vec4 mapColor; // as displayed; alpha 0: none
 uniform mat4 view;
+uniform vec4 section; // what lies beyond normal . p = w is cut away
 uniform mat4 projection;
 out vec3 eyePosition;
 out vec3 eyeNormal;
@@ -12,9 +13,11 @@ out vec3 worldNormal;
 out vec3 cloth;
 out vec2 open;
 out vec4 map;
+out float gl_ClipDistance[1];
 
 void main()
 {
+    gl_ClipDistance[0] = section.w - dot(section.xyz, position);
     vec4 p = view * vec4(position, 1.0);
     eyePosition = p.xyz;
     eyeNormal = mat3(view) * normal;

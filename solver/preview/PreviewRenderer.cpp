@@ -143,6 +143,7 @@ private:
     std::vector<FrameLook> m_frames;
     RayScene m_rays;   ///< the cover; without one, the frames after it
     RayScene m_ghosts; ///< the frames beside a cover
+    float m_frameOpacity;
     bool m_ground;
     float m_floor = 0; ///< height of the ground, shifted
     float m_reach = 1; ///< half the diagonal of the box
@@ -153,10 +154,15 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     : m_box(scene.boundingBox())
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
+    , m_frameOpacity(static_cast<float>(scene.frameOpacity))
     , m_ground(scene.ground && !m_box.isEmpty())
     , m_top(lightDisplayedAs(scene.backgroundTop))
     , m_bottom(lightDisplayedAs(scene.backgroundBottom))
 {
+    if (scene.section)
+        for (RayScene* rays : {&m_rays, &m_ghosts})
+            rays->cutOpen(scene.section->normal.cast<float>(),
+                          static_cast<float>(scene.section->offset - scene.section->normal.dot(m_origin)));
     m_rays.add(m_cover.points(), m_cover.triangles());
     RayScene& frameRays = m_cover.triangles().empty() ? m_rays : m_ghosts;
     for (const PreviewScene::FrameLook& frame : scene.frames) {
@@ -215,7 +221,7 @@ void PreviewRenderer::Prepared::addGhost(const Job& job, const Lens::Ray& ray, f
         return;
     const SurfacePoint point = m_frames[hit->mesh].at(*hit, ray.direction);
     const float facing = std::clamp(-point.normal.dot(ray.direction), 0.f, 1.f);
-    const float opacity = ghostOpacity + 0.35f * (1 - facing) * (1 - facing);
+    const float opacity = std::min(1.f, m_frameOpacity * (ghostOpacity + 0.35f * (1 - facing) * (1 - facing)));
     const Shade ghost = job.light.shade(point, -ray.direction);
     shade.direct *= 1 - opacity;
     shade.ambient *= 1 - opacity;

@@ -43,6 +43,12 @@ struct PreviewScene {
         Quat rotation = Quat::Identity();
     };
     std::vector<FrameLook> frames; ///< drawn in grey, see-through where there is a cover
+    double frameOpacity = 1;       ///< where there is a cover: times the usual one, at most solid
+    struct Section {
+        Vec3 normal = Vec3::UnitX();
+        double offset = 0; ///< mm
+    };
+    std::optional<Section> section; ///< what lies beyond normal . p = offset is cut away
     /// Red, green, blue and opacity over the cloth, per vertex; empty for plain cloth.
     std::vector<std::array<std::uint8_t, 4>> vertexColors;
     bool checker = true;

@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -53,12 +54,40 @@ RayScene::~RayScene()
     rtcReleaseDevice(m_device);
 }
 
+void RayScene::cutOpen(const Vec3f& normal, float offset)
+{
+    m_section = Section{normal, offset};
+}
+
+bool RayScene::cutAway(std::span<const Vec3f> points, const std::array<std::uint32_t, 3>& triangle) const
+{
+    return m_section && std::ranges::all_of(triangle, [&](std::uint32_t corner) {
+               return m_section->normal.dot(points[corner]) > m_section->offset;
+           });
+}
+
+/// The part of the ray that runs on the kept side, in lengths of its direction.
+RayScene::Span RayScene::kept(const Vec3f& origin, const Vec3f& direction) const
+{
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    if (!m_section)
+        return {0, infinite};
+    const float height = m_section->offset - m_section->normal.dot(origin);
+    const float climb = m_section->normal.dot(direction);
+    if (std::abs(climb) < 1e-12f)
+        return height >= 0 ? Span{0, infinite} : Span{0, 0};
+    const float crossing = height / climb;
+    if (climb > 0) // it leaves the kept side
+        return {0, std::max(0.f, crossing)};
+    return {std::max(0.f, crossing), infinite};
+}
+
 void RayScene::add(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles)
 {
     std::vector<std::uint32_t> kept;
     kept.reserve(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i)
-        if (usable(points, triangles[i]))
+        if (usable(points, triangles[i]) && !cutAway(points, triangles[i]))
             kept.push_back(static_cast<std::uint32_t>(i));
 
     const RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -92,7 +121,11 @@ std::optional<RayHit> RayScene::first(const Vec3f& origin, const Vec3f& directio
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query{};
-    query.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
+    const Span span = kept(origin, direction);
+    query.ray = makeRay(origin, direction, span.to);
+    query.ray.tnear = span.from;
+    if (!(span.from < span.to))
+        return std::nullopt;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(m_scene, &context, &query);
@@ -110,9 +143,13 @@ std::optional<RayHit> RayScene::first(const Vec3f& origin, const Vec3f& directio
 
 bool RayScene::blocked(const Vec3f& origin, const Vec3f& direction, float reach) const
 {
+    const Span span = kept(origin, direction);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray = makeRay(origin, direction, reach);
+    RTCRay ray = makeRay(origin, direction, std::min(reach, span.to));
+    ray.tnear = span.from;
+    if (!(ray.tnear <= ray.tfar))
+        return false;
     rtcOccluded1(m_scene, &context, &ray);
     return ray.tfar < 0;
 }

@@ -38,10 +38,26 @@ public:
     void add(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles);
     void commit();
 
+    /// Before anything is added: what lies beyond normal . p = offset cannot be hit.
+    void cutOpen(const Vec3f& normal, float offset);
+
     std::optional<RayHit> first(const Vec3f& origin, const Vec3f& direction) const;
     bool blocked(const Vec3f& origin, const Vec3f& direction, float reach) const;
 
 private:
+    struct Section {
+        Vec3f normal = Vec3f::UnitX();
+        float offset = 0;
+    };
+    struct Span {
+        float from = 0;
+        float to = 0;
+    };
+
+    bool cutAway(std::span<const Vec3f> points, const std::array<std::uint32_t, 3>& triangle) const;
+    Span kept(const Vec3f& origin, const Vec3f& direction) const;
+
+    std::optional<Section> m_section;
     RTCDeviceTy* m_device;
     RTCSceneTy* m_scene;
     std::vector<std::vector<std::uint32_t>> m_kept; ///< per mesh: Embree's triangle -> the mesh's

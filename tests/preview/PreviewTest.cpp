@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -53,6 +54,28 @@ TEST(Preview, IsTheSameOnAnyNumberOfThreads)
         EXPECT_EQ(one.rgba, other.rgba);
         EXPECT_EQ(one.depth, other.depth);
     }
+}
+
+TEST(Preview, ASectionShowsWhatLiesBehindIt)
+{
+    PreviewScene scene = sceneOf(corner(300));
+    const Box3 box = scene.boundingBox();
+    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    PreviewOptions options = small();
+    options.depth = true;
+    const auto seen = [&] {
+        const PreviewImage image = renderPreview(scene, view, options);
+        return std::count_if(image.depth.begin(), image.depth.end(), [](float d) { return std::isfinite(d); });
+    };
+    const auto whole = seen();
+    scene.section = PreviewScene::Section{Vec3::UnitX(), box.center().x()};
+    const auto half = seen();
+    EXPECT_GT(half, 0);
+    EXPECT_LT(half, whole);
+    scene.section = PreviewScene::Section{Vec3::UnitX(), box.max().x() + 1};
+    EXPECT_EQ(seen(), whole);
+    scene.section = PreviewScene::Section{Vec3::UnitX(), box.min().x() - 1};
+    EXPECT_EQ(seen(), 0);
 }
 
 TEST(Preview, CancelledIsEmpty)

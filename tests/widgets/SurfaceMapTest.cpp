@@ -76,15 +76,15 @@ TEST(ScanPoints, ShowsWhatIsCutAwayOfASelectedScanOnly)
     points.update(design, files);
     EXPECT_TRUE(points.box(id).min().isApprox(Vec3(10, 0, 5)));
     const ViewColors colors = ViewColors::of(QPalette());
-    const auto plain = points.looks({}, colors);
+    const auto plain = points.looks({}, colors, {});
     ASSERT_EQ(plain.size(), 1U);
     EXPECT_EQ(plain[0].points->size(), 2U);
-    const auto selected = points.looks({id}, colors);
+    const auto selected = points.looks({id}, colors, {});
     ASSERT_EQ(selected.size(), 2U);
     EXPECT_EQ(selected[1].points->size(), 1U);
     EXPECT_LT(selected[1].color.alphaF(), 1);
     points.update(Design(), files);
-    EXPECT_TRUE(points.looks({}, colors).empty());
+    EXPECT_TRUE(points.looks({}, colors, {}).empty());
 }
 
 } // namespace

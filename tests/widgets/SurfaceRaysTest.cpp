@@ -49,6 +49,37 @@ std::optional<SurfaceRays::Hit> slowly(const Soup& soup, const Vec3f& origin, co
     return best;
 }
 
+TEST(SurfaceRays, FindsTheNearestPlace)
+{
+    const Soup soup = randomSoup(300);
+    SurfaceRays rays;
+    rays.build(soup.points, soup.triangles);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> place(-130, 130);
+    constexpr float far = std::numeric_limits<float>::max();
+    for (int i = 0; i < 100; ++i) {
+        const Vec3f point(place(random), place(random), place(random));
+        const auto found = rays.nearest(point, far);
+        ASSERT_TRUE(found);
+        const float distance = (found->point - point).norm();
+        EXPECT_FALSE(rays.nearest(point, 0.99F * distance));
+        // No place of any triangle is nearer, wherever it is.
+        for (const SurfaceRays::Triangle& t : soup.triangles)
+            for (int u = 0; u <= 6; ++u)
+                for (int v = 0; u + v <= 6; ++v) {
+                    const Vec3f p = soup.points[t[0]] +
+                                    static_cast<float>(u) / 6 * (soup.points[t[1]] - soup.points[t[0]]) +
+                                    static_cast<float>(v) / 6 * (soup.points[t[2]] - soup.points[t[0]]);
+                    ASSERT_GE((p - point).norm(), distance - 1e-3F);
+                }
+        // It lies on its triangle.
+        SurfaceRays one;
+        one.build(soup.points, {soup.triangles[found->triangle]});
+        EXPECT_LT((one.nearest(found->point, far)->point - found->point).norm(), 1e-3F);
+    }
+    EXPECT_FALSE(SurfaceRays().nearest(Vec3f::Zero(), far));
+}
+
 TEST(SurfaceRays, FindsWhatASlowSearchFinds)
 {
     const Soup soup = randomSoup(200);

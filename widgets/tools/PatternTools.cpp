@@ -1,5 +1,6 @@
 #include "PatternTools.h"
 
+#include "AttachTool.h"
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
 #include "SewTool.h"
@@ -15,6 +16,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
     case PatternToolKind::Sew:
         return std::make_unique<SewTool>(context);
+    case PatternToolKind::Attach:
+        return std::make_unique<AttachTool>(context);
     case PatternToolKind::Select:
         break;
     }

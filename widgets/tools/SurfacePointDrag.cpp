@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,6 +35,19 @@ Axis dominantAxis(const Vec3& way)
     return std::array{Axis::X, Axis::Y, Axis::Z}[static_cast<std::size_t>(axis)];
 }
 
+constexpr double touching = 2; // mm: a point so near lies on the frame
+
+std::optional<SurfaceFoot> footOf(const SurfaceToolContext& context, const Vec3& point)
+{
+    return context.nearest(point, SurfaceHit::Kind::Frame);
+}
+
+bool touches(const SurfaceToolContext& context, const Vec3& point)
+{
+    const std::optional<SurfaceFoot> foot = footOf(context, point);
+    return foot && (foot->position - point).norm() <= touching;
+}
+
 } // namespace
 
 Edit moveCurvePointsTogether(const Design& design, const std::set<std::pair<ElementId, int>>& points,
@@ -57,7 +71,15 @@ SurfacePointDrag::SurfacePointDrag(SurfaceToolContext& context, const SurfacePoi
     , m_pressed(pressed)
     , m_now(pressed)
     , m_grabbed(grabbed)
-{}
+{
+    const bool fixations = std::ranges::all_of(
+        m_points, [&](const auto& point) { return m_gesture.start().find<FixationCurve>(point.first) != nullptr; });
+    m_onSurface = fixations && touches(context, grabbed);
+    if (const std::optional<Vec2> at = context.toolCamera().pixel(grabbed)) {
+        const SurfaceHit hit = context.ground({at->x(), at->y()});
+        m_visible = hit.kind == SurfaceHit::Kind::Frame && (hit.position - grabbed).norm() <= 2 * touching;
+    }
+}
 
 void SurfacePointDrag::update(const SurfacePointer& pointer)
 {
@@ -80,16 +102,108 @@ Vec3 SurfacePointDrag::alongAxis(Axis axis) const
     return (parameter(m_now.pixel) - parameter(m_pressed.pixel)) * direction(axis);
 }
 
-void SurfacePointDrag::apply()
+void SurfacePointDrag::toggleSurface()
+{
+    m_onSurface = !m_onSurface;
+    m_wanted = Axis::None;
+    const std::optional<SurfaceFoot> foot = footOf(m_context, m_grabbed);
+    const double height = foot ? (m_grabbed - foot->position).dot(foot->normal) : 0;
+    m_height = std::abs(height) > touching ? height : 0;
+    m_visible = m_visible && m_height == 0;
+    apply();
+}
+
+/// In the plane parallel to the picture.
+Vec3 SurfacePointDrag::parallel() const
 {
     const Camera& camera = m_context.toolCamera();
     const auto onPlane = [&](QPointF p) { return camera.onPlaneThrough(m_grabbed, {p.x(), p.y()}); };
-    const Vec3 free = onPlane(m_now.pixel) - onPlane(m_pressed.pixel);
+    return onPlane(m_now.pixel) - onPlane(m_pressed.pixel);
+}
+
+/// Under the pointer where the frame is seen, else as near as the frame comes to it.
+std::optional<Vec3> SurfacePointDrag::alongSurface() const
+{
+    const std::optional<Vec2> grabbed = m_context.toolCamera().pixel(m_grabbed);
+    Vec3 wanted = m_grabbed + parallel();
+    if (grabbed && m_visible) {
+        const QPointF pixel = QPointF(grabbed->x(), grabbed->y()) + m_now.pixel - m_pressed.pixel;
+        if (const SurfaceHit hit = m_context.ground(pixel); hit.kind == SurfaceHit::Kind::Frame)
+            wanted = hit.position;
+    }
+    const std::optional<SurfaceFoot> foot = footOf(m_context, wanted);
+    if (!foot)
+        return std::nullopt;
+    return foot->position + m_height * foot->normal - m_grabbed;
+}
+
+Vec3 SurfacePointDrag::lifted() const
+{
+    const auto parameter = [&](QPointF pixel) {
+        return alongLine(m_context.toolCamera(), m_grabbed + m_lift->delta, m_lift->normal, pixel);
+    };
+    return m_lift->delta + (parameter(m_now.pixel) - parameter(m_lift->from.pixel)) * m_lift->normal;
+}
+
+Vec3 SurfacePointDrag::wanted()
+{
+    if (!liftWanted())
+        m_lift.reset();
+    else if (const auto foot = footOf(m_context, grabbedNow()); foot && !m_lift)
+        m_lift = Lift{m_now, m_delta, foot->normal};
+    if (m_lift)
+        return lifted();
+    const Vec3 free = parallel();
     m_axis = m_wanted;
     if (m_axis == Axis::None && m_now.modifiers & Qt::ShiftModifier)
         m_axis = dominantAxis(free);
-    m_delta = m_axis == Axis::None ? free : alongAxis(m_axis);
-    m_gesture.update(moveCurvePointsTogether(m_gesture.start(), m_points, m_delta));
+    if (m_axis != Axis::None)
+        return alongAxis(m_axis);
+    return m_onSurface ? alongSurface().value_or(free) : free;
+}
+
+void SurfacePointDrag::apply()
+{
+    m_delta = wanted();
+    m_gesture.update(edit());
+}
+
+/// Of several points each that lies on the frame stays on it.
+Edit SurfacePointDrag::edit() const
+{
+    const Design& start = m_gesture.start();
+    const Edit together = moveCurvePointsTogether(start, m_points, m_delta);
+    if (!m_onSurface || m_lift || m_axis != Axis::None || m_points.size() < 2)
+        return together;
+    EditChain chain(start);
+    chain.add(together);
+    for (const auto& [id, point] : m_points) {
+        const int index = spacePoint(start, {id, point});
+        if (index < 0)
+            continue;
+        const Vec3 before = spaceCurve(*start.element(id))->points()[static_cast<std::size_t>(index)];
+        const std::optional<SurfaceFoot> foot = footOf(m_context, before + m_delta);
+        if (foot && touches(m_context, before))
+            chain.add(
+                edits::moveCurvePoints(chain.design(), id, std::array{index}, foot->position - before - m_delta));
+    }
+    return chain.result(together.verb);
+}
+
+QString SurfacePointDrag::hint() const
+{
+    if (m_lift)
+        return QCoreApplication::translate("bolster::SurfaceSelectTool",
+                                           "Lifted off the frame along its normal; let go of Ctrl to slide on it");
+    if (m_axis != Axis::None)
+        return QCoreApplication::translate("bolster::SurfaceSelectTool", "Kept to an axis; the same key frees it");
+    return m_onSurface
+               ? QCoreApplication::translate(
+                     "bolster::SurfaceSelectTool",
+                     "On the frame: Ctrl lifts off, S lets go of it, X, Y, Z or Shift keep to an axis")
+               : QCoreApplication::translate(
+                     "bolster::SurfaceSelectTool",
+                     "X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels");
 }
 
 QString SurfacePointDrag::prompt() const
@@ -98,12 +212,7 @@ QString SurfacePointDrag::prompt() const
     const auto mm = [&](double value) { return locale.toString(value, 'f', 1); };
     const QString moved = QCoreApplication::translate("bolster::SurfaceSelectTool", "Moved by x %1, y %2, z %3 mm")
                               .arg(mm(m_delta.x()), mm(m_delta.y()), mm(m_delta.z()));
-    const QString hint =
-        m_axis == Axis::None
-            ? QCoreApplication::translate("bolster::SurfaceSelectTool",
-                                          "X, Y, Z or Shift keep to an axis, Escape cancels")
-            : QCoreApplication::translate("bolster::SurfaceSelectTool", "Kept to an axis; the same key frees it");
-    return moved + QStringLiteral(" \u2013 ") + hint;
+    return moved + QStringLiteral(" \u2013 ") + hint();
 }
 
 std::vector<SurfaceLine> SurfacePointDrag::guides() const
@@ -118,7 +227,9 @@ std::vector<SurfaceLine> SurfacePointDrag::guides() const
         line.hidden = 0.6F;
         lines.push_back(std::move(line));
     };
-    if (m_axis != Axis::None)
+    if (m_lift)
+        add(m_grabbed + m_lift->delta, grabbedNow(), m_context.colors().accent);
+    else if (m_axis != Axis::None)
         add(m_grabbed - reach * direction(m_axis), m_grabbed + reach * direction(m_axis), colorOf(m_axis));
     else
         add(m_grabbed, grabbedNow(), m_context.colors().hover);

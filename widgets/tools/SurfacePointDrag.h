@@ -12,8 +12,9 @@ namespace bolster {
 Edit moveCurvePointsTogether(const Design& design, const std::set<std::pair<ElementId, int>>& points,
                              const Vec3& delta);
 
-/// In the plane through the grabbed point parallel to the screen, or along an axis. Always computed from the design
-/// at the press.
+/// On the surface of the frame when the grabbed point of a fixation curve lies within 2 mm of it, else in the plane
+/// through the point parallel to the screen; or along an axis. Ctrl or Alt lifts off the frame along its normal.
+/// Always computed from the design at the press.
 class SurfacePointDrag {
 public:
     enum class Axis { None, X, Y, Z };
@@ -24,17 +25,33 @@ public:
     void update(const SurfacePointer& pointer);
     /// The same key again frees the drag.
     void constrain(Axis axis);
+    /// Keeps to the frame, at the distance that the point has from it, or lets go of it.
+    void toggleSurface();
     void finish() { m_gesture.commit(); }
 
     /// Along which the point moves now.
     Axis axis() const { return m_axis; }
+    bool onSurface() const { return m_onSurface; }
     Vec3 delta() const { return m_delta; }
     QString prompt() const;
     std::vector<SurfaceLine> guides() const;
 
 private:
+    struct Lift {
+        SurfacePointer from;
+        Vec3 delta = Vec3::Zero();
+        Vec3 normal = Vec3::UnitZ();
+    };
+
     void apply();
+    Vec3 wanted();
+    Edit edit() const;
+    bool liftWanted() const { return m_now.modifiers & (Qt::ControlModifier | Qt::AltModifier); }
+    Vec3 parallel() const;
+    std::optional<Vec3> alongSurface() const;
+    Vec3 lifted() const;
     Vec3 alongAxis(Axis axis) const;
+    QString hint() const;
     Vec3 grabbedNow() const { return m_grabbed + m_delta; }
 
     SurfaceToolContext& m_context;
@@ -46,6 +63,10 @@ private:
     Axis m_wanted = Axis::None; ///< by a key
     Axis m_axis = Axis::None;
     Vec3 m_delta = Vec3::Zero();
+    bool m_onSurface = false;
+    bool m_visible = false;     ///< the frame under the grabbed point: rays through the pointer find it
+    double m_height = 0;        ///< of the grabbed point above the frame that is kept, mm
+    std::optional<Lift> m_lift; ///< while a modifier is held down
 };
 
 } // namespace bolster

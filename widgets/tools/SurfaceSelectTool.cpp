@@ -221,10 +221,13 @@ bool SurfaceSelectTool::keyPress(const QKeyEvent& event)
 {
     if (m_drag) {
         const std::optional<SurfacePointDrag::Axis> axis = axisOf(event.key());
+        const bool surface = event.key() == Qt::Key_S;
         if (axis)
             m_drag->constrain(*axis);
+        else if (surface)
+            m_drag->toggleSurface();
         m_context.refresh();
-        return axis.has_value();
+        return axis || surface;
     }
     if (event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace) {
         if (m_context.selection().elements().empty())

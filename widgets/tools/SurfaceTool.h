@@ -22,6 +22,10 @@ public:
     virtual const Camera& toolCamera() const = 0;
     virtual const ViewColors& colors() const = 0;
     virtual SurfaceHit hit(QPointF pixel) const = 0;
+    /// What a curve drawn there would lie on: a frame, or the cover where there is none.
+    virtual SurfaceHit ground(QPointF pixel) const = 0;
+    /// The nearest place on a frame or on the cover (`on`).
+    virtual std::optional<SurfaceFoot> nearest(const Vec3& point, SurfaceHit::Kind on) const = 0;
     /// Of what is shown of an element with a placement; its position when nothing is.
     virtual Vec3 middleOf(ElementId id) const = 0;
     /// Prompt, cursor or what the tool draws has changed.
@@ -52,6 +56,8 @@ public:
     virtual void doubleClick(const SurfacePointer& pointer) = 0;
     virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
     virtual bool keyRelease(const QKeyEvent& event) = 0;
+    /// Keys that are the tool's even where a window gives them another meaning.
+    virtual bool wants(int) const { return false; }
     /// One step back; false when there was none.
     virtual bool escape() = 0;
     /// The pointer has left the view, or the view the keyboard.

@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-enum class SurfaceToolKind { Select, CutScan };
+enum class SurfaceToolKind { Select, CutScan, DrawFixation };
 
 std::unique_ptr<SurfaceTool> makeSurfaceTool(SurfaceToolKind kind, SurfaceToolContext& context);
 

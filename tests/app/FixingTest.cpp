@@ -1,0 +1,120 @@
+// Fixation curves made from the surface, and what the 3D window hides and remembers.
+#include "Crosshair.h"
+#include "SavedViews.h"
+#include "WindowTest.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+namespace bolster {
+namespace {
+
+constexpr ElementId top{2}, front{3};
+
+class FixingTest : public WindowTest {
+protected:
+    int curveCount()
+    {
+        int count = 0;
+        window.document().design().each<FixationCurve>([&](ElementId, const FixationCurve&) { ++count; });
+        return count;
+    }
+
+    void SetUp() override
+    {
+        WindowTest::SetUp();
+        ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+        ASSERT_TRUE(waitUntilSolved());
+    }
+};
+
+TEST_F(FixingTest, TwoPointsOfAnOutlineGiveAFixationCurveWhereTheCoverIs)
+{
+    EXPECT_FALSE(window.actions().createFixation->isEnabled());
+    window.selection().set({top}, {{top, 0}, {top, 1}});
+    ASSERT_TRUE(window.actions().createFixation->isEnabled());
+    const SurfaceMesh before = *window.solver().surface();
+    QTest::keyClick(&window, Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(curveCount(), 2);
+    const ElementId made = *window.selection().elements().begin();
+    const BSpline3 curve = window.document().design().find<FixationCurve>(made)->curve;
+    const SurfaceTopology& topology = *before.topology;
+    int along = 0;
+    for (std::uint32_t v = topology.patches[0].firstVertex; v < topology.patches[0].outlineCount; ++v)
+        if (topology.pattern[v].y() == 0) {
+            ++along;
+            EXPECT_LT(curve.closest(before.positions[v]).distance, 0.5);
+        }
+    EXPECT_GT(along, 10);
+    ASSERT_TRUE(waitUntilSolved());
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(curveCount(), 1) << "curve and seam are one edit";
+}
+
+TEST_F(FixingTest, WhatIsHiddenComesBack)
+{
+    window.selection().set({front});
+    window.actions().hideSelected->trigger();
+    EXPECT_EQ(window.surfaceView().hidden(), std::set<ElementId>{front});
+    EXPECT_TRUE(window.actions().showHidden->isEnabled());
+    window.selection().set({top});
+    window.actions().isolate->trigger();
+    EXPECT_FALSE(window.surfaceView().hidden().contains(top));
+    EXPECT_TRUE(window.surfaceView().hidden().contains(front));
+    window.actions().showHidden->trigger();
+    EXPECT_TRUE(window.surfaceView().hidden().empty());
+    EXPECT_FALSE(window.document().dirty()) << "it is no part of the design";
+}
+
+TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
+{
+    auto* mark = window.surfaceView().findChild<Crosshair*>();
+    const QPoint middle = patternPixel({250, 250});
+    move(window.patternView(), middle, Qt::NoButton);
+    EXPECT_TRUE(mark->isVisible());
+    EXPECT_EQ(window.selection().hovered(), top);
+    window.actions().linkViews->trigger();
+    EXPECT_FALSE(mark->isVisible());
+    move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
+    EXPECT_FALSE(mark->isVisible());
+    const Vec2 cover = *window.surfaceView().camera().pixel(window.solver().surface()->boundingBox().center());
+    move(window.patternView(), {2, 2}, Qt::NoButton);
+    move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
+    EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";
+    window.actions().linkViews->trigger();
+    press(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    release(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    EXPECT_EQ(window.selection().elements().size(), 1u) << "what is selected is selected everywhere";
+}
+
+TEST_F(FixingTest, ViewsAreSavedByName)
+{
+    const QString name = QStringLiteral("Left & low / 1");
+    SavedViews::save(name, window.surfaceView().camera());
+    EXPECT_EQ(SavedViews::names(), QStringList{name});
+    const auto found = SavedViews::find(name);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->azimuth, window.surfaceView().camera().azimuth);
+    window.surfaceView().setStandardView(SurfaceView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().camera().elevation > 1.5; }));
+    auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("saved-views"));
+    emit menu->aboutToShow();
+    menu->actions().front()->trigger();
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return std::abs(window.surfaceView().camera().elevation - found->elevation) < 1e-9; }));
+    SavedViews::remove(name);
+    EXPECT_TRUE(SavedViews::names().isEmpty());
+    EXPECT_FALSE(SavedViews::find(name));
+}
+
+TEST_F(FixingTest, TheSectionIsSwitchedInTheMenuAndInItsPanel)
+{
+    window.actions().section->trigger();
+    EXPECT_TRUE(window.surfaceView().section());
+    emit window.surfaceView().sectionClosed();
+    EXPECT_FALSE(window.actions().section->isChecked());
+    EXPECT_FALSE(window.surfaceView().section());
+}
+
+} // namespace
+} // namespace bolster

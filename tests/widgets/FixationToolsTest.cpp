@@ -1,0 +1,361 @@
+#include "Document.h"
+#include "PatternView.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "StretchToFix.h"
+#include "SurfacePath.h"
+#include "SurfaceSetup.h"
+#include "SurfaceView.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+constexpr ElementId frameId{30};
+constexpr double radius = 150;
+const Vec3 middle(200, 100, 0); ///< of the frame: half a tube along y
+
+double fromAxis(const Vec3& p)
+{
+    return std::hypot(p.x() - middle.x(), p.z() - middle.z());
+}
+
+Vec3 onTube(double degrees, double y)
+{
+    const double angle = degrees * std::numbers::pi / 180;
+    return {middle.x() + radius * std::sin(angle), y, middle.z() + radius * std::cos(angle)};
+}
+
+std::shared_ptr<const TriangleMesh> tube()
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    constexpr std::uint32_t sides = 180;
+    for (std::uint32_t i = 0; i <= sides; ++i)
+        for (const double y : {0.0, 200.0})
+            mesh->points.push_back(onTube(-90 + 180.0 * i / sides, y));
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t a = 2 * i;
+        mesh->triangles.push_back({a, a + 2, a + 1});
+        mesh->triangles.push_back({a + 1, a + 2, a + 3});
+    }
+    return mesh;
+}
+
+std::vector<FixationCurve> curvesOf(const Document& document)
+{
+    std::vector<FixationCurve> curves;
+    document.design().each<FixationCurve>([&](ElementId, const FixationCurve& c) { curves.push_back(c); });
+    return curves;
+}
+
+class FixationDrawing : public testing::Test {
+protected:
+    FixationDrawing()
+    {
+        Frame frame;
+        frame.name = "Tube";
+        frame.file = "tube.obj";
+        document.reset(twoSquares().with({{}, {{frameId, nullptr, makeElement(frame)}}}));
+        view.setSoftwareRenderer(std::make_unique<StubRenderer>(log));
+        view.resize(800, 600);
+        view.show();
+        lookFromAbove();
+    }
+
+    void showFrame()
+    {
+        DesignFiles files;
+        files.meshes[frameId] = tube();
+        view.setFiles(files);
+        lookFromAbove();
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return view.hit(pixel(onTube(10, 40))).kind == SurfaceHit::Kind::Frame; }));
+    }
+
+    void lookFromAbove()
+    {
+        Camera camera = view.camera();
+        camera.azimuth = 0;
+        camera.elevation = 1.2;
+        camera.fit(Box3(Vec3(0, 0, 0), Vec3(400, 200, 150)));
+        view.setCamera(camera);
+    }
+
+    QPointF pixel(const Vec3& point) const
+    {
+        const Vec2 at = *view.camera().pixel(point);
+        return {at.x(), at.y()};
+    }
+    /// A curve with one point on the tube, ready to be dragged.
+    void selectPointAt(const Vec3& at)
+    {
+        FixationCurve curve{"Bent", BSpline3(1, false, {at, at + Vec3(0, 80, 90)})};
+        document.reset(document.design().with({{}, {{bent, nullptr, makeElement(curve)}}}));
+        selection.set({bent}, {{bent, 0}});
+    }
+    Vec3 bentPoint() const { return document.design().find<FixationCurve>(bent)->curve.points().front(); }
+
+    const ElementId bent{40};
+    std::shared_ptr<StubRenderer::Log> log = std::make_shared<StubRenderer::Log>();
+    Document document;
+    Selection selection;
+    SurfaceView view{document, selection};
+    Mouse mouse{view};
+};
+
+TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    QSignalSpy ended(&view, &SurfaceView::toolChanged);
+    for (const double angle : {-50.0, 0.0, 45.0})
+        mouse.click(pixel(onTube(angle, 60)));
+    QTest::keyClick(&view, Qt::Key_Return);
+    const std::vector<FixationCurve> curves = curvesOf(document);
+    ASSERT_EQ(curves.size(), 2u);
+    const BSpline3& drawn = curves.back().curve;
+    EXPECT_FALSE(drawn.closed());
+    EXPECT_LT((drawn.at(drawn.domainStart()) - onTube(-50, 60)).norm(), 2);
+    EXPECT_LT((drawn.at(drawn.domainEnd()) - onTube(45, 60)).norm(), 2);
+    for (int k = 0; k <= 50; ++k)
+        EXPECT_NEAR(fromAxis(drawn.at(drawn.domainStart() + drawn.period() * k / 50)), radius, 0.7);
+    EXPECT_LE(drawn.pointCount(), 12);
+    EXPECT_EQ(selection.elements().size(), 1u);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return ended.count() == 1; }));
+    document.undo();
+    EXPECT_EQ(curvesOf(document).size(), 1u) << "one edit";
+}
+
+TEST_F(FixationDrawing, AClickOnTheFirstPointCloses)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel(onTube(-30, 40)));
+    mouse.click(pixel(onTube(30, 40)));
+    mouse.click(pixel(onTube(0, 160)));
+    mouse.click(pixel(onTube(-30, 40)));
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    EXPECT_TRUE(curvesOf(document).back().curve.closed());
+}
+
+TEST_F(FixationDrawing, ADoubleClickEndsAndBackspaceTakesBack)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel(onTube(-30, 40)));
+    mouse.click(pixel(onTube(0, 160)));
+    QTest::keyClick(&view, Qt::Key_Backspace);
+    mouse.doubleClick(pixel(onTube(30, 40)));
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3& drawn = curvesOf(document).back().curve;
+    EXPECT_LT(drawn.boundingBox().max().y(), 60) << "the second point was taken back";
+}
+
+TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
+{
+    view.setSurface(twoSquaresCover());
+    lookFromAbove();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel({50, 20, 0}));
+    mouse.click(pixel({350, 40, 0}));
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3& drawn = curvesOf(document).back().curve;
+    EXPECT_LT(drawn.boundingBox().sizes().z(), 0.1);
+    EXPECT_NEAR(drawn.at(drawn.domainEnd()).x(), 350, 2);
+}
+
+TEST_F(FixationDrawing, NothingIsLostOrMadeByAccident)
+{
+    view.setTool(SurfaceToolKind::DrawFixation);
+    QSignalSpy problems(&view, &SurfaceView::failed);
+    mouse.click({20, 20});
+    EXPECT_EQ(problems.count(), 1) << "there is nothing under the pointer";
+    QTest::keyClick(&view, Qt::Key_Return);
+    EXPECT_EQ(problems.count(), 2) << "a curve needs two points";
+    const Camera before = view.camera();
+    mouse.drag({300, 300}, {360, 330});
+    EXPECT_NE(view.camera(), before) << "a drag turns the view";
+    EXPECT_EQ(curvesOf(document).size(), 1u);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+}
+
+TEST_F(FixationDrawing, EndsOfOtherCurvesAreMet)
+{
+    view.setSurface(twoSquaresCover());
+    lookFromAbove();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel({50, 20, 0}));
+    mouse.click(pixel({0, 100, 50}) + QPointF(3, 2));
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3& drawn = curvesOf(document).back().curve;
+    EXPECT_LT((drawn.at(drawn.domainEnd()) - Vec3(0, 100, 50)).norm(), 1e-3);
+}
+
+TEST_F(FixationDrawing, PointsOnTheFrameSlideOnIt)
+{
+    showFrame();
+    selectPointAt(onTube(0, 60));
+    mouse.drag(pixel(bentPoint()), pixel(onTube(40, 80)));
+    EXPECT_LT((bentPoint() - onTube(40, 80)).norm(), 1.5);
+    EXPECT_NEAR(fromAxis(bentPoint()), radius, 0.1);
+    document.undo();
+    EXPECT_EQ(bentPoint(), onTube(0, 60)) << "one edit";
+}
+
+TEST_F(FixationDrawing, ControlLiftsOffAlongTheNormal)
+{
+    showFrame();
+    selectPointAt(onTube(0, 60));
+    const QPointF from = pixel(bentPoint()), to = pixel(onTube(0, 60) + Vec3(0, 0, 30));
+    mouse.move(from);
+    mouse.press(from);
+    mouse.move(from + (to - from) * 0.3);
+    mouse.move(from);
+    mouse.move(from, Qt::ControlModifier);
+    mouse.move(to, Qt::ControlModifier);
+    EXPECT_LT((bentPoint() - onTube(0, 60) - Vec3(0, 0, 30)).norm(), 1.5);
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("Ctrl")));
+    mouse.release(to, Qt::ControlModifier);
+    EXPECT_GT(fromAxis(bentPoint()), radius + 25);
+    // What does not lie on the frame moves in the plane of the picture.
+    const double depth = view.camera().depth(bentPoint());
+    mouse.drag(pixel(bentPoint()), pixel(bentPoint()) + QPointF(60, 0));
+    EXPECT_NEAR(view.camera().depth(bentPoint()), depth, 1e-6);
+}
+
+TEST_F(FixationDrawing, AKeyLetsGoOfTheFrame)
+{
+    showFrame();
+    selectPointAt(onTube(0, 60));
+    const double depth = view.camera().depth(bentPoint());
+    const QPointF from = pixel(bentPoint());
+    mouse.move(from);
+    mouse.press(from);
+    mouse.move(from + QPointF(50, 0));
+    EXPECT_NEAR(fromAxis(bentPoint()), radius, 0.1);
+    QTest::keyClick(&view, Qt::Key_S);
+    EXPECT_NEAR(view.camera().depth(bentPoint()), depth, 1e-6);
+    EXPECT_GT(fromAxis(bentPoint()), radius + 1);
+    mouse.release(from + QPointF(50, 0));
+}
+
+TEST(SurfacePathTest, StraightPathsHaveCornersAtTheGivenPoints)
+{
+    const auto follow = [](const Vec3& p) { return std::optional(Vec3(p.x(), p.y(), 5)); };
+    const std::vector<Vec3> points = {{0, 0, 5}, {100, 0, 5}, {100, 80, 5}};
+    const SurfacePath path = pathAlong(points, false, false, follow);
+    const auto curve = curveAlong(path, true);
+    ASSERT_TRUE(curve);
+    EXPECT_EQ(curve->corners().size(), 1u);
+    EXPECT_LT(curve->closest({100, 0, 5}).distance, 1e-3);
+    EXPECT_LE(curve->pointCount(), 7);
+    EXPECT_TRUE(pathAlong({{1, 2, 3}, {1, 2, 3}}, false, true, follow).points.empty());
+    EXPECT_FALSE(curveAlong({}, true));
+}
+
+class Attaching : public testing::Test {
+protected:
+    Attaching()
+    {
+        FixationCurve second{"Second", BSpline3(1, false, {{0, 300, 0}, {0, 400, 0}})};
+        Patch right = *twoSquares().find<Patch>(rightPatch);
+        right.position = Vec2(300, 0);
+        document.reset(twoSquares().with(
+            {{}, {{secondId, nullptr, makeElement(second)}, {rightPatch, nullptr, makeElement(right)}}}));
+        view.resize(900, 700);
+        view.show();
+        view.fitAll();
+        view.setTool(PatternToolKind::Attach);
+    }
+
+    QPointF pixel(const Vec2& layout) const { return view.transform().toPixels(layout); }
+    std::vector<FixationSeam> seams() const
+    {
+        std::vector<FixationSeam> result;
+        document.design().each<FixationSeam>([&](ElementId, const FixationSeam& s) { result.push_back(s); });
+        return result;
+    }
+
+    const ElementId secondId{41};
+    Document document;
+    Selection selection;
+    ProblemSet problems;
+    PatternView view{document, selection, problems};
+    Mouse mouse{view};
+};
+
+TEST_F(Attaching, AClickFixesAnEdgeToTheSelectedCurve)
+{
+    selection.set({curveId});
+    mouse.click(pixel({100, 0}));
+    ASSERT_EQ(seams().size(), 1u);
+    EXPECT_EQ(seams()[0].curve, curveId);
+    EXPECT_EQ(seams()[0].stretch.from, 0);
+    EXPECT_EQ(seams()[0].stretch.to, 1);
+    EXPECT_TRUE(document.design().find<FixationSeam>(*selection.elements().begin())) << "it is selected";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
+}
+
+TEST_F(Attaching, ShiftCollectsStretchesThatShareTheCurve)
+{
+    selection.set({curveId});
+    mouse.click(pixel({100, 0}), Qt::ShiftModifier);
+    EXPECT_TRUE(seams().empty());
+    mouse.click(pixel({0, 100}), Qt::ShiftModifier);
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(seams().size(), 2u);
+    EXPECT_TRUE(seams()[0].curveRange && seams()[1].curveRange);
+    EXPECT_EQ(document.history().count(), 2) << "one edit";
+}
+
+TEST_F(Attaching, OneStretchIsDividedAmongSelectedCurves)
+{
+    selection.set({curveId, secondId});
+    mouse.click(pixel({100, 0}));
+    ASSERT_EQ(seams().size(), 2u);
+    EXPECT_NE(seams()[0].curve, seams()[1].curve);
+}
+
+TEST_F(Attaching, SaysWhyNot)
+{
+    QSignalSpy failures(&view, &PatternView::failed);
+    mouse.click(pixel({100, 0}));
+    ASSERT_EQ(failures.count(), 1) << "no curve is selected";
+    selection.set({curveId});
+    mouse.click(pixel({100, 100}));
+    ASSERT_EQ(failures.count(), 2) << "inside the patch";
+    FixationSeam half;
+    half.stretch = {leftPatch, 0, 0.5};
+    half.curve = secondId;
+    document.commit({{"Fix", {}}, {{ElementId{50}, nullptr, makeElement(half)}}});
+    mouse.click(pixel({150, 0}));
+    ASSERT_EQ(failures.count(), 3) << "a part of the edge is fixed already";
+    EXPECT_EQ(seams().size(), 1u);
+}
+
+TEST_F(Attaching, TheStretchThroughSelectedPointsIsMeant)
+{
+    const Design& design = document.design();
+    selection.set({leftPatch}, {{leftPatch, 0}, {leftPatch, 1}});
+    EXPECT_EQ(stretchToFix(design, selection), (Stretch{leftPatch, 0, 1}));
+    selection.set({leftPatch}, {{leftPatch, 0}, {leftPatch, 2}, {leftPatch, 3}});
+    EXPECT_EQ(stretchToFix(design, selection), (Stretch{leftPatch, 2, 0}));
+    selection.set({leftPatch}, {{leftPatch, 0}});
+    EXPECT_FALSE(stretchToFix(design, selection));
+    selection.set({seamId});
+    EXPECT_EQ(stretchToFix(design, selection), design.find<Seam>(seamId)->a);
+    EXPECT_EQ(outlineEdgeAt(leftPatch, design.find<Patch>(leftPatch)->outline, 3.5), (Stretch{leftPatch, 3, 0}));
+}
+
+} // namespace
+} // namespace bolster::test

@@ -1,0 +1,48 @@
+// Fixes stretches of outlines to the selected fixation curves.
+#pragma once
+
+#include "Document.h"
+#include "PatternTool.h"
+
+#include <QCoreApplication>
+
+namespace bolster {
+
+/// A click takes the stretch through the selected points, the stretch of a seam or fixation, or the edge between
+/// two corners, whichever lies there first. Shift collects several stretches that share a curve in a row; with
+/// several curves selected one stretch is divided among them. Enter attaches what is collected, or the selected
+/// stretch.
+class AttachTool : public PatternTool {
+    Q_DECLARE_TR_FUNCTIONS(AttachTool)
+
+public:
+    using PatternTool::PatternTool;
+
+    void press(const PatternPointer& pointer) override;
+    void move(const PatternPointer& pointer) override;
+    void release(const PatternPointer&) override {}
+    void doubleClick(const PatternPointer&) override {}
+    bool keyPress(const QKeyEvent& event) override;
+    bool keyRelease(const QKeyEvent&) override { return false; }
+    bool wants(int key) const override;
+    bool escape() override;
+    void leave() override;
+
+    QString prompt() const override;
+    QCursor cursor() const override;
+    void paint(QPainter& painter, const ViewColors& colors) const override;
+
+private:
+    const Design& design() const { return m_context.document().design(); }
+    std::optional<Stretch> stretchAt(QPointF pixel) const;
+    std::vector<ElementId> curves() const;
+    QString problemOf(const Stretch& stretch) const;
+    void attach(const std::vector<Stretch>& stretches);
+    Edit edit(const std::vector<Stretch>& stretches) const;
+    void paint(QPainter& painter, const Stretch& stretch, const QColor& color) const;
+
+    std::optional<Stretch> m_hover;
+    std::vector<Stretch> m_collected;
+};
+
+} // namespace bolster
