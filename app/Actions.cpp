@@ -16,6 +16,7 @@ Actions::Actions(QObject* parent)
     addView();
     addInsert();
     addPattern();
+    addPatternEdits();
     addRest();
 }
 
@@ -155,6 +156,7 @@ void Actions::addPattern()
         ->setChecked(true);
     addTool(Kind::HandleCurve, tr("Draw &handle curve"), QStringLiteral("handle-curve"), QKeySequence(Qt::Key_H));
     addTool(Kind::FancySeam, tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), QKeySequence(Qt::Key_N));
+    addTool(Kind::Split, tr("S&plit patch"), QStringLiteral("split"), QKeySequence(Qt::Key_K));
 }
 
 void Actions::addRest()

@@ -32,6 +32,10 @@ public:
     QAction* rename;
     QAction* selectAll;
     QAction* selectNone;
+    QAction* cut;
+    QAction* copy;
+    QAction* paste;
+    QAction* duplicate;
     // View
     QAction* fitAll;
     QAction* fitSelection;
@@ -58,6 +62,15 @@ public:
     QList<QAction*> patternTools; ///< data: PatternToolKind
     QAction* turnLeft;
     QAction* turnRight;
+    QAction* mirrorHorizontally;
+    QAction* mirrorVertically;
+    QList<QAction*> align;      ///< data: edits::Alignment
+    QList<QAction*> distribute; ///< data: edits::Direction
+    QAction* arrange;
+    QAction* makeCorner;
+    QAction* makeSmooth;
+    QAction* straighten;
+    QAction* mergePatches;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -77,6 +90,7 @@ private:
     void addView();
     void addInsert();
     void addPattern();
+    void addPatternEdits();
     void addRest();
 };
 

@@ -65,6 +65,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectScans();
     connectActions();
     connectViewActions();
+    connectPattern();
     auto* hint = new StartHint(document(), m_pattern);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);

@@ -72,6 +72,7 @@ private:
     void showMeasured();
     void connectScans();
     void fitScanPlacement(ElementId scan);
+    void connectPattern();
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
     void removeSelection();

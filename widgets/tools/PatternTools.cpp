@@ -2,6 +2,7 @@
 
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
+#include "PatternSplitTool.h"
 
 namespace bolster {
 
@@ -12,6 +13,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::Split:
+        return std::make_unique<PatternSplitTool>(context);
     case PatternToolKind::Select:
         break;
     }

@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-enum class PatternToolKind { Select, HandleCurve, FancySeam };
+enum class PatternToolKind { Select, HandleCurve, FancySeam, Split };
 
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context);
 
