@@ -203,7 +203,8 @@ Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& 
 
     const std::vector<Vec2> cut = between(points, crossings[0], crossings[1]);
     const std::vector<Vec2> back(cut.rbegin(), cut.rend());
-    if (!isInside(patch->outline, (cut[0] + cut[1]) / 2))
+    const Vec2 middle = (cut[0] + cut[1]) / 2;
+    if (!isInside(patch->outline, middle) || patch->outline.closest(middle).distance < 0.05)
         return Outcome::refused(
             {QT_TRANSLATE_NOOP("Message", "The line must run inside %1."), {displayName(design, id)}});
     const double t0 = crossings[0].parameter, t1 = crossings[1].parameter;

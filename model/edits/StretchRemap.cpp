@@ -196,7 +196,7 @@ public:
                 cuts.push_back(across(cut.first));
             const std::vector<double> ends = pieces(std::move(cuts), std::max(a.length(), b.length()));
             for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-                const auto [b0, b1] = std::minmax(across(ends[k]), across(ends[k + 1]));
+                const auto [b0, b1] = std::minmax({across(ends[k]), across(ends[k + 1])});
                 const auto onA = a.placed(ends[k], ends[k + 1]);
                 const auto onB = b.placed(b0, b1);
                 if (onA && onB)

