@@ -10,16 +10,15 @@ void Actions::addPatternEdits()
     cut = add(tr("Cu&t"), {}, QKeySequence::Cut);
     copy = add(tr("&Copy"), {}, QKeySequence::Copy);
     paste = add(tr("&Paste"), {}, QKeySequence::Paste);
-    duplicate = add(tr("D&uplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D));
+    duplicate = add(tr("Dupl&icate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D));
 
     mirrorHorizontally = add(tr("Mirror hori&zontally"), {}, QKeySequence(Qt::CTRL | Qt::Key_M));
     mirrorVertically = add(tr("Mirror &vertically"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M));
     using edits::Alignment;
     for (const auto& [alignment, name] :
-         {std::pair(Alignment::Left, tr("&Left edges")),
-          std::pair(Alignment::CentreX, tr("Centres, side by &side")),
+         {std::pair(Alignment::Left, tr("&Left edges")), std::pair(Alignment::CentreX, tr("Centres in a &column")),
           std::pair(Alignment::Right, tr("&Right edges")), std::pair(Alignment::Top, tr("&Top edges")),
-          std::pair(Alignment::CentreY, tr("Centres, one &above the other")),
+          std::pair(Alignment::CentreY, tr("Centres in a ro&w")),
           std::pair(Alignment::Bottom, tr("&Bottom edges"))}) {
         align.append(add(name, {}));
         align.back()->setData(static_cast<int>(alignment));
