@@ -35,6 +35,15 @@ Vec2 middleOf(const std::vector<Vec2>& line)
     return line.back();
 }
 
+/// The patch that the edit cuts.
+ElementId splitPiece(const Edit& edit)
+{
+    for (const Change& change : edit.changes)
+        if (change.before && std::holds_alternative<Patch>(*change.before))
+            return change.id;
+    return {};
+}
+
 } // namespace
 
 void PatternSplitTool::press(const PatternPointer& pointer)
@@ -141,7 +150,7 @@ void PatternSplitTool::changeLine()
     std::vector<Vec2> line = m_points;
     if (m_next && !line.empty())
         line.push_back(*m_next);
-    m_splits = line.size() >= 2 && !outcome(line).edit.empty();
+    m_splits = line.size() >= 2 ? splitPiece(outcome(line).edit) : ElementId{};
     m_context.refresh();
 }
 
@@ -175,7 +184,7 @@ QString PatternSplitTool::prompt() const
 {
     if (m_points.empty())
         return tr("Click beside a patch or on its outline to begin the cut \u2013 Esc ends the tool");
-    if (m_splits)
+    if (m_splits != ElementId{})
         return tr(
             "Double click or Enter splits the patch \u2013 click to bend the cut, Backspace takes a point back");
     return tr(
@@ -184,22 +193,33 @@ QString PatternSplitTool::prompt() const
 
 void PatternSplitTool::paint(QPainter& painter, const ViewColors& colors) const
 {
-    const PatternTransform& transform = m_context.transform();
     std::vector<Vec2> points = m_points;
     if (m_next)
         points.push_back(*m_next);
     QPolygonF line;
     for (const Vec2& point : points)
-        line.append(transform.toPixels(point));
-    const QColor color = m_splits ? colors.accent : colors.mutedLabel;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(
-        QPen(color, m_splits ? 2.2 : 1.6, m_splits ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(line);
-    painter.setPen(QPen(color, 1.4));
+        line.append(m_context.transform().toPixels(point));
+    paintLine(painter, line, colors);
+    painter.setPen(QPen(colors.accent, 1.4));
     painter.setBrush(colors.pointFill);
     for (const QPointF& point : line)
         painter.drawEllipse(point, pointRadius, pointRadius);
+}
+
+/// Dashed, and solid where it would cut.
+void PatternSplitTool::paintLine(QPainter& painter, const QPolygonF& line, const ViewColors& colors) const
+{
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors.accent, 1.4, Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    const PatternPatch* patch = m_context.scene().patch(m_splits);
+    if (!patch)
+        return;
+    painter.save();
+    painter.setClipPath(m_context.transform().matrix().map(patch->path), Qt::IntersectClip);
+    painter.setPen(QPen(colors.accent, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(line);
+    painter.restore();
 }
 
 } // namespace bolster

@@ -36,10 +36,11 @@ private:
     edits::Outcome outcome(const std::vector<Vec2>& line) const;
     void changeLine();
     void finish();
+    void paintLine(QPainter& painter, const QPolygonF& line, const ViewColors& colors) const;
 
     std::vector<Vec2> m_points; ///< in the layout, mm
     std::optional<Vec2> m_next; ///< under the pointer
-    bool m_splits = false;      ///< the line with the point under the pointer would split a patch
+    ElementId m_splits{};       ///< the patch that the line to the pointer would split, or none
 };
 
 } // namespace bolster
