@@ -102,11 +102,14 @@ BSpline2 straightBetween(const BSpline2& curve, int a, int b)
     const auto along = [&](int i) {
         return curve.degree() == 1 ? length.between(start, start + ahead(i)) : ahead(i);
     };
+    const double whole = along(b);
+    if (!(whole > 0))
+        return curve; // all of them lie in one place
     std::vector<Vec2> points = curve.points();
     const Vec2 from = points[static_cast<std::size_t>(a)], to = points[static_cast<std::size_t>(b)];
     for (int k = 1; k < steps; ++k) {
         const int i = (a + k) % count;
-        points[static_cast<std::size_t>(i)] = from + along(i) / along(b) * (to - from);
+        points[static_cast<std::size_t>(i)] = from + along(i) / whole * (to - from);
     }
     return curve.withPoints(std::move(points));
 }

@@ -78,13 +78,8 @@ Box2 layoutBox(const Patch& patch)
         return {};
     Map2 place = Map2::Identity();
     place.translate(patch.position).rotate(patch.rotation * std::numbers::pi / 180);
-    std::vector<Vec2> points = patch.outline.points();
-    for (Vec2& point : points)
-        point = place * point;
-    // Placed far out the points may be beyond what a curve may have.
-    if (BSpline2::problem(patch.outline.degree(), true, points, patch.outline.knots()))
-        return {};
-    return patch.outline.withPoints(std::move(points)).boundingBox();
+    const auto placed = mapped(patch.outline, place);
+    return placed ? placed->boundingBox() : Box2(); // nothing lies that far out
 }
 
 Box2 layoutBox(const Design& design, std::span<const ElementId> patches)

@@ -2,6 +2,7 @@
 
 #include "DesignCheck.h"
 #include "EditHelpers.h"
+#include "PlaneCurves.h"
 
 namespace bolster::edits {
 
@@ -17,14 +18,6 @@ std::optional<ElementId> usableFabric(const Design& design, std::optional<Elemen
     return first;
 }
 
-BSpline2 moved(const BSpline2& curve, const Vec2& delta)
-{
-    std::vector<Vec2> points = curve.points();
-    for (Vec2& point : points)
-        point += delta;
-    return curve.withPoints(std::move(points));
-}
-
 } // namespace
 
 Edit addPatch(const Design& design, BSpline2 outline, const std::string& name, std::optional<ElementId> fabric)
@@ -34,7 +27,11 @@ Edit addPatch(const Design& design, BSpline2 outline, const std::string& name, s
     Patch patch;
     patch.name = name;
     patch.position = outline.boundingBox().min();
-    patch.outline = moved(outline.signedArea() < 0 ? outline.reversed() : outline, -patch.position);
+    const Map2 toCorner(Eigen::Translation2d(-patch.position));
+    auto placed = mapped(outline.signedArea() < 0 ? outline.reversed() : outline, toCorner);
+    if (!placed)
+        return {};
+    patch.outline = std::move(*placed);
 
     Edit edit;
     if (const auto found = usableFabric(design, fabric)) {

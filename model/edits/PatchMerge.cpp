@@ -154,9 +154,9 @@ std::optional<Message> problemOf(const Design& design, const Half& a, const Half
 }
 
 /// The outline of both, in coordinates of the first one.
-BSpline2 mergedOutline(const Half& a, const Half& b, const Map2& map, std::vector<double>& starts)
+BSpline2 mergedOutline(const Half& a, BSpline2 restB, std::vector<double>& starts)
 {
-    BSpline2 restA = a.rest(), restB = mapped(b.rest(), map);
+    BSpline2 restA = a.rest();
     if (restA.degree() != restB.degree()) {
         restA = raisedToCubic(restA);
         restB = raisedToCubic(restB);
@@ -169,13 +169,14 @@ BSpline2 mergedOutline(const Half& a, const Half& b, const Map2& map, std::vecto
 }
 
 /// What is drawn in the second patch goes into the first one.
+/// A curve that would leave the sensible range stays where it is in the coordinates.
 void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& map, EditBuilder& builder)
 {
     for (const auto& [id, element] : design.elements()) {
         const PatchCurve* drawn = patchCurve(*element);
         if (!drawn || drawn->patch != from)
             continue;
-        const ElementPtr moved = withPlaneCurve(*element, mapped(drawn->curve, map));
+        const ElementPtr moved = withPlaneCurve(*element, mapped(drawn->curve, map).value_or(drawn->curve));
         builder.set(id, std::visit(
                             [&](auto value) {
                                 if constexpr (std::is_base_of_v<PatchCurve, decltype(value)>)
@@ -209,8 +210,9 @@ Outcome mergePatches(const Design& design, ElementId seamId)
     const Map2 map = fit(a, b, seam->match);
     std::vector<double> starts;
     Patch merged = *a.patch;
-    merged.outline = mergedOutline(a, b, map, starts);
-    if (outlineProblem(merged.outline))
+    if (const auto restB = mapped(b.rest(), map))
+        merged.outline = mergedOutline(a, *restB, starts);
+    if (starts.empty() || outlineProblem(merged.outline))
         return Outcome::refused(
             {QT_TRANSLATE_NOOP("Message", "Merged, %1 and %2 would overlap or cross: the seam stays."),
              {displayName(design, a.id), displayName(design, b.id)}});

@@ -6,11 +6,13 @@
 
 namespace bolster::edits {
 
-BSpline2 mapped(const BSpline2& curve, const Map2& map)
+std::optional<BSpline2> mapped(const BSpline2& curve, const Map2& map)
 {
     std::vector<Vec2> points = curve.points();
     for (Vec2& point : points)
         point = map * point;
+    if (BSpline2::problem(curve.degree(), curve.closed(), points, curve.knots()))
+        return std::nullopt;
     return curve.withPoints(std::move(points));
 }
 

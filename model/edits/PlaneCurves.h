@@ -3,13 +3,15 @@
 
 #include "BSpline.h"
 
+#include <optional>
 #include <vector>
 
 namespace bolster::edits {
 
 using Map2 = Eigen::Affine2d;
 
-BSpline2 mapped(const BSpline2& curve, const Map2& map);
+/// Nothing when a point would leave the sensible range.
+std::optional<BSpline2> mapped(const BSpline2& curve, const Map2& map);
 
 /// The same curve as a cubic, equal at every parameter: every break becomes a corner, straight edges get points at
 /// their thirds. Cubics stay as they are.

@@ -43,6 +43,7 @@ TEST(AddPatch, RunsCounterClockwise)
 TEST(AddPatch, RefusesWhatIsNoOutline)
 {
     EXPECT_TRUE(edits::addPatch(Design(), BSpline2(), "Nothing").empty());
+    EXPECT_TRUE(edits::addPatch(Design(), BSpline2(1, true, {{-9e6, 0}, {9e6, 0}, {0, 1e6}}), "World").empty());
     EXPECT_TRUE(edits::addPatch(Design(), BSpline2(1, false, {{0, 0}, {1, 0}, {0, 1}}), "Open").empty());
     const BSpline2 crossed(1, true, {{0, 0}, {100, 100}, {100, 0}, {0, 100}});
     EXPECT_TRUE(edits::addPatch(Design(), crossed, "Bow").empty());

@@ -188,6 +188,10 @@ TEST_F(ShapeEdits, StraightensTheShorterWay)
     EXPECT_TRUE(straighten(waves, seat, 0, 0).empty());
     EXPECT_TRUE(straighten(waves, seat, 0, 9).empty());
     EXPECT_TRUE(straighten(design, seat, 0, 1).empty()) << "it is straight";
+    const BSpline2 flat(1, true, {{0, 0}, {0, 0}, {0, 0}, {500, 480}});
+    const Design bad =
+        design.with(replaceElement(design, seat, withPlaneCurve(*design.element(seat), flat), {"x"}));
+    EXPECT_TRUE(straighten(bad, seat, 0, 2).empty());
 }
 
 TEST_F(ShapeEdits, StraightensSplinesExactly)
