@@ -20,6 +20,7 @@ Actions::Actions(QObject* parent)
     addSeams();
     addFixing();
     add3D();
+    addPatternEdits();
     addRest();
 }
 
@@ -212,6 +213,7 @@ void Actions::add3D()
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
     section = addToggle(tr("Se&ction"), QStringLiteral("section"), false, QKeySequence(Qt::SHIFT | Qt::Key_X));
     saveView = add(tr("&Save view \u2026"), {});
+    addTool(Kind::Split, tr("S&plit patch"), QStringLiteral("split"), QKeySequence(Qt::Key_K));
 }
 
 void Actions::addRest()

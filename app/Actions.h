@@ -32,6 +32,10 @@ public:
     QAction* rename;
     QAction* selectAll;
     QAction* selectNone;
+    QAction* cut;
+    QAction* copy;
+    QAction* paste;
+    QAction* duplicate;
     // View
     QAction* fitAll;
     QAction* fitSelection;
@@ -75,6 +79,15 @@ public:
     QList<QAction*> seamContinuities; ///< data: Continuity
     QList<QAction*> seamMatches;      ///< data: Match
     QAction* showSeamList;
+    QAction* mirrorHorizontally;
+    QAction* mirrorVertically;
+    QList<QAction*> align;      ///< data: edits::Alignment
+    QList<QAction*> distribute; ///< data: edits::Direction
+    QAction* arrange;
+    QAction* makeCorner;
+    QAction* makeSmooth;
+    QAction* straighten;
+    QAction* mergePatches;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -97,6 +110,7 @@ private:
     void addSeams();
     void addFixing();
     void add3D();
+    void addPatternEdits();
     void addRest();
 };
 

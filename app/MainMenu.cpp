@@ -66,6 +66,8 @@ private:
         QMenu* menu = m_bar.addMenu(tr("&Edit"));
         menu->addActions({m_actions.undo, m_actions.redo});
         menu->addSeparator();
+        menu->addActions({m_actions.cut, m_actions.copy, m_actions.paste, m_actions.duplicate});
+        menu->addSeparator();
         menu->addActions({m_actions.rename, m_actions.remove});
         menu->addSeparator();
         menu->addActions({m_actions.selectAll, m_actions.selectNone});
@@ -109,6 +111,14 @@ private:
         menu->addActions(m_actions.patternTools);
         menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
+        menu->addActions({m_actions.mirrorHorizontally, m_actions.mirrorVertically});
+        menu->addMenu(tr("Al&ign"))->addActions(m_actions.align);
+        menu->addMenu(tr("&Distribute"))->addActions(m_actions.distribute);
+        menu->addAction(m_actions.arrange);
+        menu->addSeparator();
+        menu->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
+        menu->addSeparator();
+        menu->addAction(m_actions.mergePatches);
     }
 
     void addSeam()

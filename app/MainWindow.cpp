@@ -70,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     connect3D();
     connectActions();
     connectViewActions();
+    connectPattern();
     auto* hint = new StartHint(document(), m_pattern);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);

@@ -88,6 +88,7 @@ private:
     void saveView();
     void update3DActions();
     void fitScanPlacement(ElementId scan);
+    void connectPattern();
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
     void removeSelection();

@@ -4,6 +4,7 @@
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
 #include "SewTool.h"
+#include "PatternSplitTool.h"
 
 namespace bolster {
 
@@ -18,6 +19,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<SewTool>(context);
     case PatternToolKind::Attach:
         return std::make_unique<AttachTool>(context);
+    case PatternToolKind::Split:
+        return std::make_unique<PatternSplitTool>(context);
     case PatternToolKind::Select:
         break;
     }

@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-enum class PatternToolKind { Select, HandleCurve, FancySeam, Sew, Attach };
+enum class PatternToolKind { Select, HandleCurve, FancySeam, Sew, Attach, Split };
 
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context);
 

@@ -1,0 +1,219 @@
+#include "PatchSplit.h"
+
+#include "ArcLength.h"
+#include "DesignCheck.h"
+#include "EditBuilder.h"
+#include "OutlineCrossings.h"
+#include "PlaneCurves.h"
+#include "StretchRemap.h"
+
+#include <algorithm>
+
+namespace bolster::edits {
+
+namespace {
+
+/// One piece of the patch: its outline begins with a part of the old one, the cut follows.
+struct Piece {
+    BSpline2 kept;
+    BSpline2 outline;
+    double cutStart = 0; // parameter
+    ElementId id{};
+
+    Piece(const BSpline2& old, double from, double to, std::vector<Vec2> cut)
+        : kept(old.part(from, to))
+    {
+        cut.front() = kept.points().back();
+        cut.back() = kept.points().front();
+        const double speed = ArcLength2(old).total() / old.period();
+        std::vector<double> starts;
+        outline = joined({kept, polyline(cut, old.degree(), 0, speed)}, &starts);
+        cutStart = starts[1];
+    }
+
+    OutlineArc arc() const { return {kept.domainStart(), kept.domainEnd(), id, 0}; }
+    Stretch cut() const { return {id, cutStart, outline.domainEnd()}; }
+};
+
+class Split {
+public:
+    Split(const Design& design, ElementId id, const Patch& patch, Piece first, Piece second)
+        : m_design(design)
+        , m_id(id)
+        , m_patch(patch)
+        , m_builder(design)
+        , m_large(std::move(first))
+        , m_small(std::move(second))
+    {
+        if (std::abs(m_large.outline.signedArea()) < std::abs(m_small.outline.signedArea()))
+            std::swap(m_large, m_small);
+    }
+
+    Outcome run()
+    {
+        Patch large = m_patch, small = m_patch;
+        large.outline = m_large.outline;
+        small.outline = m_small.outline;
+        small.name = freeName<Patch>(m_design, m_patch.name);
+        m_large.id = m_id;
+        m_builder.replace(m_id, std::move(large));
+        m_small.id = m_builder.add(std::move(small));
+
+        Outcome outcome;
+        remapStretches(m_design, {{m_id, {m_large.arc(), m_small.arc()}}}, {}, m_builder, outcome.dropped);
+        m_builder.add(Seam{m_large.cut(), m_small.cut(), true, Match::Length, Continuity::C1});
+        for (const auto& [id, element] : m_design.elements())
+            if (const PatchCurve* drawn = patchCurve(*element); drawn && drawn->patch == m_id)
+                divide(id, *element, outcome.dropped);
+        m_design.each<Cushion>([&](ElementId id, Cushion cushion) {
+            if (std::ranges::find(cushion.patches, m_id) == cushion.patches.end())
+                return;
+            cushion.patches.push_back(m_small.id);
+            m_builder.replace(id, std::move(cushion));
+        });
+        outcome.edit = m_builder.result({QT_TRANSLATE_NOOP("Message", "Split %1"), {displayName(m_design, m_id)}});
+        return outcome;
+    }
+
+private:
+    static constexpr int samples = 200;
+
+    /// 1: in the small piece, -1: in the large one, 0: in neither.
+    int side(const Vec2& point) const
+    {
+        if (isInside(m_small.outline, point))
+            return 1;
+        return isInside(m_large.outline, point) ? -1 : 0;
+    }
+
+    void divide(ElementId id, const Element& element, std::vector<ElementId>& dropped)
+    {
+        const BSpline2& curve = patchCurve(element)->curve;
+        std::vector<double> crossings;
+        int last = 0, first = 0;
+        for (int k = 0; k <= samples; ++k) {
+            const double t = curve.domainStart() + curve.period() * k / samples;
+            const int now = side(curve.at(t));
+            if (now != 0 && last != 0 && now != last)
+                crossings.push_back(crossing(curve, t - curve.period() / samples, t, now));
+            last = now != 0 ? now : last;
+            first = first != 0 ? first : last;
+        }
+        const auto* handle = std::get_if<HandleCurve>(&element);
+        if (crossings.empty())
+            moveTo(id, element, first > 0 ? m_small.id : m_id);
+        else if (!handle)
+            addTo(element, m_small.id);
+        else if (crossings.size() == 1 && !curve.closed())
+            divideHandle(id, *handle, crossings.front(), first > 0);
+        else {
+            m_builder.remove(id);
+            dropped.push_back(id);
+        }
+    }
+
+    double crossing(const BSpline2& curve, double low, double high, int after) const
+    {
+        for (int i = 0; i < 60; ++i) {
+            const double middle = (low + high) / 2;
+            (side(curve.at(middle)) == after ? high : low) = middle;
+        }
+        return high;
+    }
+
+    void moveTo(ElementId id, const Element& element, ElementId patch)
+    {
+        if (patch != m_id)
+            m_builder.set(id, withPatch(element, patch));
+    }
+
+    void addTo(const Element& element, ElementId patch)
+    {
+        m_builder.set(m_builder.now().nextId(), withPatch(element, patch));
+    }
+
+    static ElementPtr withPatch(const Element& element, ElementId patch)
+    {
+        return std::visit(
+            [&](auto value) {
+                if constexpr (std::is_base_of_v<PatchCurve, decltype(value)>)
+                    value.patch = patch;
+                return makeElement(std::move(value));
+            },
+            element);
+    }
+
+    /// Both parts keep what they lie on in space.
+    void divideHandle(ElementId id, const HandleCurve& handle, double at, bool beginsInSmall)
+    {
+        const BSpline2& curve = handle.curve;
+        const ArcLength2 length(curve);
+        const double lengthShare = length.at(at) / length.total();
+        const double share =
+            handle.match == Match::Length ? lengthShare : (at - curve.domainStart()) / curve.period();
+        HandleCurve one = handle, two = handle;
+        one.curve = curve.part(curve.domainStart(), at);
+        two.curve = curve.part(at, curve.domainEnd());
+        one.orientation = partOf(handle.orientation, 0, lengthShare);
+        two.orientation = partOf(handle.orientation, lengthShare, 1);
+        if (handle.hasTarget()) {
+            const BSpline3& target = handle.target;
+            const ArcLength3 there(target);
+            const double cut = handle.match == Match::Length ? there.parameterAt(share * there.total())
+                                                             : target.domainStart() + share * target.period();
+            one.target = target.part(target.domainStart(), cut);
+            two.target = target.part(cut, target.domainEnd());
+        }
+        one.patch = beginsInSmall ? m_small.id : m_id;
+        two.patch = beginsInSmall ? m_id : m_small.id;
+        two.name = freeName<HandleCurve>(m_builder.now(), handle.name);
+        m_builder.replace(id, std::move(one));
+        m_builder.add(std::move(two));
+    }
+
+    const Design& m_design;
+    ElementId m_id;
+    const Patch& m_patch;
+    EditBuilder m_builder;
+    Piece m_large, m_small;
+};
+
+Message crossingsProblem(const std::string& name, std::size_t count)
+{
+    return {QT_TRANSLATE_NOOP("Message", "The line must cross the outline of %1 exactly twice, not %2 times."),
+            {name, std::to_string(count)}};
+}
+
+} // namespace
+
+Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& line)
+{
+    const Patch* patch = design.find<Patch>(id);
+    if (!patch || line.size() < 2)
+        return Outcome::refused({QT_TRANSLATE_NOOP("Message", "Draw a line over a patch to split it."), {}});
+    if (outlineProblem(patch->outline))
+        return Outcome::refused({QT_TRANSLATE_NOOP("Message", "The outline of %1 is invalid: repair it first."),
+                                 {displayName(design, id)}});
+    std::vector<Vec2> points;
+    for (const Vec2& point : line)
+        points.push_back(fromLayout(*patch, point));
+    const std::vector<OutlineCrossing> crossings = outlineCrossings(patch->outline, points);
+    if (crossings.size() != 2)
+        return Outcome::refused(crossingsProblem(displayName(design, id), crossings.size()));
+
+    const std::vector<Vec2> cut = between(points, crossings[0], crossings[1]);
+    const std::vector<Vec2> back(cut.rbegin(), cut.rend());
+    const Vec2 middle = (cut[0] + cut[1]) / 2;
+    if (!isInside(patch->outline, middle) || patch->outline.closest(middle).distance < 0.05)
+        return Outcome::refused(
+            {QT_TRANSLATE_NOOP("Message", "The line must run inside %1."), {displayName(design, id)}});
+    const double t0 = crossings[0].parameter, t1 = crossings[1].parameter;
+    Piece first(patch->outline, t0, t1, back), second(patch->outline, t1, t0, cut);
+    if (outlineProblem(first.outline) || outlineProblem(second.outline))
+        return Outcome::refused(
+            {QT_TRANSLATE_NOOP("Message", "A piece of %1 would cross itself or be too narrow: draw another line."),
+             {displayName(design, id)}});
+    return Split(design, id, *patch, std::move(first), std::move(second)).run();
+}
+
+} // namespace bolster::edits

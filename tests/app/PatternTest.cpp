@@ -1,0 +1,153 @@
+// Editing patches by menu, clipboard and the split tool.
+#include "WindowTest.h"
+
+#include "LayoutEdits.h"
+#include "StatusLine.h"
+
+#include <QClipboard>
+#include <QMimeData>
+
+namespace bolster {
+namespace {
+
+class PatternTest : public WindowTest {
+protected:
+    void SetUp() override
+    {
+        WindowTest::SetUp();
+        ASSERT_TRUE(open(sample("box-cushion")));
+        window.patternView().setFocus();
+    }
+
+    const Design& design() { return window.document().design(); }
+    ElementId patchNamed(const std::string& name)
+    {
+        ElementId found{};
+        design().each<Patch>([&](ElementId id, const Patch& patch) { found = patch.name == name ? id : found; });
+        return found;
+    }
+    int patchCount()
+    {
+        int count = 0;
+        design().each<Patch>([&](ElementId, const Patch&) { ++count; });
+        return count;
+    }
+    void click(QPoint at)
+    {
+        move(window.patternView(), at, Qt::NoButton);
+        press(window.patternView(), at);
+        release(window.patternView(), at);
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(&window.patternView(), key, modifiers);
+    }
+};
+
+TEST_F(PatternTest, DuplicatesCopiesAndPastes)
+{
+    const Design before = design();
+    const ElementId top = patchNamed("Top");
+    EXPECT_FALSE(window.actions().copy->isEnabled());
+    window.selection().set({top});
+    key(Qt::Key_D, Qt::ControlModifier);
+    ASSERT_EQ(patchCount(), 6);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{patchNamed("Top 2")});
+    window.actions().undo->trigger();
+    EXPECT_EQ(design(), before);
+
+    window.selection().set({top});
+    window.actions().copy->trigger();
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("bolster-design"));
+    EXPECT_TRUE(
+        QGuiApplication::clipboard()->mimeData()->hasFormat(QStringLiteral("application/x-bolster-design+json")));
+    ASSERT_TRUE(window.actions().paste->isEnabled());
+    window.actions().paste->trigger();
+    window.actions().paste->trigger();
+    ASSERT_EQ(patchCount(), 7);
+    const Patch &second = *design().find<Patch>(patchNamed("Top 2")),
+                &third = *design().find<Patch>(patchNamed("Top 3"));
+    EXPECT_NE(second.position, before.find<Patch>(top)->position) << "else it would hide the first one";
+    EXPECT_NE(second.position, third.position);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{patchNamed("Top 3")});
+
+    window.actions().cut->trigger();
+    EXPECT_EQ(patchCount(), 6);
+    window.actions().paste->trigger();
+    EXPECT_EQ(patchCount(), 7) << "it comes back";
+}
+
+TEST_F(PatternTest, MirrorsAlignsAndArranges)
+{
+    const ElementId top = patchNamed("Top"), right = patchNamed("Right"), front = patchNamed("Front");
+    window.selection().set({top});
+    EXPECT_FALSE(window.actions().align.front()->isEnabled());
+    window.actions().mirrorHorizontally->trigger();
+    EXPECT_LT(design().find<Patch>(top)->outline.signedArea(), 0);
+    window.selection().set({top, right, front});
+    window.actions().align.front()->trigger();
+    const auto left = [&](ElementId id) { return edits::layoutBox(*design().find<Patch>(id)).min().x(); };
+    EXPECT_NEAR(left(top), left(right), 1e-6);
+    EXPECT_TRUE(window.actions().distribute.front()->isEnabled());
+    window.selection().clear();
+    window.actions().arrange->trigger();
+    EXPECT_GT(std::abs(left(top) - left(right)), 1);
+}
+
+TEST_F(PatternTest, MakesCornersSmoothAndBack)
+{
+    const ElementId top = patchNamed("Top");
+    window.selection().set({top}, {{top, 2}});
+    EXPECT_FALSE(window.actions().makeCorner->isEnabled());
+    ASSERT_TRUE(window.actions().makeSmooth->isEnabled());
+    window.actions().makeSmooth->trigger();
+    EXPECT_EQ(design().find<Patch>(top)->outline.degree(), 3);
+    ASSERT_EQ(window.selection().points().size(), 1u) << "the point stays selected";
+    const int point = window.selection().points().begin()->second;
+    EXPECT_EQ(design().find<Patch>(top)->outline.points()[static_cast<std::size_t>(point)], Vec2(500, 500));
+    ASSERT_TRUE(window.actions().makeCorner->isEnabled());
+    window.actions().makeCorner->trigger();
+    EXPECT_EQ(design().find<Patch>(top)->outline.corners().size(), 4u);
+}
+
+TEST_F(PatternTest, SplitsByDrawingAndMergesAgain)
+{
+    const Design before = design();
+    const ElementId top = patchNamed("Top");
+    key(Qt::Key_K);
+    ASSERT_EQ(window.patternView().tool(), PatternToolKind::Split);
+    click(patternPixel(Vec2(-20, 200)));
+    click(patternPixel(Vec2(250, 260)));
+    key(Qt::Key_Return);
+    EXPECT_EQ(patchCount(), 5) << "the line does not reach the other side";
+    click(patternPixel(Vec2(520, 200)));
+    key(Qt::Key_Return);
+    ASSERT_EQ(patchCount(), 6);
+    const ElementId piece = patchNamed("Top 2");
+    EXPECT_EQ(window.selection().elements(), (Selection::Elements{top, piece}));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().tool() == PatternToolKind::Select; }, 5000));
+    EXPECT_NE(window.actions().undo->text().indexOf("Top"), -1);
+
+    ASSERT_TRUE(window.actions().mergePatches->isEnabled());
+    window.actions().mergePatches->trigger();
+    EXPECT_EQ(patchCount(), 5);
+    window.actions().undo->trigger();
+    window.actions().undo->trigger();
+    EXPECT_EQ(design(), before);
+}
+
+TEST_F(PatternTest, EscapeTakesBackTheCutThenTheTool)
+{
+    const Design before = design();
+    key(Qt::Key_K);
+    click(patternPixel(Vec2(-20, 200)));
+    click(patternPixel(Vec2(520, 200)));
+    key(Qt::Key_Escape);
+    EXPECT_EQ(window.patternView().tool(), PatternToolKind::Split);
+    key(Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().tool() == PatternToolKind::Select; }, 5000));
+    EXPECT_EQ(design(), before);
+}
+
+} // namespace
+} // namespace bolster

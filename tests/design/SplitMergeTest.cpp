@@ -1,0 +1,404 @@
+// Splitting patches along lines and merging them along seams; and all edits of patches by chance.
+#include "ArcLength.h"
+#include "CopyPaste.h"
+#include "CornerEdits.h"
+#include "DesignCheck.h"
+#include "ElementEdits.h"
+#include "LayoutEdits.h"
+#include "OutlineEdits.h"
+#include "PatchMerge.h"
+#include "PatchShapeEdits.h"
+#include "PatchSplit.h"
+
+#include "Random.h"
+#include "TestData.h"
+
+namespace bolster {
+namespace {
+
+using namespace edits;
+
+constexpr const char* sewnPatches = R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [
+  {"id": 1, "kind": "fabric", "name": "Leather"},
+  {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1, "position": [10, 20],
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[500,0],[500,400],[0,400]]}},
+  {"id": 3, "kind": "patch", "name": "Side", "fabric": 1, "position": [600, 100], "rotation": 90,
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[400,0],[400,120],[0,120]]}},
+  {"id": 4, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 3, "from": 0, "to": 1}},
+  {"id": 5, "kind": "fixation_curve", "name": "Rail",
+   "curve": {"degree": 1, "closed": false, "points": [[0,0,0],[500,0,0]]}},
+  {"id": 6, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 5},
+  {"id": 7, "kind": "fancy_seam", "name": "Pipe", "patch": 2,
+   "curve": {"degree": 1, "closed": false, "points": [[100,50],[100,350]]}},
+  {"id": 8, "kind": "handle_curve", "name": "Lumbar", "patch": 2,
+   "curve": {"degree": 1, "closed": false, "points": [[100,300],[400,300]]},
+   "target": {"degree": 1, "closed": false, "points": [[100,300,40],[400,300,40]]}}]})";
+
+constexpr ElementId seat{2}, side{3}, seam{4}, rail{5}, fixation{6}, pipe{7}, lumbar{8};
+
+int errors(const Design& design)
+{
+    int count = 0;
+    for (const Problem& problem : checkDesign(design))
+        count += problem.severity == Severity::Error;
+    return count;
+}
+
+double length(const Design& design, const Stretch& stretch)
+{
+    const BSpline2& outline = design.find<Patch>(stretch.patch)->outline;
+    return ArcLength2(outline).between(
+        stretch.from, unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
+}
+
+Vec2 layoutAt(const Design& design, ElementId id, double t)
+{
+    const Patch& patch = *design.find<Patch>(id);
+    return toLayout(patch, patch.outline.at(t));
+}
+
+double area(const Design& design)
+{
+    double sum = 0;
+    design.each<Patch>([&](ElementId, const Patch& patch) { sum += std::abs(patch.outline.signedArea()); });
+    return sum;
+}
+
+class SplitMerge : public testing::Test {
+protected:
+    const Design design = test::soundDesign(sewnPatches);
+
+    Design done(const Design& before, const Outcome& outcome)
+    {
+        EXPECT_TRUE(outcome.problem.empty()) << outcome.problem.english();
+        EXPECT_FALSE(outcome.edit.empty());
+        const Design after = before.with(outcome.edit);
+        EXPECT_EQ(after.with(outcome.edit.inverse()), before);
+        EXPECT_EQ(readDesign(writeDesign(after)).design, after);
+        EXPECT_EQ(errors(after), errors(before));
+        for (const Problem& problem : checkDesign(after))
+            EXPECT_EQ(problem.severity, Severity::Warning) << problem.english();
+        return after;
+    }
+    Outcome split(const std::vector<Vec2>& line) const { return splitPatch(design, seat, line); }
+    ElementId other(const Design& after) const
+    {
+        ElementId id{};
+        after.each<Patch>([&](ElementId one, const Patch&) { id = one == seat || one == side ? id : one; });
+        return id;
+    }
+    static std::vector<Seam> seamsBetween(const Design& d, ElementId a, ElementId b)
+    {
+        std::vector<Seam> found;
+        d.each<Seam>([&](ElementId, const Seam& s) {
+            if ((s.a.patch == a && s.b.patch == b) || (s.a.patch == b && s.b.patch == a))
+                found.push_back(s);
+        });
+        return found;
+    }
+};
+
+TEST_F(SplitMerge, SplitsAcrossASeamAndDividesIt)
+{
+    const Outcome outcome = split({{-100, 120}, {900, 120}}); // at y = 100 of the seat, from edge to edge
+    const Design after = done(design, outcome);
+    EXPECT_TRUE(outcome.dropped.empty());
+    EXPECT_EQ(outcome.edit.verb.english(), "Split Seat");
+    const ElementId lower = other(after);
+    ASSERT_TRUE(after.find<Patch>(lower));
+    EXPECT_EQ(after.find<Patch>(lower)->name, "Seat 2");
+    EXPECT_NEAR(after.find<Patch>(seat)->outline.signedArea(), 500 * 300, 1e-6);
+    EXPECT_NEAR(after.find<Patch>(lower)->outline.signedArea(), 500 * 100, 1e-6);
+
+    const std::vector<Seam> cut = seamsBetween(after, seat, lower);
+    ASSERT_EQ(cut.size(), 1u);
+    EXPECT_EQ(cut[0].continuity, Continuity::C1);
+    EXPECT_NEAR(length(after, cut[0].a), 500, 1e-6);
+    EXPECT_LT(
+        (layoutAt(after, cut[0].a.patch, cut[0].a.from) - layoutAt(after, cut[0].b.patch, cut[0].b.to)).norm(),
+        1e-9);
+
+    const std::vector<Seam> upperSide = seamsBetween(after, seat, side),
+                            lowerSide = seamsBetween(after, lower, side);
+    ASSERT_EQ(upperSide.size(), 1u);
+    ASSERT_EQ(lowerSide.size(), 1u);
+    EXPECT_NEAR(length(after, upperSide[0].a), 300, 1e-6);
+    EXPECT_NEAR(length(after, upperSide[0].b), 300, 1e-6);
+    EXPECT_NEAR(length(after, lowerSide[0].b), 100, 1e-6);
+    EXPECT_NEAR(lowerSide[0].b.from, 0.75, 1e-9) << "the side is walked backwards";
+    EXPECT_EQ(after.find<FixationSeam>(fixation)->stretch.patch, lower);
+    EXPECT_EQ(after.find<HandleCurve>(lumbar)->patch, seat) << "it lies above the cut";
+    int pipes = 0;
+    after.each<FancySeam>([&](ElementId, const FancySeam&) { ++pipes; });
+    EXPECT_EQ(pipes, 2) << "it crosses the cut";
+}
+
+TEST_F(SplitMerge, DividesFixationsAndHandles)
+{
+    const Design after = done(design, split({{210, 0}, {210, 500}})); // at x = 200 of the seat
+    const ElementId left = other(after);
+    std::map<ElementId, std::pair<double, double>> ranges;
+    after.each<FixationSeam>([&](ElementId, const FixationSeam& held) {
+        ASSERT_TRUE(held.curveRange);
+        ranges[held.stretch.patch] = *held.curveRange;
+        EXPECT_NEAR(length(after, held.stretch), held.stretch.patch == left ? 200 : 300, 1e-6);
+    });
+    EXPECT_NEAR(ranges[left].second, 0.4, 1e-9);
+    EXPECT_NEAR(ranges[seat].first, 0.4, 1e-9);
+    std::map<ElementId, const HandleCurve*> handles;
+    after.each<HandleCurve>([&](ElementId, const HandleCurve& handle) { handles[handle.patch] = &handle; });
+    ASSERT_EQ(handles.size(), 2u);
+    EXPECT_LT((handles[left]->curve.points().back() - Vec2(200, 300)).norm(), 1e-6);
+    EXPECT_LT((handles[left]->target.points().back() - Vec3(200, 300, 40)).norm(), 1e-6);
+    EXPECT_LT((handles[seat]->target.points().front() - Vec3(200, 300, 40)).norm(), 1e-6);
+}
+
+TEST_F(SplitMerge, SplitsAlongBentLinesAndFromCornerToCorner)
+{
+    const Design bent = done(design, split({{10, 220}, {250, 300}, {510, 220}}));
+    EXPECT_EQ(seamsBetween(bent, seat, other(bent)).size(), 1u);
+    EXPECT_NEAR(area(bent), area(design), 1e-6);
+    const Design diagonal = done(design, split({{10, 20}, {510, 420}}));
+    EXPECT_EQ(diagonal.find<Patch>(seat)->outline.pointCount(), 3);
+    EXPECT_EQ(diagonal.find<Patch>(other(diagonal))->outline.pointCount(), 3);
+}
+
+TEST_F(SplitMerge, SplitsSplines)
+{
+    std::vector<Vec2> round;
+    for (int i = 0; i < 10; ++i)
+        round.emplace_back(200 * std::cos(0.2 * M_PI * i), 150 * std::sin(0.2 * M_PI * i));
+    for (const int degree : {2, 3}) {
+        const BSpline2 outline(degree, true, round);
+        const Design smooth = Design().with(addPatch(Design(), outline, "Round"));
+        const ElementId id = smooth.elements().rbegin()->first;
+        const Design after = done(smooth, splitPatch(smooth, id, {{-300, 37}, {20, 20}, {300, -11}}));
+        EXPECT_NEAR(area(after), area(smooth), 1e-4);
+        const BSpline2& piece = after.find<Patch>(id)->outline;
+        const Patch& before = *smooth.find<Patch>(id);
+        for (double t = piece.domainStart(); t < piece.domainEnd(); t += 0.1) {
+            const Vec2 p = toLayout(before, piece.at(t));
+            const bool onOld = outline.closest(p).distance < 1e-6;
+            const bool onCut = std::abs(p.y()) < 40;
+            EXPECT_TRUE(onOld || onCut) << p.transpose();
+        }
+
+        ElementId cut{};
+        after.each<Seam>([&](ElementId one, const Seam&) { cut = one; });
+        const Design whole = done(after, mergePatches(after, cut));
+        EXPECT_EQ(whole.elements().size(), smooth.elements().size());
+        EXPECT_NEAR(area(whole), area(smooth), 1e-4);
+        for (int k = 0; k < 50; ++k) {
+            const Vec2 p = outline.at(0.2 * k) - before.position;
+            EXPECT_LT(whole.find<Patch>(id)->outline.closest(p).distance, 1e-5);
+        }
+        EXPECT_EQ(whole.find<Patch>(id)->outline.corners().size(), 0u) << "as smooth as it was";
+    }
+}
+
+TEST_F(SplitMerge, RefusesLinesThatDoNotCut)
+{
+    const auto why = [&](const std::vector<Vec2>& line) {
+        const Outcome outcome = split(line);
+        EXPECT_TRUE(outcome.edit.empty());
+        return outcome.problem.english();
+    };
+    EXPECT_EQ(why({{-100, 120}, {300, 120}}),
+              "The line must cross the outline of Seat exactly twice, not 1 times.");
+    EXPECT_EQ(why({{100, 120}, {300, 120}}), "The line must cross the outline of Seat exactly twice, not 0 times.");
+    EXPECT_EQ(why({{-100, 120}, {900, 120}, {900, 200}, {-100, 200}}),
+              "The line must cross the outline of Seat exactly twice, not 4 times.");
+    EXPECT_EQ(why({{-100, 120}, {400, 120}, {200, 300}, {200, 60}, {900, 60}}),
+              "A piece of Seat would cross itself or be too narrow: draw another line.");
+    EXPECT_EQ(why({{10, 20}, {510, 20}}), "The line must run inside Seat.");
+    EXPECT_FALSE(why({{10, 20}}).empty());
+    EXPECT_FALSE(splitPatch(design, rail, {{0, 0}, {1, 1}}).problem.empty());
+    EXPECT_FALSE(split({{std::nan(""), 0}, {1, 1}}).problem.empty());
+}
+
+TEST_F(SplitMerge, MergesAlongASeam)
+{
+    const Outcome outcome = mergePatches(design, seam);
+    const Design after = done(design, outcome);
+    EXPECT_TRUE(outcome.dropped.empty());
+    EXPECT_EQ(outcome.edit.verb.english(), "Merge Seat and Side");
+    EXPECT_FALSE(after.element(side));
+    EXPECT_FALSE(after.element(seam));
+    const Patch& merged = *after.find<Patch>(seat);
+    EXPECT_EQ(merged.outline.pointCount(), 6)
+        << "the sides have their parameters at another pace: joints stay points";
+    EXPECT_NEAR(merged.outline.signedArea(), 620 * 400, 1e-6);
+    EXPECT_NEAR(merged.outline.boundingBox().max().x(), 620, 1e-6);
+    EXPECT_NEAR(length(after, after.find<FixationSeam>(fixation)->stretch), 500, 1e-6) << "it keeps its place";
+    EXPECT_LT((merged.outline.at(after.find<FixationSeam>(fixation)->stretch.to) - Vec2(500, 0)).norm(), 1e-6);
+}
+
+TEST_F(SplitMerge, MergingWhatWasSplitGivesTheOldOutline)
+{
+    const Design halves = done(design, split({{-100, 120}, {900, 120}}));
+    ElementId cut{};
+    halves.each<Seam>([&](ElementId id, const Seam& s) { cut = s.continuity == Continuity::C1 ? id : cut; });
+    const Outcome outcome = mergePatches(halves, cut);
+    const Design whole = done(halves, outcome);
+    const Patch& merged = *whole.find<Patch>(seat);
+    EXPECT_EQ(merged.outline.pointCount(), 4);
+    EXPECT_NEAR(merged.outline.signedArea(), 500 * 400, 1e-6);
+    EXPECT_EQ(seamsBetween(whole, seat, side).size(), 2u) << "seams that were divided stay so";
+}
+
+TEST_F(SplitMerge, AMirroredHalfMergesAlongTheMiddle)
+{
+    Design halves = design.with(removeElements(design, std::vector{side, pipe, lumbar}));
+    const Edit copy = duplicatePatches(halves, std::vector{seat}, Vec2(0, 0));
+    const ElementId right = addedPieces(copy).front();
+    halves = halves.with(copy);
+    halves = halves.with(mirrorPatches(halves, std::vector{right}, MirrorAxis::Vertical, 510));
+    FixationSeam held = *halves.find<FixationSeam>(fixation);
+    held.stretch.patch = right;
+    halves = halves.with(addElement(halves, makeElement(held)));
+    const Edit sewn = addElement(halves, makeElement(Seam{{seat, 1, 2}, {right, 1, 2}, false}));
+    halves = halves.with(sewn);
+    const Design whole = done(halves, mergePatches(halves, sewn.changes.front().id));
+    EXPECT_NEAR(whole.find<Patch>(seat)->outline.signedArea(), 1000 * 400, 1e-6);
+    int fixations = 0;
+    whole.each<FixationSeam>([&](ElementId, const FixationSeam& h) {
+        EXPECT_EQ(h.stretch.patch, seat);
+        EXPECT_NEAR(length(whole, h.stretch), 500, 1e-6);
+        const bool mirrored = h.reversed;
+        const Vec2 start = whole.find<Patch>(seat)->outline.at(mirrored ? h.stretch.to : h.stretch.from);
+        EXPECT_NEAR(start.x(), mirrored ? 1000 : 0, 1e-6) << "the rail begins at the outer corners";
+        ++fixations;
+    });
+    EXPECT_EQ(fixations, 2);
+}
+
+TEST_F(SplitMerge, RefusesToMergeWhatDoesNotFit)
+{
+    const auto why = [](const Design& d, ElementId id) {
+        const Outcome outcome = mergePatches(d, id);
+        EXPECT_TRUE(outcome.edit.empty());
+        return outcome.problem.english();
+    };
+    EXPECT_FALSE(why(design, seat).empty());
+    Seam changed = *design.find<Seam>(seam);
+    changed.b.to = 0.9;
+    const auto with = [&](const Seam& s) {
+        return design.with(replaceElement(design, seam, makeElement(s), {"x"}));
+    };
+    EXPECT_EQ(why(with(changed), seam), "The sides of the seam differ by 11.1 % in length, more than 5 %.");
+    changed = *design.find<Seam>(seam);
+    changed.reversed = false;
+    EXPECT_EQ(why(with(changed), seam),
+              "The seam joins the right side of Seat to the wrong side of Side: one patch cannot be both.");
+    changed = {{seat, 1, 2}, {seat, 3, 4}};
+    EXPECT_EQ(why(with(changed), seam), "The seam joins Seat to itself: there is nothing to merge.");
+}
+
+TEST_F(SplitMerge, SaysWhatIsDropped)
+{
+    FixationSeam onSeam = *design.find<FixationSeam>(fixation);
+    onSeam.stretch = {seat, 1, 2};
+    const Edit add = addElement(design, makeElement(onSeam));
+    const Design held = design.with(add);
+    const Outcome outcome = mergePatches(held, seam);
+    EXPECT_EQ(outcome.dropped, std::vector{add.changes.front().id});
+    EXPECT_FALSE(done(held, outcome).element(add.changes.front().id));
+}
+
+/// Does anything to patches of a design.
+class Pattern {
+public:
+    Pattern(unsigned seed)
+        : m_random(seed)
+    {}
+
+    Edit edit(const Design& design)
+    {
+        const std::vector<ElementId> ids = {any<Patch>(design), any<Patch>(design)};
+        const Patch* patch = design.find<Patch>(ids[0]);
+        if (!patch)
+            return {};
+        const Vec2 at = layoutBox(*patch).center() + test::randomPoint<2>(m_random, 50);
+        const int point = m_random.whole(0, patch->outline.pointCount() - 1);
+        switch (m_random.whole(0, 11)) {
+        case 0:
+            return scalePatches(design, ids, at, {m_random.real(0.7, 1.4), m_random.real(0.7, 1.4)});
+        case 1:
+            return turnPoints(design, {{ids[0], point}}, at, m_random.real(-3, 3));
+        case 2:
+            return mirrorPatches(design, ids, m_random.chance(0.5) ? MirrorAxis::Vertical : MirrorAxis::Horizontal,
+                                 at.x());
+        case 3:
+            return duplicatePatches(design, ids, at);
+        case 4:
+            return alignPatches(design, ids, static_cast<Alignment>(m_random.whole(0, 5)));
+        case 5:
+            return arrangePatches(design, {});
+        case 6:
+            return makeCorners(design, ids[0], std::vector{point});
+        case 7:
+            return makeSmooth(design, ids[0], std::vector{point});
+        case 8:
+            return straighten(design, ids[0], point, (point + 2) % patch->outline.pointCount());
+        case 9:
+            return paste(design, copyText(design, ids), at).edit;
+        case 10:
+            return mergePatches(design, any<Seam>(design)).edit;
+        default: {
+            const Vec2 way = Eigen::Rotation2Dd(m_random.real(0, 3)) * Vec2(5000, 0);
+            return splitPatch(design, ids[0], {at - way, at, at + way}).edit;
+        }
+        }
+    }
+
+private:
+    template <class T>
+    ElementId any(const Design& design)
+    {
+        std::vector<ElementId> ids;
+        design.each<T>([&](ElementId id, const T&) { ids.push_back(id); });
+        return ids.empty() ? ElementId{}
+                           : ids[static_cast<std::size_t>(m_random.whole(0, static_cast<int>(ids.size()) - 1))];
+    }
+
+    test::Random m_random;
+};
+
+/// Errors of a kind that these edits may cause: changed shapes may make an outline cross itself, and mirroring may
+/// sew a smooth seam from right to wrong side; nothing else.
+TEST(RandomPatternEdits, UndoToTheSameAndBreakNothing)
+{
+    for (const char* name : test::designNames) {
+        const Design start = test::soundDesign(test::designText(name));
+        for (unsigned seed = 0; seed < 5; ++seed) {
+            Pattern pattern(seed);
+            Design design = start;
+            std::vector<std::pair<Design, Edit>> history;
+            for (int i = 0; i < 25; ++i) {
+                const Edit edit = pattern.edit(design);
+                if (edit.empty())
+                    continue;
+                const Design after = design.with(edit);
+                ASSERT_EQ(after.with(edit.inverse()), design) << name << " " << seed << " " << i;
+                if (errors(after) > 0) { // a shape that nobody would keep
+                    for (const Problem& problem : checkDesign(after))
+                        if (problem.severity == Severity::Error) {
+                            EXPECT_EQ(problem.field, "outline.points")
+                                << name << " " << seed << " " << edit.verb.english() << ": " << problem.english();
+                        }
+                    continue;
+                }
+                history.emplace_back(design, edit);
+                design = after;
+            }
+            EXPECT_GT(history.size(), 8u) << name << " " << seed;
+            EXPECT_EQ(readDesign(writeDesign(design)).design, design);
+            for (auto step = history.rbegin(); step != history.rend(); ++step)
+                design = design.with(step->second.inverse());
+            EXPECT_EQ(writeDesign(design), writeDesign(start));
+        }
+    }
+}
+
+} // namespace
+} // namespace bolster
