@@ -40,5 +40,7 @@ std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const Patt
 std::unique_ptr<PatternDrag> turnPatches(PatternToolContext& context, const PatternPointer& from);
 /// Selects the control points and patches in a box; with Shift it adds them.
 std::unique_ptr<PatternDrag> selectBox(PatternToolContext& context, const PatternPointer& from);
+/// The same in a loop that is drawn by hand.
+std::unique_ptr<PatternDrag> selectLasso(PatternToolContext& context, const PatternPointer& from);
 
 } // namespace bolster

@@ -79,7 +79,9 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
         return turnPatches(m_context, *m_pressed);
     switch (m_pressedHit.kind) {
     case PatternHit::Kind::Nothing:
-        return selectBox(m_context, *m_pressed);
+        return m_context.lasso() != bool(m_pressed->modifiers & Qt::AltModifier)
+                   ? selectLasso(m_context, *m_pressed)
+                   : selectBox(m_context, *m_pressed);
     case PatternHit::Kind::Point:
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
                    ? dragPoints(m_context, *m_pressed, selection.points())

@@ -1,5 +1,9 @@
 #include "PatternTools.h"
 
+#include "BackgroundTools.h"
+#include "BoxShapeTool.h"
+#include "MeasureTool.h"
+#include "OutlineTool.h"
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
 
@@ -8,10 +12,22 @@ namespace bolster {
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context)
 {
     switch (kind) {
+    case PatternToolKind::Outline:
+        return std::make_unique<OutlineTool>(context);
+    case PatternToolKind::Rectangle:
+        return std::make_unique<BoxShapeTool>(context, BoxShape::Rectangle);
+    case PatternToolKind::Ellipse:
+        return std::make_unique<BoxShapeTool>(context, BoxShape::Ellipse);
     case PatternToolKind::HandleCurve:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::Measure:
+        return std::make_unique<MeasureTool>(context);
+    case PatternToolKind::BackgroundScale:
+        return std::make_unique<BackgroundScaleTool>(context);
+    case PatternToolKind::BackgroundMove:
+        return std::make_unique<BackgroundMoveTool>(context);
     case PatternToolKind::Select:
         break;
     }

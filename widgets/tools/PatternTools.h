@@ -7,7 +7,17 @@
 
 namespace bolster {
 
-enum class PatternToolKind { Select, HandleCurve, FancySeam };
+enum class PatternToolKind {
+    Select,
+    Outline,
+    Rectangle,
+    Ellipse,
+    HandleCurve,
+    FancySeam,
+    Measure,
+    BackgroundScale,
+    BackgroundMove
+};
 
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context);
 
