@@ -50,12 +50,23 @@ public:
     QAction* showDeviation;
     QAction* showGround;
     QAction* showField;
+    QAction* snapping;
+    QAction* showRulers;
+    QAction* showGuides;
+    QAction* removeGuides;
+    QAction* lasso;
     QList<QAction*> themes; ///< data: Theme
     // Insert
     QAction* insertCushion;
     QList<QAction*> insertFoam; ///< data: Foam::Shape
     // Pattern
     QList<QAction*> patternTools; ///< data: PatternToolKind
+    QAction* background;          ///< opens a picture
+    QAction* showBackground;
+    QAction* scaleBackground;
+    QAction* moveBackground;
+    QList<QAction*> backgroundOpacities; ///< data: 0 to 1
+    QAction* removeBackground;
     QAction* turnLeft;
     QAction* turnRight;
     // Surface
@@ -77,6 +88,7 @@ private:
     void addView();
     void addInsert();
     void addPattern();
+    void addDrawing();
     void addRest();
 };
 

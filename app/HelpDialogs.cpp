@@ -72,6 +72,12 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Draw a handle curve or a fancy seam"),
          HelpDialogs::tr("click points; Enter or double click ends; click the first one to close; B: straight or "
                          "smooth")},
+        {HelpDialogs::tr("Draw an outline"),
+         HelpDialogs::tr(
+             "click corners, drag smooth points, or type 500, 500<30 or 120, 40; Enter or a click on the "
+             "first point closes")},
+        {HelpDialogs::tr("Not snapped"), HelpDialogs::tr("hold Ctrl or Alt")},
+        {HelpDialogs::tr("Select in a loop"), HelpDialogs::tr("Alt and drag")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};

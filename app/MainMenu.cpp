@@ -66,7 +66,7 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.rename, m_actions.remove});
         menu->addSeparator();
-        menu->addActions({m_actions.selectAll, m_actions.selectNone});
+        menu->addActions({m_actions.selectAll, m_actions.selectNone, m_actions.lasso});
     }
 
     void addView()
@@ -82,6 +82,8 @@ private:
                           m_actions.showScans, m_actions.showGround, m_actions.showField});
         menu->addSeparator();
         menu->addActions({m_actions.showDeviation, m_actions.showScanPairs});
+        menu->addSeparator();
+        menu->addActions({m_actions.snapping, m_actions.showRulers, m_actions.showGuides, m_actions.removeGuides});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }
@@ -99,6 +101,14 @@ private:
         menu->addActions(m_actions.patternTools);
         menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
+        menu->addSeparator();
+        QMenu* picture = menu->addMenu(tr("&Background picture"));
+        picture->addActions(
+            {m_actions.background, m_actions.showBackground, m_actions.scaleBackground, m_actions.moveBackground});
+        picture->addSeparator();
+        picture->addActions(m_actions.backgroundOpacities);
+        picture->addSeparator();
+        picture->addAction(m_actions.removeBackground);
     }
 
     void addSurface()

@@ -71,6 +71,8 @@ private:
     void updateSolverState();
     void showMeasured();
     void connectScans();
+    void connectDrawing();
+    void connectBackground();
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
