@@ -1,0 +1,185 @@
+#include "CopyPaste.h"
+
+#include "DesignJson.h"
+#include "EditBuilder.h"
+
+#include <map>
+
+namespace bolster::edits {
+
+namespace {
+
+bool isPiece(const Element& element)
+{
+    return std::holds_alternative<Patch>(element) || std::holds_alternative<FixationCurve>(element);
+}
+
+/// Whether everything that a seam or drawn curve needs is among the ids.
+bool belongsTo(const Element& element, const std::set<ElementId>& ids)
+{
+    if (const auto* seam = std::get_if<Seam>(&element))
+        return ids.contains(seam->a.patch) && ids.contains(seam->b.patch);
+    if (const auto* fixation = std::get_if<FixationSeam>(&element))
+        return ids.contains(fixation->stretch.patch) && (!fixation->hasCurve() || ids.contains(fixation->curve));
+    const PatchCurve* drawn = patchCurve(element);
+    return drawn && ids.contains(drawn->patch);
+}
+
+/// The part of a design that `copyText` speaks of.
+Design partOf(const Design& design, std::span<const ElementId> ids)
+{
+    std::set<ElementId> pieces;
+    for (const ElementId id : ids)
+        if (const ElementPtr element = design.element(id); element && isPiece(*element))
+            pieces.insert(id);
+    std::set<ElementId> needed = pieces;
+    for (const ElementId id : pieces)
+        if (const Patch* patch = design.find<Patch>(id); patch && design.find<Fabric>(patch->fabric))
+            needed.insert(patch->fabric);
+    Edit edit;
+    for (const auto& [id, element] : design.elements())
+        if (needed.contains(id) || belongsTo(*element, pieces))
+            edit.changes.push_back({id, nullptr, element});
+    return Design().with(edit);
+}
+
+class Adding {
+public:
+    Adding(const Design& design, const Vec2& offset)
+        : m_builder(design)
+        , m_offset(offset)
+    {}
+
+    Edit all(const Design& source, Message verb)
+    {
+        source.each<Patch>([&](ElementId id, const Patch& patch) { addPatch(id, source, patch); });
+        source.each<FixationCurve>([&](ElementId id, FixationCurve curve) {
+            curve.name = freeName<FixationCurve>(m_builder.now(), curve.name);
+            m_new[id] = m_builder.add(std::move(curve));
+        });
+        for (const auto& [id, element] : source.elements())
+            addDependent(*element);
+        return m_builder.result(std::move(verb));
+    }
+
+private:
+    void addPatch(ElementId id, const Design& source, Patch patch)
+    {
+        const Fabric* fabric = source.find<Fabric>(patch.fabric);
+        patch.fabric = fabricLike(fabric ? *fabric : Fabric{});
+        patch.position += m_offset;
+        patch.name = freeName<Patch>(m_builder.now(), patch.name);
+        m_new[id] = m_builder.add(std::move(patch));
+    }
+
+    ElementId fabricLike(const Fabric& fabric)
+    {
+        std::optional<ElementId> same;
+        m_builder.now().each<Fabric>([&](ElementId id, const Fabric& other) {
+            if (!same && other == fabric)
+                same = id;
+        });
+        return same ? *same : m_builder.add(fabric);
+    }
+
+    bool has(ElementId id) const { return m_new.contains(id); }
+
+    void addDependent(const Element& element)
+    {
+        if (const auto* seam = std::get_if<Seam>(&element); seam && has(seam->a.patch) && has(seam->b.patch)) {
+            Seam copy = *seam;
+            copy.a.patch = m_new.at(seam->a.patch);
+            copy.b.patch = m_new.at(seam->b.patch);
+            m_builder.add(copy);
+        } else if (const auto* held = std::get_if<FixationSeam>(&element);
+                   held && has(held->stretch.patch) && (!held->hasCurve() || has(held->curve))) {
+            FixationSeam copy = *held;
+            copy.stretch.patch = m_new.at(held->stretch.patch);
+            if (copy.hasCurve())
+                copy.curve = m_new.at(held->curve);
+            m_builder.add(std::move(copy));
+        } else if (const auto* handle = std::get_if<HandleCurve>(&element); handle && has(handle->patch)) {
+            addDrawn(*handle);
+        } else if (const auto* fancy = std::get_if<FancySeam>(&element); fancy && has(fancy->patch)) {
+            addDrawn(*fancy);
+        }
+    }
+
+    template <class T>
+    void addDrawn(T drawn)
+    {
+        drawn.patch = m_new.at(drawn.patch);
+        drawn.name = freeName<T>(m_builder.now(), drawn.name);
+        m_builder.add(std::move(drawn));
+    }
+
+    EditBuilder m_builder;
+    Vec2 m_offset;
+    std::map<ElementId, ElementId> m_new; // of patches and fixation curves: the id in the design
+};
+
+Message nameOrCount(const Design& source, const char* one, const char* many)
+{
+    std::vector<ElementId> pieces;
+    for (const auto& [id, element] : source.elements())
+        if (isPiece(*element))
+            pieces.push_back(id);
+    return patchesVerb(source, pieces, one, many);
+}
+
+} // namespace
+
+bool canCopy(const Design& design, std::span<const ElementId> ids)
+{
+    return std::ranges::any_of(ids, [&](ElementId id) {
+        const ElementPtr element = design.element(id);
+        return element && isPiece(*element);
+    });
+}
+
+std::string copyText(const Design& design, std::span<const ElementId> ids)
+{
+    return canCopy(design, ids) ? writeDesign(partOf(design, ids)) : std::string();
+}
+
+Outcome paste(const Design& design, std::string_view text, const Vec2& offset)
+{
+    const ReadDesign read = readDesign(text);
+    if (!read.readable)
+        return Outcome::refused({QT_TRANSLATE_NOOP("Message", "The clipboard holds no parts of a design."), {}});
+    if (!offset.allFinite())
+        return {};
+    std::vector<ElementId> all;
+    for (const auto& [id, element] : read.design.elements())
+        all.push_back(id);
+    const Design source = partOf(read.design, all);
+    Outcome outcome;
+    outcome.edit = Adding(design, offset)
+                       .all(source, nameOrCount(source, QT_TRANSLATE_NOOP("Message", "Paste %1"),
+                                                QT_TRANSLATE_NOOP("Message", "Paste %1 pieces")));
+    if (outcome.edit.empty())
+        outcome.problem = {QT_TRANSLATE_NOOP("Message", "The clipboard holds no patches and no fixation curves."),
+                           {}};
+    return outcome;
+}
+
+Edit duplicatePatches(const Design& design, std::span<const ElementId> ids, const Vec2& offset)
+{
+    if (!canCopy(design, ids) || !offset.allFinite())
+        return {};
+    const Design source = partOf(design, ids);
+    return Adding(design, offset)
+        .all(source, nameOrCount(source, QT_TRANSLATE_NOOP("Message", "Duplicate %1"),
+                                 QT_TRANSLATE_NOOP("Message", "Duplicate %1 pieces")));
+}
+
+std::vector<ElementId> addedPieces(const Edit& edit)
+{
+    std::vector<ElementId> ids;
+    for (const Change& change : edit.changes)
+        if (!change.before && change.after && isPiece(*change.after))
+            ids.push_back(change.id);
+    return ids;
+}
+
+} // namespace bolster::edits
