@@ -211,7 +211,8 @@ bool PatternView::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
+        if (m_toolKind == PatternToolKind::Select) // the others write beside the pointer themselves
+            QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
         return true;
     }
     if (event->type() == QEvent::NativeGesture) {

@@ -329,6 +329,29 @@ TEST_F(DrawingTest, ALoopSelectsWhatItHolds)
     EXPECT_TRUE(selection.elements().empty());
 }
 
+TEST_F(DrawingTest, TheCornersOfTheBoxScale)
+{
+    selection.set({firstSquare});
+    const auto box = [&] {
+        const Patch& patch = *document.design().find<Patch>(firstSquare);
+        const Box2 own = patch.outline.boundingBox();
+        return Box2(toLayout(patch, own.min()), toLayout(patch, own.max()));
+    };
+    const Vec2 handle(112, 112);
+    drag(handle, handle + Vec2(50, -40));
+    EXPECT_LT((box().min() - Vec2(0, 0)).norm(), 1e-6) << "the opposite corner stays";
+    EXPECT_LT((box().max() - Vec2(150, 60)).norm(), 1e-6);
+    EXPECT_EQ(document.history().count(), 2);
+    document.undo();
+    drag(handle, handle + Vec2(30, 30), Qt::ShiftModifier);
+    EXPECT_LT((box().max() - Vec2(130, 130)).norm(), 1e-6);
+    document.undo();
+    drag(handle, handle + Vec2(-400, -400)); // no further than to a hundredth, and not mirrored
+    EXPECT_GT(box().sizes().minCoeff(), 0.9);
+    document.undo();
+    EXPECT_TRUE(document.design() == twoSquares());
+}
+
 TEST_F(DrawingTest, GuidesComeOutOfTheRulersAndGoBack)
 {
     view.setRulersShown(true);

@@ -4,6 +4,7 @@
 #include "Document.h"
 #include "PatchDrawingTool.h"
 #include "PatchEdits.h"
+#include "PatchShapeEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "SnapHints.h"
@@ -190,6 +191,54 @@ private:
     QPointF m_pointer;
 };
 
+class ScaleDrag : public EditingDrag {
+public:
+    ScaleDrag(PatternToolContext& context, const PatternPointer& from, Box2::CornerType corner)
+        : EditingDrag(context, from)
+        , m_patches(selectedOf<Patch>(m_gesture.start(), context.selection().elements()))
+        , m_box(context.scene().boundingBox({m_patches.begin(), m_patches.end()}))
+        , m_corner(m_box.corner(corner))
+        , m_anchor(m_box.min() + m_box.max() - m_corner)
+    {}
+
+    void update(const PatternPointer& pointer) override
+    {
+        PatternPointer grabbed = pointer;
+        grabbed.layout = m_corner + pointer.layout - m_from.layout;
+        m_hints.clear();
+        if (!free(pointer)) {
+            SnapQuery query;
+            query.ignored = {m_patches.begin(), m_patches.end()};
+            Snapped snapped = snappedPointer(m_context, grabbed, query);
+            grabbed.layout = snapped.point;
+            m_hints = std::move(snapped.hints);
+        }
+        const Vec2 way = grabbed.layout - m_anchor;
+        const Vec2 whole = m_corner - m_anchor;
+        m_factors = way.cwiseQuotient(whole).cwiseMax(leastFactor); // mirroring is another operation
+        if (pointer.modifiers & Qt::ShiftModifier)
+            m_factors.setConstant(std::max(way.dot(whole) / whole.squaredNorm(), leastFactor));
+        m_gesture.update(edits::scalePatches(m_gesture.start(), m_patches, m_anchor, m_factors));
+    }
+    QString prompt() const override
+    {
+        const Vec2 size = m_box.sizes().cwiseProduct(m_factors);
+        return QCoreApplication::translate(
+                   "PatternTool", "Scaled to %1 \u00d7 %2 \u2013 Shift keeps the proportions, Esc takes it back")
+            .arg(lengthText(size.x()), lengthText(size.y()));
+    }
+    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+
+private:
+    static constexpr double leastFactor = 0.01;
+
+    std::vector<ElementId> m_patches;
+    Box2 m_box; ///< at the press
+    Vec2 m_corner;
+    Vec2 m_anchor; ///< the corner that stays
+    Vec2 m_factors = Vec2::Ones();
+};
+
 /// Selects what lies in an area.
 class AreaDrag : public PatternDrag {
 public:
@@ -313,6 +362,12 @@ std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const Patt
 std::unique_ptr<PatternDrag> turnPatches(PatternToolContext& context, const PatternPointer& from)
 {
     return std::make_unique<TurnDrag>(context, from);
+}
+
+std::unique_ptr<PatternDrag> scalePatches(PatternToolContext& context, const PatternPointer& from,
+                                          Box2::CornerType corner)
+{
+    return std::make_unique<ScaleDrag>(context, from, corner);
 }
 
 std::unique_ptr<PatternDrag> selectBox(PatternToolContext& context, const PatternPointer& from)
