@@ -143,15 +143,17 @@ std::vector<Snapper::Rail> Snapper::rails(const SnapQuery& query) const
     addAlignments(query, all);
     addLengths(query, all);
     addGrid(query, all);
-    const auto distance = [&](const Rail& rail) { return (rail.nearest(query.at).point - query.at).norm(); };
-    std::erase_if(all, [&](const Rail& rail) {
-        const double reach =
-            rail.hint.kind == SnapHint::Kind::Grid ? m_transform.millimetres(gridReach) : m_lineReach;
-        return !(distance(rail) <= reach);
-    });
-    const auto cost = [&](const Rail& rail) { return distance(rail) / m_lineReach + rail.rank; };
-    std::stable_sort(all.begin(), all.end(), [&](const Rail& a, const Rail& b) { return cost(a) < cost(b); });
-    return all;
+    std::vector<Rail> near;
+    for (Rail& rail : all) {
+        const double distance = (rail.nearest(query.at).point - query.at).norm();
+        const bool grid = rail.hint.kind == SnapHint::Kind::Grid;
+        if (!(distance <= (grid ? m_transform.millimetres(gridReach) : m_lineReach)))
+            continue;
+        rail.rank += distance / m_lineReach;
+        near.push_back(std::move(rail));
+    }
+    std::ranges::stable_sort(near, {}, &Rail::rank);
+    return near;
 }
 
 void Snapper::addOutlines(const SnapQuery& query, std::vector<Rail>& rails) const

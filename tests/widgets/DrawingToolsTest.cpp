@@ -279,6 +279,18 @@ TEST_F(DrawingTest, DrawsSnappedUnlessCtrlIsHeld)
     EXPECT_LT((drawnPoints()[2] - view.transform().toLayout(pixel({450, 203}))).norm(), 1e-9);
 }
 
+TEST_F(DrawingTest, CurvesInPatchesAreDrawnSnappedToo)
+{
+    view.setSnapping(true);
+    view.setTool(PatternToolKind::FancySeam);
+    click({20, 30});
+    click({75, 33}); // nearly level
+    key(Qt::Key_Return);
+    const FancySeam* seam = document.design().find<FancySeam>(document.design().elements().rbegin()->first);
+    ASSERT_TRUE(seam);
+    EXPECT_NEAR(seam->curve.points()[0].y(), seam->curve.points()[1].y(), 1e-9);
+}
+
 TEST_F(DrawingTest, DraggedPointsAndPatchesSnap)
 {
     view.setSnapping(true);
