@@ -84,7 +84,9 @@ void MainWindow::connectBackground()
     connect(m_actions->moveBackground, &QAction::triggered, this,
             [this] { m_pattern->setTool(PatternToolKind::BackgroundMove); });
     connect(m_actions->removeBackground, &QAction::triggered, this, [this, enable] {
-        m_pattern->setBackground({});
+        BackgroundPicture none;
+        none.opacity = m_pattern->background().opacity; // of the next one
+        m_pattern->setBackground(none);
         enable();
     });
 }

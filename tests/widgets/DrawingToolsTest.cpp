@@ -10,6 +10,7 @@
 
 #include <QMouseEvent>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -420,6 +421,24 @@ TEST_F(DrawingTest, APictureIsScaledByTwoPoints)
     drag({500, 250}, {510, 230});
     EXPECT_LT((view.background().corner - Vec2(410, 280)).norm(), 1);
     EXPECT_EQ(document.history().count(), 1) << "no part of the design";
+}
+
+TEST(BackgroundPicture, IsReadIntoTheMiddleOrSaysWhyNot)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("pattern.png"));
+    QImage image(200, 100, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    ASSERT_TRUE(image.save(path));
+    Box2 into(Vec2(0, 0));
+    into.extend(Vec2(1000, 1000));
+    const BackgroundPicture picture = readBackground(path, into, nullptr);
+    ASSERT_FALSE(picture.empty());
+    EXPECT_LT((picture.box().center() - into.center()).norm(), 1e-9);
+    EXPECT_NEAR(picture.box().sizes().x(), 800, 1e-9);
+    QString problem;
+    EXPECT_TRUE(readBackground(folder.filePath(QStringLiteral("none.png")), into, &problem).empty());
+    EXPECT_TRUE(problem.contains(QStringLiteral("none.png")));
 }
 
 } // namespace
