@@ -167,11 +167,12 @@ void Actions::addPattern()
 void Actions::addDrawing()
 {
     snapping = addToggle(tr("S&napping"), QStringLiteral("snapping"), true, QKeySequence(Qt::SHIFT | Qt::Key_S));
-    showRulers = addToggle(tr("&Rulers"), QStringLiteral("rulers"), true, QKeySequence(Qt::CTRL | Qt::Key_R));
+    showRulers =
+        addToggle(tr("&Rulers"), QStringLiteral("rulers"), true, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
     showGuides = addToggle(tr("Gui&des"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_G));
     removeGuides = add(tr("Remove all g&uides"), {});
     lasso =
-        addToggle(tr("Select with a &loop"), QStringLiteral("lasso"), false, QKeySequence(Qt::SHIFT | Qt::Key_L));
+        addToggle(tr("Select with a &loop"), QStringLiteral("lasso"), false, QKeySequence(Qt::SHIFT | Qt::Key_Q));
 
     background = add(tr("&Open picture \u2026"), QStringLiteral("picture"));
     showBackground = addToggle(tr("&Show"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_B));
