@@ -4,6 +4,7 @@
 #include "Seam.h"
 #include "SurfaceView.h"
 #include "Theme.h"
+#include "Units.h"
 
 #include <QActionGroup>
 
@@ -21,6 +22,7 @@ Actions::Actions(QObject* parent)
     addFixing();
     add3D();
     addPatternEdits();
+    addDrawing();
     addRest();
 }
 
@@ -158,9 +160,17 @@ void Actions::addPattern()
     using Kind = PatternToolKind;
     addTool(Kind::Select, tr("&Select and move"), QStringLiteral("select"), QKeySequence(Qt::Key_V))
         ->setChecked(true);
+    addTool(Kind::Outline, tr("Draw &outline"), QStringLiteral("outline"), QKeySequence(Qt::Key_O));
+    addTool(Kind::Rectangle, tr("Draw &rectangle"), QStringLiteral("rectangle"),
+            QKeySequence(Qt::SHIFT | Qt::Key_R));
+    addTool(Kind::Ellipse, tr("Draw &ellipse"), QStringLiteral("ellipse"), QKeySequence(Qt::SHIFT | Qt::Key_E));
+    addTool(Kind::Split, tr("S&plit patch"), QStringLiteral("split"), QKeySequence(Qt::Key_K));
     addTool(Kind::HandleCurve, tr("Draw &handle curve"), QStringLiteral("handle-curve"), QKeySequence(Qt::Key_H));
     addTool(Kind::FancySeam, tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), QKeySequence(Qt::Key_N));
     sew = addTool(Kind::Sew, tr("Se&w"), QStringLiteral("sew"), QKeySequence(Qt::Key_W));
+    addTool(Kind::Attach, tr("&Attach to fixation curve"), QStringLiteral("attach"),
+            QKeySequence(Qt::SHIFT | Qt::Key_A));
+    addTool(Kind::Measure, tr("&Measure"), QStringLiteral("measure"), QKeySequence(Qt::SHIFT | Qt::Key_M));
 }
 
 void Actions::addSeams()
@@ -190,8 +200,6 @@ void Actions::addSeams()
 
 void Actions::addFixing()
 {
-    addTool(PatternToolKind::Attach, tr("&Attach to fixation curve"), QStringLiteral("attach"),
-            QKeySequence(Qt::SHIFT | Qt::Key_A));
     surfaceTools.append(addToggle(tr("&Draw fixation curve"), QStringLiteral("draw-fixation"), false,
                                   QKeySequence(Qt::SHIFT | Qt::Key_F)));
     surfaceTools.back()->setData(static_cast<int>(SurfaceToolKind::DrawFixation));
@@ -213,7 +221,30 @@ void Actions::add3D()
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
     section = addToggle(tr("Se&ction"), QStringLiteral("section"), false, QKeySequence(Qt::SHIFT | Qt::Key_X));
     saveView = add(tr("&Save view \u2026"), {});
-    addTool(Kind::Split, tr("S&plit patch"), QStringLiteral("split"), QKeySequence(Qt::Key_K));
+}
+
+void Actions::addDrawing()
+{
+    snapping = addToggle(tr("S&napping"), QStringLiteral("snapping"), true, QKeySequence(Qt::SHIFT | Qt::Key_S));
+    showRulers =
+        addToggle(tr("&Rulers"), QStringLiteral("rulers"), true, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+    showGuides = addToggle(tr("Gui&des"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_G));
+    removeGuides = add(tr("Remove all g&uides"), {});
+    lasso =
+        addToggle(tr("Select with a &loop"), QStringLiteral("lasso"), false, QKeySequence(Qt::SHIFT | Qt::Key_Q));
+
+    background = add(tr("&Open picture \u2026"), QStringLiteral("picture"));
+    showBackground = addToggle(tr("&Show"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_B));
+    scaleBackground = add(tr("&Scale by two points"), {});
+    moveBackground = add(tr("&Move"), {});
+    auto* opacities = new QActionGroup(this);
+    for (const double opacity : {1.0, 0.6, 0.3}) {
+        QAction* action = addToggle(tr("Opacity %1").arg(percentText(opacity)), {}, opacity == 0.6);
+        action->setData(opacity);
+        opacities->addAction(action);
+        backgroundOpacities.append(action);
+    }
+    removeBackground = add(tr("&Remove"), {});
 }
 
 void Actions::addRest()

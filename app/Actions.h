@@ -62,6 +62,11 @@ public:
     QAction* showHidden;
     QAction* section;
     QAction* saveView;
+    QAction* snapping;
+    QAction* showRulers;
+    QAction* showGuides;
+    QAction* removeGuides;
+    QAction* lasso;
     QList<QAction*> themes; ///< data: Theme
     // Insert
     QAction* insertCushion;
@@ -70,6 +75,12 @@ public:
     QList<QAction*> patternTools; ///< data: PatternToolKind
     QList<QAction*> surfaceTools; ///< of the 3D view; data: SurfaceToolKind
     QAction* createFixation;
+    QAction* background; ///< opens a picture
+    QAction* showBackground;
+    QAction* scaleBackground;
+    QAction* moveBackground;
+    QList<QAction*> backgroundOpacities; ///< data: 0 to 1
+    QAction* removeBackground;
     QAction* turnLeft;
     QAction* turnRight;
     // Seam
@@ -111,6 +122,7 @@ private:
     void addFixing();
     void add3D();
     void addPatternEdits();
+    void addDrawing();
     void addRest();
 };
 

@@ -76,6 +76,12 @@ Rows mouseInPattern()
                                                  "Ctrl+click several in a row, Enter sews them; F: flip")},
         {HelpDialogs::tr("Attach to the selected fixation curve"),
          HelpDialogs::tr("click an edge; Shift+click collects several")},
+        {HelpDialogs::tr("Draw an outline"),
+         HelpDialogs::tr(
+             "click corners, drag smooth points, or type 500, 500<30 or 120, 40; Enter or a click on the "
+             "first point closes")},
+        {HelpDialogs::tr("Not snapped"), HelpDialogs::tr("hold Ctrl or Alt")},
+        {HelpDialogs::tr("Select in a loop"), HelpDialogs::tr("Alt and drag")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};

@@ -70,7 +70,7 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.rename, m_actions.remove});
         menu->addSeparator();
-        menu->addActions({m_actions.selectAll, m_actions.selectNone});
+        menu->addActions({m_actions.selectAll, m_actions.selectNone, m_actions.lasso});
     }
 
     void addView()
@@ -94,6 +94,7 @@ private:
         QMenu* transparency = menu->addMenu(tr("Opacit&y"));
         transparency->setObjectName(QStringLiteral("opacity")); // filled by the window
         menu->addActions({m_actions.section, m_actions.linkViews});
+        menu->addActions({m_actions.snapping, m_actions.showRulers, m_actions.showGuides, m_actions.removeGuides});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }
@@ -119,6 +120,14 @@ private:
         menu->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
         menu->addSeparator();
         menu->addAction(m_actions.mergePatches);
+        menu->addSeparator();
+        QMenu* picture = menu->addMenu(tr("&Background picture"));
+        picture->addActions(
+            {m_actions.background, m_actions.showBackground, m_actions.scaleBackground, m_actions.moveBackground});
+        picture->addSeparator();
+        picture->addActions(m_actions.backgroundOpacities);
+        picture->addSeparator();
+        picture->addAction(m_actions.removeBackground);
     }
 
     void addSeam()

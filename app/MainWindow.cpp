@@ -68,12 +68,15 @@ MainWindow::MainWindow(QWidget* parent)
     connectSewing();
     connectFixing();
     connect3D();
+    connectDrawing();
     connectActions();
     connectViewActions();
     connectPattern();
     auto* hint = new StartHint(document(), m_pattern);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);
+    connect(m_pattern, &PatternView::toolChanged, hint,
+            [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
     m_session->startNew();
     applyLayers();
     restoreSize();
@@ -109,7 +112,7 @@ void MainWindow::buildToolBars()
     bar->addSeparator();
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
                      m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
-                     m_actions->showGrid});
+                     m_actions->showGrid, m_actions->snapping});
     bar->addSeparator();
     bar->addActions({m_actions->perspective, m_actions->settle, m_actions->pause});
 

@@ -87,6 +87,8 @@ private:
     void fillSavedViews(QMenu& menu);
     void saveView();
     void update3DActions();
+    void connectDrawing();
+    void connectBackground();
     void fitScanPlacement(ElementId scan);
     void connectPattern();
     void applyLayers();

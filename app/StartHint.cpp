@@ -61,12 +61,18 @@ void StartHint::build()
     layout->addStretch();
 }
 
+void StartHint::setDrawing(bool drawing)
+{
+    m_drawing = drawing;
+    place();
+}
+
 void StartHint::place()
 {
     bool begun = false;
     m_document.design().each<Patch>([&](ElementId, const Patch&) { begun = true; });
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
-    setVisible(!begun);
+    setVisible(!begun && !m_drawing);
     const QSize room = m_over->size();
     const QSize size(std::min(room.width(), 420), std::min(room.height(), sizeHint().height()));
     setGeometry(QRect(QPoint((room.width() - size.width()) / 2, (room.height() - size.height()) / 2), size));

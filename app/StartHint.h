@@ -13,6 +13,8 @@ class StartHint : public QWidget {
 
 public:
     StartHint(Document& document, QWidget* over);
+    /// Out of the way of who draws.
+    void setDrawing(bool drawing);
 
 signals:
     void openWanted();
@@ -27,6 +29,7 @@ private:
 
     Document& m_document;
     QWidget* m_over;
+    bool m_drawing = false;
 };
 
 } // namespace bolster

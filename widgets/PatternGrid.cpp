@@ -67,7 +67,7 @@ void paintScaleBar(QPainter& painter, const PatternTransform& transform, const Q
 {
     const double length = scaleBarLength(transform.scale());
     const double width = std::round(length * transform.scale());
-    const double left = 14.5;
+    const double left = 34.5; // clear of a ruler
     const double bottom = size.height() - 14.5;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colors.mutedLabel, 1));

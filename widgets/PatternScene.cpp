@@ -1,5 +1,6 @@
 #include "PatternScene.h"
 
+#include "ArcLength.h"
 #include "CurvePath.h"
 
 #include <algorithm>
@@ -21,6 +22,27 @@ std::vector<char> cornerPoints(const BSpline2& outline)
                 corners[static_cast<std::size_t>(i)] = true;
     }
     return corners;
+}
+
+std::vector<PatternEdge> outlineEdges(const BSpline2& outline)
+{
+    std::vector<PatternEdge> edges;
+    if (outline.empty() || !outline.closed())
+        return edges;
+    std::vector<double> corners = outline.corners();
+    const bool ends = !corners.empty();
+    if (!ends)
+        corners.push_back(outline.domainStart());
+    std::sort(corners.begin(), corners.end());
+    const ArcLength2 lengths(outline);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double from = corners[i];
+        const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + outline.period();
+        const double half = (lengths.at(from) + lengths.at(to)) / 2;
+        edges.push_back(
+            {from, to, lengths.between(from, to), outline.at(outline.wrapped(lengths.parameterAt(half))), ends});
+    }
+    return edges;
 }
 
 /// Where the stretch ends after `from`, or nothing when it does not lie on this outline.
@@ -107,6 +129,8 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
     entry.corners = cornerPoints(patch->outline);
 
     const Patch* old = before ? std::get_if<Patch>(before.get()) : nullptr;
+    if (!old || old->outline != patch->outline)
+        entry.edges = outlineEdges(patch->outline);
     if (old && old->outline == patch->outline && old->rotation == patch->rotation) {
         const Vec2 moved = patch->position - old->position;
         entry.label.lying.centre += moved;

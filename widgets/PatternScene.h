@@ -15,6 +15,15 @@
 
 namespace bolster {
 
+/// The part of an outline between two corners.
+struct PatternEdge {
+    double from = 0;            ///< parameters of the outline
+    double to = 0;              ///< unwrapped: larger than `from`
+    double length = 0;          ///< along the curve, mm
+    Vec2 middle = Vec2::Zero(); ///< half way along the curve, outline coordinates
+    bool ends = true;           ///< false: the whole of an outline without corners
+};
+
 struct PatternPatch {
     ElementId id{};
     ElementPtr element;
@@ -23,6 +32,7 @@ struct PatternPatch {
     Box2 box;                  ///< of the path
     std::vector<Vec2> points;  ///< control points
     std::vector<char> corners; ///< per control point: the outline has a corner there
+    std::vector<PatternEdge> edges;
     LabelPlace label;
 
     const Patch& patch() const { return std::get<Patch>(*element); }

@@ -4,6 +4,7 @@
 #include "Crosshair.h"
 #include "Document.h"
 #include "ElementText.h"
+#include "PatternRulers.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
@@ -35,6 +36,7 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     , m_problems(problems)
     , m_legend(new MapLegend(this))
     , m_crosshair(new Crosshair(this))
+    , m_rulers({new PatternRuler(*this, Qt::Horizontal), new PatternRuler(*this, Qt::Vertical)})
     , m_tool(makePatternTool(m_toolKind, *this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -83,7 +85,38 @@ void PatternView::setMap(const SurfaceMapPtr& map)
 void PatternView::setLayers(const PatternLayers& layers)
 {
     m_layers = layers;
+    m_snap.grid = layers.grid;
     update();
+}
+
+void PatternView::setSnapping(bool on)
+{
+    m_snap.on = on;
+}
+
+void PatternView::setRulersShown(bool shown)
+{
+    for (PatternRuler* ruler : m_rulers)
+        ruler->setVisible(shown);
+}
+
+void PatternView::setGuides(const PatternGuides& guides)
+{
+    m_guides = guides;
+    m_snap.guides = m_guidesShown ? m_guides : PatternGuides();
+    refresh();
+}
+
+void PatternView::setGuidesShown(bool shown)
+{
+    m_guidesShown = shown;
+    setGuides(m_guides);
+}
+
+void PatternView::setBackground(const BackgroundPicture& picture)
+{
+    m_background = picture;
+    refresh();
 }
 
 void PatternView::fitAll()
@@ -200,6 +233,8 @@ void PatternView::refresh()
         m_prompt = prompt;
         emit promptChanged(prompt);
     }
+    for (PatternRuler* ruler : m_rulers)
+        ruler->update();
     update();
 }
 
@@ -231,7 +266,8 @@ bool PatternView::handle(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
+        if (m_toolKind == PatternToolKind::Select) // the others write beside the pointer themselves
+            QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
         return true;
     }
     if (event->type() == QEvent::NativeGesture) {
@@ -281,12 +317,16 @@ void PatternView::paintEvent(QPaintEvent*)
     const PatternPainter::Input input{m_scene,     m_mesh,   m_map,  m_selection, m_problems, m_seamColors,
                                       m_transform, m_layers, colors, small,       size()};
     PatternPainter(painter, input).paint();
+    paintBackground(painter, m_background, m_transform, colors.dark);
+    paintGuides(painter, m_snap.guides, m_transform, size(), colors);
     m_tool->paint(painter, colors);
 }
 
 void PatternView::resizeEvent(QResizeEvent* event)
 {
     m_legend->place();
+    for (PatternRuler* ruler : m_rulers)
+        ruler->place();
     m_transform = m_fitted.isEmpty() && event->oldSize().isValid()
                       ? m_transform.resized(event->oldSize(), size())
                       : PatternTransform::fitting(m_fitted, size(), fitMargin);
@@ -360,7 +400,7 @@ void PatternView::wheelEvent(QWheelEvent* event)
 
 void PatternView::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Space) {
+    if (event->key() == Qt::Key_Space && !m_tool->wants(Qt::Key_Space)) {
         m_spaceDown = true;
         refresh();
     } else if (event->key() == Qt::Key_Home) {

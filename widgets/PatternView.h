@@ -1,6 +1,7 @@
 // The pattern view: the patches in their layout, with seams and fixations.
 #pragma once
 
+#include "BackgroundPicture.h"
 #include "CoverPlaces.h"
 #include "MapLegend.h"
 #include "PatternPainter.h"
@@ -16,6 +17,7 @@
 namespace bolster {
 
 class Crosshair;
+class PatternRuler;
 
 /// The wheel zooms at the pointer; the middle button, or Space with the left one, pans; Home shows everything.
 class PatternView : public QWidget, private PatternToolContext {
@@ -31,6 +33,21 @@ public:
     void setMap(const SurfaceMapPtr& map);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
+
+    /// Whether drawing and dragging snap to what is near; off at first.
+    bool snapping() const { return m_snap.on; }
+    void setSnapping(bool on);
+    /// Rulers along the edges; off at first.
+    void setRulersShown(bool shown);
+    /// Guides belong to the view, not to the design; those that are hidden do not snap.
+    const PatternGuides& guides() const { return m_guides; }
+    void setGuides(const PatternGuides& guides);
+    void setGuidesShown(bool shown);
+    /// A drag from nothing selects in a loop; with Alt it is the other way round.
+    void setLasso(bool on) { m_lasso = on; }
+    bool lasso() const override { return m_lasso; }
+    const BackgroundPicture& background() const override { return m_background; }
+    void setBackground(const BackgroundPicture& picture) override;
 
     void fitAll();
     void fitSelection(); ///< everything when nothing in the layout is selected
@@ -79,6 +96,7 @@ private:
     Document& document() override { return m_document; }
     Selection& selection() override { return m_selection; }
     const PatternScene& scene() const override { return m_scene; }
+    const SnapSettings& snapSettings() const override { return m_snap; }
     SurfaceMeshPtr surface() const override { return m_surface; }
     void endTool() override;
     bool handle(QEvent* event);
@@ -109,6 +127,12 @@ private:
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;
+    SnapSettings m_snap;
+    PatternGuides m_guides;
+    bool m_guidesShown = true;
+    bool m_lasso = false;
+    BackgroundPicture m_background;
+    std::vector<PatternRuler*> m_rulers;
     PatternToolKind m_toolKind = PatternToolKind::Select;
     std::unique_ptr<PatternTool> m_tool;
     QString m_prompt;

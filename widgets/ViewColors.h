@@ -20,6 +20,7 @@ struct ViewColors {
     QColor fixation;  ///< stretches that are fixed to the frame
     QColor handle;    ///< handle curves
     QColor fancySeam; ///< fancy seams
+    QColor snap;      ///< hints why a point is where it is, and guides
     QColor pointFill;
     QColor error;
     QColor warning;

@@ -1,15 +1,20 @@
 #include "PatternDrags.h"
 
+#include "CurvePath.h"
 #include "Document.h"
+#include "PatchDrawingTool.h"
 #include "PatchEdits.h"
+#include "PatchShapeEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "SnapHints.h"
 #include "Units.h"
 #include "ViewColors.h"
 
 #include <QCoreApplication>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bolster {
@@ -34,8 +39,20 @@ public:
 
     void finish() override { m_gesture.commit(); }
     bool active() const override { return m_gesture.active(); }
+    void paint(QPainter& painter, const ViewColors& colors) const override
+    {
+        paintSnapHints(painter, colors, m_context.transform(), m_hints);
+        if (!m_hints.empty())
+            paintNote(painter, colors, m_context.transform().toPixels(m_hints.front().to), {snapText(m_hints)});
+    }
 
 protected:
+    /// Shift keeps to an axis, Ctrl and Alt let go: then nothing snaps.
+    static bool free(const PatternPointer& pointer)
+    {
+        return pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
+    }
+
     static QString shift(const Vec2& delta)
     {
         return QCoreApplication::translate("PatternTool",
@@ -44,6 +61,7 @@ protected:
     }
 
     Gesture m_gesture;
+    std::vector<SnapHint> m_hints;
 };
 
 class PointDrag : public EditingDrag {
@@ -51,18 +69,50 @@ public:
     PointDrag(PatternToolContext& context, const PatternPointer& from, Selection::Points points)
         : EditingDrag(context, from)
         , m_points(std::move(points))
-    {}
+        , m_grabbed(from.layout)
+    {
+        double nearest = context.transform().millimetres(20);
+        for (const auto& [id, index] : m_points)
+            if (const auto at = place(id, index); at && (*at - from.layout).norm() < nearest) {
+                nearest = (*at - from.layout).norm();
+                m_grabbed = *at;
+            }
+    }
 
     void update(const PatternPointer& pointer) override
     {
         m_delta = moved(pointer);
+        m_hints.clear();
+        if (!free(pointer)) {
+            PatternPointer grabbed = pointer;
+            grabbed.layout = m_grabbed + m_delta;
+            SnapQuery query;
+            query.ignoredPoints = m_points;
+            Snapped snapped = snappedPointer(m_context, grabbed, query);
+            if (!snapped.hints.empty())
+                m_delta = snapped.point - m_grabbed;
+            m_hints = std::move(snapped.hints);
+        }
         m_gesture.update(movePointsInLayout(m_gesture.start(), m_points, m_delta));
     }
     QString prompt() const override { return shift(m_delta); }
     Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
 
 private:
+    std::optional<Vec2> place(ElementId id, int index) const
+    {
+        const auto line = m_context.scene().lines().find(id);
+        const PatternPatch* patch = m_context.scene().patch(id);
+        const std::vector<Vec2>* points = patch                                     ? &patch->points
+                                          : line != m_context.scene().lines().end() ? &line->second.points
+                                                                                    : nullptr;
+        if (!points || index < 0 || index >= static_cast<int>(points->size()))
+            return std::nullopt;
+        return (*points)[static_cast<std::size_t>(index)];
+    }
+
     Selection::Points m_points;
+    Vec2 m_grabbed; ///< the point under the pointer, layout mm
     Vec2 m_delta = Vec2::Zero();
 };
 
@@ -71,11 +121,24 @@ public:
     PatchDrag(PatternToolContext& context, const PatternPointer& from)
         : EditingDrag(context, from)
         , m_patches(selectedOf<Patch>(m_gesture.start(), context.selection().elements()))
-    {}
+    {
+        for (const ElementId id : m_patches)
+            if (const PatternPatch* patch = context.scene().patch(id))
+                for (std::size_t i = 0; i < patch->points.size(); ++i)
+                    if (patch->corners[i])
+                        m_corners.push_back(patch->points[i]);
+    }
 
     void update(const PatternPointer& pointer) override
     {
         m_delta = moved(pointer);
+        m_hints.clear();
+        if (!free(pointer)) {
+            const Snapper snapper(m_context.scene(), m_context.transform(), m_context.snapSettings());
+            Snapped snapped = snapper.snapMove(m_corners, m_delta, {m_patches.begin(), m_patches.end()});
+            m_delta = snapped.point;
+            m_hints = std::move(snapped.hints);
+        }
         m_gesture.update(edits::movePatches(m_gesture.start(), m_patches, m_delta));
     }
     QString prompt() const override { return shift(m_delta); }
@@ -83,6 +146,7 @@ public:
 
 private:
     std::vector<ElementId> m_patches;
+    std::vector<Vec2> m_corners; ///< at the press, layout mm
     Vec2 m_delta = Vec2::Zero();
 };
 
@@ -127,52 +191,159 @@ private:
     QPointF m_pointer;
 };
 
-class BoxDrag : public PatternDrag {
+class ScaleDrag : public EditingDrag {
+public:
+    ScaleDrag(PatternToolContext& context, const PatternPointer& from, Box2::CornerType corner)
+        : EditingDrag(context, from)
+        , m_patches(selectedOf<Patch>(m_gesture.start(), context.selection().elements()))
+        , m_box(context.scene().boundingBox({m_patches.begin(), m_patches.end()}))
+        , m_corner(m_box.corner(corner))
+        , m_anchor(m_box.min() + m_box.max() - m_corner)
+    {}
+
+    void update(const PatternPointer& pointer) override
+    {
+        PatternPointer grabbed = pointer;
+        grabbed.layout = m_corner + pointer.layout - m_from.layout;
+        m_hints.clear();
+        if (!free(pointer)) {
+            SnapQuery query;
+            query.ignored = {m_patches.begin(), m_patches.end()};
+            Snapped snapped = snappedPointer(m_context, grabbed, query);
+            grabbed.layout = snapped.point;
+            m_hints = std::move(snapped.hints);
+        }
+        const Vec2 way = grabbed.layout - m_anchor;
+        const Vec2 whole = m_corner - m_anchor;
+        m_factors = way.cwiseQuotient(whole).cwiseMax(leastFactor); // mirroring is another operation
+        if (pointer.modifiers & Qt::ShiftModifier)
+            m_factors.setConstant(std::max(way.dot(whole) / whole.squaredNorm(), leastFactor));
+        m_gesture.update(edits::scalePatches(m_gesture.start(), m_patches, m_anchor, m_factors));
+    }
+    QString prompt() const override
+    {
+        const Vec2 size = m_box.sizes().cwiseProduct(m_factors);
+        return QCoreApplication::translate(
+                   "PatternTool", "Scaled to %1 \u00d7 %2 \u2013 Shift keeps the proportions, Esc takes it back")
+            .arg(lengthText(size.x()), lengthText(size.y()));
+    }
+    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+
+private:
+    static constexpr double leastFactor = 0.01;
+
+    std::vector<ElementId> m_patches;
+    Box2 m_box; ///< at the press
+    Vec2 m_corner;
+    Vec2 m_anchor; ///< the corner that stays
+    Vec2 m_factors = Vec2::Ones();
+};
+
+/// Selects what lies in an area.
+class AreaDrag : public PatternDrag {
 public:
     using PatternDrag::PatternDrag;
 
     void update(const PatternPointer& pointer) override { m_to = pointer; }
     void finish() override
     {
-        Box2 box(m_from.layout);
-        box.extend(m_to.layout);
         Selection& selection = m_context.selection();
         const bool add = m_to.modifiers & Qt::ShiftModifier;
         Selection::Elements elements = add ? selection.elements() : Selection::Elements();
         Selection::Points points = add ? selection.points() : Selection::Points();
-        for (const auto& [id, patch] : m_context.scene().patches()) {
-            if (box.contains(patch.box)) {
+        const auto addPoints = [&](ElementId id, const std::vector<Vec2>& all) {
+            if (!selection.contains(id) || !m_context.pointsShown(id))
+                return;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (holds(all[i]))
+                    points.emplace(id, static_cast<int>(i));
+        };
+        for (const auto& [id, patch] : m_context.scene().patches())
+            if (holds(patch))
                 elements.insert(id);
-            } else if (selection.contains(id) && m_context.pointsShown(id)) {
-                for (std::size_t i = 0; i < patch.points.size(); ++i)
-                    if (box.contains(patch.points[i]))
-                        points.emplace(id, static_cast<int>(i));
-            }
-        }
+            else
+                addPoints(id, patch.points);
         for (const auto& [id, line] : m_context.scene().lines())
-            if (selection.contains(id) && m_context.pointsShown(id))
-                for (std::size_t i = 0; i < line.points.size(); ++i)
-                    if (box.contains(line.points[i]))
-                        points.emplace(id, static_cast<int>(i));
+            addPoints(id, line.points);
         selection.set(std::move(elements), std::move(points));
     }
-    QString prompt() const override
-    {
-        return QCoreApplication::translate(
-            "PatternTool", "Release to select what lies in the box \u2013 Shift adds, Esc takes it back");
-    }
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
-    void paint(QPainter& painter, const ViewColors& colors) const override
+
+protected:
+    virtual bool holds(const Vec2& point) const = 0;
+    virtual bool holds(const PatternPatch& patch) const = 0;
+
+    static void fill(QPainter& painter, const ViewColors& colors)
     {
         QColor inside = colors.accent;
         inside.setAlphaF(0.12F);
         painter.setPen(QPen(colors.accent, 1));
         painter.setBrush(inside);
+    }
+
+    PatternPointer m_to = m_from;
+};
+
+class BoxDrag : public AreaDrag {
+public:
+    using AreaDrag::AreaDrag;
+
+    QString prompt() const override
+    {
+        return QCoreApplication::translate(
+            "PatternTool", "Release to select what lies in the box \u2013 Shift adds, Esc takes it back");
+    }
+    void paint(QPainter& painter, const ViewColors& colors) const override
+    {
+        fill(painter, colors);
         painter.drawRect(QRectF(m_from.pixel, m_to.pixel).normalized());
     }
 
 private:
-    PatternPointer m_to = m_from;
+    bool holds(const Vec2& point) const override { return box().contains(point); }
+    bool holds(const PatternPatch& patch) const override { return box().contains(patch.box); }
+    Box2 box() const
+    {
+        Box2 box(m_from.layout);
+        box.extend(m_to.layout);
+        return box;
+    }
+};
+
+class LassoDrag : public AreaDrag {
+public:
+    LassoDrag(PatternToolContext& context, const PatternPointer& from)
+        : AreaDrag(context, from)
+        , m_line({toPoint(from.layout)})
+    {}
+
+    void update(const PatternPointer& pointer) override
+    {
+        AreaDrag::update(pointer);
+        m_line.append(toPoint(pointer.layout));
+    }
+    QString prompt() const override
+    {
+        return QCoreApplication::translate(
+            "PatternTool", "Release to select what lies in the loop \u2013 Shift adds, Esc takes it back");
+    }
+    void paint(QPainter& painter, const ViewColors& colors) const override
+    {
+        fill(painter, colors);
+        painter.drawPolygon(m_context.transform().matrix().map(m_line));
+    }
+
+private:
+    bool holds(const Vec2& point) const override { return m_line.containsPoint(toPoint(point), Qt::OddEvenFill); }
+    bool holds(const PatternPatch& patch) const override
+    {
+        const QPolygonF outline = patch.path.toFillPolygon();
+        return !outline.isEmpty() && std::ranges::all_of(outline, [this](const QPointF& point) {
+            return m_line.containsPoint(point, Qt::OddEvenFill);
+        });
+    }
+
+    QPolygonF m_line; ///< in the layout, mm
 };
 
 } // namespace
@@ -193,9 +364,20 @@ std::unique_ptr<PatternDrag> turnPatches(PatternToolContext& context, const Patt
     return std::make_unique<TurnDrag>(context, from);
 }
 
+std::unique_ptr<PatternDrag> scalePatches(PatternToolContext& context, const PatternPointer& from,
+                                          Box2::CornerType corner)
+{
+    return std::make_unique<ScaleDrag>(context, from, corner);
+}
+
 std::unique_ptr<PatternDrag> selectBox(PatternToolContext& context, const PatternPointer& from)
 {
     return std::make_unique<BoxDrag>(context, from);
+}
+
+std::unique_ptr<PatternDrag> selectLasso(PatternToolContext& context, const PatternPointer& from)
+{
+    return std::make_unique<LassoDrag>(context, from);
 }
 
 } // namespace bolster

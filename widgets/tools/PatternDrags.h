@@ -38,7 +38,12 @@ std::unique_ptr<PatternDrag> dragPoints(PatternToolContext& context, const Patte
 std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const PatternPointer& from);
 /// Turns the selected patches about the middle of their common box; with Shift in steps of 15 degrees.
 std::unique_ptr<PatternDrag> turnPatches(PatternToolContext& context, const PatternPointer& from);
+/// Scales the selected patches by dragging this corner of their common box; with Shift alike in both directions.
+std::unique_ptr<PatternDrag> scalePatches(PatternToolContext& context, const PatternPointer& from,
+                                          Box2::CornerType corner);
 /// Selects the control points and patches in a box; with Shift it adds them.
 std::unique_ptr<PatternDrag> selectBox(PatternToolContext& context, const PatternPointer& from);
+/// The same in a loop that is drawn by hand.
+std::unique_ptr<PatternDrag> selectLasso(PatternToolContext& context, const PatternPointer& from);
 
 } // namespace bolster

@@ -3,8 +3,10 @@
 #include "CurvePath.h"
 #include "Document.h"
 #include "HandleEdits.h"
+#include "PatchDrawingTool.h"
 #include "PatternMarks.h"
 #include "Selection.h"
+#include "SnapHints.h"
 #include "ViewColors.h"
 
 #include <QKeyEvent>
@@ -44,7 +46,7 @@ void PatternDrawTool::press(const PatternPointer& pointer)
         finish(true);
         return;
     }
-    m_points.push_back(snapped(pointer));
+    m_points.push_back(snapped(pointer).point);
     m_next.reset();
     m_context.refresh();
 }
@@ -52,7 +54,15 @@ void PatternDrawTool::press(const PatternPointer& pointer)
 void PatternDrawTool::move(const PatternPointer& pointer)
 {
     m_closing = closes(pointer);
-    m_next = m_points.empty() ? std::nullopt : std::optional(m_closing ? m_points.front() : snapped(pointer));
+    m_next.reset();
+    m_hints.clear();
+    if (m_closing) {
+        m_next = m_points.front();
+    } else if (!m_points.empty()) {
+        Snapped next = snapped(pointer);
+        m_next = next.point;
+        m_hints = std::move(next.hints);
+    }
     m_context.refresh();
 }
 
@@ -97,9 +107,19 @@ void PatternDrawTool::leave()
 }
 
 /// On the outline where that is near; with Shift beside or above the last point.
-Vec2 PatternDrawTool::snapped(const PatternPointer& pointer) const
+Snapped PatternDrawTool::snapped(const PatternPointer& pointer) const
 {
     Vec2 at = pointer.layout;
+    if (!(pointer.modifiers & Qt::ShiftModifier)) {
+        SnapQuery query;
+        query.own = m_points;
+        if (!m_points.empty())
+            query.from = m_points.back();
+        if (m_points.size() > 1)
+            query.before = m_points[m_points.size() - 2];
+        if (Snapped found = snappedPointer(m_context, pointer, query); !found.hints.empty())
+            return found;
+    }
     if (pointer.modifiers & Qt::ShiftModifier && !m_points.empty()) {
         const Vec2 way = at - m_points.back();
         (std::abs(way.x()) < std::abs(way.y()) ? at.x() : at.y()) =
@@ -107,9 +127,10 @@ Vec2 PatternDrawTool::snapped(const PatternPointer& pointer) const
     }
     const Patch* on = patch();
     if (!on || on->outline.empty())
-        return at;
+        return {at, {}};
     const BSpline2::Closest closest = on->outline.closest(fromLayout(*on, at));
-    return closest.distance <= m_context.transform().millimetres(reach) ? toLayout(*on, closest.point) : at;
+    const bool near = closest.distance <= m_context.transform().millimetres(reach);
+    return {near ? toLayout(*on, closest.point) : at, {}};
 }
 
 bool PatternDrawTool::closes(const PatternPointer& pointer) const
@@ -178,6 +199,8 @@ void PatternDrawTool::paint(QPainter& painter, const ViewColors& colors) const
     if (m_next && !m_closing)
         points.push_back(*m_next);
     const PatternTransform& transform = m_context.transform();
+    if (m_next)
+        paintSnapHints(painter, colors, transform, m_hints);
     const QColor color = m_kind == DrawnKind::FancySeam ? colors.fancySeam : colors.handle;
     if (const auto curve = edits::drawnCurve(points, m_closing, m_smooth)) {
         const QPainterPath path = transform.matrix().map(curvePath(*curve, [](const Vec2& p) { return p; }));

@@ -41,7 +41,7 @@ public:
 
 private:
     const Patch* patch() const;
-    Vec2 snapped(const PatternPointer& pointer) const;
+    Snapped snapped(const PatternPointer& pointer) const;
     bool closes(const PatternPointer& pointer) const;
     void finish(bool closed);
     Edit edit(BSpline2 curve) const;
@@ -49,9 +49,10 @@ private:
     DrawnKind m_kind;
     bool m_smooth;
     ElementId m_patch{};
-    std::vector<Vec2> m_points; ///< in the layout, mm
-    std::optional<Vec2> m_next; ///< under the pointer
-    bool m_closing = false;     ///< a click now closes the curve
+    std::vector<Vec2> m_points;    ///< in the layout, mm
+    std::optional<Vec2> m_next;    ///< under the pointer
+    std::vector<SnapHint> m_hints; ///< why it is there
+    bool m_closing = false;        ///< a click now closes the curve
 };
 
 } // namespace bolster

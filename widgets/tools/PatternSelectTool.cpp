@@ -19,6 +19,10 @@ namespace {
 constexpr double dragDistance = 4;
 constexpr double handleStem = 26;
 constexpr double handleRadius = 6;
+constexpr double cornerGap = 12; // beside the corner, where often a control point lies
+constexpr double cornerSize = 4;
+
+constexpr Box2::CornerType boxCorners[] = {Box2::BottomLeft, Box2::BottomRight, Box2::TopLeft, Box2::TopRight};
 
 std::optional<Vec2> arrowDirection(int key)
 {
@@ -43,9 +47,10 @@ void PatternSelectTool::press(const PatternPointer& pointer)
     endNudge();
     m_pressed = pointer;
     m_pressedHandle = onTurnHandle(pointer.pixel);
-    m_pressedHit = m_pressedHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+    m_pressedCorner = m_pressedHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
+    m_pressedHit = m_pressedHandle || m_pressedCorner ? PatternHit{} : m_context.hit(pointer.pixel);
     m_alreadySelected = false;
-    if (!m_pressedHandle)
+    if (!m_pressedHandle && !m_pressedCorner)
         select(pointer);
     m_context.refresh();
 }
@@ -77,9 +82,13 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
     const Selection& selection = m_context.selection();
     if (m_pressedHandle)
         return turnPatches(m_context, *m_pressed);
+    if (m_pressedCorner)
+        return scalePatches(m_context, *m_pressed, *m_pressedCorner);
     switch (m_pressedHit.kind) {
     case PatternHit::Kind::Nothing:
-        return selectBox(m_context, *m_pressed);
+        return m_context.lasso() != bool(m_pressed->modifiers & Qt::AltModifier)
+                   ? selectLasso(m_context, *m_pressed)
+                   : selectBox(m_context, *m_pressed);
     case PatternHit::Kind::Point:
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
                    ? dragPoints(m_context, *m_pressed, selection.points())
@@ -122,7 +131,8 @@ void PatternSelectTool::move(const PatternPointer& pointer)
         m_drag->update(pointer);
     } else if (!m_pressed) {
         m_overHandle = onTurnHandle(pointer.pixel);
-        m_hover = m_overHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+        m_overCorner = m_overHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
+        m_hover = m_overHandle || m_overCorner ? PatternHit{} : m_context.hit(pointer.pixel);
         m_context.selection().hover(m_hover ? m_hover.element() : settingsId);
     }
     m_context.refresh();
@@ -145,7 +155,7 @@ void PatternSelectTool::release(const PatternPointer& pointer)
             m_context.selection().set({m_pressedHit.patch}, {{m_pressedHit.patch, m_pressedHit.point}});
         else if (m_alreadySelected)
             m_context.selection().set({m_pressedHit.element()});
-        else if (!m_pressedHit && !m_pressedHandle && !add)
+        else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !add)
             m_context.selection().clear();
     }
     move(pointer);
@@ -219,6 +229,7 @@ void PatternSelectTool::leave()
         return;
     m_hover = {};
     m_overHandle = false;
+    m_overCorner.reset();
     m_context.selection().hover(settingsId);
     m_context.refresh();
 }
@@ -247,12 +258,32 @@ bool PatternSelectTool::onTurnHandle(QPointF pixel) const
     return handle && std::hypot(pixel.x() - handle->x(), pixel.y() - handle->y()) <= handleRadius + 3;
 }
 
+std::optional<QPointF> PatternSelectTool::scaleHandle(Box2::CornerType corner) const
+{
+    const Box2 box = selectedBox();
+    if (box.isEmpty() || m_drag || !(box.sizes().minCoeff() > 0))
+        return {};
+    const QPointF out(corner & 1 ? cornerGap : -cornerGap, corner & 2 ? -cornerGap : cornerGap);
+    return m_context.transform().toPixels(box.corner(corner)) + out;
+}
+
+std::optional<Box2::CornerType> PatternSelectTool::scaleHandleAt(QPointF pixel) const
+{
+    for (const Box2::CornerType corner : boxCorners)
+        if (const auto handle = scaleHandle(corner);
+            handle && (pixel - *handle).manhattanLength() <= 2 * cornerSize)
+            return corner;
+    return std::nullopt;
+}
+
 QString PatternSelectTool::prompt() const
 {
     if (m_drag)
         return m_drag->prompt();
     if (m_overHandle)
         return tr("Drag to turn the selected patches in the layout");
+    if (m_overCorner)
+        return tr("Drag to scale the selected patches \u2013 Shift keeps the proportions");
     switch (m_hover.kind) {
     case PatternHit::Kind::Point:
         return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
@@ -276,6 +307,9 @@ QCursor PatternSelectTool::cursor() const
         return m_drag->cursor();
     if (m_overHandle)
         return Qt::OpenHandCursor;
+    if (m_overCorner)
+        return *m_overCorner == Box2::TopLeft || *m_overCorner == Box2::BottomRight ? Qt::SizeFDiagCursor
+                                                                                    : Qt::SizeBDiagCursor;
     switch (m_hover.kind) {
     case PatternHit::Kind::Point:
         return Qt::SizeAllCursor;
@@ -308,6 +342,11 @@ void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
     painter.setPen(QPen(colors.accent, 1.6));
     painter.setBrush(m_overHandle ? colors.accent : colors.pointFill);
     painter.drawEllipse(*handle, handleRadius, handleRadius);
+    for (const Box2::CornerType corner : boxCorners)
+        if (const auto at = scaleHandle(corner)) {
+            painter.setBrush(m_overCorner == corner ? colors.accent : colors.pointFill);
+            painter.drawRect(QRectF(*at - QPointF(cornerSize, cornerSize), QSizeF(2 * cornerSize, 2 * cornerSize)));
+        }
 }
 
 } // namespace bolster

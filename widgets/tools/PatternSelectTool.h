@@ -33,6 +33,8 @@ public:
 
     /// Where the handle for turning is, in pixels, if there is one.
     std::optional<QPointF> turnHandle() const;
+    /// Where a handle for scaling is, in pixels, if there is one: beside that corner of the selection's box.
+    std::optional<QPointF> scaleHandle(Box2::CornerType corner) const;
 
 private:
     void select(const PatternPointer& pointer);
@@ -41,13 +43,16 @@ private:
     void endNudge();
     Box2 selectedBox() const;
     bool onTurnHandle(QPointF pixel) const;
+    std::optional<Box2::CornerType> scaleHandleAt(QPointF pixel) const;
 
     PatternHit m_hover;
     bool m_overHandle = false;
+    std::optional<Box2::CornerType> m_overCorner;
 
     std::optional<PatternPointer> m_pressed;
     PatternHit m_pressedHit;
     bool m_pressedHandle = false;
+    std::optional<Box2::CornerType> m_pressedCorner;
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 

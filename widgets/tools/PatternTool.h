@@ -3,6 +3,7 @@
 
 #include "PatternScene.h"
 #include "PatternTransform.h"
+#include "Snapper.h"
 #include "SurfaceMesh.h"
 
 #include <QCursor>
@@ -13,6 +14,7 @@ class QPainter;
 
 namespace bolster {
 
+struct BackgroundPicture;
 class Document;
 class Selection;
 struct ViewColors;
@@ -30,6 +32,12 @@ public:
     virtual bool pointsShown(ElementId id) const = 0;
     /// Prompt, cursor or what the tool draws has changed.
     virtual void refresh() = 0;
+    virtual const SnapSettings& snapSettings() const = 0;
+    /// A drag from nothing selects in a loop, not in a box.
+    virtual bool lasso() const = 0;
+    /// Behind the pattern; repaints after a change.
+    virtual const BackgroundPicture& background() const = 0;
+    virtual void setBackground(const BackgroundPicture& picture) = 0;
     /// What the solver made last, or null.
     virtual SurfaceMeshPtr surface() const = 0;
     /// The tool has done its work: back to selecting, when its event is over.

@@ -1,16 +1,26 @@
 #include "PatternTools.h"
 
 #include "AttachTool.h"
+#include "BackgroundTools.h"
+#include "BoxShapeTool.h"
+#include "MeasureTool.h"
+#include "OutlineTool.h"
 #include "PatternDrawTool.h"
 #include "PatternSelectTool.h"
-#include "SewTool.h"
 #include "PatternSplitTool.h"
+#include "SewTool.h"
 
 namespace bolster {
 
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context)
 {
     switch (kind) {
+    case PatternToolKind::Outline:
+        return std::make_unique<OutlineTool>(context);
+    case PatternToolKind::Rectangle:
+        return std::make_unique<BoxShapeTool>(context, BoxShape::Rectangle);
+    case PatternToolKind::Ellipse:
+        return std::make_unique<BoxShapeTool>(context, BoxShape::Ellipse);
     case PatternToolKind::HandleCurve:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
@@ -21,6 +31,12 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<AttachTool>(context);
     case PatternToolKind::Split:
         return std::make_unique<PatternSplitTool>(context);
+    case PatternToolKind::Measure:
+        return std::make_unique<MeasureTool>(context);
+    case PatternToolKind::BackgroundScale:
+        return std::make_unique<BackgroundScaleTool>(context);
+    case PatternToolKind::BackgroundMove:
+        return std::make_unique<BackgroundMoveTool>(context);
     case PatternToolKind::Select:
         break;
     }

@@ -7,7 +7,20 @@
 
 namespace bolster {
 
-enum class PatternToolKind { Select, HandleCurve, FancySeam, Sew, Attach, Split };
+enum class PatternToolKind {
+    Select,
+    Outline,
+    Rectangle,
+    Ellipse,
+    Split,
+    HandleCurve,
+    FancySeam,
+    Sew,
+    Attach,
+    Measure,
+    BackgroundScale,
+    BackgroundMove
+};
 
 std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolContext& context);
 

@@ -1,0 +1,47 @@
+// Measures distances in the layout and lengths of edges.
+#pragma once
+
+#include "PatternTool.h"
+
+#include <QCoreApplication>
+
+namespace bolster {
+
+/// Two clicks measure from point to point; over an outline it says how long the edge between two corners is. A
+/// third click begins anew. Escape gives up the measure, then the tool.
+class MeasureTool : public PatternTool {
+    Q_DECLARE_TR_FUNCTIONS(MeasureTool)
+
+public:
+    using PatternTool::PatternTool;
+
+    void press(const PatternPointer& pointer) override;
+    void move(const PatternPointer& pointer) override;
+    void release(const PatternPointer&) override {}
+    void doubleClick(const PatternPointer&) override {}
+    bool keyPress(const QKeyEvent&) override { return false; }
+    bool keyRelease(const QKeyEvent&) override { return false; }
+    bool escape() override;
+    void leave() override;
+
+    QString prompt() const override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void paint(QPainter& painter, const ViewColors& colors) const override;
+
+private:
+    struct Edge {
+        QPainterPath path; ///< in the layout, mm
+        double length = 0; ///< mm
+    };
+    std::optional<Edge> edgeAt(const PatternPointer& pointer) const;
+    std::optional<Vec2> end() const;
+    QStringList figures() const;
+
+    std::optional<Vec2> m_first;
+    std::optional<Vec2> m_second;
+    std::optional<Snapped> m_next;
+    std::optional<PatternPointer> m_pointer;
+    std::optional<Edge> m_edge;
+};
+
+} // namespace bolster
