@@ -5,8 +5,35 @@
 #include "Theme.h"
 
 #include <QActionGroup>
+#include <QCoreApplication>
+#include <QHash>
+#include <QSet>
 
 namespace bolster {
+
+namespace {
+
+/// The English texts of all that was translated.
+QHash<QString, QString>& englishTexts()
+{
+    static QHash<QString, QString> texts;
+    return texts;
+}
+
+/// "&Import frame ..." is "import-frame".
+QString idOf(const QString& english)
+{
+    QString id;
+    for (const QChar c : english.toLower()) {
+        if (c.isLetterOrNumber())
+            id += c;
+        else if (c != u'&' && !id.isEmpty() && !id.endsWith(u'-'))
+            id += u'-';
+    }
+    return id.endsWith(u'-') ? id.chopped(1) : id;
+}
+
+} // namespace
 
 Actions::Actions(QObject* parent)
     : QObject(parent)
@@ -17,6 +44,41 @@ Actions::Actions(QObject* parent)
     addInsert();
     addPattern();
     addRest();
+    giveIds();
+}
+
+QString Actions::tr(const char* text, const char* comment, int n)
+{
+    const QString translated = QCoreApplication::translate("bolster::Actions", text, comment, n);
+    englishTexts().insert(translated, QString::fromUtf8(text));
+    return translated;
+}
+
+void Actions::giveIds()
+{
+    QSet<QString> taken;
+    for (QAction* action : findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
+        const QString id = idOf(englishTexts().value(action->text(), action->text()));
+        QString free = id;
+        for (int i = 2; taken.contains(free); ++i)
+            free = QStringLiteral("%1-%2").arg(id).arg(i);
+        taken.insert(free);
+        action->setObjectName(free);
+    }
+}
+
+QString Actions::plainText(const QAction& action)
+{
+    QString text = action.iconText();
+    return text.remove(u'&').remove(QStringLiteral("\u2026")).trimmed();
+}
+
+void Actions::describe(QAction& action)
+{
+    const QString text = plainText(action);
+    const QKeySequence key = action.shortcut();
+    action.setToolTip(key.isEmpty() ? text
+                                    : QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
 }
 
 QAction* Actions::add(const QString& text, const QString& iconName, const QKeySequence& shortcut)
@@ -26,11 +88,7 @@ QAction* Actions::add(const QString& text, const QString& iconName, const QKeySe
         action->setIcon(icon(iconName));
     action->setShortcut(shortcut);
     action->setMenuRole(QAction::NoRole);
-    QString tip = text;
-    tip.remove(u'&').remove(QStringLiteral("\u2026"));
-    tip = tip.trimmed();
-    action->setToolTip(
-        shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
+    describe(*action);
     return action;
 }
 
@@ -167,6 +225,11 @@ void Actions::addRest()
     pause = addToggle(tr("&Pause"), QStringLiteral("pause"), false, QKeySequence(Qt::CTRL | Qt::Key_P));
     report = add(tr("&Figures \u2026"), {});
     resetLayout = add(tr("&Reset layout"), {});
+    nextPart = add(tr("&Next part of the window"), {}, QKeySequence(Qt::Key_F6));
+    previousPart = add(tr("P&revious part of the window"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6));
+    findCommand =
+        add(tr("&Find a command \u2026"), QStringLiteral("search"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
+    editShortcuts = add(tr("&Edit shortcuts \u2026"), {});
     shortcuts = add(tr("&Keys and mouse \u2026"), {}, QKeySequence(Qt::Key_F1));
     about = add(tr("&About Bolster"), {});
 }

@@ -73,6 +73,7 @@ Rows mouseInPattern()
          HelpDialogs::tr("click points; Enter or double click ends; click the first one to close; B: straight or "
                          "smooth")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
+        {HelpDialogs::tr("Next patch or control point, previous one"), HelpDialogs::tr("Tab, Shift+Tab")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
 }

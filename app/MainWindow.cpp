@@ -5,7 +5,7 @@
 #include "Docks.h"
 #include "ElementsView.h"
 #include "FileFlow.h"
-#include "HistoryView.h"
+#include "HistoryPanel.h"
 #include "Inspector.h"
 #include "MainMenu.h"
 #include "PatternView.h"
@@ -13,6 +13,7 @@
 #include "RayRenderer.h"
 #include "ScanLink.h"
 #include "SelectionEdits.h"
+#include "Shortcuts.h"
 #include "StartHint.h"
 #include "StatusLine.h"
 #include "Translated.h"
@@ -46,7 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_selection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
-    , m_history(new HistoryView(document()))
+    , m_history(new HistoryPanel(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
     , m_problemList(new ProblemsView(m_problems))
     , m_status(new StatusLine(this))
@@ -65,6 +66,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectScans();
     connectActions();
     connectViewActions();
+    connectPanels();
     auto* hint = new StartHint(document(), m_pattern);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);

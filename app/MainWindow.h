@@ -15,14 +15,16 @@ namespace bolster {
 
 class Actions;
 class Banner;
+class CommandPalette;
 class Docks;
 class ElementsView;
 class FileFlow;
-class HistoryView;
+class HistoryPanel;
 class Inspector;
 class PatternView;
 class ProblemsView;
 class ScanLink;
+class Shortcuts;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -47,6 +49,7 @@ public:
     SurfaceView& surfaceView() { return *m_surface; }
     Actions& actions() { return *m_actions; }
     Docks& docks() { return *m_docks; }
+    CommandPalette& commandPalette() { return *m_palette; }
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
     FileFlow& files() { return *m_files; }
@@ -71,6 +74,8 @@ private:
     void updateSolverState();
     void showMeasured();
     void connectScans();
+    void connectPanels();
+    void focusNextPart(bool forward);
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
@@ -90,11 +95,13 @@ private:
     PatternView* m_pattern;
     SurfaceView* m_surface;
     ElementsView* m_elements;
-    HistoryView* m_history;
+    HistoryPanel* m_history;
     Inspector* m_inspector;
     ProblemsView* m_problemList;
     StatusLine* m_status;
     Banner* m_banner;
+    CommandPalette* m_palette = nullptr;
+    std::unique_ptr<Shortcuts> m_shortcuts;
     FileFlow* m_files;
     std::unique_ptr<Docks> m_docks;
     bool m_fitCover = false; ///< the next surface is the first of its design
