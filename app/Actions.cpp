@@ -108,7 +108,7 @@ void Actions::addFile()
     saveAs = add(tr("Save &as \u2026"), QStringLiteral("save-as"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     importFrame =
         add(tr("&Import frame \u2026"), QStringLiteral("import-frame"), QKeySequence(Qt::CTRL | Qt::Key_I));
-    importScan = add(tr("I&mport scan \u2026"), QStringLiteral("import-scan"),
+    importScan = add(tr("Impor&t scan \u2026"), QStringLiteral("import-scan"),
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
@@ -154,14 +154,14 @@ void Actions::addView()
     perspective = addToggle(tr("&Perspective"), QStringLiteral("perspective"), true, QKeySequence(Qt::Key_P));
 
     showMesh = addToggle(tr("&Triangulation"), QStringLiteral("mesh"), false, QKeySequence(Qt::Key_M));
-    showChecker = addToggle(tr("&Checker"), QStringLiteral("checker"), true, QKeySequence(Qt::Key_C));
+    showChecker = addToggle(tr("Chec&ker"), QStringLiteral("checker"), true, QKeySequence(Qt::Key_C));
     showFrames = addToggle(tr("&Frame"), QStringLiteral("frame"), true, QKeySequence(Qt::Key_R));
-    showPoints = addToggle(tr("Control &points"), QStringLiteral("points"), true);
-    showSeams = addToggle(tr("&Seams and fixations"), QStringLiteral("seams"), true, QKeySequence(Qt::Key_S));
+    showPoints = addToggle(tr("Control po&ints"), QStringLiteral("points"), true);
+    showSeams = addToggle(tr("Sea&ms and fixations"), QStringLiteral("seams"), true, QKeySequence(Qt::Key_S));
     showCurves = addToggle(tr("Fixation c&urves"), QStringLiteral("curves"), true);
     showGrid = addToggle(tr("&Grid"), QStringLiteral("grid"), true, QKeySequence(Qt::Key_G));
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
-    showScans = addToggle(tr("Sc&ans"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
+    showScans = addToggle(tr("Sca&ns"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
     showScanPairs = addToggle(tr("Pairs of co&ver and scan"), {}, false);
     showDeviation =
         addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
@@ -226,7 +226,7 @@ void Actions::addRest()
     report = add(tr("&Figures \u2026"), {});
     resetLayout = add(tr("&Reset layout"), {});
     nextPart = add(tr("&Next part of the window"), {}, QKeySequence(Qt::Key_F6));
-    previousPart = add(tr("P&revious part of the window"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6));
+    previousPart = add(tr("Pre&vious part of the window"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6));
     findCommand =
         add(tr("&Find a command \u2026"), QStringLiteral("search"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
     editShortcuts = add(tr("&Edit shortcuts \u2026"), {});
