@@ -120,7 +120,8 @@ bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int 
 
 Qt::ItemFlags HistoryModel::flags(const QModelIndex& index) const
 {
-    return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
+    const Qt::ItemFlags plain = QAbstractListModel::flags(index);
+    return index.isValid() ? plain | Qt::ItemIsEditable : plain;
 }
 
 QModelIndex HistoryModel::indexOf(NodeId node) const

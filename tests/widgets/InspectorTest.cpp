@@ -101,19 +101,19 @@ TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
 TEST_F(InspectorTest, TakesTheNumberThatLayBelowVaries)
 {
     selection.set({firstSquare, secondSquare});
-    NumberBox* pressure = boxes("Pressure").front();
-    EXPECT_EQ(pressure->text(), "0") << "both have it";
+    const auto pressure = [this] { return boxes("Pressure").front(); }; // the form is made anew after edits
+    EXPECT_EQ(pressure()->text(), "0") << "both have it";
     set(secondSquare, 0.25);
-    ASSERT_EQ(pressure->text(), "");
-    type(pressure, "0"); // what the box had last
+    ASSERT_EQ(pressure()->text(), "");
+    type(pressure(), "0"); // what the box had last
     EXPECT_EQ(patch(secondSquare).pressure, 0);
     EXPECT_EQ(document.history().count(), 3);
 
     set(secondSquare, 0.25);
-    type(pressure, "nonsense");
+    type(pressure(), "nonsense");
     EXPECT_EQ(document.history().count(), 4) << "refused";
-    EXPECT_EQ(pressure->text(), "");
-    QTest::keyClick(pressure, Qt::Key_Up);
+    EXPECT_EQ(pressure()->text(), "");
+    QTest::keyClick(pressure(), Qt::Key_Up);
     EXPECT_EQ(document.history().count(), 4) << "no step from nowhere";
 }
 
