@@ -147,7 +147,7 @@ TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
     ASSERT_TRUE(editor);
     QTest::keyClicks(editor, "Belt notch");
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_EQ(window.document().history().node(1).name, "Belt notch");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().node(1).name == "Belt notch"; }));
     EXPECT_EQ(window.document().history().current(), 1);
 }
 

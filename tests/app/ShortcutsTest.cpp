@@ -7,6 +7,7 @@
 #include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTreeWidget>
 
 namespace bolster {
@@ -38,7 +39,10 @@ protected:
     }
     static void pressKeys(ShortcutsDialog& dialog, Qt::Key key, Qt::KeyboardModifiers modifiers)
     {
-        QTest::keyClick(dialog.findChild<QKeySequenceEdit*>(), key, modifiers);
+        auto* field = dialog.findChild<QKeySequenceEdit*>();
+        QSignalSpy done(field, &QKeySequenceEdit::editingFinished);
+        QTest::keyClick(field, key, modifiers);
+        EXPECT_TRUE(done.wait()); // the field waits for more keys
     }
     static QPushButton* button(ShortcutsDialog& dialog, const QString& text)
     {

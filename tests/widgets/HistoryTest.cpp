@@ -47,7 +47,7 @@ TEST_F(HistoryTest, ADoubleClickJumpsAndNamesThatVersion)
     ASSERT_TRUE(editor);
     QTest::keyClicks(editor, " With welt ");
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_EQ(document.history().node(1).name, "With welt");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document.history().node(1).name == "With welt"; }));
     EXPECT_EQ(row(1).data(HistoryModel::NameRole).toString(), "With welt");
     EXPECT_EQ(document.history().current(), 1);
     EXPECT_FALSE(document.gestureRunning());
