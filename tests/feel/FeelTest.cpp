@@ -11,7 +11,7 @@ namespace {
 
 TEST(Feel, AfterAnyGesturesTheDesignEqualsItsReplay)
 {
-    const std::unique_ptr<MainWindow> window = openCarSeat(200000);
+    const std::unique_ptr<MainWindow> window = openCarSeat(false, 200000);
     ASSERT_TRUE(window);
     FeelPlayer player(*static_cast<FeelApplication*>(qApp), *window);
     FeelRecorder recorder(*window, player, 1);

@@ -20,8 +20,8 @@ private:
     QTemporaryDir m_home;
 };
 
-/// A shown window with the design, its surface settled; null if there is none after `mostMs`.
-std::unique_ptr<MainWindow> openCarSeat(int mostMs);
+/// A shown window with the design and its surface, settled if wished; null if there is none after `mostMs`.
+std::unique_ptr<MainWindow> openCarSeat(bool settled, int mostMs);
 
 /// Whether the design is what its history says: the first design with all edits up to now, and undoing them all
 /// leads back to the first one.

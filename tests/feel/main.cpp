@@ -86,7 +86,7 @@ int main(int argc, char* argv[])
     options.addOption({"record", "writes them to this file", "file"});
     options.process(application);
 
-    const std::unique_ptr<MainWindow> window = openCarSeat(180000);
+    const std::unique_ptr<MainWindow> window = openCarSeat(true, 180000);
     if (!window) {
         std::fprintf(stderr, "bolster_feel: the car seat did not settle\n");
         return 1;
