@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -112,6 +113,9 @@ void ShortcutsDialog::build()
 
 void ShortcutsDialog::fill(const QList<Command>& commands)
 {
+    QPixmap nothing(m_tree->style()->pixelMetric(QStyle::PM_SmallIconSize), 1); // texts stand below each other
+    nothing.fill(Qt::transparent);
+    const QIcon blank(nothing);
     QHash<QString, QTreeWidgetItem*> menus;
     for (const Command& command : commands) {
         if (!m_shortcuts.actions().contains(command.action))
@@ -123,7 +127,7 @@ void ShortcutsDialog::fill(const QList<Command>& commands)
             menu->setExpanded(true);
         }
         auto* item = new QTreeWidgetItem(menu, {Actions::plainText(*command.action)});
-        item->setIcon(0, command.action->icon());
+        item->setIcon(0, command.action->icon().isNull() ? blank : command.action->icon());
         item->setData(0, actionRole, QVariant::fromValue(static_cast<void*>(command.action.data())));
         showKeys(item);
     }
