@@ -7,8 +7,35 @@
 #include "Units.h"
 
 #include <QActionGroup>
+#include <QCoreApplication>
+#include <QHash>
+#include <QSet>
 
 namespace bolster {
+
+namespace {
+
+/// The English texts of all that was translated.
+QHash<QString, QString>& englishTexts()
+{
+    static QHash<QString, QString> texts;
+    return texts;
+}
+
+/// "&Import frame ..." is "import-frame".
+QString idOf(const QString& english)
+{
+    QString id;
+    for (const QChar c : english.toLower()) {
+        if (c.isLetterOrNumber())
+            id += c;
+        else if (c != u'&' && !id.isEmpty() && !id.endsWith(u'-'))
+            id += u'-';
+    }
+    return id.endsWith(u'-') ? id.chopped(1) : id;
+}
+
+} // namespace
 
 Actions::Actions(QObject* parent)
     : QObject(parent)
@@ -24,6 +51,41 @@ Actions::Actions(QObject* parent)
     addPatternEdits();
     addDrawing();
     addRest();
+    giveIds();
+}
+
+QString Actions::tr(const char* text, const char* comment, int n)
+{
+    const QString translated = QCoreApplication::translate("bolster::Actions", text, comment, n);
+    englishTexts().insert(translated, QString::fromUtf8(text));
+    return translated;
+}
+
+void Actions::giveIds()
+{
+    QSet<QString> taken;
+    for (QAction* action : findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
+        const QString id = idOf(englishTexts().value(action->text(), action->text()));
+        QString free = id;
+        for (int i = 2; taken.contains(free); ++i)
+            free = QStringLiteral("%1-%2").arg(id).arg(i);
+        taken.insert(free);
+        action->setObjectName(free);
+    }
+}
+
+QString Actions::plainText(const QAction& action)
+{
+    QString text = action.iconText();
+    return text.remove(u'&').remove(QStringLiteral("\u2026")).trimmed();
+}
+
+void Actions::describe(QAction& action)
+{
+    const QString text = plainText(action);
+    const QKeySequence key = action.shortcut();
+    action.setToolTip(key.isEmpty() ? text
+                                    : QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
 }
 
 QAction* Actions::add(const QString& text, const QString& iconName, const QKeySequence& shortcut)
@@ -33,11 +95,7 @@ QAction* Actions::add(const QString& text, const QString& iconName, const QKeySe
         action->setIcon(icon(iconName));
     action->setShortcut(shortcut);
     action->setMenuRole(QAction::NoRole);
-    QString tip = text;
-    tip.remove(u'&').remove(QStringLiteral("\u2026"));
-    tip = tip.trimmed();
-    action->setToolTip(
-        shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
+    describe(*action);
     return action;
 }
 
@@ -57,7 +115,7 @@ void Actions::addFile()
     saveAs = add(tr("Save &as \u2026"), QStringLiteral("save-as"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     importFrame =
         add(tr("&Import frame \u2026"), QStringLiteral("import-frame"), QKeySequence(Qt::CTRL | Qt::Key_I));
-    importScan = add(tr("I&mport scan \u2026"), QStringLiteral("import-scan"),
+    importScan = add(tr("Impor&t scan \u2026"), QStringLiteral("import-scan"),
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
@@ -103,14 +161,14 @@ void Actions::addView()
     perspective = addToggle(tr("&Perspective"), QStringLiteral("perspective"), true, QKeySequence(Qt::Key_P));
 
     showMesh = addToggle(tr("&Triangulation"), QStringLiteral("mesh"), false, QKeySequence(Qt::Key_M));
-    showChecker = addToggle(tr("&Checker"), QStringLiteral("checker"), true, QKeySequence(Qt::Key_C));
+    showChecker = addToggle(tr("Chec&ker"), QStringLiteral("checker"), true, QKeySequence(Qt::Key_C));
     showFrames = addToggle(tr("&Frame"), QStringLiteral("frame"), true, QKeySequence(Qt::Key_R));
-    showPoints = addToggle(tr("Control &points"), QStringLiteral("points"), true);
-    showSeams = addToggle(tr("&Seams and fixations"), QStringLiteral("seams"), true, QKeySequence(Qt::Key_S));
+    showPoints = addToggle(tr("Control po&ints"), QStringLiteral("points"), true);
+    showSeams = addToggle(tr("Sea&ms and fixations"), QStringLiteral("seams"), true, QKeySequence(Qt::Key_S));
     showCurves = addToggle(tr("Fixation c&urves"), QStringLiteral("curves"), true);
     showGrid = addToggle(tr("&Grid"), QStringLiteral("grid"), true, QKeySequence(Qt::Key_G));
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
-    showScans = addToggle(tr("Sc&ans"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
+    showScans = addToggle(tr("Sca&ns"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
     showScanPairs = addToggle(tr("Pairs of co&ver and scan"), {}, false);
     showDeviation =
         addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
@@ -257,6 +315,11 @@ void Actions::addRest()
     pause = addToggle(tr("&Pause"), QStringLiteral("pause"), false, QKeySequence(Qt::CTRL | Qt::Key_P));
     report = add(tr("&Figures \u2026"), {});
     resetLayout = add(tr("&Reset layout"), {});
+    nextPart = add(tr("&Next part of the window"), {}, QKeySequence(Qt::Key_F6));
+    previousPart = add(tr("Pre&vious part of the window"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F6));
+    findCommand =
+        add(tr("&Find a command \u2026"), QStringLiteral("search"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
+    editShortcuts = add(tr("&Edit shortcuts \u2026"), {});
     shortcuts = add(tr("&Keys and mouse \u2026"), {}, QKeySequence(Qt::Key_F1));
     about = add(tr("&About Bolster"), {});
 }

@@ -9,11 +9,15 @@
 
 namespace bolster {
 
+/// Each action has an id as its object name ("import-frame"), made of its English text: the same in every language.
 class Actions : public QObject {
-    Q_OBJECT
-
 public:
     explicit Actions(QObject* parent = nullptr);
+
+    /// The action's text without mnemonic and dots; of undo and redo without what it would undo.
+    static QString plainText(const QAction& action);
+    /// Puts text and keys into the tooltip.
+    static void describe(QAction& action);
 
     // File
     QAction* newDesign;
@@ -105,10 +109,17 @@ public:
     QAction* report;
     // Window, Help
     QAction* resetLayout;
+    QAction* nextPart;
+    QAction* previousPart;
+    QAction* findCommand;
     QAction* shortcuts;
+    QAction* editShortcuts;
     QAction* about;
 
 private:
+    /// As QObject::tr; remembers the English texts for the ids.
+    static QString tr(const char* text, const char* comment = nullptr, int n = -1);
+    void giveIds();
     QAction* add(const QString& text, const QString& iconName, const QKeySequence& shortcut = {});
     QAction* addToggle(const QString& text, const QString& iconName, bool on, const QKeySequence& shortcut = {});
     QAction* addTool(PatternToolKind kind, const QString& text, const QString& iconName,

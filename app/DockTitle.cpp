@@ -3,12 +3,15 @@
 #include "Icons.h"
 #include "ViewColors.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPainter>
 #include <QToolButton>
+
+#include <utility>
 
 namespace bolster {
 
@@ -38,6 +41,11 @@ DockTitle::DockTitle(QDockWidget* dock)
     connect(dock, &QDockWidget::visibilityChanged, this, &DockTitle::updateTabbed);
     connect(dock, &QDockWidget::topLevelChanged, this, &DockTitle::updateTabbed);
     connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitle::updateTabbed);
+
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
+        if (now && std::exchange(m_active, m_dock->isAncestorOf(now)) != m_dock->isAncestorOf(now))
+            update();
+    });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 3, 4, 3);
@@ -79,6 +87,8 @@ void DockTitle::paintEvent(QPaintEvent*)
     const QColor line = mixed(palette().color(QPalette::Window), palette().color(QPalette::Text), 0.13);
     painter.setPen(line);
     painter.drawLine(rect().bottomLeft(), rect().bottomRight());
+    if (m_active)
+        painter.fillRect(QRect(0, height() - 2, width(), 2), palette().color(QPalette::Highlight));
 }
 
 } // namespace bolster

@@ -27,6 +27,7 @@ private:
     QDockWidget* m_dock;
     QLabel* m_label;
     bool m_tabbed = false;
+    bool m_active = false; ///< the keyboard is in this part
 };
 
 } // namespace bolster

@@ -83,6 +83,7 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Not snapped"), HelpDialogs::tr("hold Ctrl or Alt")},
         {HelpDialogs::tr("Select in a loop"), HelpDialogs::tr("Alt and drag")},
         {HelpDialogs::tr("Move by 1 mm, by 10 mm"), HelpDialogs::tr("arrow keys, Shift+arrow keys")},
+        {HelpDialogs::tr("Next patch or control point, previous one"), HelpDialogs::tr("Tab, Shift+Tab")},
         {HelpDialogs::tr("Pan"), HelpDialogs::tr("middle button, or Space and drag")},
         {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")}};
 }

@@ -36,7 +36,7 @@ public:
         addSurface();
         addWindow();
         QMenu* help = m_bar.addMenu(tr("&Help"));
-        help->addAction(m_actions.shortcuts);
+        help->addActions({m_actions.findCommand, m_actions.shortcuts, m_actions.editShortcuts});
         help->addSeparator();
         help->addAction(m_actions.about);
     }
@@ -164,6 +164,8 @@ private:
         QMenu* menu = m_bar.addMenu(tr("&Window"));
         for (QDockWidget* dock : m_docks.all())
             menu->addAction(dock->toggleViewAction());
+        menu->addSeparator();
+        menu->addActions({m_actions.nextPart, m_actions.previousPart});
         menu->addSeparator();
         menu->addAction(m_actions.resetLayout);
     }

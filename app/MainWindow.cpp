@@ -5,7 +5,7 @@
 #include "Docks.h"
 #include "ElementsView.h"
 #include "FileFlow.h"
-#include "HistoryView.h"
+#include "HistoryPanel.h"
 #include "Inspector.h"
 #include "MainMenu.h"
 #include "PatternView.h"
@@ -14,6 +14,7 @@
 #include "ScanLink.h"
 #include "SeamsView.h"
 #include "SelectionEdits.h"
+#include "Shortcuts.h"
 #include "StartHint.h"
 #include "StatusLine.h"
 #include "Translated.h"
@@ -47,7 +48,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_surfaceSelection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
-    , m_history(new HistoryView(document()))
+    , m_history(new HistoryPanel(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
     , m_problemList(new ProblemsView(m_problems))
     , m_seams(new SeamsView(document(), m_selection))
@@ -72,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectActions();
     connectViewActions();
     connectPattern();
+    connectPanels();
     auto* hint = new StartHint(document(), m_pattern);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
     connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);

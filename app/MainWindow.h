@@ -17,15 +17,17 @@ namespace bolster {
 
 class Actions;
 class Banner;
+class CommandPalette;
 class Docks;
 class ElementsView;
 class FileFlow;
-class HistoryView;
+class HistoryPanel;
 class Inspector;
 class PatternView;
 class ProblemsView;
 class ScanLink;
 class SeamsView;
+class Shortcuts;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -51,6 +53,7 @@ public:
     Actions& actions() { return *m_actions; }
     SeamsView& seams() { return *m_seams; }
     Docks& docks() { return *m_docks; }
+    CommandPalette& commandPalette() { return *m_palette; }
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
     FileFlow& files() { return *m_files; }
@@ -89,6 +92,8 @@ private:
     void update3DActions();
     void connectDrawing();
     void connectBackground();
+    void connectPanels();
+    void focusNextPart(bool forward);
     void fitScanPlacement(ElementId scan);
     void connectPattern();
     void applyLayers();
@@ -110,12 +115,14 @@ private:
     PatternView* m_pattern;
     SurfaceView* m_surface;
     ElementsView* m_elements;
-    HistoryView* m_history;
+    HistoryPanel* m_history;
     Inspector* m_inspector;
     ProblemsView* m_problemList;
     SeamsView* m_seams;
     StatusLine* m_status;
     Banner* m_banner;
+    CommandPalette* m_palette = nullptr;
+    std::unique_ptr<Shortcuts> m_shortcuts;
     FileFlow* m_files;
     std::unique_ptr<Docks> m_docks;
     bool m_fitCover = false; ///< the next surface is the first of its design

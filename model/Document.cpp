@@ -72,6 +72,14 @@ void Document::jumpTo(NodeId node)
     announceDirty();
 }
 
+void Document::nameVersion(NodeId node, std::string name)
+{
+    if (node < 0 || node >= m_history.count() || m_history.node(node).name == name)
+        return;
+    m_history.setName(node, std::move(name));
+    emit historyChanged();
+}
+
 bool Document::dirty() const
 {
     return m_history.current() != m_saved;

@@ -37,6 +37,8 @@ public:
     void undo();
     void redo();
     void jumpTo(NodeId node);
+    /// A label in the history, "" for none. The design stays as it is.
+    void nameVersion(NodeId node, std::string name);
 
     /// The current node is not the saved one.
     bool dirty() const;
@@ -53,7 +55,7 @@ public:
 
 signals:
     void changed(const bolster::ChangeSet& ids);
-    /// Nodes were added or the current node moved.
+    /// Nodes were added or named, or the current node moved.
     void historyChanged();
     void dirtyChanged(bool dirty);
 

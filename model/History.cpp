@@ -14,7 +14,7 @@ History::History()
 NodeId History::append(Edit edit)
 {
     const NodeId id = count();
-    m_nodes.push_back({m_current, {}, -1, std::move(edit), QDateTime::currentDateTimeUtc()});
+    m_nodes.push_back({m_current, {}, -1, std::move(edit), QDateTime::currentDateTimeUtc(), {}});
     Node& parent = m_nodes[static_cast<std::size_t>(m_current)];
     parent.children.push_back(id);
     parent.lastVisitedChild = id;

@@ -6,6 +6,8 @@
 #include <QDateTime>
 
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace bolster {
@@ -20,6 +22,7 @@ public:
         NodeId lastVisitedChild = -1; ///< where redo goes
         Edit edit;                    ///< that leads from the parent to this node
         QDateTime time;
+        std::string name; ///< that the user gave this version, or ""
     };
 
     History();
@@ -34,6 +37,7 @@ public:
     NodeId append(Edit edit);
     /// Makes `id` current and remembers the way for redo. Returns the edits to apply, in order.
     std::vector<Edit> moveTo(NodeId id);
+    void setName(NodeId id, std::string name) { m_nodes[static_cast<std::size_t>(id)].name = std::move(name); }
     /// The nodes from the root to `id`, both included.
     std::vector<NodeId> pathTo(NodeId id) const;
 

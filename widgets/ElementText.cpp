@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <optional>
+
 namespace bolster {
 
 namespace {
@@ -46,6 +48,23 @@ constexpr KindTexts kindTexts[] = {
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
     {QT_TRANSLATE_NOOP("ElementText", "Design"), QT_TRANSLATE_NOOP("ElementText", "Design"), "settings"},
+};
+
+/// Of several, in the order of the kinds.
+constexpr const char* countedTexts[] = {
+    QT_TRANSLATE_NOOP("ElementText", "%1 patches"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 seams"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 fixation curves"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 fixations"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 handle curves"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 fancy seams"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 frames"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 cushions"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 pieces of foam"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 scans"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 fabrics"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 unusable elements"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 elements"),
 };
 
 const KindTexts& textsOf(ElementKind kind)
@@ -105,6 +124,18 @@ QString displayName(const Design& design, ElementId id)
         if (!bad->problems.empty() && !bad->problems.front().label.empty())
             return QString::fromStdString(bad->problems.front().label);
     return nameOrNumber(design, id);
+}
+
+QString countedText(const Design& design, std::span<const ElementId> ids)
+{
+    if (ids.size() == 1)
+        return displayName(design, ids.front());
+    std::optional<ElementKind> kind;
+    for (const ElementId id : ids)
+        if (const ElementPtr element = design.element(id))
+            kind = !kind || *kind == kindOf(*element) ? kindOf(*element) : ElementKind::Settings;
+    const auto place = static_cast<std::size_t>(kind.value_or(ElementKind::Settings));
+    return inWords(countedTexts[place]).arg(ids.size());
 }
 
 double stretchLength(const Design& design, const Stretch& stretch)

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <span>
+
 namespace bolster {
 
 /// The order in which lists show the kinds.
@@ -34,6 +36,8 @@ QString kindIcon(ElementKind kind);
 
 /// The name, or for elements without one what they join: "Seat - Front band". Never empty.
 QString displayName(const Design& design, ElementId id);
+/// "3 patches", or "3 elements" if they are of different kinds; of a single one its name.
+QString countedText(const Design& design, std::span<const ElementId> ids);
 /// The lengths of a seam's two stretches and its ease, or "".
 QString seamSummary(const Design& design, const Seam& seam);
 /// Arc length of a seam's first stretch or of a fixation's, mm; 0 for other elements.

@@ -9,6 +9,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QScrollBar>
@@ -136,6 +137,8 @@ void ElementsView::buildTree()
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->setMouseTracking(true);
     m_tree->viewport()->installEventFilter(this);
+    m_tree->installEventFilter(this);
+    setFocusProxy(m_tree);
 
     connect(m_tree->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ElementsView::selectFromTree);
     connect(m_tree, &QTreeView::entered, this, [this](const QModelIndex& index) {
@@ -238,8 +241,15 @@ void ElementsView::changeEvent(QEvent* event)
 
 bool ElementsView::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Leave)
+    if (watched != m_tree && event->type() == QEvent::Leave)
         m_selection.hover(settingsId);
+    if (watched == m_tree && event->type() == QEvent::KeyPress && !m_selection.elements().empty()) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            emit propertiesWanted();
+            return true;
+        }
+    }
     return QWidget::eventFilter(watched, event);
 }
 

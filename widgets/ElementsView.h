@@ -33,6 +33,8 @@ public:
 signals:
     /// A double click on something that cannot be renamed.
     void shown(bolster::ElementId id);
+    /// Enter on something selected.
+    void propertiesWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -18,13 +18,26 @@ HistoryModel::HistoryModel(Document& document, QObject* parent)
     rebuild();
 }
 
+/// A list that only looks different is not made anew: a double click would lose its line between its clicks.
 void HistoryModel::rebuild()
+{
+    std::vector<Row> rows = rowsNow();
+    if (std::ranges::equal(rows, m_rows, [](const Row& a, const Row& b) { return a.standsLike(b); })) {
+        m_rows = std::move(rows);
+        emit dataChanged(index(0), index(rowCount() - 1));
+        return;
+    }
+    beginResetModel();
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+std::vector<HistoryModel::Row> HistoryModel::rowsNow() const
 {
     const History& history = m_document.history();
     const std::vector<NodeId> path = history.pathTo(history.current());
     const std::set<NodeId> done(path.begin(), path.end());
-    beginResetModel();
-    m_rows.clear();
+    std::vector<Row> rows;
     // Depth first with a stack of its own: a history may be much longer than the call stack.
     struct Todo {
         NodeId node;
@@ -35,7 +48,7 @@ void HistoryModel::rebuild()
     while (!todo.empty()) {
         const Todo next = todo.back();
         todo.pop_back();
-        m_rows.push_back({next.node, next.depth, next.firstOfBranch, done.contains(next.node), 0});
+        rows.push_back({next.node, next.depth, next.firstOfBranch, done.contains(next.node), 0});
         const std::vector<NodeId>& children = history.node(next.node).children;
         if (children.empty())
             continue;
@@ -45,12 +58,12 @@ void HistoryModel::rebuild()
     }
     // From below: a lane is open where a later row continues it.
     quint32 lanes = 0;
-    for (auto row = m_rows.rbegin(); row != m_rows.rend(); ++row) {
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
         row->lanes = lanes;
         const quint32 own = 1U << std::min(row->depth, 31);
         lanes = row->firstOfBranch ? lanes & ~own : lanes | own;
     }
-    endResetModel();
+    return rows;
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const
@@ -76,6 +89,9 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
         return text(row.node);
     case Qt::ToolTipRole:
         return QLocale().toString(m_document.history().node(row.node).time.toLocalTime(), QLocale::ShortFormat);
+    case Qt::EditRole:
+    case NameRole:
+        return QString::fromStdString(m_document.history().node(row.node).name);
     case NodeRole:
         return row.node;
     case DepthRole:
@@ -91,6 +107,21 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     default:
         return {};
     }
+}
+
+bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (!index.isValid() || role != Qt::EditRole)
+        return false;
+    const NodeId node = m_rows[static_cast<std::size_t>(index.row())].node;
+    m_document.nameVersion(node, value.toString().trimmed().toStdString());
+    return true;
+}
+
+Qt::ItemFlags HistoryModel::flags(const QModelIndex& index) const
+{
+    const Qt::ItemFlags plain = QAbstractListModel::flags(index);
+    return index.isValid() ? plain | Qt::ItemIsEditable : plain;
 }
 
 QModelIndex HistoryModel::indexOf(NodeId node) const

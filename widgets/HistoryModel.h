@@ -22,12 +22,16 @@ public:
         DoneRole,                ///< bool: on the way from the start to the current edit
         FirstOfBranchRole,       ///< bool: the line comes from a less indented one
         LaneBitsRole,            ///< quint32: at which depths a line passes on downwards
+        NameRole,                ///< QString: what the user calls this version, or ""
     };
 
     explicit HistoryModel(Document& document, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    /// A version can be named.
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
     QModelIndex indexOf(NodeId node) const;
 
 private:
@@ -37,9 +41,16 @@ private:
         bool firstOfBranch = false;
         bool done = false;
         quint32 lanes = 0;
+
+        bool standsLike(const Row& other) const
+        {
+            return node == other.node && depth == other.depth && firstOfBranch == other.firstOfBranch &&
+                   lanes == other.lanes;
+        }
     };
 
     void rebuild();
+    std::vector<Row> rowsNow() const;
     QString text(NodeId node) const;
 
     Document& m_document;

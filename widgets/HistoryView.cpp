@@ -4,9 +4,13 @@
 #include "HistoryModel.h"
 #include "ViewColors.h"
 
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyledItemDelegate>
+
+#include <algorithm>
 
 namespace bolster {
 
@@ -25,7 +29,8 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         const int depth = index.data(HistoryModel::DepthRole).toInt();
-        const int width = option.fontMetrics.horizontalAdvance(index.data().toString());
+        const int width = option.fontMetrics.horizontalAdvance(index.data().toString()) +
+                          option.fontMetrics.horizontalAdvance(index.data(HistoryModel::NameRole).toString());
         return {leftMargin + (depth + 1) * laneWidth + width + 12,
                 std::max(rowHeight, option.fontMetrics.height() + 8)};
     }
@@ -46,23 +51,54 @@ public:
             painter->fillRect(option.rect, mixed(base, accent, 0.08));
 
         const int depth = index.data(HistoryModel::DepthRole).toInt();
-        paintLanes(*painter, option.rect, index, depth, mixed(base, palette.color(QPalette::Text), 0.3));
+        if (!m_filtered) // neighbours of a filtered list have nothing to do with each other
+            paintLanes(*painter, option.rect, index, depth, mixed(base, palette.color(QPalette::Text), 0.3));
         const QPointF dot(laneX(option.rect, depth), option.rect.center().y() + 0.5);
         painter->setPen(QPen(done ? accent : mixed(base, palette.color(QPalette::Text), 0.4), 1.6));
         painter->setBrush(current ? accent : done ? mixed(base, accent, 0.5) : base);
         painter->drawEllipse(dot, current ? 5 : 3.5, current ? 5 : 3.5);
 
-        QFont font = option.font;
-        font.setBold(current);
-        painter->setFont(font);
-        painter->setPen(text);
-        const QRect place = option.rect.adjusted(static_cast<int>(dot.x()) - option.rect.left() + 13, 0, -4, 0);
-        painter->drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
-                          QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, place.width()));
+        paintText(*painter, option, index, textPlace(option.rect, depth), text);
         painter->restore();
     }
 
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override
+    {
+        editor->setGeometry(textPlace(option.rect, index.data(HistoryModel::DepthRole).toInt()));
+    }
+
+    void setFiltered(bool filtered) { m_filtered = filtered; }
+
 private:
+    static QRect textPlace(const QRect& rect, int depth)
+    {
+        return rect.adjusted(static_cast<int>(laneX(rect, depth)) - rect.left() + 13, 0, -4, 0);
+    }
+
+    /// A name stands bold before what was done.
+    static void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                          QRect place, const QColor& color)
+    {
+        const bool current = index.data(HistoryModel::CurrentRole).toBool();
+        const QString name = index.data(HistoryModel::NameRole).toString();
+        QFont font = option.font;
+        const auto draw = [&](const QString& text, bool bold, const QColor& ink) {
+            font.setBold(bold);
+            const QFontMetrics metrics(font);
+            painter.setFont(font);
+            painter.setPen(ink);
+            painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
+                             metrics.elidedText(text, Qt::ElideRight, place.width()));
+            place.setLeft(place.left() + metrics.horizontalAdvance(text) + 8);
+        };
+        if (!name.isEmpty())
+            draw(name, true, color);
+        if (place.width() > 20)
+            draw(index.data().toString(), current && name.isEmpty(),
+                 name.isEmpty() ? color : mixed(option.palette.color(QPalette::Base), color, 0.6));
+    }
+
     static double laneX(const QRect& rect, int depth) { return rect.left() + leftMargin + depth * laneWidth; }
 
     static void paintLanes(QPainter& painter, const QRect& rect, const QModelIndex& index, int depth,
@@ -90,6 +126,8 @@ private:
                 painter.drawLine(QPointF(x, middle), QPointF(x, bottom));
         }
     }
+
+    bool m_filtered = false;
 };
 
 } // namespace
@@ -111,8 +149,62 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
             [this](const QModelIndex& index) { m_document.jumpTo(index.data(HistoryModel::NodeRole).toInt()); });
     connect(this, &QListView::activated, this,
             [this](const QModelIndex& index) { m_document.jumpTo(index.data(HistoryModel::NodeRole).toInt()); });
-    connect(m_model, &QAbstractItemModel::modelReset, this, &HistoryView::showCurrent);
+    setEditTriggers(DoubleClicked | EditKeyPressed);
+    connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+        applyFilter();
+        showCurrent();
+    });
+    connect(m_model, &QAbstractItemModel::dataChanged, this, [this] {
+        applyFilter();
+        showCurrent();
+    });
     showCurrent();
+}
+
+void HistoryView::setFilter(const QString& words)
+{
+    m_filter = words.split(u' ', Qt::SkipEmptyParts);
+    static_cast<HistoryDelegate*>(itemDelegate())->setFiltered(!m_filter.isEmpty());
+    applyFilter();
+    viewport()->update();
+}
+
+void HistoryView::applyFilter()
+{
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QModelIndex index = m_model->index(row);
+        const QString text = index.data().toString() + u' ' + index.data(HistoryModel::NameRole).toString();
+        const bool found = std::ranges::all_of(
+            m_filter, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        setRowHidden(row, !found);
+    }
+}
+
+bool HistoryView::event(QEvent* event)
+{
+    // F2 names a version here; in the rest of the window it renames an element.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2)
+        event->accept();
+    return QListView::event(event);
+}
+
+void HistoryView::contextMenuEvent(QContextMenuEvent* event)
+{
+    const QModelIndex index = event->reason() == QContextMenuEvent::Mouse ? indexAt(event->pos()) : currentIndex();
+    if (!index.isValid())
+        return;
+    const NodeId node = index.data(HistoryModel::NodeRole).toInt();
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    connect(menu->addAction(tr("&Go to this version")), &QAction::triggered, this,
+            [this, node] { m_document.jumpTo(node); });
+    connect(menu->addAction(tr("&Name this version \u2026")), &QAction::triggered, this,
+            [this, node] { edit(m_model->indexOf(node)); });
+    QAction* forget = menu->addAction(tr("&Remove its name"));
+    forget->setEnabled(!index.data(HistoryModel::NameRole).toString().isEmpty());
+    connect(forget, &QAction::triggered, this, [this, node] { m_document.nameVersion(node, {}); });
+    menu->popup(event->reason() == QContextMenuEvent::Mouse ? event->globalPos()
+                                                            : viewport()->mapToGlobal(visualRect(index).center()));
 }
 
 void HistoryView::showCurrent()

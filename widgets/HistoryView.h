@@ -1,4 +1,4 @@
-// The list of edits: a click jumps to the design as it was then.
+// The list of edits: a click jumps to the design as it was then, a double click or F2 names that version.
 #pragma once
 
 #include <QListView>
@@ -14,11 +14,20 @@ class HistoryView : public QListView {
 public:
     explicit HistoryView(Document& document, QWidget* parent = nullptr);
 
+    /// Shows only what has these words in its text or name; everything when there are none.
+    void setFilter(const QString& words);
+
+protected:
+    bool event(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
 private:
     void showCurrent();
+    void applyFilter();
 
     Document& m_document;
     HistoryModel* m_model;
+    QStringList m_filter;
 };
 
 } // namespace bolster

@@ -30,6 +30,11 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     rebuild();
 }
 
+void Inspector::focusFirst()
+{
+    m_form->focusFirst();
+}
+
 void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
 {
     m_forms.setScanFigures(std::move(figures));

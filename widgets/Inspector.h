@@ -14,6 +14,8 @@ class Inspector : public QScrollArea {
 public:
     Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
 
+    /// The keyboard goes to the first field.
+    void focusFirst();
     void setScanFigures(std::map<ElementId, ScanFigures> figures);
 
 signals:

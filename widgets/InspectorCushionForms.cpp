@@ -11,6 +11,9 @@ namespace {
 
 const NumberBox::Range paddingRange{QStringLiteral(" mm"), 2, 0, 1000, 5};
 const NumberBox::Range strengthRange{{}, 3, 0, 10, 0.1};
+// What the sliders cover; the boxes beside them take more.
+constexpr double thickestPadding = 100;
+constexpr double greatestStrength = 2;
 
 /// "Seat; Back" and back: names may have commas.
 QString joined(const std::vector<std::string>& parts)
@@ -42,20 +45,23 @@ std::pair<std::vector<ElementId>, QStringList> choices(const Design& design)
     return list;
 }
 
-int placeOf(const std::vector<ElementId>& ids, ElementId id)
+int placeOf(const std::vector<ElementId>& ids, std::optional<ElementId> id)
 {
-    const auto found = std::find(ids.begin(), ids.end(), id);
+    const auto found = id ? std::find(ids.begin(), ids.end(), *id) : ids.end();
     return found == ids.end() ? -1 : static_cast<int>(found - ids.begin());
 }
 
 } // namespace
 
-void InspectorForms::addFrameChoice(PropertyForm& form, ElementId id) const
+void InspectorForms::addFrameChoice(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    const InspectorSubject<Cushion> cushion(m_document, ids, form);
     const auto [frames, names] = choices<Frame>(m_document.design());
     form.addChoice(
-        tr("Frame"), names, [cushion, frames = frames] { return placeOf(frames, cushion.now().frame); },
+        tr("Frame"), names,
+        [cushion, frames = frames] {
+            return placeOf(frames, cushion.shared([](const Cushion& c) { return c.frame; }));
+        },
         [cushion, frames = frames](int chosen) {
             cushion.change(QT_TRANSLATE_NOOP("Message", "Change the frame of %1"),
                            [&](Cushion& c) { c.frame = frames[static_cast<std::size_t>(chosen)]; });
@@ -63,9 +69,9 @@ void InspectorForms::addFrameChoice(PropertyForm& form, ElementId id) const
 }
 
 /// Everything, or the cover that one patch is sewn to.
-void InspectorForms::addCoverChoice(PropertyForm& form, ElementId id) const
+void InspectorForms::addCoverChoice(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    const InspectorSubject<Cushion> cushion(m_document, ids, form);
     auto [patches, names] = choices<Patch>(m_document.design());
     for (QString& name : names)
         name = tr("Cover of %1").arg(name);
@@ -73,8 +79,9 @@ void InspectorForms::addCoverChoice(PropertyForm& form, ElementId id) const
     form.addChoice(
         tr("Pushes"), names,
         [cushion, patches = patches] {
-            const std::vector<ElementId> chosen = cushion.now().patches;
-            return chosen.size() > 1 ? -1 : chosen.empty() ? 0 : placeOf(patches, chosen.front()) + 1;
+            const auto shared = cushion.shared([](const Cushion& c) { return c.patches; });
+            const std::vector<ElementId> chosen = shared.value_or(patches);
+            return !shared || chosen.size() > 1 ? -1 : chosen.empty() ? 0 : placeOf(patches, chosen.front()) + 1;
         },
         [cushion, patches = patches](int chosen) {
             cushion.change(QT_TRANSLATE_NOOP("Message", "Change what %1 pushes"), [&](Cushion& c) {
@@ -85,27 +92,28 @@ void InspectorForms::addCoverChoice(PropertyForm& form, ElementId id) const
         });
 }
 
-void InspectorForms::addCushion(PropertyForm& form, ElementId id) const
+void InspectorForms::addCushion(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Cushion> cushion(m_document, id, form);
+    const InspectorSubject<Cushion> cushion(m_document, ids, form);
     cushion.name(tr("Name"));
     cushion.check(tr("Pushes the cover"), &Cushion::enabled, QT_TRANSLATE_NOOP("Message", "Switch %1"));
-    addFrameChoice(form, id);
+    addFrameChoice(form, ids);
     form.addText(
-        tr("Parts"), [cushion] { return joined(cushion.now().parts); },
+        tr("Parts"), [cushion] { return cushion.shared([](const Cushion& c) { return joined(c.parts); }); },
         [cushion](const QString& text) {
             cushion.change(QT_TRANSLATE_NOOP("Message", "Change the parts of %1"),
                            [&](Cushion& c) { c.parts = split(text); });
         });
     form.addNote([cushion] {
-        return cushion.now().parts.empty() ? tr("No part of the frame is named: those are taken that the cover is "
-                                                "fixed to. Separate names by semicolons.")
-                                           : QString();
+        return cushion.shared([](const Cushion& c) { return c.parts.empty(); }) == true
+                   ? tr("No part of the frame is named: those are taken that the cover is "
+                        "fixed to. Separate names by semicolons.")
+                   : QString();
     });
-    addCoverChoice(form, id);
-    cushion.number(tr("Padding"), paddingRange, &Cushion::dilation,
+    addCoverChoice(form, ids);
+    cushion.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Cushion::dilation,
                    QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
-    cushion.number(tr("Strength"), strengthRange, &Cushion::strength,
+    cushion.slider(tr("Strength"), strengthRange, 0, greatestStrength, &Cushion::strength,
                    QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
     cushion.choice(tr("Distance"), {tr("City block \u2013 along the axes"), tr("Euclidean \u2013 straight")},
                    &Cushion::distance, QT_TRANSLATE_NOOP("Message", "Change the distance of %1"));
@@ -113,18 +121,21 @@ void InspectorForms::addCushion(PropertyForm& form, ElementId id) const
                    QT_TRANSLATE_NOOP("Message", "Change the voxels of %1"));
 }
 
-void InspectorForms::addFoam(PropertyForm& form, ElementId id) const
+void InspectorForms::addFoam(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Foam> foam(m_document, id, form);
+    const InspectorSubject<Foam> foam(m_document, ids, form);
     foam.name(tr("Name"));
     const auto [cushions, names] = choices<Cushion>(m_document.design());
     form.addChoice(
-        tr("Cushion"), names, [foam, cushions = cushions] { return placeOf(cushions, foam.now().cushion); },
+        tr("Cushion"), names,
+        [foam, cushions = cushions] {
+            return placeOf(cushions, foam.shared([](const Foam& f) { return f.cushion; }));
+        },
         [foam, cushions = cushions](int chosen) {
             foam.change(QT_TRANSLATE_NOOP("Message", "Change the cushion of %1"),
                         [&](Foam& f) { f.cushion = cushions[static_cast<std::size_t>(chosen)]; });
         });
-    if (foam.now().shape == Foam::Shape::Mesh) {
+    if (foam.shared([](const Foam& f) { return f.shape == Foam::Shape::Mesh; }) != false) {
         foam.info(tr("File"), [](const Design&, const Foam& f) { return QString::fromStdString(f.file); });
     } else {
         foam.choice(tr("Shape"), {tr("Box"), tr("Cylinder"), tr("Sphere")}, &Foam::shape,
@@ -136,9 +147,9 @@ void InspectorForms::addFoam(PropertyForm& form, ElementId id) const
     }
     addPlacementFields(form, foam, {});
     foam.check(tr("Cut away"), &Foam::cut, QT_TRANSLATE_NOOP("Message", "Add or cut %1"));
-    foam.number(tr("Padding"), paddingRange, &Foam::dilation,
+    foam.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Foam::dilation,
                 QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
-    foam.number(tr("Strength"), strengthRange, &Foam::strength,
+    foam.slider(tr("Strength"), strengthRange, 0, greatestStrength, &Foam::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
 }
 

@@ -1,22 +1,24 @@
 #include "InspectorForms.h"
 
 #include "ArcLength.h"
-#include "CurveEdits.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "OrientationFields.h"
-#include "PatchEdits.h"
 #include "PlacementFields.h"
 #include "ProblemSet.h"
-#include "Selection.h"
-#include "SelectionEdits.h"
 #include "Translated.h"
 #include "Units.h"
 
-#include <array>
 #include <cmath>
 
 namespace bolster {
+
+namespace {
+
+// What the slider covers; the box beside it takes more.
+constexpr double highestPressure = 1;
+
+} // namespace
 
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
                                std::function<void(ElementId)> chooseFile,
@@ -43,16 +45,20 @@ std::unique_ptr<PropertyForm> InspectorForms::make() const
 
 void InspectorForms::addSeveral(PropertyForm& form) const
 {
-    form.addHeading(tr("%n elements", nullptr, static_cast<int>(m_selection.elements().size())),
-                    icon(QStringLiteral("settings")));
-    std::map<ElementKind, int> counts;
+    std::map<ElementKind, Ids> kinds;
     for (const ElementId id : m_selection.elements())
         if (const ElementPtr element = m_document.design().element(id))
-            ++counts[kindOf(*element)];
-    for (const auto& [kind, count] : counts)
-        form.addInfo(kindTitle(kind), [count = count] { return QString::number(count); });
-    if (!m_selection.points().empty())
-        form.addInfo(tr("Points"), [n = m_selection.points().size()] { return QString::number(n); });
+            kinds[kindOf(*element)].push_back(id);
+    if (kinds.size() > 1)
+        form.addHeading(tr("%n elements", nullptr, static_cast<int>(m_selection.elements().size())),
+                        icon(QStringLiteral("settings")));
+    addSelectedPoints(form);
+    for (const auto& [kind, ids] : kinds) {
+        form.addHeading(ids.size() == 1 ? displayName(m_document.design(), ids.front())
+                                        : countedText(m_document.design(), ids),
+                        icon(kindIcon(kind)));
+        addKind(form, kind, ids);
+    }
 }
 
 void InspectorForms::addElement(PropertyForm& form, ElementId id) const
@@ -62,42 +68,48 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
     form.addNote(
         [this, id] { return m_problems.text(id); },
         [this, id] { return m_problems.hasError(id) ? PropertyForm::Tone::Error : PropertyForm::Tone::Warning; });
+    addSelectedPoints(form);
+    addKind(form, kind, {id});
+}
+
+void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& ids) const
+{
     switch (kind) {
     case ElementKind::Patch:
-        addPatch(form, id);
+        addPatch(form, ids);
         break;
     case ElementKind::Seam:
-        addSeam(form, id);
+        addSeam(form, ids);
         break;
     case ElementKind::FixationCurve:
-        addFixationCurve(form, id);
+        addFixationCurve(form, ids);
         break;
     case ElementKind::FixationSeam:
-        addFixationSeam(form, id);
+        addFixationSeam(form, ids);
         break;
     case ElementKind::HandleCurve:
-        addHandleCurve(form, id);
+        addHandleCurve(form, ids);
         break;
     case ElementKind::FancySeam:
-        addFancySeam(form, id);
+        addFancySeam(form, ids);
         break;
     case ElementKind::Frame:
-        addFrame(form, id);
+        addFrame(form, ids);
         break;
     case ElementKind::Cushion:
-        addCushion(form, id);
+        addCushion(form, ids);
         break;
     case ElementKind::Foam:
-        addFoam(form, id);
+        addFoam(form, ids);
         break;
     case ElementKind::Scan:
-        addScan(form, id);
+        addScan(form, ids);
         break;
     case ElementKind::Fabric:
-        addFabric(form, id);
+        addFabric(form, ids);
         break;
     case ElementKind::Unusable:
-        addUnusable(form, id);
+        addUnusable(form, ids);
         break;
     case ElementKind::Settings:
         break;
@@ -136,12 +148,13 @@ void InspectorForms::addSettings(PropertyForm& form) const
     form.addNote([] { return tr("Select something to see its properties."); });
 }
 
-void InspectorForms::addFabric(PropertyForm& form, ElementId id) const
+void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Fabric> fabric(m_document, id, form);
+    const InspectorSubject<Fabric> fabric(m_document, ids, form);
     fabric.name(tr("Name"));
     form.addColor(
-        tr("Colour"), [fabric] { return QColor(QString::fromStdString(fabric.now().color)); },
+        tr("Colour"),
+        [fabric] { return fabric.shared([](const Fabric& f) { return QColor(QString::fromStdString(f.color)); }); },
         [fabric](const QColor& color) {
             fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
                           [&](Fabric& f) { f.color = color.name().toStdString(); });
@@ -154,7 +167,7 @@ void InspectorForms::addFabric(PropertyForm& form, ElementId id) const
                   QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
 }
 
-void InspectorForms::addFabricChoice(PropertyForm& form, ElementId id) const
+void InspectorForms::addFabricChoice(PropertyForm& form, const Ids& ids) const
 {
     std::vector<ElementId> fabrics;
     QStringList names;
@@ -162,11 +175,12 @@ void InspectorForms::addFabricChoice(PropertyForm& form, ElementId id) const
         fabrics.push_back(fabric);
         names << displayName(m_document.design(), fabric);
     });
-    const InspectorSubject<Patch> patch(m_document, id, form);
+    const InspectorSubject<Patch> patch(m_document, ids, form);
     form.addChoice(
         tr("Fabric"), names,
         [patch, fabrics] {
-            const auto found = std::ranges::find(fabrics, patch.now().fabric);
+            const auto fabric = patch.shared([](const Patch& p) { return p.fabric; });
+            const auto found = fabric ? std::ranges::find(fabrics, *fabric) : fabrics.end();
             return found == fabrics.end() ? -1 : static_cast<int>(found - fabrics.begin());
         },
         [patch, fabrics](int chosen) {
@@ -175,14 +189,13 @@ void InspectorForms::addFabricChoice(PropertyForm& form, ElementId id) const
         });
 }
 
-void InspectorForms::addPatch(PropertyForm& form, ElementId id) const
+void InspectorForms::addPatch(PropertyForm& form, const Ids& ids) const
 {
-    addSelectedPoint(form, id);
-    const InspectorSubject<Patch> patch(m_document, id, form);
+    const InspectorSubject<Patch> patch(m_document, ids, form);
     patch.name(tr("Name"));
-    addFabricChoice(form, id);
+    addFabricChoice(form, ids);
     patch.number(tr("Grain"), angleRange, &Patch::grain, QT_TRANSLATE_NOOP("Message", "Change the grain of %1"));
-    patch.number(tr("Pressure"), {{}, 4, -1e6, 1e6, 0.05}, &Patch::pressure,
+    patch.slider(tr("Pressure"), {{}, 4, -1e6, 1e6, 0.05}, 0, highestPressure, &Patch::pressure,
                  QT_TRANSLATE_NOOP("Message", "Change the pressure of %1"));
     patch.check(tr("Wrong side out"), &Patch::wrongSideOut,
                 QT_TRANSLATE_NOOP("Message", "Change the right side of %1"));
@@ -202,58 +215,14 @@ void InspectorForms::addPatch(PropertyForm& form, ElementId id) const
     });
 }
 
-void InspectorForms::addSelectedPoint(PropertyForm& form, ElementId id) const
-{
-    if (m_selection.points().size() != 1)
-        return;
-    const int point = m_selection.points().begin()->second;
-    if (spacePoint(m_document.design(), {id, point}) >= 0)
-        addCurvePoint(form, id, point);
-    else
-        addPatchPoint(form, id, point);
-}
-
-void InspectorForms::addPatchPoint(PropertyForm& form, ElementId id, int point) const
-{
-    const auto position = [this, id, point]() -> Vec2 {
-        const ElementPtr element = m_document.design().element(id);
-        const BSpline2* curve = element ? planeCurve(*element) : nullptr;
-        return curve && point < curve->pointCount() ? curve->points()[static_cast<std::size_t>(point)] : Vec2(0, 0);
-    };
-    form.addNumbers(
-        tr("Point"), lengthRange, 2, [position](int i) { return position()[i]; },
-        [this, id, point, position](int i, double value) {
-            Vec2 delta = Vec2::Zero();
-            delta[i] = value - position()[i];
-            m_document.commit(edits::movePatchPoints(m_document.design(), id, std::array{point}, delta));
-        });
-}
-
-void InspectorForms::addCurvePoint(PropertyForm& form, ElementId id, int point) const
-{
-    const auto index = [this, id, point] { return spacePoint(m_document.design(), {id, point}); };
-    const auto position = [this, id, index]() -> Vec3 {
-        const int i = index();
-        return i >= 0 ? spaceCurve(*m_document.design().element(id))->points()[static_cast<std::size_t>(i)]
-                      : Vec3(0, 0, 0);
-    };
-    form.addNumbers(
-        tr("Point"), lengthRange, 3, [position](int i) { return position()[i]; },
-        [this, id, index, position](int i, double value) {
-            Vec3 delta = Vec3::Zero();
-            delta[i] = value - position()[i];
-            m_document.commit(edits::moveCurvePoints(m_document.design(), id, std::array{index()}, delta));
-        });
-}
-
 QStringList InspectorForms::matchNames()
 {
     return {tr("By length"), tr("By parameter")};
 }
 
-void InspectorForms::addSeam(PropertyForm& form, ElementId id) const
+void InspectorForms::addSeam(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Seam> seam(m_document, id, form);
+    const InspectorSubject<Seam> seam(m_document, ids, form);
     seam.info(tr("First side"), [](const Design& design, const Seam& s) {
         return tr("%1, %2").arg(displayName(design, s.a.patch), lengthText(stretchLength(design, s.a)));
     });
@@ -274,10 +243,9 @@ void InspectorForms::addSeam(PropertyForm& form, ElementId id) const
     seam.check(tr("Second side runs backwards"), &Seam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
 }
 
-void InspectorForms::addFixationCurve(PropertyForm& form, ElementId id) const
+void InspectorForms::addFixationCurve(PropertyForm& form, const Ids& ids) const
 {
-    addSelectedPoint(form, id);
-    const InspectorSubject<FixationCurve> curve(m_document, id, form);
+    const InspectorSubject<FixationCurve> curve(m_document, ids, form);
     curve.name(tr("Name"));
     curve.info(tr("Length"), [](const Design&, const FixationCurve& c) {
         return c.curve.empty() ? QString() : lengthText(ArcLength3(c.curve).total());
@@ -286,12 +254,13 @@ void InspectorForms::addFixationCurve(PropertyForm& form, ElementId id) const
                [](const Design&, const FixationCurve& c) { return QString::number(c.curve.pointCount()); });
 }
 
-void InspectorForms::addCurveChoice(PropertyForm& form, ElementId id) const
+void InspectorForms::addCurveChoice(PropertyForm& form, const Ids& ids) const
 {
-    const FixationSeam* now = m_document.design().find<FixationSeam>(id);
+    const InspectorSubject<FixationSeam> fixation(m_document, ids, form);
     std::vector<ElementId> curves;
     QStringList names;
-    if (!now || !now->hasCurve() || !now->orientation.empty()) { // something must be held
+    // Something must be held.
+    if (fixation.shared([](const FixationSeam& f) { return !f.hasCurve() || !f.orientation.empty(); }) == true) {
         curves.emplace_back();
         names << tr("none");
     }
@@ -299,11 +268,11 @@ void InspectorForms::addCurveChoice(PropertyForm& form, ElementId id) const
         curves.push_back(curve);
         names << displayName(m_document.design(), curve);
     });
-    const InspectorSubject<FixationSeam> fixation(m_document, id, form);
     form.addChoice(
         tr("Curve"), names,
         [fixation, curves] {
-            const auto found = std::ranges::find(curves, fixation.now().curve);
+            const auto shared = fixation.shared([](const FixationSeam& f) { return f.curve; });
+            const auto found = shared ? std::ranges::find(curves, *shared) : curves.end();
             return found == curves.end() ? -1 : static_cast<int>(found - curves.begin());
         },
         [fixation, curves](int chosen) {
@@ -314,13 +283,13 @@ void InspectorForms::addCurveChoice(PropertyForm& form, ElementId id) const
         });
 }
 
-void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
+void InspectorForms::addFixationSeam(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<FixationSeam> fixation(m_document, id, form);
+    const InspectorSubject<FixationSeam> fixation(m_document, ids, form);
     fixation.info(tr("Outline"), [](const Design& design, const FixationSeam& f) {
         return tr("%1, %2").arg(displayName(design, f.stretch.patch), lengthText(stretchLength(design, f.stretch)));
     });
-    addCurveChoice(form, id);
+    addCurveChoice(form, ids);
     fixation.info(tr("On the curve"), [](const Design& design, const FixationSeam& f) {
         const FixationCurve* curve = design.find<FixationCurve>(f.curve);
         if (!curve || curve->curve.empty())
@@ -336,9 +305,9 @@ void InspectorForms::addFixationSeam(PropertyForm& form, ElementId id) const
     OrientationFields::add(form, fixation);
 }
 
-void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
+void InspectorForms::addFrame(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Frame> frame(m_document, id, form);
+    const InspectorSubject<Frame> frame(m_document, ids, form);
     frame.name(tr("Name"));
     frame.info(tr("File"), [](const Design&, const Frame& f) { return QString::fromStdString(f.file); });
     addPlacementFields(form, frame, tr(" mm per unit"));
@@ -346,12 +315,13 @@ void InspectorForms::addFrame(PropertyForm& form, ElementId id) const
                 QT_TRANSLATE_NOOP("Message", "Change the contact of %1"));
     frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
                  QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
-    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
+    if (!frame.several())
+        form.addButton(tr("Choose another file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
 }
 
-void InspectorForms::addUnusable(PropertyForm& form, ElementId id) const
+void InspectorForms::addUnusable(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Quarantined> bad(m_document, id, form);
+    const InspectorSubject<Quarantined> bad(m_document, ids, form);
     bad.info(tr("Problems"), [](const Design&, const Quarantined& q) {
         QStringList lines;
         for (const Problem& problem : q.problems)

@@ -1,9 +1,10 @@
 // What the inspector shows for each kind of element.
 #pragma once
 
-#include "ElementId.h"
+#include "ElementText.h"
 #include "PropertyForm.h"
 #include "ScanFigures.h"
+#include "Selection.h"
 
 #include <QCoreApplication>
 
@@ -15,7 +16,6 @@ namespace bolster {
 
 class Document;
 class ProblemSet;
-class Selection;
 
 /// What the user wants of a scan beyond its numbers.
 enum class ScanWish { FitPlacement, CutAway, KeepOnly, KeepAroundCover, ShowAll };
@@ -34,29 +34,33 @@ public:
     std::unique_ptr<PropertyForm> make() const;
 
 private:
+    using Ids = std::vector<ElementId>; ///< of one kind, at least one
+
+    /// Of each kind its properties, those of all its elements in one field.
     void addSeveral(PropertyForm& form) const;
     void addElement(PropertyForm& form, ElementId id) const;
+    void addKind(PropertyForm& form, ElementKind kind, const Ids& ids) const;
     void addSettings(PropertyForm& form) const;
-    void addFabric(PropertyForm& form, ElementId id) const;
-    void addPatch(PropertyForm& form, ElementId id) const;
-    void addSeam(PropertyForm& form, ElementId id) const;
-    void addFixationCurve(PropertyForm& form, ElementId id) const;
-    void addCurveChoice(PropertyForm& form, ElementId id) const;
-    void addFixationSeam(PropertyForm& form, ElementId id) const;
-    void addHandleCurve(PropertyForm& form, ElementId id) const;
-    void addFancySeam(PropertyForm& form, ElementId id) const;
-    void addFrame(PropertyForm& form, ElementId id) const;
-    void addCushion(PropertyForm& form, ElementId id) const;
-    void addFoam(PropertyForm& form, ElementId id) const;
-    void addFrameChoice(PropertyForm& form, ElementId cushion) const;
-    void addCoverChoice(PropertyForm& form, ElementId cushion) const;
-    void addScan(PropertyForm& form, ElementId id) const;
-    void addUnusable(PropertyForm& form, ElementId id) const;
-    /// The coordinates of the only selected control point.
-    void addSelectedPoint(PropertyForm& form, ElementId id) const;
-    void addPatchPoint(PropertyForm& form, ElementId id, int point) const;
-    void addCurvePoint(PropertyForm& form, ElementId id, int point) const;
-    void addFabricChoice(PropertyForm& form, ElementId patch) const;
+    void addFabric(PropertyForm& form, const Ids& ids) const;
+    void addPatch(PropertyForm& form, const Ids& ids) const;
+    void addSeam(PropertyForm& form, const Ids& ids) const;
+    void addFixationCurve(PropertyForm& form, const Ids& ids) const;
+    void addCurveChoice(PropertyForm& form, const Ids& ids) const;
+    void addFixationSeam(PropertyForm& form, const Ids& ids) const;
+    void addHandleCurve(PropertyForm& form, const Ids& ids) const;
+    void addFancySeam(PropertyForm& form, const Ids& ids) const;
+    void addFrame(PropertyForm& form, const Ids& ids) const;
+    void addCushion(PropertyForm& form, const Ids& ids) const;
+    void addFoam(PropertyForm& form, const Ids& ids) const;
+    void addFrameChoice(PropertyForm& form, const Ids& cushions) const;
+    void addCoverChoice(PropertyForm& form, const Ids& cushions) const;
+    void addScan(PropertyForm& form, const Ids& ids) const;
+    void addUnusable(PropertyForm& form, const Ids& ids) const;
+    /// The coordinates of the selected control points.
+    void addSelectedPoints(PropertyForm& form) const;
+    void addPatternPoints(PropertyForm& form, const Selection::Points& points) const;
+    void addSpacePoints(PropertyForm& form, const Selection::Points& points) const;
+    void addFabricChoice(PropertyForm& form, const Ids& patches) const;
     void addScanReport(PropertyForm& form, ElementId id) const;
     void addScanCuts(PropertyForm& form, ElementId id) const;
     static QStringList matchNames();

@@ -4,8 +4,6 @@
 #include "ArcLength.h"
 #include "InspectorSubject.h"
 #include "OrientationFields.h"
-#include "Selection.h"
-#include "SelectionEdits.h"
 #include "Units.h"
 
 namespace bolster {
@@ -24,10 +22,9 @@ QString lengthOf(const BSpline<Dim>& curve)
 
 } // namespace
 
-void InspectorForms::addHandleCurve(PropertyForm& form, ElementId id) const
+void InspectorForms::addHandleCurve(PropertyForm& form, const Ids& ids) const
 {
-    addSelectedPoint(form, id);
-    const InspectorSubject<HandleCurve> handle(m_document, id, form);
+    const InspectorSubject<HandleCurve> handle(m_document, ids, form);
     handle.name(tr("Name"));
     handle.info(tr("Patch"),
                 [](const Design& design, const HandleCurve& h) { return displayName(design, h.patch); });
@@ -40,10 +37,9 @@ void InspectorForms::addHandleCurve(PropertyForm& form, ElementId id) const
     OrientationFields::add(form, handle);
 }
 
-void InspectorForms::addFancySeam(PropertyForm& form, ElementId id) const
+void InspectorForms::addFancySeam(PropertyForm& form, const Ids& ids) const
 {
-    addSelectedPoint(form, id);
-    const InspectorSubject<FancySeam> seam(m_document, id, form);
+    const InspectorSubject<FancySeam> seam(m_document, ids, form);
     seam.name(tr("Name"));
     seam.info(tr("Patch"), [](const Design& design, const FancySeam& s) { return displayName(design, s.patch); });
     seam.slider(tr("Width"), {QStringLiteral(" mm"), 2, 0.1, 1000, 1}, 1, widestSlider, &FancySeam::width,
@@ -54,7 +50,10 @@ void InspectorForms::addFancySeam(PropertyForm& form, ElementId id) const
                 {tr("Round \u2013 a soft groove"), tr("Sharp \u2013 a crease"), tr("Welt \u2013 between creases")},
                 &FancySeam::profile, QT_TRANSLATE_NOOP("Message", "Change the profile of %1"));
     seam.info(tr("Length"), [](const Design&, const FancySeam& s) { return lengthOf(s.curve); });
-    form.addNote([seam] { return seam.now().depth < 0 ? tr("It stands out: a welt.") : QString(); });
+    form.addNote([seam] {
+        return seam.shared([](const FancySeam& s) { return s.depth < 0; }) == true ? tr("It stands out: a welt.")
+                                                                                   : QString();
+    });
 }
 
 } // namespace bolster

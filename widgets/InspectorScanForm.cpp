@@ -8,20 +8,30 @@
 
 namespace bolster {
 
-void InspectorForms::addScan(PropertyForm& form, ElementId id) const
+namespace {
+
+constexpr double greatestStrength = 5; // of the slider; the box takes more
+
+} // namespace
+
+void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
 {
-    const InspectorSubject<Scan> scan(m_document, id, form);
+    const InspectorSubject<Scan> scan(m_document, ids, form);
     scan.name(tr("Name"));
     scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
     scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
-    scan.number(tr("Strength"), {{}, 2, 0, 100, 0.25}, &Scan::strength,
+    scan.slider(tr("Strength"), {{}, 2, 0, 100, 0.25}, 0, greatestStrength, &Scan::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
     scan.number(tr("Threshold"), {QStringLiteral(" mm"), 1, 0.1, 1e4, 5}, &Scan::threshold,
                 QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"));
     scan.choice(tr("Pull"), {tr("Along the normal"), tr("To the point itself")}, &Scan::target,
                 QT_TRANSLATE_NOOP("Message", "Change how %1 pulls"));
-    addScanReport(form, id);
+    if (!scan.several())
+        addScanReport(form, ids.front());
     addPlacementFields(form, scan, tr(" mm per unit"));
+    if (scan.several())
+        return;
+    const ElementId id = ids.front();
     form.addButton(tr("Place on the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
     addScanCuts(form, id);
     form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
@@ -46,7 +56,7 @@ void InspectorForms::addScanReport(PropertyForm& form, ElementId id) const
 
 void InspectorForms::addScanCuts(PropertyForm& form, ElementId id) const
 {
-    const InspectorSubject<Scan> scan(m_document, id, form);
+    const InspectorSubject<Scan> scan(m_document, {id}, form);
     form.addNumber(
         tr("Floor at"), lengthRange, [scan] { return edits::floorOf(scan.now()).value_or(0); },
         [this, id](double height) { m_document.commit(edits::cutFloor(m_document.design(), id, height)); });

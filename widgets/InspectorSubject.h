@@ -6,53 +6,75 @@
 #include "ElementText.h"
 #include "Gesture.h"
 #include "PropertyForm.h"
+#include "SelectionEdits.h"
 
 #include <memory>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
 namespace bolster {
 
-/// Verbs are keys of a Message with the element's name as %1.
+/// One element or several of one kind, which are changed together. Verbs are keys of a Message with the element's
+/// name or "3 patches" as %1.
 template <class T>
 class InspectorSubject {
 public:
-    InspectorSubject(Document& document, ElementId id, PropertyForm& form)
+    using Ids = std::vector<ElementId>; ///< at least one
+
+    InspectorSubject(Document& document, Ids ids, PropertyForm& form)
         : m_document(&document)
-        , m_id(id)
+        , m_ids(std::move(ids))
         , m_form(&form)
     {}
 
-    /// A default one after the element is gone.
+    bool several() const { return m_ids.size() > 1; }
+    /// The first one; a default one after it is gone.
     T now() const
     {
-        const T* found = m_document->design().template find<T>(m_id);
+        const T* found = m_document->design().template find<T>(m_ids.front());
         return found ? *found : T{};
+    }
+
+    /// What `read` says of each of them, or nothing where they differ.
+    template <class Read>
+    auto shared(Read read) const -> std::optional<std::decay_t<std::invoke_result_t<Read, const T&>>>
+    {
+        std::optional<std::decay_t<std::invoke_result_t<Read, const T&>>> all;
+        for (const ElementId id : m_ids) {
+            const T* found = m_document->design().template find<T>(id);
+            if (!found)
+                continue;
+            auto value = read(*found);
+            if (all && !(*all == value))
+                return std::nullopt;
+            all = std::move(value);
+        }
+        return all ? all : std::optional(std::decay_t<std::invoke_result_t<Read, const T&>>(read(T{})));
     }
 
     void change(const char* verb, const std::function<void(T&)>& set) const
     {
-        const Design& design = m_document->design();
-        if (!design.template find<T>(m_id))
-            return;
-        T value = now();
-        set(value);
-        m_document->commit(edits::replaceElement(design, m_id, makeElement(std::move(value)),
-                                                 {verb, {displayName(design, m_id).toStdString()}}));
+        m_document->commit(changed(m_document->design(), verb, set));
     }
 
+    /// Names are each element's own.
     void name(const QString& label) const
     {
+        if (several())
+            return;
         m_form->addText(
             label, [s = *this] { return QString::fromStdString(s.now().name); },
             [s = *this](const QString& text) {
                 s.m_document->commit(
-                    edits::renameElement(s.m_document->design(), s.m_id, text.trimmed().toStdString()));
+                    edits::renameElement(s.m_document->design(), s.m_ids.front(), text.trimmed().toStdString()));
             });
     }
 
     void number(const QString& label, const NumberBox::Range& range, double T::*member, const char* verb) const
     {
         m_form->addNumber(
-            label, range, [s = *this, member] { return s.now().*member; },
+            label, range, [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
             [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); });
     }
 
@@ -64,18 +86,15 @@ public:
         const auto preview = [s = *this, gesture, member, verb](double value) {
             if (!*gesture || !(*gesture)->active())
                 *gesture = std::make_unique<Gesture>(*s.m_document);
-            const Design& start = (*gesture)->start();
-            T changed = s.now();
-            changed.*member = value;
-            (*gesture)->update(edits::replaceElement(start, s.m_id, makeElement(std::move(changed)),
-                                                     {verb, {displayName(start, s.m_id).toStdString()}}));
+            (*gesture)->update(s.changed((*gesture)->start(), verb, [&](T& t) { t.*member = value; }));
         };
         const auto finish = [gesture] {
             if (const std::unique_ptr<Gesture> finished = std::move(*gesture))
                 finished->commit();
         };
         m_form->addSlider(
-            label, range, low, high, [s = *this, member] { return s.now().*member; },
+            label, range, low, high,
+            [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
             [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); }, preview,
             finish);
     }
@@ -87,8 +106,10 @@ public:
         m_form->addNumbers(
             label, range, count,
             [s = *this, at](int i) {
-                T value = s.now();
-                return at(value, i);
+                return s.shared([&](const T& t) {
+                    T value = t;
+                    return at(value, i);
+                });
             },
             [s = *this, at, verb](int i, double number) { s.change(verb, [&](T& t) { at(t, i) = number; }); });
     }
@@ -96,7 +117,7 @@ public:
     void check(const QString& label, bool T::*member, const char* verb) const
     {
         m_form->addCheck(
-            label, [s = *this, member] { return s.now().*member; },
+            label, [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
             [s = *this, member, verb](bool value) { s.change(verb, [&](T& t) { t.*member = value; }); });
     }
 
@@ -104,7 +125,10 @@ public:
     void choice(const QString& label, const QStringList& names, E T::*member, const char* verb) const
     {
         m_form->addChoice(
-            label, names, [s = *this, member] { return static_cast<int>(s.now().*member); },
+            label, names,
+            [s = *this, member] {
+                return s.shared([&](const T& t) { return static_cast<int>(t.*member); }).value_or(-1);
+            },
             [s = *this, member, verb](int value) {
                 s.change(verb, [&](T& t) { t.*member = static_cast<E>(value); });
             });
@@ -112,12 +136,31 @@ public:
 
     void info(const QString& label, const std::function<QString(const Design&, const T&)>& text) const
     {
-        m_form->addInfo(label, [s = *this, text] { return text(s.m_document->design(), s.now()); });
+        m_form->addInfo(label, [s = *this, text] {
+            const Design& design = s.m_document->design();
+            return s.shared([&](const T& t) { return text(design, t); }).value_or(variesText());
+        });
     }
 
 private:
+    /// One edit for all of them.
+    Edit changed(const Design& start, const char* verb, const std::function<void(T&)>& set) const
+    {
+        EditChain chain(start);
+        for (const ElementId id : m_ids) {
+            const T* found = start.template find<T>(id);
+            if (!found)
+                continue;
+            T value = *found;
+            set(value);
+            chain.add(edits::replaceElement(start, id, makeElement(std::move(value)),
+                                            {verb, {displayName(start, id).toStdString()}}));
+        }
+        return chain.result({verb, {countedText(start, m_ids).toStdString()}});
+    }
+
     Document* m_document;
-    ElementId m_id;
+    Ids m_ids;
     PropertyForm* m_form;
 };
 

@@ -1,15 +1,16 @@
 #include "NumberBox.h"
 
+#include "LengthExpression.h"
 #include "Units.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace bolster {
 
@@ -21,10 +22,17 @@ bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event)
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
+QString variesText()
+{
+    return NumberBox::tr("varies");
+}
+
 NumberBox::NumberBox(const Range& range, QWidget* parent)
     : QDoubleSpinBox(parent)
     , m_least(range.least)
     , m_most(range.most)
+    , m_unit(range.unit)
+    , m_lengths(range.unit == QLatin1String(" mm") || range.length)
 {
     setDecimals(range.decimals);
     setRange(range.least, range.most);
@@ -33,7 +41,30 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(72);
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { lineEdit()->setModified(false); });
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        m_typedOver = false;
+        emit entered(value);
+    });
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        m_typedOver = m_typedOver || m_varies;
+        m_varies = false;
+        m_refused = false;
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        lineEdit()->setModified(false);
+        finishVarying();
+    });
+}
+
+/// The number that was typed may be the one that lay below "varies": nobody has heard of it then.
+void NumberBox::finishVarying()
+{
+    if (!std::exchange(m_typedOver, false))
+        return;
+    if (std::exchange(m_refused, false))
+        display(std::nullopt);
+    else
+        emit entered(value());
 }
 
 bool NumberBox::event(QEvent* event)
@@ -45,52 +76,68 @@ bool NumberBox::event(QEvent* event)
     return QDoubleSpinBox::event(event);
 }
 
-void NumberBox::display(double value)
+void NumberBox::display(std::optional<double> value)
 {
+    if (!value && m_typedOver)
+        return;
     const QSignalBlocker quiet(this);
-    setRange(std::min(m_least, value), std::max(m_most, value));
-    setValue(value);
+    m_varies = !value;
+    m_typedOver = false;
+    if (const QString unit = m_varies ? QString() : m_unit; unit != suffix())
+        setSuffix(unit);
+    lineEdit()->setPlaceholderText(m_varies ? variesText() : QString());
+    if (!value) {
+        if (!lineEdit()->isModified())
+            lineEdit()->clear();
+        return;
+    }
+    setRange(std::min(m_least, *value), std::max(m_most, *value));
+    setValue(*value);
+}
+
+QAbstractSpinBox::StepEnabled NumberBox::stepEnabled() const
+{
+    return m_varies ? StepNone : QDoubleSpinBox::stepEnabled();
 }
 
 QString NumberBox::textFromValue(double value) const
 {
-    return decimalText(value, decimals(), false);
+    return m_varies ? QString() : decimalText(value, decimals(), false);
 }
 
 double NumberBox::valueFromText(const QString& text) const
 {
-    return QDoubleSpinBox::valueFromText(asWritten(text));
+    return numberIn(text).value_or(value());
 }
 
-QValidator::State NumberBox::validate(QString& text, int& position) const
+QValidator::State NumberBox::validate(QString& text, int&) const
 {
-    QString written = asWritten(text); // the user's own text stays: what is typed next may change its meaning
-    return QDoubleSpinBox::validate(written, position) == QValidator::Acceptable ? QValidator::Acceptable
-                                                                                 : QValidator::Intermediate;
+    const std::optional<double> number = numberIn(text);
+    return number && *number >= minimum() && *number <= maximum() ? QValidator::Acceptable
+                                                                  : QValidator::Intermediate;
 }
 
 void NumberBox::fixup(QString& text) const
 {
-    const QString least = textFromValue(m_least), most = textFromValue(m_most);
+    m_refused = true;
+    if (text.trimmed().isEmpty() && (m_varies || m_typedOver))
+        return; // left as it was
+    const QString least = decimalText(m_least, decimals(), false), most = decimalText(m_most, decimals(), false);
     QToolTip::showText(mapToGlobal(QPoint(0, height())),
                        tr("\"%1\" is not taken: a number from %2 to %3 is needed").arg(text.trimmed(), least, most),
                        const_cast<NumberBox*>(this));
     QDoubleSpinBox::fixup(text);
 }
 
-/// With the language's decimal sign and without grouped digits.
-QString NumberBox::asWritten(QString text) const
+std::optional<double> NumberBox::numberIn(const QString& text) const
 {
-    const QString point = locale().decimalPoint();
-    const QString other = point == QLatin1String(",") ? QStringLiteral(".") : QStringLiteral(",");
-    static const QRegularExpression grouped(QStringLiteral("^\\s*[-+]?[1-9]\\d{0,2}([.,]\\d{3})+(?![\\d.,])"));
-    const QRegularExpressionMatch thousands = grouped.match(text);
-    if (other == locale().groupSeparator() && thousands.hasMatch() && !thousands.captured().contains(point))
-        return text.remove(other);
-    // Only a lone sign can be meant as the decimal one.
-    if (!text.contains(point) && text.count(other) == 1)
-        text.replace(other, point);
-    return text;
+    QString written = text.trimmed();
+    if (m_lengths)
+        if (const std::optional<double> length = parseLength(written, locale()))
+            return length;
+    if (const QString unit = m_unit.trimmed(); !unit.isEmpty() && written.endsWith(unit))
+        written.chop(unit.size()); // also of "2 cm mm": typed before the unit that stands there
+    return m_lengths ? parseLength(written, locale()) : parseNumber(written, locale());
 }
 
 void NumberBox::wheelEvent(QWheelEvent* event)

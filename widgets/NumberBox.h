@@ -3,6 +3,8 @@
 
 #include <QDoubleSpinBox>
 
+#include <optional>
+
 class QLineEdit;
 
 namespace bolster {
@@ -10,9 +12,12 @@ namespace bolster {
 /// Whether an event asks for undo or redo while nothing has been typed: then the design's is meant.
 bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event);
 
-/// Shows no trailing zeros, takes point and comma as the decimal sign (but "1,500" as the language groups digits),
-/// and reports a value once: when the user is done with it, not with every key. What is no number or out of range
-/// is refused as a whole.
+/// What a field shows where several elements have different values.
+QString variesText();
+
+/// Shows no trailing zeros, takes sums, products and, where the unit is mm, other units ("3*25", "2.5 cm"), takes
+/// point and comma as the decimal sign (but "1,500" as the language groups digits), and reports a value once: when
+/// the user is done with it, not with every key. What is no number or out of range is refused as a whole.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -23,12 +28,14 @@ public:
         double least = -1e7;
         double most = 1e7;
         double step = 1;
+        bool length = false; ///< in mm, although the unit is not shown
     };
 
     explicit NumberBox(const Range& range, QWidget* parent = nullptr);
 
-    /// Without a signal; keeps what the user is typing. A value out of range is shown as it is.
-    void display(double value);
+    /// Without a signal; keeps what the user is typing. A value out of range is shown as it is; nothing is shown as
+    /// "varies".
+    void display(std::optional<double> value);
     QString textFromValue(double value) const override;
     double valueFromText(const QString& text) const override;
     /// Nothing is refused while it is typed.
@@ -36,15 +43,27 @@ public:
     /// What is typed is no such number: says so, and the value stays.
     void fixup(QString& text) const override;
 
+signals:
+    /// The user is done with a number that is not the shown one.
+    void entered(double value);
+
 protected:
     bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    StepEnabled stepEnabled() const override;
 
 private:
-    QString asWritten(QString text) const;
+    void finishVarying();
+    /// The number that is meant, or nothing.
+    std::optional<double> numberIn(const QString& text) const;
 
     double m_least;
     double m_most;
+    QString m_unit;
+    bool m_lengths;                 ///< takes units of length
+    bool m_varies = false;          ///< no one value
+    bool m_typedOver = false;       ///< over "varies"
+    mutable bool m_refused = false; ///< what was typed last
 };
 
 } // namespace bolster

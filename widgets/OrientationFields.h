@@ -26,8 +26,11 @@ void OrientationFields::add(PropertyForm& form, const InspectorSubject<T>& subje
     form.addChoice(
         tr("Lean"), kinds,
         [subject] {
-            const Orientation held = subject.now().orientation;
-            return held.empty() ? 0 : held.kind == Orientation::Kind::Normal ? 1 : 2;
+            const auto kind = subject.shared([](const T& t) {
+                const Orientation& held = t.orientation;
+                return held.empty() ? 0 : held.kind == Orientation::Kind::Normal ? 1 : 2;
+            });
+            return kind.value_or(-1);
         },
         [subject, verb](int choice) {
             subject.change(verb, [choice](T& t) {
@@ -42,8 +45,9 @@ void OrientationFields::add(PropertyForm& form, const InspectorSubject<T>& subje
     form.addNumbers(
         tr("Direction"), directionRange, 3,
         [subject](int i) {
-            const Orientation held = subject.now().orientation;
-            return held.empty() ? 0 : held.directions.front()[i];
+            return subject.shared([i](const T& t) {
+                return t.orientation.empty() ? 0 : static_cast<double>(t.orientation.directions.front()[i]);
+            });
         },
         [subject, verb](int i, double value) {
             subject.change(verb, [i, value](T& t) {
@@ -53,10 +57,12 @@ void OrientationFields::add(PropertyForm& form, const InspectorSubject<T>& subje
             });
         });
     form.addNumber(
-        tr("Weight"), weightRange, [subject] { return subject.now().orientation.weight; },
+        tr("Weight"), weightRange,
+        [subject] { return subject.shared([](const T& t) { return t.orientation.weight; }); },
         [subject, verb](double value) { subject.change(verb, [value](T& t) { t.orientation.weight = value; }); });
     form.addNote([subject] {
-        const std::size_t count = subject.now().orientation.directions.size();
+        const std::size_t count =
+            subject.shared([](const T& t) { return t.orientation.directions.size(); }).value_or(0);
         return count > 1 ? tr("%1 directions, interpolated along the curve; the first is shown.").arg(count)
                          : QString();
     });

@@ -8,6 +8,7 @@
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
+#include "SelectionSteps.h"
 #include "Units.h"
 
 #include <QHelpEvent>
@@ -281,6 +282,15 @@ bool PatternView::handle(QEvent* event)
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || m_tool->wants(key))
             event->accept();
+    }
+    // Tab walks through the pattern while patches are selected; F6 leads out of the view.
+    if (event->type() == QEvent::KeyPress && m_toolKind == PatternToolKind::Select &&
+        !m_document.gestureRunning()) {
+        const auto* press = static_cast<QKeyEvent*>(event);
+        const bool back = press->key() == Qt::Key_Backtab;
+        const bool plain = (press->modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
+        if (plain && (back || press->key() == Qt::Key_Tab) && selectNext(m_document.design(), m_selection, !back))
+            return true;
     }
     return QWidget::event(event);
 }

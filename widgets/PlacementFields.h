@@ -21,7 +21,9 @@ void addPlacementFields(PropertyForm& form, const InspectorSubject<T>& subject, 
         QT_TRANSLATE_NOOP("Message", "Move %1"));
     form.addNumbers(
         InspectorForms::tr("Rotation"), angleRange, 3,
-        [subject](int i) { return anglesOf(subject.now().rotation)[static_cast<std::size_t>(i)]; },
+        [subject](int i) {
+            return subject.shared([i](const T& t) { return anglesOf(t.rotation)[static_cast<std::size_t>(i)]; });
+        },
         [subject](int i, double value) {
             subject.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](T& t) {
                 FrameAngles angles = anglesOf(t.rotation);

@@ -15,6 +15,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bolster {
@@ -54,6 +55,16 @@ void PropertyForm::refresh()
 {
     for (const std::function<void()>& show : m_shows)
         show();
+}
+
+void PropertyForm::focusFirst()
+{
+    for (QWidget* field : findChildren<QWidget*>()) {
+        if (!(field->focusPolicy() & Qt::TabFocus) || !field->isVisibleTo(this) || !field->isEnabled())
+            continue;
+        field->setFocus(Qt::TabFocusReason); // selects the text
+        return;
+    }
 }
 
 void PropertyForm::addField(const QString& label, QWidget* field, std::function<void()> show)
@@ -107,7 +118,7 @@ void PropertyForm::addNote(const std::function<QString()>& read, const std::func
     });
 }
 
-void PropertyForm::addText(const QString& label, const std::function<QString()>& read,
+void PropertyForm::addText(const QString& label, const std::function<std::optional<QString>()>& read,
                            const std::function<void(const QString&)>& write)
 {
     auto* edit = new TextBox(this);
@@ -118,22 +129,27 @@ void PropertyForm::addText(const QString& label, const std::function<QString()>&
         write(edit->text());
     });
     addField(label, edit, [edit, read] {
-        if (!edit->isModified())
-            edit->setText(read());
+        if (edit->isModified())
+            return;
+        const std::optional<QString> text = read();
+        edit->setText(text.value_or(QString()));
+        edit->setPlaceholderText(text ? QString() : variesText());
     });
 }
 
 void PropertyForm::addNumber(const QString& label, const NumberBox::Range& range,
-                             const std::function<double()>& read, const std::function<void(double)>& write)
+                             const std::function<std::optional<double>()>& read,
+                             const std::function<void(double)>& write)
 {
     auto* box = new NumberBox(range, this);
-    connect(box, &QDoubleSpinBox::valueChanged, this, write);
+    connect(box, &NumberBox::entered, this, write);
     addField(label, box, [box, read] { box->display(read()); });
 }
 
 void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range, double low, double high,
-                             const std::function<double()>& read, const std::function<void(double)>& write,
-                             const std::function<void(double)>& preview, const std::function<void()>& finish)
+                             const std::function<std::optional<double>()>& read,
+                             const std::function<void(double)>& write, const std::function<void(double)>& preview,
+                             const std::function<void()>& finish)
 {
     constexpr int steps = 200;
     auto* row = new QWidget(this);
@@ -148,7 +164,7 @@ void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range
     auto* box = new NumberBox(range, row);
     layout->addWidget(slider, 1);
     layout->addWidget(box);
-    connect(box, &QDoubleSpinBox::valueChanged, this, write);
+    connect(box, &NumberBox::entered, this, write);
     connect(slider, &QSlider::valueChanged, this, [slider, low, high, preview, finish](int step) {
         preview(low + (high - low) * step / steps);
         if (!slider->isSliderDown())
@@ -156,16 +172,19 @@ void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range
     });
     connect(slider, &QSlider::sliderReleased, this, finish);
     addField(label, row, [slider, box, low, high, read] {
-        box->display(read());
+        const std::optional<double> value = read();
+        box->display(value);
         if (slider->isSliderDown())
             return;
         const QSignalBlocker quiet(slider);
-        slider->setValue(static_cast<int>(std::lround((read() - low) / (high - low) * steps)));
+        const double share = std::clamp((value.value_or(low) - low) / (high - low), 0.0, 1.0);
+        slider->setValue(static_cast<int>(std::lround(share * steps)));
     });
 }
 
 void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& range, int count,
-                              const std::function<double(int)>& read, const std::function<void(int, double)>& write)
+                              const std::function<std::optional<double>(int)>& read,
+                              const std::function<void(int, double)>& write)
 {
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
@@ -174,11 +193,12 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     std::vector<NumberBox*> boxes;
     NumberBox::Range bare = range; // the unit fits only once
     bare.unit.clear();
+    bare.length = range.unit == QLatin1String(" mm");
     for (int i = 0; i < count; ++i) {
         auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
         box->setMinimumWidth(40);
-        connect(box, &QDoubleSpinBox::valueChanged, this, [i, write](double value) { write(i, value); });
+        connect(box, &NumberBox::entered, this, [i, write](double value) { write(i, value); });
         layout->addWidget(box, 1);
         boxes.push_back(box);
     }
@@ -188,12 +208,19 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     });
 }
 
-void PropertyForm::addCheck(const QString& label, const std::function<bool()>& read,
+void PropertyForm::addCheck(const QString& label, const std::function<std::optional<bool>()>& read,
                             const std::function<void(bool)>& write)
 {
     auto* box = new QCheckBox(label, this);
-    connect(box, &QCheckBox::clicked, this, write);
-    addField({}, box, [box, read] { box->setChecked(read()); });
+    connect(box, &QCheckBox::clicked, this, [box, write] {
+        box->setTristate(false);
+        write(box->checkState() != Qt::Unchecked);
+    });
+    addField({}, box, [box, read] {
+        const std::optional<bool> on = read();
+        box->setTristate(!on); // a click makes it all or nothing
+        box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
+    });
 }
 
 void PropertyForm::addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
@@ -204,6 +231,7 @@ void PropertyForm::addChoice(const QString& label, const QStringList& choices, c
     box->setMinimumContentsLength(6);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setFocusPolicy(Qt::StrongFocus);
+    box->setPlaceholderText(variesText());
     connect(box, &QComboBox::activated, this, write);
     addField(label, box, [box, read] {
         const QSignalBlocker quiet(box);
@@ -211,20 +239,21 @@ void PropertyForm::addChoice(const QString& label, const QStringList& choices, c
     });
 }
 
-void PropertyForm::addColor(const QString& label, const std::function<QColor()>& read,
+void PropertyForm::addColor(const QString& label, const std::function<std::optional<QColor>()>& read,
                             const std::function<void(const QColor&)>& write)
 {
     auto* button = new QToolButton(this);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setIconSize({18, 18});
     connect(button, &QToolButton::clicked, this, [this, read, write] {
-        const QColor chosen = QColorDialog::getColor(read(), this, tr("Colour of the fabric"));
+        const QColor chosen = QColorDialog::getColor(read().value_or(Qt::white), this, tr("Colour of the fabric"));
         if (chosen.isValid())
             write(chosen);
     });
     addField(label, button, [button, read] {
-        button->setIcon(colorSpot(read()));
-        button->setText(read().name());
+        const std::optional<QColor> color = read();
+        button->setIcon(color ? colorSpot(*color) : QIcon());
+        button->setText(color ? color->name() : variesText());
     });
 }
 

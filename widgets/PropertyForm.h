@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QFormLayout;
@@ -14,7 +15,7 @@ class QFormLayout;
 namespace bolster {
 
 /// A field calls `write` when the user is done with it, and shows `read()` again on refresh(), except while the
-/// user types in it.
+/// user types in it. `read()` is nothing where several elements have different values: "varies" is shown then.
 class PropertyForm : public QWidget {
     Q_OBJECT
 
@@ -28,26 +29,31 @@ public:
     /// Text over the whole width; hidden while it is empty.
     void addNote(
         const std::function<QString()>& read, const std::function<Tone()>& tone = [] { return Tone::Muted; });
-    void addText(const QString& label, const std::function<QString()>& read,
+    void addText(const QString& label, const std::function<std::optional<QString>()>& read,
                  const std::function<void(const QString&)>& write);
-    void addNumber(const QString& label, const NumberBox::Range& range, const std::function<double()>& read,
-                   const std::function<void(double)>& write);
+    void addNumber(const QString& label, const NumberBox::Range& range,
+                   const std::function<std::optional<double>()>& read, const std::function<void(double)>& write);
     /// A number box with a slider from `low` to `high`; while that is dragged `preview` gets its value, then
     /// `finish` is called.
     void addSlider(const QString& label, const NumberBox::Range& range, double low, double high,
-                   const std::function<double()>& read, const std::function<void(double)>& write,
+                   const std::function<std::optional<double>()>& read, const std::function<void(double)>& write,
                    const std::function<void(double)>& preview, const std::function<void()>& finish);
     /// Several numbers in a row; both functions get the place in the row.
     void addNumbers(const QString& label, const NumberBox::Range& range, int count,
-                    const std::function<double(int)>& read, const std::function<void(int, double)>& write);
-    void addCheck(const QString& label, const std::function<bool()>& read, const std::function<void(bool)>& write);
+                    const std::function<std::optional<double>(int)>& read,
+                    const std::function<void(int, double)>& write);
+    void addCheck(const QString& label, const std::function<std::optional<bool>()>& read,
+                  const std::function<void(bool)>& write);
+    /// -1: none of them, or several.
     void addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
                    const std::function<void(int)>& write);
-    void addColor(const QString& label, const std::function<QColor()>& read,
+    void addColor(const QString& label, const std::function<std::optional<QColor>()>& read,
                   const std::function<void(const QColor&)>& write);
     void addButton(const QString& text, const std::function<void()>& pressed);
 
     void refresh();
+    /// The keyboard goes to the first field that takes it, its text selected.
+    void focusFirst();
 
 private:
     void addField(const QString& label, QWidget* field, std::function<void()> show);

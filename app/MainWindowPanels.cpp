@@ -1,0 +1,73 @@
+// What the window does with its panels and the keyboard.
+#include "MainWindow.h"
+
+#include "Actions.h"
+#include "CommandPalette.h"
+#include "Docks.h"
+#include "ElementsView.h"
+#include "HistoryPanel.h"
+#include "Inspector.h"
+#include "PatternView.h"
+#include "ProblemsView.h"
+#include "Shortcuts.h"
+#include "ShortcutsDialog.h"
+
+#include <QApplication>
+#include <QMenuBar>
+
+namespace bolster {
+
+void MainWindow::connectPanels()
+{
+    m_palette = new CommandPalette(*this);
+    connect(m_actions->findCommand, &QAction::triggered, m_palette, &CommandPalette::open);
+
+    for (QDockWidget* dock : m_docks->all())
+        dock->toggleViewAction()->setObjectName(QStringLiteral("show-") + dock->objectName());
+    QList<QAction*> all;
+    for (const Command& command : commandsOf(*menuBar()))
+        all.append(command.action);
+    m_shortcuts = std::make_unique<Shortcuts>(all);
+    connect(m_actions->editShortcuts, &QAction::triggered, this, [this] {
+        auto* dialog = new ShortcutsDialog(*m_shortcuts, commandsOf(*menuBar()), this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->show();
+    });
+
+    connect(m_actions->nextPart, &QAction::triggered, this, [this] { focusNextPart(true); });
+    connect(m_actions->previousPart, &QAction::triggered, this, [this] { focusNextPart(false); });
+    connect(m_elements, &ElementsView::propertiesWanted, this, [this] {
+        Docks::reveal(m_docks->inspector);
+        m_inspector->focusFirst();
+    });
+    const QList<QDockWidget*> parts = m_docks->all();
+    for (qsizetype i = 1; i < parts.size(); ++i)
+        setTabOrder(parts[i - 1]->widget(), parts[i]->widget());
+}
+
+/// Among the parts that can be seen; of docks on top of each other that is one.
+void MainWindow::focusNextPart(bool forward)
+{
+    const QWidget* now = QApplication::focusWidget();
+    QList<QDockWidget*> parts;
+    qsizetype place = -1;
+    for (QDockWidget* dock : m_docks->all()) {
+        if (!dock->isVisible() || dock->visibleRegion().isEmpty())
+            continue;
+        if (now && dock->isAncestorOf(now))
+            place = parts.size();
+        parts.append(dock);
+    }
+    if (parts.isEmpty())
+        return;
+    const qsizetype count = parts.size();
+    const qsizetype next = place < 0 ? (forward ? 0 : count - 1) : (place + (forward ? 1 : count - 1)) % count;
+    QDockWidget* dock = parts[next];
+    dock->activateWindow(); // it may float
+    if (dock == m_docks->inspector)
+        m_inspector->focusFirst();
+    else
+        dock->widget()->setFocus(Qt::ShortcutFocusReason);
+}
+
+} // namespace bolster

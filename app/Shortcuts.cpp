@@ -1,0 +1,116 @@
+#include "Shortcuts.h"
+
+#include "Actions.h"
+
+#include <QSettings>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+const QString group = QStringLiteral("shortcuts/");
+
+bool clash(const QKeySequence& a, const QKeySequence& b)
+{
+    return !a.isEmpty() && !b.isEmpty() &&
+           (a.matches(b) != QKeySequence::NoMatch || b.matches(a) != QKeySequence::NoMatch);
+}
+
+} // namespace
+
+Shortcuts::Shortcuts(const QList<QAction*>& actions)
+{
+    const QSettings settings;
+    for (QAction* action : actions) {
+        if (action->objectName().isEmpty())
+            continue;
+        m_actions.append(action);
+        m_own.insert(action, action->shortcuts());
+    }
+    for (QAction* action : m_actions)
+        if (const QString key = group + action->objectName(); settings.contains(key))
+            apply(*action,
+                  QKeySequence::listFromString(settings.value(key).toString(), QKeySequence::PortableText));
+}
+
+bool Shortcuts::changed(const QAction& action) const
+{
+    return action.shortcuts() != m_own.value(&action);
+}
+
+QAction* Shortcuts::holder(const QKeySequence& keys, const QAction& except) const
+{
+    const auto has = [&](const QAction* action) {
+        return action != &except &&
+               std::ranges::any_of(action->shortcuts(), [&](const QKeySequence& own) { return clash(own, keys); });
+    };
+    const auto found = std::ranges::find_if(m_actions, has);
+    return found == m_actions.end() ? nullptr : *found;
+}
+
+bool Shortcuts::reserved(const QKeySequence& keys)
+{
+    if (keys.isEmpty())
+        return false;
+    const QKeyCombination first = keys[0];
+    switch (first.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Escape:
+    case Qt::Key_Space:
+        return (first.keyboardModifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+    default:
+        return false;
+    }
+}
+
+void Shortcuts::apply(QAction& action, const QList<QKeySequence>& keys)
+{
+    action.setShortcuts(keys);
+    Actions::describe(action);
+}
+
+void Shortcuts::set(QAction& action, const QKeySequence& keys)
+{
+    apply(action, keys.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{keys});
+    QSettings settings;
+    if (changed(action))
+        settings.setValue(group + action.objectName(),
+                          QKeySequence::listToString(action.shortcuts(), QKeySequence::PortableText));
+    else
+        settings.remove(group + action.objectName());
+}
+
+void Shortcuts::takeOver(QAction& action, const QKeySequence& keys)
+{
+    while (QAction* loser = holder(keys, action)) {
+        QList<QKeySequence> left = loser->shortcuts();
+        left.removeIf([&](const QKeySequence& own) { return clash(own, keys); });
+        apply(*loser, left);
+        QSettings().setValue(group + loser->objectName(),
+                             QKeySequence::listToString(left, QKeySequence::PortableText));
+    }
+    set(action, keys);
+}
+
+void Shortcuts::reset(QAction& action)
+{
+    apply(action, m_own.value(&action));
+    QSettings().remove(group + action.objectName());
+}
+
+void Shortcuts::resetAll()
+{
+    for (QAction* action : m_actions)
+        reset(*action);
+}
+
+} // namespace bolster

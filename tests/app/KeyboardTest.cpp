@@ -1,0 +1,155 @@
+// Everything can be reached by keys, and no two things by the same.
+#include "WindowTest.h"
+
+#include "CommandList.h"
+#include "ElementsView.h"
+#include "HistoryPanel.h"
+#include "HistoryView.h"
+#include "Inspector.h"
+#include "SurfaceView.h"
+
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTreeView>
+
+namespace bolster {
+namespace {
+
+class KeyboardTest : public WindowTest {
+protected:
+    static QChar mnemonic(const QString& text)
+    {
+        const QKeySequence keys = QKeySequence::mnemonic(text);
+        return keys.isEmpty() ? QChar() : QChar(static_cast<char16_t>(keys[0].key()));
+    }
+
+    /// Every menu for itself.
+    static void checkMnemonics(const QList<QAction*>& actions, const QString& where)
+    {
+        QMap<QChar, QString> taken;
+        for (const QAction* action : actions) {
+            if (action->menu())
+                checkMnemonics(action->menu()->actions(), where + '/' + action->text());
+            const QChar key = mnemonic(action->text());
+            if (key.isNull())
+                continue;
+            EXPECT_FALSE(taken.contains(key)) << where.toStdString() << ": " << action->text().toStdString()
+                                              << " and " << taken[key].toStdString();
+            taken[key] = action->text();
+        }
+    }
+
+    /// The part of the window that has the keyboard.
+    QDockWidget* part()
+    {
+        for (QDockWidget* dock : window.docks().all())
+            if (QApplication::focusWidget() && dock->isAncestorOf(QApplication::focusWidget()))
+                return dock;
+        return nullptr;
+    }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &window, key, modifiers);
+    }
+};
+
+TEST_F(KeyboardTest, MenusHaveEachMnemonicOnce)
+{
+    checkMnemonics(window.menuBar()->actions(), {});
+}
+
+TEST_F(KeyboardTest, CommandsHaveTooltipsAndShortcutsOfTheirOwn)
+{
+    QMap<QString, QString> taken;
+    for (const Command& command : commandsOf(*window.menuBar())) {
+        EXPECT_FALSE(command.action->toolTip().isEmpty()) << command.text.toStdString();
+        for (const QKeySequence& keys : command.action->shortcuts()) {
+            const QString name = keys.toString();
+            EXPECT_FALSE(taken.contains(name))
+                << name.toStdString() << ": " << command.text.toStdString() << " and " << taken[name].toStdString();
+            taken[name] = command.text;
+        }
+    }
+    EXPECT_GT(taken.size(), 30);
+}
+
+TEST_F(KeyboardTest, EveryActionIsInAMenu)
+{
+    QSet<const QAction*> offered;
+    for (const Command& command : commandsOf(*window.menuBar()))
+        offered.insert(command.action);
+    for (const QAction* action : window.actions().findChildren<QAction*>(Qt::FindDirectChildrenOnly))
+        EXPECT_TRUE(offered.contains(action)) << action->objectName().toStdString();
+}
+
+TEST_F(KeyboardTest, F6LeadsThroughTheParts)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.patternView().setFocus();
+    const Docks& docks = window.docks();
+    key(Qt::Key_F6);
+    EXPECT_EQ(part(), docks.cover);
+    key(Qt::Key_F6);
+    EXPECT_EQ(part(), docks.elements);
+    key(Qt::Key_F6); // the history lies behind the elements
+    EXPECT_EQ(part(), docks.inspector);
+    key(Qt::Key_F6);
+    EXPECT_EQ(part(), docks.pattern);
+    key(Qt::Key_F6, Qt::ShiftModifier);
+    EXPECT_EQ(part(), docks.inspector);
+}
+
+TEST_F(KeyboardTest, TabWalksThroughThePattern)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    PatternView& view = window.patternView();
+    view.setFocus();
+    QList<ElementId> patches;
+    window.document().design().each<Patch>([&](ElementId id, const Patch&) { patches << id; });
+    key(Qt::Key_Tab);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{patches[0]});
+    key(Qt::Key_Tab);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{patches[1]});
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_EQ(window.selection().elements(), Selection::Elements{patches.back()}) << "round again";
+
+    window.selection().set({}, {{patches[0], 3}}); // the last of four
+    key(Qt::Key_Tab);
+    EXPECT_EQ(window.selection().points(), (Selection::Points{{patches[0], 0}}));
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_EQ(window.selection().points(), (Selection::Points{{patches[0], 3}}));
+    EXPECT_TRUE(view.hasFocus());
+}
+
+TEST_F(KeyboardTest, EnterInTheListLeadsToTheProperties)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    auto& elements = *window.findChild<ElementsView*>();
+    window.selection().set({ElementId{2}});
+    elements.tree().setFocus();
+    QTest::keyClick(&elements.tree(), Qt::Key_Return);
+    EXPECT_EQ(part(), window.docks().inspector);
+    EXPECT_TRUE(qobject_cast<QLineEdit*>(QApplication::focusWidget())) << "its name";
+}
+
+TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.selection().set({ElementId{2}});
+    window.actions().turnLeft->trigger();
+    Docks::reveal(window.docks().history);
+    HistoryView& history = window.findChild<HistoryPanel*>()->view();
+    history.setFocus();
+    QTest::keyClick(&history, Qt::Key_F2);
+    auto* editor = history.findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    QTest::keyClicks(editor, "Belt notch");
+    QTest::keyClick(editor, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().node(1).name == "Belt notch"; }));
+    EXPECT_EQ(window.document().history().current(), 1);
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,120 @@
+// The command palette: everything that the menus offer, by typing.
+#include "WindowTest.h"
+
+#include "CommandPalette.h"
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+
+namespace bolster {
+namespace {
+
+class PaletteTest : public WindowTest {
+protected:
+    void SetUp() override
+    {
+        WindowTest::SetUp();
+        QSettings().remove(QStringLiteral("palette"));
+        window.patternView().setFocus();
+    }
+
+    CommandPalette& palette() { return window.commandPalette(); }
+
+    void openPalette()
+    {
+        QTest::keyClick(&window, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        ASSERT_TRUE(palette().isVisible());
+        ASSERT_TRUE(palette().field().hasFocus());
+    }
+
+    void type(const QString& text) { QTest::keyClicks(&palette().field(), text); }
+    void key(Qt::Key key) { QTest::keyClick(&palette().field(), key); }
+    QString first() { return palette().list().item(0)->text(); }
+};
+
+TEST_F(PaletteTest, FindsByPartsOfWordsAndDoesWithEnter)
+{
+    openPalette();
+    EXPECT_GT(palette().list().count(), 40);
+    type("tri");
+    EXPECT_EQ(first(), "Triangulation");
+    const bool before = window.actions().showMesh->isChecked();
+    key(Qt::Key_Return);
+    EXPECT_NE(window.actions().showMesh->isChecked(), before);
+    EXPECT_FALSE(palette().isVisible());
+    EXPECT_TRUE(window.patternView().hasFocus());
+
+    openPalette();
+    type("view top"); // a menu and a text
+    EXPECT_EQ(first(), "Top");
+    palette().field().clear();
+    type("grph"); // letters that follow each other
+    EXPECT_EQ(palette().list().item(0)->flags(), Qt::NoItemFlags) << "nothing of the kind";
+    palette().field().clear();
+    type("exsrf");
+    EXPECT_EQ(first(), "Export surface");
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(palette().isVisible());
+}
+
+TEST_F(PaletteTest, OffersFirstWhatWasDoneLast)
+{
+    openPalette();
+    type("ground");
+    key(Qt::Key_Return);
+    openPalette();
+    type("grid");
+    key(Qt::Key_Return);
+    openPalette();
+    EXPECT_EQ(first(), "Grid");
+    EXPECT_EQ(palette().list().item(1)->text(), "Ground");
+    key(Qt::Key_Down);
+    const bool before = window.actions().showGround->isChecked();
+    key(Qt::Key_Return);
+    EXPECT_NE(window.actions().showGround->isChecked(), before);
+    window.actions().showGround->setChecked(true);
+    window.actions().showGrid->setChecked(true);
+}
+
+TEST_F(PaletteTest, ShowsWhatCannotBeDoneAndDoesNotDoIt)
+{
+    ASSERT_FALSE(window.actions().remove->isEnabled());
+    openPalette();
+    type("delete");
+    ASSERT_EQ(first(), "Delete");
+    key(Qt::Key_Return);
+    EXPECT_TRUE(palette().isVisible()) << "nothing happened";
+    press(window.patternView(), {5, 5});
+    release(window.patternView(), {5, 5});
+    EXPECT_FALSE(palette().isVisible()) << "a click elsewhere closes it";
+}
+
+TEST_F(PaletteTest, FindsWhatIsAddedToAMenuLater)
+{
+    QMenu* menu = window.menuBar()->addMenu("Upholstery")->addMenu("Extras");
+    int done = 0;
+    QObject::connect(menu->addAction("Stuff with horsehair"), &QAction::triggered, menu, [&] { ++done; });
+    openPalette();
+    type("horse extra");
+    EXPECT_EQ(first(), "Stuff with horsehair");
+    key(Qt::Key_Return);
+    EXPECT_EQ(done, 1);
+}
+
+TEST_F(PaletteTest, ActionsHaveIdsOfTheirOwn)
+{
+    QSet<QString> ids;
+    for (const QAction* action : window.actions().findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
+        EXPECT_FALSE(action->objectName().isEmpty());
+        EXPECT_FALSE(ids.contains(action->objectName())) << action->objectName().toStdString();
+        ids.insert(action->objectName());
+    }
+    EXPECT_EQ(window.actions().importFrame->objectName(), "import-frame");
+    EXPECT_EQ(window.actions().standardViews.front()->objectName(), "front");
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,220 @@
+// The inspector with several elements or points at once, and what its fields take.
+#include "Inspector.h"
+#include "CurveEdits.h"
+#include "Document.h"
+#include "ElementEdits.h"
+#include "NumberBox.h"
+#include "Picture.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+#include "SelectionEdits.h"
+#include "TestDesigns.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSlider>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace bolster {
+namespace {
+
+class InspectorTest : public testing::Test {
+protected:
+    InspectorTest()
+    {
+        document.reset(twoSquares());
+        inspector.resize(300, 700);
+        inspector.show();
+    }
+
+    /// The boxes of the row whose label begins so.
+    QList<NumberBox*> boxes(const QString& label)
+    {
+        for (QLabel* found : inspector.widget()->findChildren<QLabel*>())
+            if (found->text().startsWith(label) && found->buddy())
+                return boxesOf(found->buddy());
+        auto* form = qobject_cast<QFormLayout*>(inspector.widget()->layout());
+        for (int row = 0; row < form->rowCount(); ++row) {
+            const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
+            const auto* text = item ? qobject_cast<QLabel*>(item->widget()) : nullptr;
+            if (text && text->text().startsWith(label))
+                return boxesOf(form->itemAt(row, QFormLayout::FieldRole)->widget());
+        }
+        return {};
+    }
+
+    static QList<NumberBox*> boxesOf(QWidget* field)
+    {
+        if (auto* box = qobject_cast<NumberBox*>(field))
+            return {box};
+        return field->findChildren<NumberBox*>();
+    }
+
+    static void type(NumberBox* box, const QString& text)
+    {
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+
+    const Patch& patch(ElementId id) { return *document.design().find<Patch>(id); }
+    void set(ElementId id, double pressure)
+    {
+        Patch changed = patch(id);
+        changed.pressure = pressure;
+        document.commit(edits::replaceElement(document.design(), id, makeElement(changed), {"Press"}));
+    }
+
+    Document document;
+    Selection selection;
+    ProblemSet problems;
+    Inspector inspector{document, selection, problems};
+};
+
+TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
+{
+    set(secondSquare, 0.25);
+    const Design before = document.design();
+    selection.set({firstSquare, secondSquare});
+    NumberBox* pressure = boxes("Pressure").front();
+    EXPECT_EQ(pressure->text(), "");
+    EXPECT_EQ(pressure->findChild<QLineEdit*>()->placeholderText(), "varies");
+    keepPicture(inspector, "inspector-several");
+
+    type(pressure, "0.5");
+    EXPECT_EQ(patch(firstSquare).pressure, 0.5);
+    EXPECT_EQ(patch(secondSquare).pressure, 0.5);
+    EXPECT_EQ(document.history().count(), 3);
+    EXPECT_EQ(document.history().node(2).edit.verb.english(), "Change the pressure of 2 patches");
+    EXPECT_EQ(boxes("Pressure").front()->text(), "0.5");
+    document.undo();
+    EXPECT_TRUE(document.design() == before);
+    EXPECT_EQ(boxes("Pressure").front()->text(), "");
+}
+
+TEST_F(InspectorTest, TakesTheNumberThatLayBelowVaries)
+{
+    selection.set({firstSquare, secondSquare});
+    const auto pressure = [this] { return boxes("Pressure").front(); }; // the form is made anew after edits
+    EXPECT_EQ(pressure()->text(), "0") << "both have it";
+    set(secondSquare, 0.25);
+    ASSERT_EQ(pressure()->text(), "");
+    type(pressure(), "0"); // what the box had last
+    EXPECT_EQ(patch(secondSquare).pressure, 0);
+    EXPECT_EQ(document.history().count(), 3);
+
+    set(secondSquare, 0.25);
+    type(pressure(), "nonsense");
+    EXPECT_EQ(document.history().count(), 4) << "refused";
+    EXPECT_EQ(pressure()->text(), "");
+    QTest::keyClick(pressure(), Qt::Key_Up);
+    EXPECT_EQ(document.history().count(), 4) << "no step from nowhere";
+}
+
+TEST_F(InspectorTest, ChecksAndChoicesShowWhereTheyDiffer)
+{
+    Patch turned = patch(secondSquare);
+    turned.wrongSideOut = true;
+    turned.fabric = ElementId{99};
+    document.reset(document.design().with({{}, {{secondSquare, nullptr, makeElement(turned)}}}));
+    selection.set({firstSquare, secondSquare});
+    auto* check = inspector.findChild<QCheckBox*>();
+    EXPECT_EQ(check->checkState(), Qt::PartiallyChecked);
+    EXPECT_EQ(inspector.findChild<QComboBox*>()->currentIndex(), -1);
+    QTest::mouseClick(check, Qt::LeftButton, {}, QPoint(8, check->height() / 2));
+    EXPECT_TRUE(patch(firstSquare).wrongSideOut);
+    EXPECT_TRUE(patch(secondSquare).wrongSideOut);
+    EXPECT_EQ(check->checkState(), Qt::Checked);
+    EXPECT_EQ(document.history().count(), 2);
+}
+
+TEST_F(InspectorTest, ASliderMovesAllOfThem)
+{
+    selection.set({firstSquare, secondSquare});
+    auto* slider = inspector.findChild<QSlider*>();
+    ASSERT_TRUE(slider);
+    slider->setSliderDown(true);
+    slider->setValue(slider->maximum() / 2);
+    EXPECT_TRUE(document.gestureRunning());
+    EXPECT_DOUBLE_EQ(patch(firstSquare).pressure, 0.5);
+    EXPECT_DOUBLE_EQ(patch(secondSquare).pressure, 0.5);
+    slider->setSliderDown(false);
+    EXPECT_FALSE(document.gestureRunning());
+    EXPECT_EQ(document.history().count(), 2);
+}
+
+TEST_F(InspectorTest, ShowsEachKindOfAMixedSelection)
+{
+    selection.set({firstSquare, secondSquare, squareSeam});
+    ASSERT_FALSE(boxes("Pressure").isEmpty());
+    QStringList texts;
+    for (const QLabel* label : inspector.widget()->findChildren<QLabel*>())
+        texts << label->text();
+    EXPECT_TRUE(texts.contains("2 patches"));
+    EXPECT_TRUE(texts.contains("Continuity"));
+    keepPicture(inspector, "inspector-mixed");
+}
+
+TEST_F(InspectorTest, PlacesSelectedPointsInTheLayout)
+{
+    const Design before = document.design();
+    selection.set({}, {{secondSquare, 0}, {secondSquare, 1}}); // at 200, 0 and 300, 0
+    QList<NumberBox*> place = boxes("Layout");
+    ASSERT_EQ(place.size(), 2);
+    EXPECT_EQ(place[0]->text(), "");
+    EXPECT_EQ(place[1]->text(), "0");
+    type(place[1], "-2.5 cm + 5");
+    EXPECT_EQ(patch(secondSquare).outline.points()[0], Vec2(0, -20));
+    EXPECT_EQ(patch(secondSquare).outline.points()[1], Vec2(100, -20));
+    EXPECT_EQ(document.history().node(1).edit.verb.english(), "Move 2 points of Second");
+    type(boxes("Layout")[0], "250");
+    EXPECT_EQ(patch(secondSquare).outline.points()[0], Vec2(50, -20));
+    EXPECT_EQ(patch(secondSquare).outline.points()[1], Vec2(50, -20));
+    document.undo();
+    document.undo();
+    EXPECT_TRUE(document.design() == before);
+}
+
+TEST_F(InspectorTest, PlacesSelectedPointsInSpace)
+{
+    selection.set({}, {{testCurve, 0}, {testCurve, 1}});
+    QList<NumberBox*> place = boxes("Space");
+    ASSERT_EQ(place.size(), 3);
+    EXPECT_EQ(place[0]->text(), "300");
+    EXPECT_EQ(place[1]->text(), "");
+    type(place[2], "3*25 mm");
+    const auto& points = document.design().find<FixationCurve>(testCurve)->curve.points();
+    EXPECT_EQ(points[0], Vec3(300, 0, 75));
+    EXPECT_EQ(points[1], Vec3(300, 100, 75));
+    EXPECT_EQ(document.history().count(), 2);
+}
+
+TEST(NumberBoxExpressions, TakesUnitsWhereLengthsAre)
+{
+    const auto typed = [](const NumberBox::Range& range, const char* text) {
+        NumberBox box(range);
+        box.setLocale(QLocale("en"));
+        box.display(7);
+        box.selectAll();
+        QTest::keyClicks(&box, text);
+        QTest::keyClick(&box, Qt::Key_Return);
+        return box.value();
+    };
+    const NumberBox::Range length{QStringLiteral(" mm")};
+    EXPECT_DOUBLE_EQ(typed(length, "3*25"), 75);
+    EXPECT_DOUBLE_EQ(typed(length, "3*25 mm"), 75);
+    EXPECT_DOUBLE_EQ(typed(length, "2.5 cm"), 25);
+    EXPECT_DOUBLE_EQ(typed(length, "1 in"), 25.4);
+    const NumberBox::Range angle{QStringLiteral("\u00b0")};
+    EXPECT_DOUBLE_EQ(typed(angle, "360/8"), 45);
+    EXPECT_DOUBLE_EQ(typed(angle, "2 cm"), 7) << "no angle";
+}
+
+} // namespace
+} // namespace bolster
