@@ -16,6 +16,7 @@ Actions::Actions(QObject* parent)
     addView();
     addInsert();
     addPattern();
+    addTwins();
     addRest();
 }
 
@@ -155,6 +156,16 @@ void Actions::addPattern()
         ->setChecked(true);
     addTool(Kind::HandleCurve, tr("Draw &handle curve"), QStringLiteral("handle-curve"), QKeySequence(Qt::Key_H));
     addTool(Kind::FancySeam, tr("Draw &fancy seam"), QStringLiteral("fancy-seam"), QKeySequence(Qt::Key_N));
+}
+
+void Actions::addTwins()
+{
+    makeTwin = add(tr("Make &mirror twin"), QStringLiteral("twin"), QKeySequence(Qt::CTRL | Qt::Key_T));
+    linkTwins = add(tr("Link as t&wins"), {});
+    unlinkTwins = add(tr("&Unlink twins"), {});
+    releasePoints = add(tr("R&elease points from the twin"), {}, QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T));
+    relinkPoints = add(tr("Re-l&ink points to the twin"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    symmetry = add(tr("S&ymmetry \u2026"), {});
 }
 
 void Actions::addRest()

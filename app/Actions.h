@@ -58,6 +58,12 @@ public:
     QList<QAction*> patternTools; ///< data: PatternToolKind
     QAction* turnLeft;
     QAction* turnRight;
+    QAction* makeTwin;
+    QAction* linkTwins;
+    QAction* unlinkTwins;
+    QAction* releasePoints;
+    QAction* relinkPoints;
+    QAction* symmetry;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -77,6 +83,7 @@ private:
     void addView();
     void addInsert();
     void addPattern();
+    void addTwins();
     void addRest();
 };
 

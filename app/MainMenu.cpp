@@ -99,6 +99,9 @@ private:
         menu->addActions(m_actions.patternTools);
         menu->addSeparator();
         menu->addActions({m_actions.turnLeft, m_actions.turnRight});
+        menu->addSeparator();
+        menu->addActions({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins, m_actions.releasePoints,
+                          m_actions.relinkPoints, m_actions.symmetry});
     }
 
     void addSurface()

@@ -63,6 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectDocument();
     connectViews();
     connectScans();
+    connectTwins();
     connectActions();
     connectViewActions();
     auto* hint = new StartHint(document(), m_pattern);

@@ -71,6 +71,10 @@ private:
     void updateSolverState();
     void showMeasured();
     void connectScans();
+    void connectTwins();
+    void updateTwinActions();
+    void linkSelectedTwins();
+    void commitOrTell(const Edit& edit, const QString& problem);
     void fitScanPlacement(ElementId scan);
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);

@@ -102,6 +102,7 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
     case ElementKind::Settings:
         break;
     }
+    addTwin(form, id);
 }
 
 void InspectorForms::addSettings(PropertyForm& form) const
@@ -115,6 +116,7 @@ void InspectorForms::addSettings(PropertyForm& form) const
             settings.edgeLength = value;
             m_document.commit(edits::changeSettings(m_document.design(), settings));
         });
+    addSymmetry(form);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
         double area = 0; // mm^2

@@ -50,6 +50,8 @@ private:
     void addFrameChoice(PropertyForm& form, ElementId cushion) const;
     void addCoverChoice(PropertyForm& form, ElementId cushion) const;
     void addScan(PropertyForm& form, ElementId id) const;
+    void addTwin(PropertyForm& form, ElementId id) const;
+    void addSymmetry(PropertyForm& form) const;
     void addUnusable(PropertyForm& form, ElementId id) const;
     /// The coordinates of the only selected control point.
     void addSelectedPoint(PropertyForm& form, ElementId id) const;

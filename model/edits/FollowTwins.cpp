@@ -1,6 +1,7 @@
 // What an edit means for the twins of what it changes.
 #include "TwinEdits.h"
 
+#include "SeamsOfTwins.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -350,7 +351,7 @@ Edit withTwins(const Design& before, Edit edit)
     if (edit.empty() || !(hasLinks(before) || hasLinks(asked)))
         return edit;
     const Design now = withoutBrokenLinks(before, asked);
-    return editBetween(before, Follower(before, now).result(), std::move(edit.verb));
+    return editBetween(before, withTwinSeams(before, Follower(before, now).result()), std::move(edit.verb));
 }
 
 } // namespace bolster::edits

@@ -185,6 +185,37 @@ TEST_F(TwinsTest, ReleasedPointsGoTheirOwnWays)
     EXPECT_TRUE(relinkPoints(design, twin, exceptions).empty());
 }
 
+TEST_F(TwinsTest, SeamsFollowOutlinesThatGetOtherKnots)
+{
+    // As an edit does that makes an outline anew: twice the parameters, and the seams are told.
+    Patch patchNow = patch(side);
+    std::vector<double> knots = patchNow.outline.knots();
+    for (double& knot : knots)
+        knot *= 2;
+    patchNow.outline = BSpline2(3, true, patchNow.outline.points(), knots);
+    Edit edit{{}, {{side, nullptr, makeElement(patchNow)}}};
+    for (const auto& [id, element] : design.elements()) {
+        Element changed = *element;
+        const auto twice = [](Stretch& s) {
+            if (s.patch == side)
+                s = {side, 2 * s.from, 2 * s.to};
+        };
+        if (auto* seam = std::get_if<Seam>(&changed))
+            twice(seam->b);
+        if (auto* fixation = std::get_if<FixationSeam>(&changed))
+            twice(fixation->stretch);
+        if (!(changed == *element))
+            edit.changes.push_back({id, nullptr, std::make_shared<const Element>(changed)});
+    }
+    apply(edit);
+    EXPECT_EQ(unlike(twin), 0);
+    std::vector<Stretch> onTwin;
+    design.each<Seam>([&](ElementId, const Seam& seam) { onTwin.push_back(seam.b); });
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) { onTwin.push_back(seam.stretch); });
+    std::erase_if(onTwin, [&](const Stretch& stretch) { return stretch.patch != twin; });
+    EXPECT_EQ(onTwin, (std::vector<Stretch>{{twin, 18, 0}, {twin, 6, 12}, {twin, 0, 6}}));
+}
+
 TEST_F(TwinsTest, PointsOfAStretch)
 {
     const BSpline2& outline = patch(side).outline;
@@ -213,6 +244,51 @@ TEST_F(TwinsTest, LinksEndWithOneOfThem)
     apply(copy);
     EXPECT_FALSE(patch(copy.changes.front().id).twin) << "a copy is nobody's twin";
     EXPECT_EQ(twinOf(design, side), twin);
+}
+
+// Two pieces that were drawn separately, each from its own corner and counter-clockwise, the second turned.
+constexpr const char* drawnDesign = R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [
+  {"id": 1, "kind": "fabric", "name": "Leather"},
+  {"id": 2, "kind": "patch", "name": "A", "fabric": 1,
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[100,0],[150,300],[0,250]]}},
+  {"id": 3, "kind": "patch", "name": "B", "fabric": 1, "position": [500, 0],
+   "outline": {"degree": 1, "closed": true, "points": [[0,-100],[0,0],[-250,0],[-300.4,-150.2]]}},
+  {"id": 4, "kind": "patch", "name": "C", "fabric": 1, "position": [900, 0],
+   "outline": {"degree": 1, "closed": true, "points": [[0,0],[300,0],[300,40],[0,40]]}},
+  {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 0}, "b": {"patch": 3, "from": 1, "to": 2}},
+  {"id": 6, "kind": "fixation_curve", "name": "P", "curve": {"degree": 1, "closed": false,
+   "points": [[-100,0,0],[-100,300,0]]}},
+  {"id": 7, "kind": "fixation_curve", "name": "Q", "curve": {"degree": 1, "closed": false,
+   "points": [[101,301,0],[101,0,0]]}},
+  {"id": 8, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 7}]})";
+
+TEST_F(TwinsTest, LinksWhatWasDrawnSeparately)
+{
+    design = test::soundDesign(drawnDesign);
+    constexpr ElementId a{2}, b{3}, c{4}, p{6}, q{7};
+    Message problem;
+    EXPECT_TRUE(linkTwins(design, a, c, &problem).empty());
+    EXPECT_NE(problem.english().find("no mirror images"), std::string::npos);
+    EXPECT_TRUE(linkTwins(design, a, p, &problem).empty());
+    EXPECT_TRUE(linkTwins(design, a, a, &problem).empty());
+
+    // B is A in the mirror, turned by 90 degrees, and its first point is the last corner but one.
+    const auto inLayout = [&](double t) { return toLayout(patch(b), patch(b).outline.at(t)); };
+    const Vec2 from = inLayout(1);
+    const Vec2 to = inLayout(2);
+    apply(linkTwins(design, a, b));
+    ASSERT_EQ(twinOf(design, a), b);
+    EXPECT_EQ(unlike(b), 0);
+    EXPECT_EQ(patch(b).name, "B");
+    const Seam& seam = *design.find<Seam>(ElementId{5});
+    EXPECT_LT((inLayout(seam.b.from) - to).norm(), 1) << "where it was in the layout";
+    EXPECT_LT((inLayout(seam.b.to) - from).norm(), 1);
+    EXPECT_EQ(seam.b.from, std::round(seam.b.from)) << "at a corner";
+    EXPECT_TRUE(linkTwins(design, a, b).empty()) << "they are already";
+
+    apply(linkTwins(design, p, q));
+    EXPECT_EQ(design.find<FixationCurve>(q)->curve.points()[0], Vec3(100, 0, 0));
+    EXPECT_TRUE(design.find<FixationSeam>(ElementId{8})->reversed);
 }
 
 TEST_F(TwinsTest, FollowTheMirror)
