@@ -21,7 +21,7 @@ void InspectorForms::addTwin(PropertyForm& form, ElementId id) const
         return;
     form.addInfo(tr("Twin of"), [this, id] {
         const ElementId other = twinOf(m_document.design(), id);
-        return other == settingsId ? tr("none") : displayName(m_document.design(), other);
+        return other == settingsId ? QStringLiteral("\u2013") : displayName(m_document.design(), other);
     });
     form.addInfo(tr("Exceptions"), [this, id] {
         const std::size_t count = releasedPoints(m_document.design(), id).size();

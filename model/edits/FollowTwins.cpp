@@ -262,17 +262,28 @@ void followValues(Twins& twins, const Symmetry& symmetry)
     }
 }
 
-/// Links that the edit broke or copied are dropped; what the design had before and was no good stays as it was
-/// read.
+/// Whether the link between these two is there.
+bool sameLink(const std::map<ElementId, ElementId>& pairs, ElementId follower, ElementId original)
+{
+    const auto found = pairs.find(follower);
+    return found != pairs.end() && found->second == original;
+}
+
+/// Links that the edit broke or copied are dropped, and new ones between what is not alike: a patch that was pasted
+/// may name another one by chance. What the design had before and was no good stays as it was read.
 Design withoutBrokenLinks(const Design& before, const Design& now)
 {
     const auto heldBefore = twinPairs(before);
     const auto holds = twinPairs(now);
     Edit edit;
     for (const auto& [id, element] : now.elements()) {
-        if (!twinLink(*element) || holds.contains(id))
+        if (!twinLink(*element))
             continue;
-        if (before.element(id) != element || heldBefore.contains(id))
+        const auto pair = holds.find(id);
+        const bool broken = pair == holds.end() && (before.element(id) != element || heldBefore.contains(id));
+        const bool unlike = pair != holds.end() && !sameLink(heldBefore, id, pair->second) &&
+                            unlikePoints(*now.element(pair->second), *element, symmetryOf(now)) != 0;
+        if (broken || unlike)
             edit.changes.push_back({id, element, withTwinLink(*element, std::nullopt)});
     }
     return now.with(edit);
@@ -292,11 +303,11 @@ public:
         const auto pairsBefore = twinPairs(m_before);
         Edit edit;
         for (const auto& [follower, original] : twinPairs(m_now)) {
-            const auto old = pairsBefore.find(follower);
-            const bool known = old != pairsBefore.end() && old->second == original;
-            if (known && !m_planeMoved && !changed(original) && !changed(follower))
-                continue;
-            add(edit, original, follower, !known);
+            const bool touched = m_planeMoved || changed(original) || changed(follower);
+            const bool sameKind = touched && sameLink(pairsBefore, follower, original) && // new ones are alike
+                                  m_before.element(follower)->index() == m_now.element(follower)->index();
+            if (sameKind)
+                add(edit, original, follower);
         }
         return m_now.with(edit);
     }
@@ -304,23 +315,21 @@ public:
 private:
     bool changed(ElementId id) const { return m_before.element(id) != m_now.element(id); }
 
-    void add(Edit& edit, ElementId original, ElementId follower, bool fresh) const
+    void add(Edit& edit, ElementId original, ElementId follower) const
     {
         const ElementId ids[2] = {original, follower};
         Twins twins;
         for (const int side : {0, 1}) {
-            const ElementPtr now = m_now.element(ids[side]);
-            const ElementPtr before = m_before.element(ids[side]);
-            twins.before[side] = !fresh && before->index() == now->index() ? before : now;
-            twins.now[side] = *now;
+            twins.before[side] = m_before.element(ids[side]);
+            twins.now[side] = *m_now.element(ids[side]);
         }
         const Twin link = *twinLink(twins.now[1]);
         twins.released = {link.released.begin(), link.released.end()};
         const bool flat = planeCurve(twins.now[0]);
         if (flat)
-            followCurves<2>(twins, 0, fresh, planeCurve, mirroredInOutline);
+            followCurves<2>(twins, 0, false, planeCurve, mirroredInOutline);
         if (spaceCurve(twins.now[0]))
-            followCurves<3>(twins, flat ? firstTwinSpacePoint : 0, fresh || m_planeMoved, spaceCurve,
+            followCurves<3>(twins, flat ? firstTwinSpacePoint : 0, m_planeMoved, spaceCurve,
                             [this](const Vec3& point) { return m_symmetry.mirrored(point); });
         followValues(twins, m_symmetry);
         if (std::vector<int> released(twins.released.begin(), twins.released.end()); released != link.released)

@@ -291,6 +291,17 @@ TEST_F(TwinsTest, LinksWhatWasDrawnSeparately)
     EXPECT_TRUE(design.find<FixationSeam>(ElementId{8})->reversed);
 }
 
+TEST_F(TwinsTest, LinksByChanceAreDropped)
+{
+    Patch pasted = patch(twin);
+    pasted.twin = Twin{seat, {}};
+    const Edit edit = addElement(design, makeElement(pasted));
+    apply(edit);
+    const Patch& there = patch(edit.changes.front().id);
+    EXPECT_FALSE(there.twin);
+    EXPECT_EQ(there.outline, pasted.outline);
+}
+
 TEST_F(TwinsTest, FollowTheMirror)
 {
     Settings settings = design.settings();

@@ -106,6 +106,8 @@ TEST_F(TwinViewTest, ADragOfAReleasedPointMovesOne)
     drag(pixel({100, 100}), pixel({130, 80}));
     EXPECT_NE(point(firstSquare, 2), Vec2(100, 100));
     EXPECT_EQ(point(twin, 2), Vec2(-100, 100));
+    drag(pixel({0, 100}), pixel({10, 120}));
+    keepPicture(view, QStringLiteral("twins"));
 }
 
 TEST_F(TwinViewTest, ShowsTheAxisAndThePointThatMovesAlong)
