@@ -49,6 +49,33 @@ std::optional<Stretch> stretchInOwnMirror(const Patch& patch, const Stretch& str
     return result.from == stretch.from ? std::nullopt : std::optional(result); // it lies across the middle
 }
 
+/// Whether the middle of one lies on the other.
+bool overlap(const BSpline2& outline, const Stretch& a, const Stretch& b)
+{
+    const auto length = [&](const Stretch& s) {
+        return unwrappedEnd(s.from, s.to, outline.domainStart(), outline.domainEnd()) - s.from;
+    };
+    const auto onto = [&](const Stretch& s, const Stretch& other) {
+        const double ahead = s.from + length(s) / 2 - other.from;
+        return ahead - outline.period() * std::floor(ahead / outline.period()) < length(other);
+    };
+    return a.patch == b.patch && (onto(a, b) || onto(b, a));
+}
+
+/// Nothing is sewn to it and nothing fixes it.
+bool isFree(const Design& design, const Stretch& stretch)
+{
+    const BSpline2& outline = design.find<Patch>(stretch.patch)->outline;
+    bool free = true;
+    const auto look = [&](const Stretch& other) { free = free && !overlap(outline, stretch, other); };
+    design.each<Seam>([&](ElementId, const Seam& seam) {
+        look(seam.a);
+        look(seam.b);
+    });
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& fixation) { look(fixation.stretch); });
+    return free;
+}
+
 /// The curve that runs in the mirror as it does itself, only backwards.
 bool isOwnMirror(const BSpline3& curve, const Symmetry& symmetry)
 {
@@ -218,7 +245,7 @@ private:
             }
             const Patch* patch = m_now.find<Patch>(side->patch);
             const auto mirrored = patch ? stretchInOwnMirror(*patch, *side) : std::nullopt;
-            if (!mirrored)
+            if (!mirrored || !isFree(m_now, *mirrored))
                 return;
             *side = *mirrored;
             seam.reversed = !seam.reversed;

@@ -22,9 +22,9 @@ using MirroredName = std::function<std::string(const std::string&)>;
 
 /// Adds the mirrored copies of patches, fixation curves, handle curves and fancy seams as their twins. Those of a
 /// patch bring along what belongs to it: curves drawn in it, fixation seams with twins of their curves, and seams
-/// to patches that have twins, to the patch itself, or to the mirrored stretch of a patch that is its own mirror
-/// image. They lie mirrored at the design's axis, or beside the pattern where that is taken. A design without a
-/// symmetry gets the default one. What has a twin is passed over.
+/// to patches that have twins, to the patch itself, or to the free mirrored stretch of a patch that is its own
+/// mirror image. They lie mirrored at the design's axis, or beside the pattern where that is taken. A design
+/// without a symmetry gets the default one. What has a twin is passed over.
 Edit makeTwins(const Design& design, std::span<const ElementId> ids, const MirroredName& mirroredName);
 
 /// Makes `follower` the twin of `original`: it becomes its exact mirror image and stays where it is in the layout

@@ -107,6 +107,19 @@ TEST_F(TwinsTest, AreMadeWithAllThatBelongsToThem)
     EXPECT_TRUE(makeTwins(design, std::array{side}, rightOf).empty()) << "there is one already";
 }
 
+TEST_F(TwinsTest, AreNotSewnWhereSomethingIs)
+{
+    design = test::soundDesign(halfDesign);
+    FixationSeam taken;
+    taken.stretch = {seat, 3, 0};
+    taken.curve = front;
+    apply(addElement(design, makeElement(taken)));
+    apply(makeTwins(design, std::array{side}, rightOf));
+    int seams = 0;
+    design.each<Seam>([&](ElementId, const Seam&) { ++seams; });
+    EXPECT_EQ(seams, 1);
+}
+
 TEST_F(TwinsTest, FollowEachOther)
 {
     apply(movePatchPoints(design, side, std::array{4}, Vec2(5, 7)));
