@@ -50,6 +50,7 @@ Actions::Actions(QObject* parent)
     add3D();
     addPatternEdits();
     addDrawing();
+    addTwins();
     addRest();
     giveIds();
 }
@@ -303,6 +304,16 @@ void Actions::addDrawing()
         backgroundOpacities.append(action);
     }
     removeBackground = add(tr("&Remove"), {});
+}
+
+void Actions::addTwins()
+{
+    makeTwin = add(tr("Make &mirror twin"), QStringLiteral("twin"), QKeySequence(Qt::CTRL | Qt::Key_T));
+    linkTwins = add(tr("Link as t&wins"), {});
+    unlinkTwins = add(tr("&Unlink twins"), {});
+    releasePoints = add(tr("R&elease points from the twin"), {}, QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T));
+    relinkPoints = add(tr("Re-l&ink points to the twin"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
+    symmetry = add(tr("S&ymmetry \u2026"), {});
 }
 
 void Actions::addRest()

@@ -103,6 +103,12 @@ public:
     QAction* makeSmooth;
     QAction* straighten;
     QAction* mergePatches;
+    QAction* makeTwin;
+    QAction* linkTwins;
+    QAction* unlinkTwins;
+    QAction* releasePoints;
+    QAction* relinkPoints;
+    QAction* symmetry;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -134,6 +140,7 @@ private:
     void add3D();
     void addPatternEdits();
     void addDrawing();
+    void addTwins();
     void addRest();
 };
 

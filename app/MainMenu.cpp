@@ -121,6 +121,9 @@ private:
         menu->addSeparator();
         menu->addAction(m_actions.mergePatches);
         menu->addSeparator();
+        menu->addActions({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins, m_actions.releasePoints,
+                          m_actions.relinkPoints, m_actions.symmetry});
+        menu->addSeparator();
         QMenu* picture = menu->addMenu(tr("&Background picture"));
         picture->addActions(
             {m_actions.background, m_actions.showBackground, m_actions.scaleBackground, m_actions.moveBackground});

@@ -70,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectFixing();
     connect3D();
     connectDrawing();
+    connectTwins();
     connectActions();
     connectViewActions();
     connectPattern();

@@ -94,6 +94,10 @@ private:
     void connectBackground();
     void connectPanels();
     void focusNextPart(bool forward);
+    void connectTwins();
+    void updateTwinActions();
+    void linkSelectedTwins();
+    void commitOrTell(const Edit& edit, const QString& problem);
     void fitScanPlacement(ElementId scan);
     void connectPattern();
     void applyLayers();

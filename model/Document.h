@@ -31,7 +31,7 @@ public:
 
     /// A new design with a new history (open, new).
     void reset(Design design);
-    /// Does nothing with an empty edit. Cancels a running gesture first.
+    /// The edit takes along mirror twins. Does nothing with an empty edit. Cancels a running gesture first.
     void commit(Edit edit);
     /// A running gesture is what undo and redo take back first, and nothing else.
     void undo();

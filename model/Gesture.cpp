@@ -1,6 +1,7 @@
 #include "Gesture.h"
 
 #include "Document.h"
+#include "TwinEdits.h"
 
 #include <utility>
 
@@ -23,7 +24,7 @@ void Gesture::update(Edit edit)
 {
     if (!m_document)
         return;
-    m_edit = std::move(edit);
+    m_edit = edits::withTwins(m_start, std::move(edit));
     m_document->show(m_start.with(m_edit));
 }
 

@@ -19,7 +19,7 @@ public:
     bool active() const { return m_document != nullptr; }
     /// The design at the press.
     const Design& start() const { return m_start; }
-    /// Shows start() with this edit.
+    /// Shows start() with this edit and what it means for mirror twins.
     void update(Edit edit);
     /// Commits the last preview as one edit; nothing if there was none.
     void commit();

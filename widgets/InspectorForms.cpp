@@ -114,6 +114,8 @@ void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& id
     case ElementKind::Settings:
         break;
     }
+    if (ids.size() == 1)
+        addTwin(form, ids.front());
 }
 
 void InspectorForms::addSettings(PropertyForm& form) const
@@ -127,6 +129,7 @@ void InspectorForms::addSettings(PropertyForm& form) const
             settings.edgeLength = value;
             m_document.commit(edits::changeSettings(m_document.design(), settings));
         });
+    addSymmetry(form);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
         double area = 0; // mm^2

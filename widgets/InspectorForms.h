@@ -55,6 +55,8 @@ private:
     void addFrameChoice(PropertyForm& form, const Ids& cushions) const;
     void addCoverChoice(PropertyForm& form, const Ids& cushions) const;
     void addScan(PropertyForm& form, const Ids& ids) const;
+    void addTwin(PropertyForm& form, ElementId id) const;
+    void addSymmetry(PropertyForm& form) const;
     void addUnusable(PropertyForm& form, const Ids& ids) const;
     /// The coordinates of the selected control points.
     void addSelectedPoints(PropertyForm& form) const;

@@ -39,6 +39,8 @@ void PatternPainter::paint()
     m_painter.setRenderHint(QPainter::Antialiasing);
     if (m_in.layers.grid)
         paintGrid(m_painter, m_in.transform, m_in.size, m_in.colors);
+    if (m_in.scene.twins().symmetry)
+        paintSymmetryAxis(m_painter, *m_in.scene.twins().symmetry, m_in.transform, m_in.size, m_in.colors);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintPatch(patch);
@@ -181,6 +183,10 @@ void PatternPainter::paintInside(const PatternPatch& patch)
         label.paint(m_painter, m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label,
                     m_in.colors.mutedLabel);
         written = label.box();
+        const PatternTwins& twins = m_in.scene.twins();
+        if (twins.has(patch.id) && !written.isEmpty())
+            paintTwinMark(m_painter, {written.center().x(), written.top() - 10},
+                          !twins.released.at(patch.id).empty(), m_in.colors.mutedLabel);
     }
     if (m_in.layers.seams)
         paintSeamArrows(patch, written);
@@ -259,6 +265,16 @@ void PatternPainter::paintAllPoints()
     for (const auto& [id, line] : m_in.scene.lines())
         if (selected(id) || hovered(id))
             paintPoints(id, line.points, line.corners, line.curve());
+    paintFollowers();
+}
+
+/// Of the selected points: what a drag of them moves elsewhere.
+void PatternPainter::paintFollowers()
+{
+    const PatternTwins& twins = m_in.scene.twins();
+    for (const auto& [id, point] : m_in.selection.points())
+        if (const auto at = twins.follower(m_in.scene, id, point))
+            paintFollower(m_painter, m_in.transform.toPixels(*at), m_in.colors);
 }
 
 void PatternPainter::paintPoints(ElementId id, const std::vector<Vec2>& points, const std::vector<char>& corners,
@@ -283,7 +299,9 @@ void PatternPainter::paintPoints(ElementId id, const std::vector<Vec2>& points, 
         m_painter.setBrush(chosen ? colors.accent : colors.pointFill);
         const double size = chosen ? pointSize + 2 : pointSize;
         const QRectF box(pixels[i] - QPointF(size, size) / 2, QSizeF(size, size));
-        if (corners[static_cast<std::size_t>(i)])
+        if (m_in.scene.twins().isReleased(id, static_cast<int>(i)))
+            paintReleasedPoint(m_painter, pixels[i], size);
+        else if (corners[static_cast<std::size_t>(i)])
             m_painter.drawRect(box);
         else
             m_painter.drawEllipse(box);

@@ -67,6 +67,7 @@ private:
     void paintSeamLinks();
     void paintLine(const PatternLine& line);
     void paintAllPoints();
+    void paintFollowers();
     void paintPoints(ElementId id, const std::vector<Vec2>& points, const std::vector<char>& corners,
                      const BSpline2& curve);
 

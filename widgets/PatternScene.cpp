@@ -106,6 +106,7 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         updateLine(design, id);
     for (const ElementId id : owners)
         updateStretches(design, id);
+    m_twins = PatternTwins::of(design);
 }
 
 void PatternScene::updatePatch(const Design& design, ElementId id)

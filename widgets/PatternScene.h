@@ -4,6 +4,7 @@
 
 #include "Design.h"
 #include "LabelPlace.h"
+#include "PatternTwins.h"
 
 #include <QColor>
 #include <QPainterPath>
@@ -92,6 +93,7 @@ public:
     const std::multimap<ElementId, PatternStretch>& stretches() const { return m_stretches; }
 
     const std::map<ElementId, PatternLine>& lines() const { return m_lines; }
+    const PatternTwins& twins() const { return m_twins; }
 
     Box2 boundingBox() const;
     /// Of patches, of lines in them, and of the patches at seams; empty when none of the ids lies in the layout.
@@ -114,6 +116,7 @@ private:
     std::map<ElementId, PatternPatch> m_patches; ///< later ones lie on top
     std::multimap<ElementId, PatternStretch> m_stretches;
     std::map<ElementId, PatternLine> m_lines;
+    PatternTwins m_twins;
 };
 
 } // namespace bolster

@@ -116,7 +116,38 @@ std::string stretchText(const Stretch& stretch)
     return line.done();
 }
 
-void addFields(Line&, const Settings&) {}
+void addSymmetry(Line& line, const Symmetry& symmetry)
+{
+    const Symmetry normal;
+    Line plane, axis, both;
+    plane.unlessVector(normal.planePoint, "point", symmetry.planePoint)
+        .unlessVector(normal.planeNormal, "normal", symmetry.planeNormal);
+    axis.unlessVector(normal.axisPoint, "point", symmetry.axisPoint)
+        .unlessVector(normal.axisDirection, "direction", symmetry.axisDirection);
+    if (plane.done() != Line().done())
+        both.raw("plane", plane.done());
+    if (axis.done() != Line().done())
+        both.raw("axis", axis.done());
+    line.raw("symmetry", both.done());
+}
+
+void addFields(Line& line, const Settings& settings)
+{
+    line.add("edge_length", settings.edgeLength);
+    if (settings.symmetry)
+        addSymmetry(line, *settings.symmetry);
+}
+
+void addTwin(Line& line, const std::optional<Twin>& twin)
+{
+    if (!twin)
+        return;
+    Line link;
+    link.add("of", twin->of);
+    if (!twin->released.empty())
+        link.raw("released", listOf(twin->released, [](int point) { return std::to_string(point); }));
+    line.raw("twin", link.done());
+}
 
 void addFields(Line&, const Quarantined&) {}
 
@@ -140,8 +171,9 @@ void addFields(Line& line, const Patch& patch)
         .unless(normal.rotation, "rotation", patch.rotation)
         .unless(normal.grain, "grain", patch.grain)
         .unless(normal.pressure, "pressure", patch.pressure)
-        .unless(normal.wrongSideOut, "wrong_side_out", patch.wrongSideOut)
-        .raw("outline", curveText(patch.outline));
+        .unless(normal.wrongSideOut, "wrong_side_out", patch.wrongSideOut);
+    addTwin(line, patch.twin);
+    line.raw("outline", curveText(patch.outline));
 }
 
 void addFields(Line& line, const Seam& seam)
@@ -155,7 +187,9 @@ void addFields(Line& line, const Seam& seam)
 
 void addFields(Line& line, const FixationCurve& fixation)
 {
-    line.quoted("name", fixation.name).raw("curve", curveText(fixation.curve));
+    line.quoted("name", fixation.name);
+    addTwin(line, fixation.twin);
+    line.raw("curve", curveText(fixation.curve));
 }
 
 void addOrientation(Line& line, const Orientation& orientation)
@@ -231,7 +265,9 @@ void addFields(Line& line, const Foam& foam)
 
 void addPatchCurve(Line& line, const PatchCurve& drawn)
 {
-    line.quoted("name", drawn.name).add("patch", drawn.patch).raw("curve", curveText(drawn.curve));
+    line.quoted("name", drawn.name).add("patch", drawn.patch);
+    addTwin(line, drawn.twin);
+    line.raw("curve", curveText(drawn.curve));
 }
 
 void addFields(Line& line, const HandleCurve& handle)
@@ -297,7 +333,7 @@ std::string writeDesign(const Design& design)
     for (const auto& [id, element] : design.elements())
         elements.append(elements.empty() ? "\n  " : ",\n  ").append(elementText(id, *element));
     Line settings;
-    settings.add("edge_length", design.settings().edgeLength);
+    addFields(settings, design.settings());
     return "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": " + settings.done() +
            ",\n \"elements\": [" + elements + "]}\n";
 }

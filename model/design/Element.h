@@ -14,6 +14,7 @@
 #include "Scan.h"
 #include "Seam.h"
 #include "Settings.h"
+#include "Twin.h"
 
 #include <memory>
 #include <string_view>

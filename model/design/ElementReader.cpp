@@ -128,6 +128,35 @@ Fabric readFabric(Fields& fields)
     return fabric;
 }
 
+/// The object under a key, if there is one; else, or if it is none, null.
+const Value* optionalObject(Fields& fields, std::string_view key)
+{
+    const Value* object = fields.optional(key);
+    if (object && !object->isObject()) {
+        fields.report().add(fields.fieldOf(key), {QT_TRANSLATE_NOOP("Message", "must be an object in braces")});
+        return nullptr;
+    }
+    return object;
+}
+
+std::optional<Twin> readTwin(Fields& parent)
+{
+    const Value* object = optionalObject(parent, "twin");
+    if (!object)
+        return std::nullopt;
+    Fields fields(*object, parent.fieldOf("twin") + ".", parent.report());
+    Twin twin;
+    twin.of = fields.id("of");
+    eachOptional(fields, "released", [&](const Value& item, const std::string& field) {
+        twin.released.push_back(integerIn(item, field, fields.report(), 0, 2 * mostCurvePoints - 1));
+    });
+    refuseEmpty(fields, "released");
+    std::sort(twin.released.begin(), twin.released.end());
+    twin.released.erase(std::unique(twin.released.begin(), twin.released.end()), twin.released.end());
+    fields.finish();
+    return twin;
+}
+
 Patch readPatch(Fields& fields)
 {
     Patch patch;
@@ -138,6 +167,7 @@ Patch readPatch(Fields& fields)
     patch.grain = fields.number("grain", patch.grain);
     patch.pressure = fields.number("pressure", patch.pressure);
     patch.wrongSideOut = fields.flag("wrong_side_out", patch.wrongSideOut);
+    patch.twin = readTwin(fields);
     patch.outline = readCurve<2>(fields, "outline");
     if (!patch.outline.empty() && !patch.outline.closed())
         fields.report().add("outline.closed",
@@ -186,6 +216,7 @@ FixationCurve readFixationCurve(Fields& fields)
 {
     FixationCurve fixation;
     fixation.name = fields.text("name");
+    fixation.twin = readTwin(fields);
     fixation.curve = readCurve<3>(fields, "curve");
     return fixation;
 }
@@ -273,6 +304,7 @@ void readPatchCurve(Fields& fields, PatchCurve& line)
 {
     line.name = fields.text("name");
     line.patch = fields.id("patch");
+    line.twin = readTwin(fields);
     line.curve = readCurve<2>(fields, "curve");
 }
 
@@ -407,6 +439,29 @@ Scan readScan(Fields& fields)
     return scan;
 }
 
+std::optional<Symmetry> readSymmetry(Fields& parent)
+{
+    const Value* object = optionalObject(parent, "symmetry");
+    if (!object)
+        return std::nullopt;
+    Symmetry symmetry;
+    Fields fields(*object, parent.fieldOf("symmetry") + ".", parent.report());
+    if (const Value* plane = optionalObject(fields, "plane")) {
+        Fields numbers(*plane, fields.fieldOf("plane") + ".", parent.report());
+        symmetry.planePoint = numbers.vector<3>("point", symmetry.planePoint);
+        symmetry.planeNormal = numbers.vector<3>("normal", symmetry.planeNormal);
+        numbers.finish();
+    }
+    if (const Value* axis = optionalObject(fields, "axis")) {
+        Fields numbers(*axis, fields.fieldOf("axis") + ".", parent.report());
+        symmetry.axisPoint = numbers.vector<2>("point", symmetry.axisPoint);
+        symmetry.axisDirection = numbers.vector<2>("direction", symmetry.axisDirection);
+        numbers.finish();
+    }
+    fields.finish();
+    return symmetry;
+}
+
 template <class T>
 ElementPtr finished(T value, Fields& fields)
 {
@@ -453,11 +508,11 @@ Settings readSettings(const Value& object, Report& report)
         return settings;
     }
     Fields fields(object, "", report);
-    const double edgeLength = fields.number("edge_length", settings.edgeLength);
+    Settings read;
+    read.edgeLength = fields.number("edge_length", settings.edgeLength);
+    read.symmetry = readSymmetry(fields);
     fields.finish();
-    if (report.clean())
-        settings.edgeLength = edgeLength;
-    return settings;
+    return report.clean() ? read : settings;
 }
 
 ElementPtr readElement(const Value& object, Report& report)

@@ -1,6 +1,7 @@
 #include "ElementRules.h"
 
 #include "DesignCheck.h"
+#include "Twins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,7 @@ bool rightSidesMeetReversed(const Patch& a, const Patch& b)
 ElementRules::ElementRules(const Design& design, Problems& problems)
     : m_design(design)
     , m_problems(problems)
+    , m_twins(twinPairs(design))
 {
     design.each<Patch>([&](ElementId, const Patch& patch) { m_usedFabrics.insert(patch.fabric); });
 }
@@ -79,6 +81,41 @@ void ElementRules::check(ElementId id, const Element& element)
     m_id = id;
     m_label = elementLabel(id, element);
     std::visit([this](const auto& value) { rules(value); }, element);
+    twin(element);
+}
+
+/// A link matters to editing alone, so nothing about it makes an element unusable.
+void ElementRules::twin(const Element& element)
+{
+    const Twin* link = twinLink(element);
+    if (!link)
+        return;
+    const auto pair = m_twins.find(m_id);
+    if (pair == m_twins.end()) {
+        warn("twin.of",
+             {QT_TRANSLATE_NOOP("Message", "element %1 cannot be its twin: that must be another %2 which "
+                                           "is nobody else's; until then it has none"),
+              {std::to_string(number(link->of)), elementLabel(kindName(element), settingsId, "")}});
+        return;
+    }
+    for (const int point : link->released) {
+        const auto exists = [&](const auto* curve, int first) {
+            return curve && point >= first && point < first + curve->pointCount();
+        };
+        const BSpline2* plane = planeCurve(element);
+        if (!exists(plane, 0) && !exists(spaceCurve(element), plane ? firstTwinSpacePoint : 0))
+            warn("twin.released", {QT_TRANSLATE_NOOP("Message", "there is no point %1"), {std::to_string(point)}});
+    }
+    const std::string other = elementLabel(pair->second, *m_design.element(pair->second));
+    const int unlike = unlikePoints(*m_design.element(pair->second), element, symmetryOf(m_design));
+    if (unlike < 0)
+        warn("twin", {QT_TRANSLATE_NOOP("Message", "its points and knots are not those of %1; the next edit of one "
+                                                   "of them makes it the mirror image"),
+                      {other}});
+    else if (unlike > 0)
+        warn("twin", {QT_TRANSLATE_NOOP("Message", "%1 of its points are no mirror images of those of %2; release "
+                                                   "them, or move them"),
+                      {std::to_string(unlike), other}});
 }
 
 void ElementRules::error(std::string field, Message message)
@@ -149,6 +186,12 @@ const T* ElementRules::reference(std::string field, ElementId id)
 
 void ElementRules::rules(const Settings& settings)
 {
+    if (settings.symmetry && !settings.symmetry->planeUsable())
+        warn("symmetry.plane", {QT_TRANSLATE_NOOP("Message", "the plane needs a normal that is not 0, and numbers "
+                                                             "within 1e7; x = 0 is used instead")});
+    if (settings.symmetry && !settings.symmetry->axisUsable())
+        warn("symmetry.axis", {QT_TRANSLATE_NOOP("Message", "the axis needs a direction that is not 0, and numbers "
+                                                            "within 1e7; x = 0 is used instead")});
     const double smallest = smallestEdgeLength(m_design);
     if (!isEdgeLength(settings.edgeLength))
         error("edge_length",

@@ -37,6 +37,8 @@ private:
     void rules(const Scan& scan);
     void rules(const Quarantined& quarantined);
 
+    void twin(const Element& element);
+
     void error(std::string field, Message message);
     void warn(std::string field, Message message);
     /// Reports a number outside [low, high], NaN too; says whether it is inside.
@@ -64,6 +66,7 @@ private:
     ElementId m_id{};
     std::string m_label;
     std::set<ElementId> m_usedFabrics;
+    std::map<ElementId, ElementId> m_twins;                 // originals by follower
     std::map<ElementId, ArcLength2> m_lengths;              // by patch
     std::map<ElementId, std::optional<Message>> m_outlines; // by patch: what is wrong
 

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "BSpline.h"
+#include "Twin.h"
 
+#include <optional>
 #include <string>
 
 namespace bolster {
 
 struct FixationCurve {
     std::string name;
-    BSpline3 curve; ///< open or closed, mm
+    BSpline3 curve;                ///< open or closed, mm
+    std::optional<Twin> twin = {}; ///< mirrored at the plane of the design
 
     friend bool operator==(const FixationCurve&, const FixationCurve&) = default;
 };

@@ -3,7 +3,9 @@
 
 #include "BSpline.h"
 #include "ElementId.h"
+#include "Twin.h"
 
+#include <optional>
 #include <string>
 
 namespace bolster {
@@ -11,7 +13,8 @@ namespace bolster {
 struct PatchCurve {
     std::string name;
     ElementId patch{};
-    BSpline2 curve; ///< open or closed, outline coordinates, mm
+    BSpline2 curve;                ///< open or closed, outline coordinates, mm
+    std::optional<Twin> twin = {}; ///< mirrored at x = 0 of the outlines, targets at the plane of the design
 
     friend bool operator==(const PatchCurve&, const PatchCurve&) = default;
 };

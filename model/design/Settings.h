@@ -1,10 +1,15 @@
 // What holds for the whole design.
 #pragma once
 
+#include "Symmetry.h"
+
+#include <optional>
+
 namespace bolster {
 
 struct Settings {
-    double edgeLength = 12; ///< mean edge of the triangulation, mm, > 0
+    double edgeLength = 12;                ///< mean edge of the triangulation, mm, > 0
+    std::optional<Symmetry> symmetry = {}; ///< nothing: the design need not be symmetric; twins use the default
 
     friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -58,7 +58,9 @@ std::string damaged(std::string text, test::Random& random)
 TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
 {
     test::Random random(2024);
-    const std::string small = writeDesign(readDesign(R"({"format": "bolster-design", "version": 1, "elements": [
+    const std::string small =
+        writeDesign(readDesign(R"({"format": "bolster-design", "version": 1, "settings": {"symmetry": {"plane":
+      {"normal": [1, 0, 1]}, "axis": {"point": [5, 0]}}}, "elements": [
       {"id": 1, "kind": "fabric", "name": "Leather", "poisson": 0.2, "color": "#123456"},
       {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1, "position": [10, 20], "grain": 45,
        "outline": {"degree": 3, "closed": true, "corners": [0, 3], "points": [[0,0],[50,-9],[99,0],[99,60],[50,70],[0,60]]}},
@@ -75,8 +77,13 @@ TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
       {"id": 10, "kind": "cushion", "name": "C", "frame": 7, "parts": ["A"], "patches": [2], "voxel_mm": 4},
       {"id": 11, "kind": "foam", "name": "W", "cushion": 10, "shape": "sphere", "size": [1, 2, 3], "cut": true},
       {"id": 12, "kind": "scan", "name": "S", "file": "s.ply", "threshold_mm": 40, "enabled": false, "target": "point",
-       "cuts": [{"planes": [[0, 0, 1, 5]]}, {"planes": [[1, 0, 0, 9], [-1, 0, 0, 9]], "keep": true}]}]})")
-                                              .design);
+       "cuts": [{"planes": [[0, 0, 1, 5]]}, {"planes": [[1, 0, 0, 9], [-1, 0, 0, 9]], "keep": true}]},
+      {"id": 13, "kind": "patch", "name": "Twin", "fabric": 1, "position": [-10, 20], "twin": {"of": 2, "released": [4]},
+       "outline": {"degree": 3, "closed": true, "corners": [0, 3],
+        "points": [[0,0],[-50,-9],[-99,0],[-99,60],[-50,75],[0,60]]}},
+      {"id": 14, "kind": "fixation_curve", "name": "Twin", "twin": {"of": 3}, "curve": {"degree": 2, "closed": false,
+       "knots": [0, 0, 0, 1.5, 3, 3, 3], "points": [[0,0,0],[-50,0,20],[-80,0,20],[-99,0,0]]}}]})")
+                        .design);
     const std::string large = test::designText("car-seat-tied");
     int readable = 0;
     for (int i = 0; i < 4000; ++i) {

@@ -9,6 +9,8 @@
 #include "PatchEdits.h"
 #include "SeamEdits.h"
 #include "SeamStretches.h"
+#include "TwinEdits.h"
+#include "Twins.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +68,15 @@ private:
     {
         const std::vector point = {pick(patch.outline.pointCount())};
         const std::vector ids = {id};
-        switch (pick(9)) {
+        switch (pick(13)) {
+        case 9:
+            return edits::makeTwins(design, ids, [](const std::string& name) { return name + "'"; });
+        case 10:
+            return edits::releasePoints(design, id, point);
+        case 11:
+            return edits::relinkPoints(design, id, releasedPoints(design, id));
+        case 12:
+            return pick(4) == 0 ? edits::unlinkTwins(design, ids) : edits::addElement(design, design.element(id));
         case 7:
             return edits::addFancySeam(design, id, BSpline2(1, false, {{10, 10}, {somewhere(90), 60}}), "Fancy");
         case 8:
@@ -198,6 +208,11 @@ TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
                 replay = replay.with(document.history().node(node).edit);
             ASSERT_EQ(writeDesign(document.design()), writeDesign(replay)) << i;
             ASSERT_TRUE(seen == document.design()) << i;
+            for (const auto& [follower, original] : twinPairs(document.design()))
+                ASSERT_EQ(unlikePoints(*document.design().element(original), *document.design().element(follower),
+                                       symmetryOf(document.design())),
+                          0)
+                    << i;
         }
         EXPECT_GT(document.history().count(), 20);
 

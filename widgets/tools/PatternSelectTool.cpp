@@ -329,6 +329,9 @@ void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
         m_drag->paint(painter, colors);
         return;
     }
+    if (m_hover.kind == PatternHit::Kind::Point)
+        if (const auto twin = m_context.scene().twins().follower(m_context.scene(), m_hover.patch, m_hover.point))
+            paintFollower(painter, m_context.transform().toPixels(*twin), colors);
     const std::optional<QPointF> handle = turnHandle();
     if (!handle)
         return;

@@ -1,0 +1,301 @@
+// The mirrored copies of patches and curves, with what belongs to them.
+#include "TwinEdits.h"
+
+#include "EditHelpers.h"
+#include "Twins.h"
+
+namespace bolster::edits {
+
+namespace {
+
+constexpr double layoutGap = 40;         // mm, between the pattern and a copy that lies beside it
+constexpr double ownMirrorTolerance = 1; // mm: of patches and curves that are their own mirror image
+
+Box2 layoutBox(const Patch& patch)
+{
+    Box2 box;
+    for (const Vec2& point : patch.outline.points())
+        box.extend(toLayout(patch, point));
+    return box;
+}
+
+/// Lies where the axis shows the other one.
+void placeInMirror(Patch& patch, const Symmetry& symmetry)
+{
+    patch.position = symmetry.mirroredInLayout(patch.position);
+    patch.rotation = std::remainder(2 * symmetry.axisAngle() - 180 - patch.rotation, 360);
+}
+
+/// The stretch where a patch, mirrored at the middle of its box, has this one; nothing when it is another shape.
+std::optional<Stretch> stretchInOwnMirror(const Patch& patch, const Stretch& stretch)
+{
+    const BSpline2& outline = patch.outline;
+    const double middle = outline.boundingBox().center().x();
+    const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+    const auto mirrored = [&](double t) {
+        const Vec2 p = outline.at(outline.wrapped(t));
+        return outline.closest({2 * middle - p.x(), p.y()});
+    };
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
+        if (mirrored(stretch.from + share * (end - stretch.from)).distance > ownMirrorTolerance)
+            return std::nullopt;
+    const auto tidy = [&](double t) { // mostly a knot
+        for (const double knot : outline.breaks())
+            if (std::abs(t - knot) < 1e-6 * outline.period())
+                return outline.wrapped(knot);
+        return t;
+    };
+    const Stretch result{stretch.patch, tidy(mirrored(end).parameter), tidy(mirrored(stretch.from).parameter)};
+    return result.from == stretch.from ? std::nullopt : std::optional(result); // it lies across the middle
+}
+
+/// Whether the middle of one lies on the other.
+bool overlap(const BSpline2& outline, const Stretch& a, const Stretch& b)
+{
+    const auto length = [&](const Stretch& s) {
+        return unwrappedEnd(s.from, s.to, outline.domainStart(), outline.domainEnd()) - s.from;
+    };
+    const auto onto = [&](const Stretch& s, const Stretch& other) {
+        const double ahead = s.from + length(s) / 2 - other.from;
+        return ahead - outline.period() * std::floor(ahead / outline.period()) < length(other);
+    };
+    return a.patch == b.patch && (onto(a, b) || onto(b, a));
+}
+
+/// Nothing is sewn to it and nothing fixes it.
+bool isFree(const Design& design, const Stretch& stretch)
+{
+    const BSpline2& outline = design.find<Patch>(stretch.patch)->outline;
+    bool free = true;
+    const auto look = [&](const Stretch& other) { free = free && !overlap(outline, stretch, other); };
+    design.each<Seam>([&](ElementId, const Seam& seam) {
+        look(seam.a);
+        look(seam.b);
+    });
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& fixation) { look(fixation.stretch); });
+    return free;
+}
+
+/// The curve that runs in the mirror as it does itself, only backwards.
+bool isOwnMirror(const BSpline3& curve, const Symmetry& symmetry)
+{
+    if (curve.closed() || curve.empty())
+        return false;
+    const auto image = mirroredCurve(curve.reversed(), symmetry);
+    if (!image)
+        return false;
+    constexpr int samples = 16;
+    for (int i = 0; i <= samples; ++i) {
+        const double t = curve.domainStart() + curve.period() * i / samples;
+        if ((image->at(t) - curve.at(t)).norm() > ownMirrorTolerance)
+            return false;
+    }
+    return true;
+}
+
+class TwinMaker {
+public:
+    TwinMaker(const Design& design, const MirroredName& mirroredName)
+        : m_start(design)
+        , m_now(design)
+        , m_mirroredName(mirroredName)
+    {
+        Settings settings = design.settings();
+        if (!settings.symmetry)
+            settings.symmetry = Symmetry();
+        m_symmetry = *settings.symmetry;
+        put(settingsId, makeElement(settings));
+    }
+
+    void add(ElementId id)
+    {
+        const ElementPtr element = m_now.element(id);
+        if (id == settingsId || !element || !canBeTwin(*element) || twinOf(m_now, id) != settingsId)
+            return;
+        if (const auto* patch = std::get_if<Patch>(element.get()))
+            addPatch(id, *patch);
+        else if (const auto* curve = std::get_if<FixationCurve>(element.get()))
+            addCurve(id, *curve);
+        else
+            addDrawn(id, patchCurve(*element)->patch);
+    }
+
+    /// Seams last: they need both patches.
+    Edit result(Message verb)
+    {
+        if (m_made.empty())
+            return {};
+        for (const auto& [id, twin] : m_made)
+            if (m_start.find<Patch>(id))
+                addSewn(id, twin);
+        return editBetween(m_start, m_now, std::move(verb));
+    }
+
+private:
+    void put(ElementId id, ElementPtr element) { m_now = m_now.with({{}, {{id, nullptr, std::move(element)}}}); }
+
+    ElementId put(ElementPtr element)
+    {
+        const ElementId id = m_now.nextId();
+        put(id, std::move(element));
+        return id;
+    }
+
+    template <class T>
+    ElementId putTwin(ElementId of, T copy)
+    {
+        copy.name = m_mirroredName(copy.name);
+        copy.twin = Twin{of, {}};
+        return m_made[of] = put(makeElement(std::move(copy)));
+    }
+
+    void addPatch(ElementId id, Patch copy)
+    {
+        const auto outline = mirroredCurve(copy.outline);
+        if (!outline)
+            return;
+        copy.outline = *outline;
+        copy.grain = mirroredGrain(copy.grain);
+        placeInMirror(copy, m_symmetry);
+        moveAside(copy);
+        const ElementId twin = putTwin(id, std::move(copy));
+        for (const auto& [other, element] : m_start.elements())
+            if (const PatchCurve* drawn = patchCurve(*element); drawn && drawn->patch == id)
+                addDrawn(other, id);
+        m_start.each<Cushion>([&](ElementId cushion, const Cushion&) {
+            Cushion wider = *m_now.find<Cushion>(cushion);
+            if (std::find(wider.patches.begin(), wider.patches.end(), id) == wider.patches.end())
+                return;
+            wider.patches.push_back(twin);
+            put(cushion, makeElement(std::move(wider)));
+        });
+    }
+
+    /// Out of the way of the patches that are there.
+    void moveAside(Patch& copy) const
+    {
+        const Box2 own = layoutBox(copy);
+        Box2 all;
+        bool taken = false;
+        m_now.each<Patch>([&](ElementId, const Patch& patch) {
+            const Box2 box = layoutBox(patch);
+            all.extend(box);
+            const Box2 common = own.intersection(box);
+            taken = taken || (!common.isEmpty() && common.sizes().minCoeff() > 1e-6);
+        });
+        if (taken)
+            copy.position.x() += all.max().x() + layoutGap - own.min().x();
+    }
+
+    ElementId addCurve(ElementId id, FixationCurve copy)
+    {
+        const auto curve = mirroredCurve(copy.curve, m_symmetry);
+        if (!curve)
+            return settingsId;
+        copy.curve = *curve;
+        return putTwin(id, std::move(copy));
+    }
+
+    /// In the twin of its patch, or in the patch itself.
+    void addDrawn(ElementId id, ElementId patch)
+    {
+        const ElementPtr element = m_start.element(id);
+        const ElementId twin = twinOf(m_now, patch);
+        const auto curve = mirroredCurve(*planeCurve(*element));
+        if (!curve || m_made.contains(id) || twinOf(m_now, id) != settingsId)
+            return;
+        const ElementId on = twin == settingsId ? patch : twin;
+        if (const auto* handle = std::get_if<HandleCurve>(element.get())) {
+            HandleCurve copy = *handle;
+            const auto target = mirroredCurve(handle->target, m_symmetry);
+            if (!target)
+                return;
+            copy.patch = on;
+            copy.curve = *curve;
+            copy.target = *target;
+            copy.orientation = mirroredOrientation(copy.orientation, m_symmetry);
+            putTwin(id, std::move(copy));
+        } else if (const auto* fancy = std::get_if<FancySeam>(element.get())) {
+            FancySeam copy = *fancy;
+            copy.patch = on;
+            copy.curve = *curve;
+            putTwin(id, std::move(copy));
+        }
+    }
+
+    void addSewn(ElementId patch, ElementId twin)
+    {
+        m_start.each<Seam>([&](ElementId id, const Seam& seam) {
+            if ((seam.a.patch == patch || seam.b.patch == patch) && m_sewn.insert(id).second)
+                addSeam(seam);
+        });
+        m_start.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
+            if (seam.stretch.patch == patch)
+                addFixation(seam, twin);
+        });
+    }
+
+    void addSeam(Seam seam)
+    {
+        const Seam original = seam;
+        for (Stretch* side : {&seam.a, &seam.b}) {
+            if (const ElementId twin = twinOf(m_now, side->patch); twin != settingsId) {
+                side->patch = twin;
+                continue;
+            }
+            const Patch* patch = m_now.find<Patch>(side->patch);
+            const auto mirrored = patch ? stretchInOwnMirror(*patch, *side) : std::nullopt;
+            if (!mirrored || !isFree(m_now, *mirrored))
+                return;
+            *side = *mirrored;
+            seam.reversed = !seam.reversed;
+        }
+        bool sewn = seam.a == original.b && seam.b == original.a; // across the plane: its own mirror image
+        m_now.each<Seam>([&](ElementId, const Seam& other) { sewn = sewn || other == seam; });
+        if (!sewn)
+            put(makeElement(seam));
+    }
+
+    void addFixation(FixationSeam seam, ElementId twin)
+    {
+        seam.stretch.patch = twin;
+        seam.orientation = mirroredOrientation(std::move(seam.orientation), m_symmetry);
+        const FixationCurve* curve = seam.hasCurve() ? m_now.find<FixationCurve>(seam.curve) : nullptr;
+        if (curve && twinOf(m_now, seam.curve) != settingsId) {
+            seam.curve = twinOf(m_now, seam.curve);
+        } else if (curve && isOwnMirror(curve->curve, m_symmetry)) {
+            const double both = curve->curve.domainStart() + curve->curve.domainEnd();
+            if (seam.curveRange)
+                seam.curveRange = {both - seam.curveRange->second, both - seam.curveRange->first};
+            seam.reversed = !seam.reversed;
+        } else if (curve) {
+            const ElementId made = addCurve(seam.curve, *curve);
+            if (made == settingsId)
+                return;
+            seam.curve = made;
+        }
+        put(makeElement(std::move(seam)));
+    }
+
+    Design m_start;
+    Design m_now;
+    const MirroredName& m_mirroredName;
+    Symmetry m_symmetry;
+    std::map<ElementId, ElementId> m_made; // twins by original
+    std::set<ElementId> m_sewn;            // seams that have been dealt with
+};
+
+} // namespace
+
+Edit makeTwins(const Design& design, std::span<const ElementId> ids, const MirroredName& mirroredName)
+{
+    TwinMaker maker(design, mirroredName);
+    for (const ElementId id : ids)
+        maker.add(id);
+    if (ids.size() == 1)
+        return maker.result(
+            {QT_TRANSLATE_NOOP("Message", "Make a mirror twin of %1"), {displayName(design, ids.front())}});
+    return maker.result({QT_TRANSLATE_NOOP("Message", "Make %1 mirror twins"), {std::to_string(ids.size())}});
+}
+
+} // namespace bolster::edits

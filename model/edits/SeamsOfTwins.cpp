@@ -1,0 +1,91 @@
+#include "SeamsOfTwins.h"
+
+#include "Twins.h"
+
+namespace bolster::edits {
+
+namespace {
+
+std::vector<Stretch> stretchesOf(const Element& element)
+{
+    if (const auto* seam = std::get_if<Seam>(&element))
+        return {seam->a, seam->b};
+    if (const auto* fixation = std::get_if<FixationSeam>(&element))
+        return {fixation->stretch};
+    return {};
+}
+
+ElementPtr withStretches(const Element& element, const std::vector<Stretch>& stretches)
+{
+    Element result = element;
+    if (auto* seam = std::get_if<Seam>(&result)) {
+        seam->a = stretches[0];
+        seam->b = stretches[1];
+    } else if (auto* fixation = std::get_if<FixationSeam>(&result)) {
+        fixation->stretch = stretches[0];
+    }
+    return std::make_shared<const Element>(std::move(result));
+}
+
+/// Calls visit(id, stretches before, stretches now) for each seam that the edit has left in the design.
+template <class Visit>
+void eachKept(const Design& before, const Design& now, const Visit& visit)
+{
+    for (const auto& [id, element] : now.elements()) {
+        const std::vector<Stretch> after = stretchesOf(*element);
+        const ElementPtr old = after.empty() ? nullptr : before.element(id);
+        if (old && old->index() == element->index())
+            visit(id, stretchesOf(*old), after);
+    }
+}
+
+using Moves = std::map<double, double>; // parameters: new by old
+
+/// Where the edit has moved the ends of stretches on a patch.
+Moves movesOn(ElementId patch, const Design& before, const Design& now)
+{
+    Moves moves;
+    eachKept(before, now, [&](ElementId, const std::vector<Stretch>& old, const std::vector<Stretch>& after) {
+        for (std::size_t i = 0; i < old.size(); ++i)
+            if (old[i].patch == patch && after[i].patch == patch && !(old[i] == after[i])) {
+                moves.emplace(old[i].from, after[i].from);
+                moves.emplace(old[i].to, after[i].to);
+            }
+    });
+    return moves;
+}
+
+Design withMoves(const Moves& moves, ElementId patch, const Design& before, const Design& now)
+{
+    Edit edit;
+    const auto moved = [&](double parameter) {
+        const auto found = moves.find(parameter);
+        return found == moves.end() ? parameter : found->second;
+    };
+    eachKept(before, now, [&](ElementId id, const std::vector<Stretch>& old, std::vector<Stretch> after) {
+        const std::vector<Stretch> given = after;
+        for (std::size_t i = 0; i < old.size(); ++i)
+            if (after[i].patch == patch && old[i] == after[i])
+                after[i] = {patch, moved(after[i].from), moved(after[i].to)};
+        if (after != given)
+            edit.changes.push_back({id, nullptr, withStretches(*now.element(id), after)});
+    });
+    return now.with(edit);
+}
+
+} // namespace
+
+Design withTwinSeams(const Design& before, const Design& now)
+{
+    Design result = now;
+    for (const auto& [follower, original] : twinPairs(now))
+        for (const auto& [patch, twin] : {std::pair(original, follower), std::pair(follower, original)}) {
+            const auto* old = before.find<Patch>(patch);
+            const auto* edited = now.find<Patch>(patch);
+            if (old && edited && old->outline.knots() != edited->outline.knots())
+                result = withMoves(movesOn(patch, before, now), twin, before, result);
+        }
+    return result;
+}
+
+} // namespace bolster::edits

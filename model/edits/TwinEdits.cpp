@@ -1,0 +1,139 @@
+#include "TwinEdits.h"
+
+#include "EditHelpers.h"
+#include "Twins.h"
+
+#include <algorithm>
+
+namespace bolster::edits {
+
+namespace {
+
+/// Both twins, the original first; settingsId when it has none.
+std::pair<ElementId, ElementId> pairOf(const Design& design, ElementId id)
+{
+    for (const auto& [follower, original] : twinPairs(design))
+        if (id == follower || id == original)
+            return {original, follower};
+    return {settingsId, settingsId};
+}
+
+bool hasPoint(const Element& element, int point)
+{
+    const BSpline2* plane = planeCurve(element);
+    const BSpline3* space = spaceCurve(element);
+    const int first = plane ? firstTwinSpacePoint : 0;
+    return (plane && point >= 0 && point < plane->pointCount()) ||
+           (space && point >= first && point < first + space->pointCount());
+}
+
+Edit changeReleased(const Design& design, ElementId follower, const std::set<int>& released, Message verb)
+{
+    const ElementPtr element = design.element(follower);
+    Twin link = *twinLink(*element);
+    link.released.assign(released.begin(), released.end());
+    return replaceElement(design, follower, withTwinLink(*element, std::move(link)), std::move(verb));
+}
+
+/// The element with these points where the mirror shows those of its twin.
+ElementPtr withMirrored(const Element& element, const Element& twin, const std::set<int>& points,
+                        const Symmetry& symmetry)
+{
+    Element result = element;
+    const auto place = [&](auto curve, const auto& image, int first) {
+        auto places = curve.points();
+        for (const int point : points)
+            if (point >= first && point < first + std::min(curve.pointCount(), image.pointCount()))
+                places[static_cast<std::size_t>(point - first)] =
+                    image.points()[static_cast<std::size_t>(point - first)];
+        return curve.withPoints(std::move(places));
+    };
+    const BSpline2* plane = planeCurve(element);
+    if (plane)
+        if (const auto image = mirroredCurve(*planeCurve(twin)))
+            result = *withPlaneCurve(result, place(*plane, *image, 0));
+    if (const BSpline3* space = spaceCurve(element); space && !space->empty())
+        if (const auto image = mirroredCurve(*spaceCurve(twin), symmetry))
+            result = *withSpaceCurve(result, place(*space, *image, plane ? firstTwinSpacePoint : 0));
+    return std::make_shared<const Element>(std::move(result));
+}
+
+} // namespace
+
+Edit unlinkTwins(const Design& design, std::span<const ElementId> ids)
+{
+    Edit edit;
+    std::set<ElementId> followers;
+    for (const ElementId id : ids)
+        if (const auto [original, follower] = pairOf(design, id);
+            follower != settingsId && followers.insert(follower).second)
+            edit.changes.push_back(
+                {follower, design.element(follower), withTwinLink(*design.element(follower), std::nullopt)});
+    if (edit.empty())
+        return edit;
+    const ElementId first = edit.changes.front().id;
+    edit.verb = {QT_TRANSLATE_NOOP("Message", "Unlink %1 and %2"),
+                 {displayName(design, twinOf(design, first)), displayName(design, first)}};
+    if (followers.size() > 1)
+        edit.verb = {QT_TRANSLATE_NOOP("Message", "Unlink %1 pairs of twins"), {std::to_string(followers.size())}};
+    return edit;
+}
+
+Edit releasePoints(const Design& design, ElementId id, std::span<const int> points)
+{
+    const ElementId follower = pairOf(design, id).second;
+    if (follower == settingsId)
+        return {};
+    const std::vector<int> before = releasedPoints(design, id);
+    std::set<int> released(before.begin(), before.end());
+    for (const int point : points)
+        if (hasPoint(*design.element(id), point))
+            released.insert(point);
+    const std::size_t count = released.size() - before.size();
+    if (count == 1)
+        return changeReleased(design, follower, released,
+                              {QT_TRANSLATE_NOOP("Message", "Release a point of %1"), {displayName(design, id)}});
+    return changeReleased(design, follower, released,
+                          {QT_TRANSLATE_NOOP("Message", "Release %2 points of %1"),
+                           {displayName(design, id), std::to_string(count)}});
+}
+
+Edit relinkPoints(const Design& design, ElementId id, std::span<const int> points)
+{
+    const auto [original, follower] = pairOf(design, id);
+    if (follower == settingsId)
+        return {};
+    const std::vector<int> before = releasedPoints(design, id);
+    std::set<int> released(before.begin(), before.end());
+    std::set<int> linked;
+    for (const int point : points)
+        if (released.erase(point) > 0)
+            linked.insert(point);
+    if (linked.empty())
+        return {};
+    Message verb{QT_TRANSLATE_NOOP("Message", "Re-link a point of %1"), {displayName(design, id)}};
+    if (linked.size() > 1)
+        verb = {QT_TRANSLATE_NOOP("Message", "Re-link %2 points of %1"),
+                {displayName(design, id), std::to_string(linked.size())}};
+    const Element& twin = *design.element(id == original ? follower : original);
+    const Design moved =
+        design.with({{}, {{id, nullptr, withMirrored(*design.element(id), twin, linked, symmetryOf(design))}}});
+    return editBetween(design, moved.with(changeReleased(moved, follower, released, {})), std::move(verb));
+}
+
+std::vector<int> pointsOnStretch(const BSpline2& outline, double from, double to)
+{
+    std::vector<int> points;
+    const double period = outline.period();
+    const double slack = 1e-9 * period;
+    const double length = unwrappedEnd(from, to, outline.domainStart(), outline.domainEnd()) - from;
+    for (int i = 0; i < outline.pointCount(); ++i) {
+        double ahead = outline.parameterOfPoint(i) - from;
+        ahead -= period * std::floor((ahead + slack) / period);
+        if (ahead <= length + slack)
+            points.push_back(i);
+    }
+    return points;
+}
+
+} // namespace bolster::edits
