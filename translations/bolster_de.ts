@@ -2,6 +2,121 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AttachTool</name>
+    <message>
+        <source>Click an edge of an outline.</source>
+        <translation>Klicken Sie auf eine Kante eines Umrisses.</translation>
+    </message>
+    <message>
+        <source>Select a fixation curve first, in the 3D view or in the list.</source>
+        <translation>Wählen Sie zuerst eine Fixierkurve, in der 3D-Ansicht oder in der Liste.</translation>
+    </message>
+    <message>
+        <source>Several stretches go with one curve, or one stretch with several curves.</source>
+        <translation>Mehrere Abschnitte gehen an eine Kurve oder ein Abschnitt an mehrere Kurven.</translation>
+    </message>
+    <message>
+        <source>The stretches overlap each other, or are attached like this already.</source>
+        <translation>Die Abschnitte überschneiden sich oder sind schon so fixiert.</translation>
+    </message>
+    <message>
+        <source>This stretch is attached like this already.</source>
+        <translation>Dieser Abschnitt ist schon so fixiert.</translation>
+    </message>
+    <message>
+        <source>Select a fixation curve in the 3D view or in the list, then click an edge of an outline – Esc ends the tool</source>
+        <translation>In der 3D-Ansicht oder in der Liste eine Fixierkurve wählen, dann auf eine Kante eines Umrisses klicken – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>Click to fix this stretch of %1 to %2 – Shift+click collects several</source>
+        <translation>Klicken, um diesen Abschnitt von %1 an %2 zu fixieren – Umschalt+Klick sammelt mehrere</translation>
+    </message>
+    <message>
+        <source>Click an edge of an outline to fix it to %1 – Enter takes the selected stretch</source>
+        <translation>Auf eine Kante eines Umrisses klicken, um sie an %1 zu fixieren – Eingabe nimmt den gewählten Abschnitt</translation>
+    </message>
+    <message>
+        <source>Click the last edge, or Enter attaches %1 stretches to %2 – Backspace takes one back</source>
+        <translation>Auf die letzte Kante klicken, oder Eingabe fixiert %1 Abschnitte an %2 – Rücktaste nimmt einen zurück</translation>
+    </message>
+</context>
+<context>
+    <name>BackgroundMoveTool</name>
+    <message>
+        <source>There is no background picture yet.</source>
+        <translation>Es gibt noch kein Hintergrundbild.</translation>
+    </message>
+    <message>
+        <source>Drag the picture to its place – Enter or Esc ends the tool</source>
+        <translation>Das Bild an seinen Platz ziehen – Enter oder Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>BackgroundPicture</name>
+    <message>
+        <source>%1 cannot be read as a picture: %2</source>
+        <translation>%1 lässt sich nicht als Bild lesen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>BackgroundScaleTool</name>
+    <message>
+        <source>There is no background picture yet.</source>
+        <translation>Es gibt noch kein Hintergrundbild.</translation>
+    </message>
+    <message>
+        <source>Type the true distance of the two points, for example 500 or 20 in.</source>
+        <translation>Den wahren Abstand der beiden Punkte eingeben, zum Beispiel 500 oder 20 in.</translation>
+    </message>
+    <message>
+        <source>Click the first of two points of the picture whose distance you know – Esc ends the tool</source>
+        <translation>Den ersten von zwei Punkten des Bildes anklicken, deren Abstand bekannt ist – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click the second point</source>
+        <translation>Den zweiten Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Type their true distance, then Enter</source>
+        <translation>Ihren wahren Abstand eingeben, dann Enter</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+</context>
+<context>
+    <name>BoxShapeTool</name>
+    <message>
+        <source>&quot;%1&quot; is no size: try 300 x 200</source>
+        <translation>„%1“ ist keine Größe: zum Beispiel 300 x 200</translation>
+    </message>
+    <message>
+        <source>Enter makes it this wide and high: 300 x 200</source>
+        <translation>Enter macht es so breit und hoch: 300 x 200</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle, or click two opposite corners – Esc ends the tool</source>
+        <translation>Ein Rechteck aufziehen oder zwei gegenüberliegende Ecken klicken – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse, or click two opposite corners of its box – Esc ends the tool</source>
+        <translation>Eine Ellipse aufziehen oder zwei gegenüberliegende Ecken ihres Rahmens klicken – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click the opposite corner, or type width x height – Shift makes both equal, Ctrl does not snap</source>
+        <translation>Die gegenüberliegende Ecke klicken oder Breite x Höhe eingeben – Umschalt macht beide gleich, Strg rastet nicht ein</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+</context>
+<context>
     <name>Docks</name>
     <message>
         <source>Pattern</source>
@@ -26,6 +141,10 @@
     <message>
         <source>Problems</source>
         <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
     </message>
 </context>
 <context>
@@ -138,6 +257,89 @@
         <source>Scans</source>
         <translation>Scans</translation>
     </message>
+    <message>
+        <source>%1 patches</source>
+        <translation>%1 Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1 seams</source>
+        <translation>%1 Nähte</translation>
+    </message>
+    <message>
+        <source>%1 fixation curves</source>
+        <translation>%1 Fixierkurven</translation>
+    </message>
+    <message>
+        <source>%1 fixations</source>
+        <translation>%1 Fixierungen</translation>
+    </message>
+    <message>
+        <source>%1 handle curves</source>
+        <translation>%1 Griffkurven</translation>
+    </message>
+    <message>
+        <source>%1 fancy seams</source>
+        <translation>%1 Ziernähte</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Gestelle</translation>
+    </message>
+    <message>
+        <source>%1 cushions</source>
+        <translation>%1 Polsterungen</translation>
+    </message>
+    <message>
+        <source>%1 pieces of foam</source>
+        <translation>%1 Schaumteile</translation>
+    </message>
+    <message>
+        <source>%1 scans</source>
+        <translation>%1 Scans</translation>
+    </message>
+    <message>
+        <source>%1 fabrics</source>
+        <translation>%1 Stoffe</translation>
+    </message>
+    <message>
+        <source>%1 unusable elements</source>
+        <translation>%1 unbrauchbare Elemente</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 Elemente</translation>
+    </message>
+</context>
+<context>
+    <name>FixationDrawTool</name>
+    <message>
+        <source>There is neither a frame nor the cover here.</source>
+        <translation>Hier ist weder ein Gestell noch der Bezug.</translation>
+    </message>
+    <message>
+        <source>A curve needs two points, a closed one three.</source>
+        <translation>Eine Kurve braucht zwei Punkte, eine geschlossene drei.</translation>
+    </message>
+    <message>
+        <source>Fixation %1</source>
+        <translation>Fixierung %1</translation>
+    </message>
+    <message>
+        <source>Click on a frame to begin a fixation curve, drag to turn the view – Esc ends the tool</source>
+        <translation>Auf ein Gestell klicken, um eine Fixierkurve zu beginnen; Ziehen dreht die Ansicht – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click to close the curve</source>
+        <translation>Klick schließt die Kurve</translation>
+    </message>
+    <message>
+        <source>Click for the next point, double click or Enter ends – B makes it straight, Backspace takes a point back</source>
+        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie gerade, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Click for the next point, double click or Enter ends – B makes it smooth, Backspace takes a point back</source>
+        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie rund, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
 </context>
 <context>
     <name>HelpDialogs</name>
@@ -204,10 +406,6 @@
     <message>
         <source>Shift and middle button</source>
         <translation>Umschalt und mittlere Taste</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>ziehen</translation>
     </message>
     <message>
         <source>A workbench for people who design upholstered furniture and car seats: a sewing pattern, its seams and its fixation on the frame become the cover, live.</source>
@@ -349,6 +547,66 @@
         <source>Move control points of curves</source>
         <translation>Kontrollpunkte von Kurven verschieben</translation>
     </message>
+    <message>
+        <source>Sew</source>
+        <translation>Nähen</translation>
+    </message>
+    <message>
+        <source>click two edges; drag or Shift+click takes a part of one; Ctrl+click several in a row, Enter sews them; F: flip</source>
+        <translation>zwei Kanten anklicken; Ziehen oder Umschalt+Klick nimmt einen Teil; Strg+Klick mehrere in einer Reihe, Eingabe näht sie; F: umkehren</translation>
+    </message>
+    <message>
+        <source>Attach to the selected fixation curve</source>
+        <translation>An die gewählte Fixierkurve befestigen</translation>
+    </message>
+    <message>
+        <source>click an edge; Shift+click collects several</source>
+        <translation>auf eine Kante klicken; Umschalt+Klick sammelt mehrere</translation>
+    </message>
+    <message>
+        <source>Draw an outline</source>
+        <translation>Umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>click corners, drag smooth points, or type 500, 500&lt;30 or 120, 40; Enter or a click on the first point closes</source>
+        <translation>Ecken klicken, glatte Punkte ziehen oder 500, 500&lt;30 oder 120, 40 tippen; Enter oder ein Klick auf den ersten Punkt schließt</translation>
+    </message>
+    <message>
+        <source>Not snapped</source>
+        <translation>Ohne Einrasten</translation>
+    </message>
+    <message>
+        <source>hold Ctrl or Alt</source>
+        <translation>Strg oder Alt halten</translation>
+    </message>
+    <message>
+        <source>Select in a loop</source>
+        <translation>In einer Schlinge auswählen</translation>
+    </message>
+    <message>
+        <source>Alt and drag</source>
+        <translation>Alt und ziehen</translation>
+    </message>
+    <message>
+        <source>Next patch or control point, previous one</source>
+        <translation>Nächstes Schnittteil oder nächster Kontrollpunkt, voriges</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>drag; those on a frame stay on it: Ctrl lifts them off, S lets go; X, Y, Z keep to an axis</source>
+        <translation>ziehen; solche auf einem Gestell bleiben darauf: Strg hebt sie ab, S löst sie; X, Y, Z halten eine Achse ein</translation>
+    </message>
+    <message>
+        <source>Draw a fixation curve</source>
+        <translation>Fixierkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>click points on a frame; Enter or double click ends; click the first one to close</source>
+        <translation>Punkte auf einem Gestell klicken; Eingabe oder Doppelklick beendet; auf den ersten klicken schließt</translation>
+    </message>
 </context>
 <context>
     <name>Insert</name>
@@ -449,10 +707,6 @@
     <message>
         <source>Outline</source>
         <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
     </message>
     <message>
         <source>By length</source>
@@ -738,6 +992,61 @@
         <source>Remove all cuts</source>
         <translation>Alle Schnitte entfernen</translation>
     </message>
+    <message>
+        <source>On the curve</source>
+        <translation>Auf der Kurve</translation>
+    </message>
+    <message>
+        <source>Layout x, y</source>
+        <translation>Lage x, y</translation>
+    </message>
+    <message>
+        <source>Space x, y, z</source>
+        <translation>Raum x, y, z</translation>
+    </message>
+    <message>
+        <source>Twin of</source>
+        <translation>Zwilling von</translation>
+    </message>
+    <message>
+        <source>Exceptions</source>
+        <translation>Ausnahmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n released points</source>
+        <translation>
+            <numerusform>%n gelöster Punkt</numerusform>
+            <numerusform>%n gelöste Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unlink from its twin</source>
+        <translation>Vom Zwilling trennen</translation>
+    </message>
+    <message>
+        <source>Re-link all points</source>
+        <translation>Alle Punkte wieder koppeln</translation>
+    </message>
+    <message>
+        <source>Symmetric design</source>
+        <translation>Symmetrischer Entwurf</translation>
+    </message>
+    <message>
+        <source>Plane through</source>
+        <translation>Ebene durch</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Axis through</source>
+        <translation>Achse durch</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -788,6 +1097,53 @@
     <message>
         <source>&amp;Insert</source>
         <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ved views</source>
+        <translation>Gespeicherte Ansich&amp;ten</translation>
+    </message>
+    <message>
+        <source>Opacit&amp;y</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>Al&amp;ign</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute</source>
+        <translation>&amp;Verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Background picture</source>
+        <translation>&amp;Hintergrundbild</translation>
+    </message>
+    <message>
+        <source>Sea&amp;m</source>
+        <translation>Na&amp;ht</translation>
+    </message>
+    <message>
+        <source>F&amp;rame</source>
+        <translation>&amp;Gestell</translation>
+    </message>
+</context>
+<context>
+    <name>MeasureTool</name>
+    <message>
+        <source>dx %1, dy %2</source>
+        <translation>dx %1, dy %2</translation>
+    </message>
+    <message>
+        <source>This edge is %1 long – click for a point to measure from</source>
+        <translation>Diese Kante ist %1 lang – klicken, um von einem Punkt aus zu messen</translation>
+    </message>
+    <message>
+        <source>Click two points to measure, or point at an outline – Esc ends the tool</source>
+        <translation>Zwei Punkte zum Messen anklicken oder auf einen Umriss zeigen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Edge: %1</source>
+        <translation>Kante: %1</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +2204,298 @@
         <source>Change how %1 pulls</source>
         <translation>Ändern, wie %1 zieht</translation>
     </message>
+    <message>
+        <source>Release points of twins</source>
+        <translation>Punkte von Zwillingen lösen</translation>
+    </message>
+    <message>
+        <source>Re-link points of twins</source>
+        <translation>Punkte von Zwillingen wieder koppeln</translation>
+    </message>
+    <message>
+        <source>Make the design symmetric</source>
+        <translation>Entwurf symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>These two cannot be twins.</source>
+        <translation>Diese beiden können keine Zwillinge sein.</translation>
+    </message>
+    <message>
+        <source>Make corners</source>
+        <translation>Ecken machen</translation>
+    </message>
+    <message>
+        <source>Make curves smooth</source>
+        <translation>Kurven glatt machen</translation>
+    </message>
+    <message>
+        <source>element %1 cannot be its twin: that must be another %2 which is nobody else&apos;s; until then it has none</source>
+        <translation>Element %1 kann nicht sein Zwilling sein: Das muss ein anderes Element der Art %2 sein, das zu keinem anderen gehört; bis dahin hat es keinen</translation>
+    </message>
+    <message>
+        <source>there is no point %1</source>
+        <translation>es gibt keinen Punkt %1</translation>
+    </message>
+    <message>
+        <source>its points and knots are not those of %1; the next edit of one of them makes it the mirror image</source>
+        <translation>seine Punkte und Knoten sind nicht die von %1; die nächste Änderung eines der beiden macht es zum Spiegelbild</translation>
+    </message>
+    <message>
+        <source>%1 of its points are no mirror images of those of %2; release them, or move them</source>
+        <translation>%1 seiner Punkte sind keine Spiegelbilder derer von %2; diese lösen oder bewegen</translation>
+    </message>
+    <message>
+        <source>the plane needs a normal that is not 0, and numbers within 1e7; x = 0 is used instead</source>
+        <translation>die Ebene braucht eine Normale, die nicht 0 ist, und Zahlen bis 1e7; stattdessen gilt x = 0</translation>
+    </message>
+    <message>
+        <source>the axis needs a direction that is not 0, and numbers within 1e7; x = 0 is used instead</source>
+        <translation>die Achse braucht eine Richtung, die nicht 0 ist, und Zahlen bis 1e7; stattdessen gilt x = 0</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no parts of a design.</source>
+        <translation>Die Zwischenablage enthält keine Teile eines Entwurfs.</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Paste %1 pieces</source>
+        <translation>%1 Teile einfügen</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no patches and no fixation curves.</source>
+        <translation>Die Zwischenablage enthält weder Schnittteile noch Fixierkurven.</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 pieces</source>
+        <translation>%1 Teile duplizieren</translation>
+    </message>
+    <message>
+        <source>Make a corner in %1</source>
+        <translation>In %1 eine Ecke machen</translation>
+    </message>
+    <message>
+        <source>Make %1 smooth</source>
+        <translation>%1 glatt machen</translation>
+    </message>
+    <message>
+        <source>Straighten a stretch of %1</source>
+        <translation>Einen Abschnitt von %1 gerade machen</translation>
+    </message>
+    <message>
+        <source>Attach %1 to %2</source>
+        <translation>%1 an %2 fixieren</translation>
+    </message>
+    <message>
+        <source>There is no such stretch of an outline.</source>
+        <translation>Einen solchen Umrissabschnitt gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>The stretch has no length.</source>
+        <translation>Der Abschnitt hat keine Länge.</translation>
+    </message>
+    <message>
+        <source>A part of this stretch is fixed to %1 already: remove that fixation or choose another stretch.</source>
+        <translation>Ein Teil dieses Abschnitts ist schon an %1 fixiert: Entfernen Sie diese Fixierung oder wählen Sie einen anderen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>Create fixation curve %1</source>
+        <translation>Fixierkurve %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Attach %1 stretches to %2</source>
+        <translation>%1 Abschnitte an %2 fixieren</translation>
+    </message>
+    <message>
+        <source>Attach %1 to %2 curves</source>
+        <translation>%1 an %2 Kurven fixieren</translation>
+    </message>
+    <message>
+        <source>Align %1 patches</source>
+        <translation>%1 Schnittteile ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute %1 patches</source>
+        <translation>%1 Schnittteile verteilen</translation>
+    </message>
+    <message>
+        <source>Arrange %1 patches</source>
+        <translation>%1 Schnittteile anordnen</translation>
+    </message>
+    <message>
+        <source>Make %1 and %2 twins</source>
+        <translation>%1 und %2 zu Zwillingen machen</translation>
+    </message>
+    <message>
+        <source>They are no mirror images: they differ by %1 mm. Twins must be alike; make a mirror twin of one of them instead.</source>
+        <translation>Sie sind keine Spiegelbilder: Sie weichen um %1 mm voneinander ab. Zwillinge müssen sich gleichen; stattdessen einen Spiegelzwilling von einem der beiden anlegen.</translation>
+    </message>
+    <message>
+        <source>Make a mirror twin of %1</source>
+        <translation>Spiegelzwilling von %1 anlegen</translation>
+    </message>
+    <message>
+        <source>Make %1 mirror twins</source>
+        <translation>%1 Spiegelzwillinge anlegen</translation>
+    </message>
+    <message>
+        <source>A patch of the seam is missing or invalid: repair it first.</source>
+        <translation>Ein Schnittteil der Naht fehlt oder ist ungültig: zuerst reparieren.</translation>
+    </message>
+    <message>
+        <source>The seam joins %1 to itself: there is nothing to merge.</source>
+        <translation>Die Naht verbindet %1 mit sich selbst: Es gibt nichts zu vereinen.</translation>
+    </message>
+    <message>
+        <source>The seam takes up a whole outline: nothing would be left.</source>
+        <translation>Die Naht nimmt einen ganzen Umriss ein: Es bliebe nichts übrig.</translation>
+    </message>
+    <message>
+        <source>The seam joins the right side of %1 to the wrong side of %2: one patch cannot be both.</source>
+        <translation>Die Naht verbindet die rechte Seite von %1 mit der linken von %2: Ein Schnittteil kann nicht beides sein.</translation>
+    </message>
+    <message>
+        <source>The sides of the seam differ by %1 % in length, more than 5 %.</source>
+        <translation>Die Seiten der Naht sind um %1 % verschieden lang, mehr als 5 %.</translation>
+    </message>
+    <message>
+        <source>Select the seam along which to merge.</source>
+        <translation>Die Naht auswählen, an der vereint werden soll.</translation>
+    </message>
+    <message>
+        <source>Merged, %1 and %2 would overlap or cross: the seam stays.</source>
+        <translation>Vereint würden sich %1 und %2 überlappen oder kreuzen: Die Naht bleibt.</translation>
+    </message>
+    <message>
+        <source>Merge %1 and %2</source>
+        <translation>%1 und %2 vereinen</translation>
+    </message>
+    <message>
+        <source>Scale %1 patches</source>
+        <translation>%1 Schnittteile skalieren</translation>
+    </message>
+    <message>
+        <source>Scale %1 points</source>
+        <translation>%1 Punkte skalieren</translation>
+    </message>
+    <message>
+        <source>Turn %1 points</source>
+        <translation>%1 Punkte drehen</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror %1 patches</source>
+        <translation>%1 Schnittteile spiegeln</translation>
+    </message>
+    <message>
+        <source>Split %1</source>
+        <translation>%1 teilen</translation>
+    </message>
+    <message>
+        <source>The line must cross the outline of %1 exactly twice, not %2 times.</source>
+        <translation>Die Linie muss den Umriss von %1 genau zweimal kreuzen, nicht %2-mal.</translation>
+    </message>
+    <message>
+        <source>Draw a line over a patch to split it.</source>
+        <translation>Zum Teilen eine Linie über ein Schnittteil zeichnen.</translation>
+    </message>
+    <message>
+        <source>The outline of %1 is invalid: repair it first.</source>
+        <translation>Der Umriss von %1 ist ungültig: zuerst reparieren.</translation>
+    </message>
+    <message>
+        <source>The line must run inside %1.</source>
+        <translation>Die Linie muss innerhalb von %1 verlaufen.</translation>
+    </message>
+    <message>
+        <source>A piece of %1 would cross itself or be too narrow: draw another line.</source>
+        <translation>Ein Stück von %1 würde sich selbst kreuzen oder zu schmal: eine andere Linie zeichnen.</translation>
+    </message>
+    <message>
+        <source>Sew %1 to %2</source>
+        <translation>%1 an %2 nähen</translation>
+    </message>
+    <message>
+        <source>Sew %1 to %2 stretches in a row</source>
+        <translation>%1 an %2 Abschnitte in einer Reihe nähen</translation>
+    </message>
+    <message>
+        <source>Flip %1</source>
+        <translation>%1 umkehren</translation>
+    </message>
+    <message>
+        <source>Flip %1 seams</source>
+        <translation>%1 Nähte umkehren</translation>
+    </message>
+    <message>
+        <source>Swap the sides of %1</source>
+        <translation>Seiten von %1 tauschen</translation>
+    </message>
+    <message>
+        <source>Swap the sides of %1 seams</source>
+        <translation>Seiten von %1 Nähten tauschen</translation>
+    </message>
+    <message>
+        <source>Change the continuity of %1 seams</source>
+        <translation>Übergang von %1 Nähten ändern</translation>
+    </message>
+    <message>
+        <source>Change how %1 seams are matched</source>
+        <translation>Zuordnung von %1 Nähten ändern</translation>
+    </message>
+    <message>
+        <source>This stretch has no length: choose two different points.</source>
+        <translation>Dieser Abschnitt hat keine Länge: Wähle zwei verschiedene Punkte.</translation>
+    </message>
+    <message>
+        <source>Move an end of %1</source>
+        <translation>Ein Ende von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>%1 is already sewn to %2 here: remove that seam first, or take a free stretch.</source>
+        <translation>%1 ist hier schon an %2 genäht: Entferne erst diese Naht, oder nimm einen freien Abschnitt.</translation>
+    </message>
+    <message>
+        <source>A stretch cannot be sewn to itself: choose two that have no part in common.</source>
+        <translation>Ein Abschnitt kann nicht an sich selbst genäht werden: Wähle zwei, die sich nicht überlappen.</translation>
+    </message>
+    <message>
+        <source>Unlink %1 and %2</source>
+        <translation>%1 und %2 trennen</translation>
+    </message>
+    <message>
+        <source>Unlink %1 pairs of twins</source>
+        <translation>%1 Zwillingspaare trennen</translation>
+    </message>
+    <message>
+        <source>Release a point of %1</source>
+        <translation>Einen Punkt von %1 lösen</translation>
+    </message>
+    <message>
+        <source>Release %2 points of %1</source>
+        <translation>%2 Punkte von %1 lösen</translation>
+    </message>
+    <message>
+        <source>Re-link a point of %1</source>
+        <translation>Einen Punkt von %1 wieder koppeln</translation>
+    </message>
+    <message>
+        <source>Re-link %2 points of %1</source>
+        <translation>%2 Punkte von %1 wieder koppeln</translation>
+    </message>
+    <message>
+        <source>Change the curve of %1</source>
+        <translation>Kurve von %1 ändern</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -1878,6 +2526,64 @@
     <message>
         <source>%1 directions, interpolated along the curve; the first is shown.</source>
         <translation>%1 Richtungen, entlang der Kurve interpoliert; gezeigt wird die erste.</translation>
+    </message>
+</context>
+<context>
+    <name>OutlineTool</name>
+    <message>
+        <source>This cannot be a patch: %1</source>
+        <translation>Das kann kein Schnittteil werden: %1</translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here – Backspace takes a point back</source>
+        <translation>Der Umriss würde sich hier selbst kreuzen – die Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length: try 500, 500&lt;30 or 120, 40</source>
+        <translation>„%1“ ist keine Länge: zum Beispiel 500, 500&lt;30 oder 120, 40</translation>
+    </message>
+    <message>
+        <source>Click to set the first corner, press and drag for a smooth point – Esc ends the tool</source>
+        <translation>Klicken setzt die erste Ecke, drücken und ziehen einen glatten Punkt – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click to close the outline</source>
+        <translation>Klicken schließt den Umriss</translation>
+    </message>
+    <message>
+        <source>Enter sets the point: 500 goes that far, 500&lt;30 at an angle, 120, 40 to the right and up</source>
+        <translation>Enter setzt den Punkt: 500 geht so weit, 500&lt;30 unter einem Winkel, 120, 40 nach rechts und nach oben</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, or type a length – Ctrl does not snap</source>
+        <translation>Klicken für eine Ecke, ziehen für einen glatten Punkt oder eine Länge eingeben – Strg rastet nicht ein</translation>
+    </message>
+    <message>
+        <source>Click for a corner, drag for a smooth point, type a length – Enter or a click on the first point closes, Backspace takes a point back</source>
+        <translation>Klicken für eine Ecke, ziehen für einen glatten Punkt, Länge eingeben – Enter oder ein Klick auf den ersten Punkt schließt, die Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>PatchDrawingTool</name>
+    <message>
+        <source>Patch %1</source>
+        <translation>Schnittteil %1</translation>
+    </message>
+    <message>
+        <source>An outline needs at least three points in different places.</source>
+        <translation>Ein Umriss braucht mindestens drei Punkte an verschiedenen Stellen.</translation>
+    </message>
+    <message>
+        <source>This cannot be a patch: %1</source>
+        <translation>Das kann kein Schnittteil werden: %1</translation>
     </message>
 </context>
 <context>
@@ -1957,6 +2663,29 @@
         <source>Click to select the curve, drag to move it, double click to add a control point here</source>
         <translation>Klick wählt die Kurve, Ziehen verschiebt sie, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
+    <message>
+        <source>Drag to scale the selected patches – Shift keeps the proportions</source>
+        <translation>Ziehen skaliert die ausgewählten Schnittteile – Umschalt behält das Seitenverhältnis</translation>
+    </message>
+</context>
+<context>
+    <name>PatternSplitTool</name>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
+    </message>
+    <message>
+        <source>Click beside a patch or on its outline to begin the cut – Esc ends the tool</source>
+        <translation>Neben ein Schnittteil oder auf seinen Umriss klicken, um den Schnitt zu beginnen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Double click or Enter splits the patch – click to bend the cut, Backspace takes a point back</source>
+        <translation>Doppelklick oder Eingabe teilt das Schnittteil – Klicken knickt den Schnitt, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Click on the other side of the patch – Shift keeps the cut straight, Backspace takes a point back</source>
+        <translation>Auf die andere Seite des Schnittteils klicken – Umschalt hält den Schnitt gerade, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
 </context>
 <context>
     <name>PatternTool</name>
@@ -1971,6 +2700,14 @@
     <message>
         <source>Release to select what lies in the box – Shift adds, Esc takes it back</source>
         <translation>Loslassen wählt aus, was im Rahmen liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Scaled to %1 × %2 – Shift keeps the proportions, Esc takes it back</source>
+        <translation>Auf %1 × %2 skaliert – Umschalt behält das Seitenverhältnis, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Release to select what lies in the loop – Shift adds, Esc takes it back</source>
+        <translation>Loslassen wählt aus, was in der Schlinge liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -2016,6 +2753,91 @@
     <message>
         <source>Not removed: other elements need this fabric.</source>
         <translation>Nicht entfernt: andere Elemente brauchen diesen Stoff.</translation>
+    </message>
+</context>
+<context>
+    <name>SewPicture</name>
+    <message>
+        <source>Ease %1, %2</source>
+        <translation>Mehrweite %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>SewTool</name>
+    <message>
+        <source>Click on the outline of a patch.</source>
+        <translation>Klicke auf den Umriss eines Schnittteils.</translation>
+    </message>
+    <message>
+        <source>Choose the other side first.</source>
+        <translation>Wähle erst die andere Seite.</translation>
+    </message>
+    <message>
+        <source>Release where the stretch ends</source>
+        <translation>Loslassen, wo der Abschnitt endet</translation>
+    </message>
+    <message>
+        <source>Click where the stretch ends – Esc goes back</source>
+        <translation>Klicken, wo der Abschnitt endet – Esc geht zurück</translation>
+    </message>
+    <message>
+        <source>Click to sew it the other way round (F)</source>
+        <translation>Klicken, um andersherum zu nähen (F)</translation>
+    </message>
+    <message>
+        <source>Click the edge to sew – drag along the outline, or Shift+click twice, for a part of it; Esc ends the tool</source>
+        <translation>Klicke auf die Kante, die genäht wird – am Umriss entlangziehen oder zweimal Umschalt+Klick nimmt einen Teil; Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click the edges of the row one after the other, Enter sews – F flips, Backspace takes one back</source>
+        <translation>Klicke die Kanten der Reihe nacheinander an, Eingabe näht – F kehrt um, Rücktaste nimmt eine zurück</translation>
+    </message>
+    <message>
+        <source>Click the edge it is sewn to – F flips, Ctrl+click or M for several in a row, Backspace goes back</source>
+        <translation>Klicke auf die Kante, an die sie genäht wird – F kehrt um, Strg+Klick oder M für mehrere in einer Reihe, Rücktaste geht zurück</translation>
+    </message>
+    <message>
+        <source>Ctrl+click the next edge of the row, click the last one – Enter sews, F flips, Backspace takes one back</source>
+        <translation>Strg+Klick auf die nächste Kante der Reihe, Klick auf die letzte – Eingabe näht, F kehrt um, Rücktaste nimmt eine zurück</translation>
+    </message>
+</context>
+<context>
+    <name>SnapHints</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Midpoint</source>
+        <translation>Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>On an outline</source>
+        <translation>Auf einem Umriss</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>Ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Direction %1</source>
+        <translation>Richtung %1</translation>
+    </message>
+    <message>
+        <source>Perpendicular</source>
+        <translation>Rechtwinklig</translation>
+    </message>
+    <message>
+        <source>As long: %1</source>
+        <translation>Gleich lang: %1</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
     </message>
 </context>
 <context>
@@ -2171,20 +2993,8 @@
         <translation>&amp;Triangulierung</translation>
     </message>
     <message>
-        <source>&amp;Checker</source>
-        <translation>&amp;Karomuster</translation>
-    </message>
-    <message>
         <source>&amp;Frame</source>
         <translation>&amp;Gestell</translation>
-    </message>
-    <message>
-        <source>Control &amp;points</source>
-        <translation>&amp;Kontrollpunkte</translation>
-    </message>
-    <message>
-        <source>&amp;Seams and fixations</source>
-        <translation>&amp;Nähte und Fixierungen</translation>
     </message>
     <message>
         <source>Fixation c&amp;urves</source>
@@ -2283,14 +3093,6 @@
         <translation>&amp;Ziernaht zeichnen</translation>
     </message>
     <message>
-        <source>I&amp;mport scan …</source>
-        <translation>Scan &amp;importieren …</translation>
-    </message>
-    <message>
-        <source>Sc&amp;ans</source>
-        <translation>Sc&amp;ans</translation>
-    </message>
-    <message>
         <source>Pairs of co&amp;ver and scan</source>
         <translation>Paare von &amp;Bezug und Scan</translation>
     </message>
@@ -2298,12 +3100,311 @@
         <source>&amp;Deviation from the scan</source>
         <translation>A&amp;bweichung vom Scan</translation>
     </message>
+    <message>
+        <source>Impor&amp;t scan …</source>
+        <translation>Scan imp&amp;ortieren …</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ker</source>
+        <translation>Karo&amp;muster</translation>
+    </message>
+    <message>
+        <source>Control po&amp;ints</source>
+        <translation>&amp;Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>Sea&amp;ms and fixations</source>
+        <translation>&amp;Nähte und Fixierungen</translation>
+    </message>
+    <message>
+        <source>Sca&amp;ns</source>
+        <translation>S&amp;cans</translation>
+    </message>
+    <message>
+        <source>&amp;Select and move</source>
+        <translation>&amp;Auswählen und verschieben</translation>
+    </message>
+    <message>
+        <source>Draw &amp;outline</source>
+        <translation>&amp;Umriss zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw &amp;rectangle</source>
+        <translation>&amp;Rechteck zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw &amp;ellipse</source>
+        <translation>&amp;Ellipse zeichnen</translation>
+    </message>
+    <message>
+        <source>S&amp;plit patch</source>
+        <translation>Schnittteil &amp;teilen</translation>
+    </message>
+    <message>
+        <source>Se&amp;w</source>
+        <translation>&amp;Nähen</translation>
+    </message>
+    <message>
+        <source>&amp;Attach to fixation curve</source>
+        <translation>&amp;An Fixierkurve befestigen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;UmkehrenUmkehren</translation>
+    </message>
+    <message>
+        <source>Swap si&amp;des</source>
+        <translation>Seiten &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>C&amp;0 – an edge</source>
+        <translation>C&amp;0 – eine Kante</translation>
+    </message>
+    <message>
+        <source>C&amp;1 – smooth, texture too</source>
+        <translation>C&amp;1 – glatt, auch das Muster</translation>
+    </message>
+    <message>
+        <source>&amp;G1 – rounded</source>
+        <translation>&amp;G1 – gerundet</translation>
+    </message>
+    <message>
+        <source>Match by &amp;length</source>
+        <translation>Zuordnung nach &amp;Länge</translation>
+    </message>
+    <message>
+        <source>Match by &amp;parameter</source>
+        <translation>Zuordnung nach &amp;Parameter</translation>
+    </message>
+    <message>
+        <source>Show seam li&amp;st</source>
+        <translation>Naht&amp;liste zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Draw fixation curve</source>
+        <translation>&amp;Fixierkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Create fixation curve</source>
+        <translation>Fixierkurve an&amp;legen</translation>
+    </message>
+    <message>
+        <source>&amp;Handle curves</source>
+        <translation>&amp;Griffkurven</translation>
+    </message>
+    <message>
+        <source>Fanc&amp;y seams</source>
+        <translation>Zie&amp;rnähte</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k the views</source>
+        <translation>Ansichten verknü&amp;pfen</translation>
+    </message>
+    <message>
+        <source>Show the pointer&apos;s place in the other view, too (%1)</source>
+        <translation>Die Stelle unter dem Zeiger auch in der anderen Ansicht zeigen (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide selected</source>
+        <translation>Gewähltes &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate selected</source>
+        <translation>Nur Gewähltes &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Show h&amp;idden again</source>
+        <translation>Ausgeblendetes &amp;wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>S&amp;chnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Save view …</source>
+        <translation>Ansicht &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>S&amp;napping</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Rulers</source>
+        <translation>L&amp;ineale</translation>
+    </message>
+    <message>
+        <source>Gui&amp;des</source>
+        <translation>H&amp;ilfslinien</translation>
+    </message>
+    <message>
+        <source>Remove all g&amp;uides</source>
+        <translation>Alle Hilfslinien entfern&amp;en</translation>
+    </message>
+    <message>
+        <source>Select with a &amp;loop</source>
+        <translation>Mit einer &amp;Schlinge auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Open picture …</source>
+        <translation>Bild ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale by two points</source>
+        <translation>Mit zwei Punkten &amp;skalieren</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>Opacity %1</source>
+        <translation>Deckkraft %1</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Make &amp;mirror twin</source>
+        <translation>&amp;Spiegelzwilling anlegen</translation>
+    </message>
+    <message>
+        <source>Link as t&amp;wins</source>
+        <translation>Als &amp;Zwillinge koppeln</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink twins</source>
+        <translation>Z&amp;willinge trennen</translation>
+    </message>
+    <message>
+        <source>R&amp;elease points from the twin</source>
+        <translation>Punkte vom Zwilling &amp;lösen</translation>
+    </message>
+    <message>
+        <source>Re-l&amp;ink points to the twin</source>
+        <translation>Punkte wieder an den Zwilling &amp;koppeln</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry …</source>
+        <translation>S&amp;ymmetrie …</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>&amp;Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious part of the window</source>
+        <translation>&amp;Voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command …</source>
+        <translation>&amp;Befehl suchen …</translation>
+    </message>
+    <message>
+        <source>&amp;Edit shortcuts …</source>
+        <translation>Tastenkürzel &amp;bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>A&amp;usschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Mirror hori&amp;zontally</source>
+        <translation>&amp;Waagrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;vertically</source>
+        <translation>&amp;Senkrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>&amp;Left edges</source>
+        <translation>&amp;Linke Kanten</translation>
+    </message>
+    <message>
+        <source>Centres in a &amp;column</source>
+        <translation>&amp;Mitten untereinander</translation>
+    </message>
+    <message>
+        <source>&amp;Right edges</source>
+        <translation>&amp;Rechte Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Top edges</source>
+        <translation>&amp;Obere Kanten</translation>
+    </message>
+    <message>
+        <source>Centres in a ro&amp;w</source>
+        <translation>M&amp;itten nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom edges</source>
+        <translation>&amp;Untere Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>&amp;Waagrecht</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>Arrange &amp;automatically</source>
+        <translation>&amp;Automatisch anordnen</translation>
+    </message>
+    <message>
+        <source>Make &amp;corner</source>
+        <translation>&amp;Ecke machen</translation>
+    </message>
+    <message>
+        <source>Make s&amp;mooth</source>
+        <translation>&amp;Glatt machen</translation>
+    </message>
+    <message>
+        <source>Strai&amp;ghten</source>
+        <translation>Ge&amp;rade machen</translation>
+    </message>
+    <message>
+        <source>M&amp;erge along seam</source>
+        <translation>An der &amp;Naht vereinen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>There is no such command.</source>
+        <translation>Einen solchen Befehl gibt es nicht.</translation>
     </message>
 </context>
 <context>
@@ -2611,6 +3712,28 @@
     </message>
 </context>
 <context>
+    <name>bolster::HistoryPanel</name>
+    <message>
+        <source>Find a change or a version</source>
+        <translation>Änderung oder Version suchen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::HistoryView</name>
+    <message>
+        <source>&amp;Go to this version</source>
+        <translation>&amp;Zu dieser Version</translation>
+    </message>
+    <message>
+        <source>&amp;Name this version …</source>
+        <translation>Diese Version &amp;benennen …</translation>
+    </message>
+    <message>
+        <source>&amp;Remove its name</source>
+        <translation>Namen &amp;entfernen</translation>
+    </message>
+</context>
+<context>
     <name>bolster::MainWindow</name>
     <message>
         <source>Tools</source>
@@ -2668,12 +3791,125 @@
         <source>Placing the scan on the cover: step %1</source>
         <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
     </message>
+    <message>
+        <source>Select patches, curves, frames, foam or scans to hide them.</source>
+        <translation>Wählen Sie Schnittteile, Kurven, Gestelle, Schaum oder Scans, um sie auszublenden.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Frames and foam</source>
+        <translation>Gestelle und Schaum</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>&amp;Delete view</source>
+        <translation>Ansicht &amp;löschen</translation>
+    </message>
+    <message>
+        <source>View %1 deleted</source>
+        <translation>Ansicht %1 gelöscht</translation>
+    </message>
+    <message>
+        <source>Save view</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the view; one of the same name is replaced:</source>
+        <translation>Name der Ansicht; eine mit demselben Namen wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>View %1 saved: View &gt; Saved views</source>
+        <translation>Ansicht %1 gespeichert: Ansicht &gt; Gespeicherte Ansichten</translation>
+    </message>
+    <message>
+        <source>Open a picture to trace</source>
+        <translation>Bild zum Nachzeichnen öffnen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.webp);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Select two points of an outline first: what lies between them is fixed.</source>
+        <translation>Wählen Sie zuerst zwei Punkte eines Umrisses: Was dazwischen liegt, wird fixiert.</translation>
+    </message>
+    <message>
+        <source>Fixation %1</source>
+        <translation>Fixierung %1</translation>
+    </message>
+    <message>
+        <source>There is no surface of this patch yet on which the curve could lie.</source>
+        <translation>Dieses Schnittteil hat noch keine Oberfläche, auf der die Kurve liegen könnte.</translation>
+    </message>
+    <message>
+        <source>%1, mirrored</source>
+        <translation>%1, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Select patches or curves that have no twin yet.</source>
+        <translation>Schnittteile oder Kurven auswählen, die noch keinen Zwilling haben.</translation>
+    </message>
+    <message>
+        <source>Nothing that is selected has a twin.</source>
+        <translation>Nichts von dem, was ausgewählt ist, hat einen Zwilling.</translation>
+    </message>
+    <message>
+        <source>Select points of a twin, or a seam on it, that still follow.</source>
+        <translation>Punkte eines Zwillings oder eine Naht daran auswählen, die noch folgen.</translation>
+    </message>
+    <message>
+        <source>No point that is selected has been released.</source>
+        <translation>Kein ausgewählter Punkt ist gelöst.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NumberBox</name>
     <message>
         <source>&quot;%1&quot; is not taken: a number from %2 to %3 is needed</source>
         <translation>„%1“ wird nicht übernommen: Es muss eine Zahl von %2 bis %3 sein</translation>
+    </message>
+    <message>
+        <source>varies</source>
+        <translation>verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternCommands</name>
+    <message>
+        <source>Removed, because they make no sense any more: %1</source>
+        <translation>Entfernt, weil nicht mehr sinnvoll: %1</translation>
+    </message>
+    <message>
+        <source>This stretch is straight already.</source>
+        <translation>Dieser Abschnitt ist schon gerade.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternRuler</name>
+    <message>
+        <source>Drag down for a level guide. Marks move upright guides; drag them off to remove them.</source>
+        <translation>Nach unten ziehen für eine waagrechte Hilfslinie. Marken verschieben senkrechte Hilfslinien; hinausgezogen verschwinden sie.</translation>
+    </message>
+    <message>
+        <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
+        <translation>Nach rechts ziehen für eine senkrechte Hilfslinie. Marken verschieben waagrechte Hilfslinien; hinausgezogen verschwinden sie.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternView</name>
+    <message>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
     </message>
 </context>
 <context>
@@ -2696,6 +3932,182 @@
     <message>
         <source>outside</source>
         <translation>außen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamsModel</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>More than 5 % ease puckers.</source>
+        <translation>Mehr als 5 % Mehrweite wirft Falten.</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+    <message>
+        <source>Ease %</source>
+        <translation>Mehrw. %</translation>
+    </message>
+    <message>
+        <source>Joins</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Length 1</source>
+        <translation>Länge 1</translation>
+    </message>
+    <message>
+        <source>Length 2</source>
+        <translation>Länge 2</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>The letter on both stretches in the pattern</source>
+        <translation>Der Buchstabe an beiden Abschnitten im Schnitt</translation>
+    </message>
+    <message>
+        <source>The patches and their edges</source>
+        <translation>Die Schnittteile und ihre Kanten</translation>
+    </message>
+    <message>
+        <source>First side minus second side</source>
+        <translation>Erste Seite minus zweite Seite</translation>
+    </message>
+    <message>
+        <source>The difference over the shorter side; more than 5 % puckers</source>
+        <translation>Der Unterschied, geteilt durch die kürzere Seite; mehr als 5 % wirft Falten</translation>
+    </message>
+    <message>
+        <source>C0: an edge, C1: smooth with the texture, G1: rounded</source>
+        <translation>C0: eine Kante, C1: glatt samt Muster, G1: gerundet</translation>
+    </message>
+    <message>
+        <source>Of the first side</source>
+        <translation>Der ersten Seite</translation>
+    </message>
+    <message>
+        <source>Of the second side</source>
+        <translation>Der zweiten Seite</translation>
+    </message>
+    <message>
+        <source>What is sewn together: equal parts of the length, or of the curve&apos;s parameter</source>
+        <translation>Was zusammengenäht wird: gleiche Teile der Länge oder des Kurvenparameters</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamsView</name>
+    <message>
+        <source>No seams yet. Choose the sewing tool (W), then click the two edges that belong together.</source>
+        <translation>Noch keine Nähte. Wähle das Nähwerkzeug (W) und klicke dann die zwei Kanten an, die zusammengehören.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SectionPanel</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut across the x axis</source>
+        <translation>Quer zur x-Achse schneiden</translation>
+    </message>
+    <message>
+        <source>Cut across the y axis</source>
+        <translation>Quer zur y-Achse schneiden</translation>
+    </message>
+    <message>
+        <source>Cut across the z axis</source>
+        <translation>Quer zur z-Achse schneiden</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Cut parallel to the picture, as it is seen now</source>
+        <translation>Parallel zum Bild schneiden, wie es jetzt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Moves the plane</source>
+        <translation>Verschiebt die Ebene</translation>
+    </message>
+    <message>
+        <source>Show the other half</source>
+        <translation>Die andere Hälfte zeigen</translation>
+    </message>
+    <message>
+        <source>Close the section</source>
+        <translation>Schnitt schließen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ShortcutsDialog</name>
+    <message>
+        <source>&amp;No keys</source>
+        <translation>&amp;Keine Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Take them over</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Find a command or a key</source>
+        <translation>Befehl oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all</source>
+        <translation>&amp;Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Click into the field and press the keys.</source>
+        <translation>Ins Feld klicken und die Tasten drücken.</translation>
+    </message>
+    <message>
+        <source>Choose a command to change its keys.</source>
+        <translation>Einen Befehl wählen, um seine Tasten zu ändern.</translation>
+    </message>
+    <message>
+        <source>%1 is needed by the views and fields themselves.</source>
+        <translation>%1 brauchen die Ansichten und Felder selbst.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2”.</source>
+        <translation>%1 gehört zu „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 it is.</source>
+        <translation>%1 ist vergeben.</translation>
     </message>
 </context>
 <context>
@@ -2773,12 +4185,20 @@
         <translation>Um x %1, y %2, z %3 mm verschoben</translation>
     </message>
     <message>
-        <source>X, Y, Z or Shift keep to an axis, Escape cancels</source>
-        <translation>X, Y, Z oder Umschalt halten eine Achse, Esc bricht ab</translation>
-    </message>
-    <message>
         <source>Kept to an axis; the same key frees it</source>
         <translation>An eine Achse gebunden; dieselbe Taste löst sie</translation>
+    </message>
+    <message>
+        <source>Lifted off the frame along its normal; let go of Ctrl to slide on it</source>
+        <translation>Entlang der Normalen vom Gestell abgehoben; Strg loslassen, um darauf zu gleiten</translation>
+    </message>
+    <message>
+        <source>On the frame: Ctrl lifts off, S lets go of it, X, Y, Z or Shift keep to an axis</source>
+        <translation>Auf dem Gestell: Strg hebt ab, S löst davon, X, Y, Z oder Umschalt halten eine Achse ein</translation>
+    </message>
+    <message>
+        <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
+        <translation>X, Y, Z oder Umschalt halten eine Achse ein, S bleibt am Gestell, Strg hebt ab, Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -2786,6 +4206,10 @@
     <message>
         <source>Drawn in software</source>
         <translation>In Software gezeichnet</translation>
+    </message>
+    <message>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,13 @@
             <numerusform>%n elements</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n released points</source>
+        <translation>
+            <numerusform>%n released point</numerusform>
+            <numerusform>%n released points</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileFlow</name>
