@@ -174,7 +174,7 @@ void Actions::addView()
     showDeviation =
         addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
     showGround = addToggle(tr("Gr&ound"), {}, true);
-    showField = addToggle(tr("Cus&hioning"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
+    showField = addToggle(tr("Cushionin&g"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 
     auto* themeGroup = new QActionGroup(this);
     const Theme now = storedTheme();
@@ -276,9 +276,9 @@ void Actions::add3D()
                               .arg(linkViews->shortcut().toString(QKeySequence::NativeText)));
     hideSelected = add(tr("&Hide selected"), QStringLiteral("hide"), QKeySequence(Qt::SHIFT | Qt::Key_H));
     isolate = add(tr("&Isolate selected"), QStringLiteral("isolate"), QKeySequence(Qt::SHIFT | Qt::Key_I));
-    showHidden = add(tr("Show h&idden again"), QStringLiteral("show-hidden"),
+    showHidden = add(tr("Sho&w hidden again"), QStringLiteral("show-hidden"),
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
-    section = addToggle(tr("Se&ction"), QStringLiteral("section"), false, QKeySequence(Qt::SHIFT | Qt::Key_X));
+    section = addToggle(tr("Sec&tion"), QStringLiteral("section"), false, QKeySequence(Qt::SHIFT | Qt::Key_X));
     saveView = add(tr("&Save view \u2026"), {});
 }
 
@@ -293,7 +293,7 @@ void Actions::addDrawing()
         addToggle(tr("Select with a &loop"), QStringLiteral("lasso"), false, QKeySequence(Qt::SHIFT | Qt::Key_Q));
 
     background = add(tr("&Open picture \u2026"), QStringLiteral("picture"));
-    showBackground = addToggle(tr("&Show"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_B));
+    showBackground = addToggle(tr("Sho&w"), {}, true, QKeySequence(Qt::SHIFT | Qt::Key_B));
     scaleBackground = add(tr("&Scale by two points"), {});
     moveBackground = add(tr("&Move"), {});
     auto* opacities = new QActionGroup(this);

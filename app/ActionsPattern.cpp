@@ -33,7 +33,7 @@ void Actions::addPatternEdits()
     makeCorner = add(tr("Make &corner"), {}, QKeySequence(Qt::CTRL | Qt::Key_K));
     makeSmooth = add(tr("Make s&mooth"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K));
     straighten = add(tr("Strai&ghten"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
-    mergePatches = add(tr("M&erge along seam"), {}, QKeySequence(Qt::CTRL | Qt::Key_J));
+    mergePatches = add(tr("Merge a&long seam"), {}, QKeySequence(Qt::CTRL | Qt::Key_J));
 }
 
 } // namespace bolster

@@ -81,20 +81,22 @@ private:
         views->addActions(m_actions.standardViews);
         QMenu* saved = menu->addMenu(tr("Sa&ved views"));
         saved->setObjectName(QStringLiteral("saved-views")); // filled by the window
-        menu->addAction(m_actions.perspective);
+        menu->addActions({m_actions.perspective, m_actions.section, m_actions.linkViews});
         menu->addSeparator();
-        menu->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
-                          m_actions.showSeams, m_actions.showCurves, m_actions.showHandles,
-                          m_actions.showFancySeams, m_actions.showGrid, m_actions.showLabels, m_actions.showScans,
-                          m_actions.showGround, m_actions.showField});
-        menu->addSeparator();
-        menu->addActions({m_actions.showDeviation, m_actions.showScanPairs});
+        QMenu* layers = menu->addMenu(tr("La&yers"));
+        layers->addActions({m_actions.showMesh, m_actions.showChecker, m_actions.showFrames, m_actions.showPoints,
+                            m_actions.showSeams, m_actions.showCurves, m_actions.showHandles,
+                            m_actions.showFancySeams, m_actions.showLabels, m_actions.showScans,
+                            m_actions.showGround, m_actions.showField});
+        layers->addSeparator();
+        layers->addActions({m_actions.showDeviation, m_actions.showScanPairs});
+        QMenu* grid = menu->addMenu(tr("&Grid and snapping"));
+        grid->addActions({m_actions.showGrid, m_actions.snapping, m_actions.showRulers, m_actions.showGuides,
+                          m_actions.removeGuides});
         menu->addSeparator();
         menu->addActions({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden});
-        QMenu* transparency = menu->addMenu(tr("Opacit&y"));
+        QMenu* transparency = menu->addMenu(tr("&Opacity"));
         transparency->setObjectName(QStringLiteral("opacity")); // filled by the window
-        menu->addActions({m_actions.section, m_actions.linkViews});
-        menu->addActions({m_actions.snapping, m_actions.showRulers, m_actions.showGuides, m_actions.removeGuides});
         menu->addSeparator();
         menu->addMenu(tr("Th&eme"))->addActions(m_actions.themes);
     }
@@ -111,18 +113,19 @@ private:
         QMenu* menu = m_bar.addMenu(tr("&Pattern"));
         menu->addActions(m_actions.patternTools);
         menu->addSeparator();
-        menu->addActions({m_actions.turnLeft, m_actions.turnRight});
-        menu->addActions({m_actions.mirrorHorizontally, m_actions.mirrorVertically});
-        menu->addMenu(tr("Al&ign"))->addActions(m_actions.align);
-        menu->addMenu(tr("&Distribute"))->addActions(m_actions.distribute);
-        menu->addAction(m_actions.arrange);
-        menu->addSeparator();
-        menu->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
-        menu->addSeparator();
-        menu->addAction(m_actions.mergePatches);
-        menu->addSeparator();
-        menu->addActions({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins, m_actions.releasePoints,
+        QMenu* arrange = menu->addMenu(tr("Arran&ge"));
+        arrange->addActions(
+            {m_actions.turnLeft, m_actions.turnRight, m_actions.mirrorHorizontally, m_actions.mirrorVertically});
+        arrange->addSeparator();
+        arrange->addMenu(tr("Al&ign"))->addActions(m_actions.align);
+        arrange->addMenu(tr("&Distribute"))->addActions(m_actions.distribute);
+        arrange->addAction(m_actions.arrange);
+        menu->addMenu(tr("Poin&ts"))
+            ->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
+        menu->addMenu(tr("Mirror twi&ns"))
+            ->addActions({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins, m_actions.releasePoints,
                           m_actions.relinkPoints, m_actions.symmetry});
+        menu->addAction(m_actions.mergePatches);
         menu->addSeparator();
         QMenu* picture = menu->addMenu(tr("&Background picture"));
         picture->addActions(

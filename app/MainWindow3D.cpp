@@ -123,6 +123,8 @@ void MainWindow::addOpacitySliders()
         [this](double opacity) { m_surface->setScanOpacity(opacity); });
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(panel);
+    action->setText(tr("Opacity of frames and scans"));
+    action->setToolTip(action->text());
     menu->addAction(action);
 }
 

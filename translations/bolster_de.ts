@@ -1103,10 +1103,6 @@
         <translation>Gespeicherte Ansich&amp;ten</translation>
     </message>
     <message>
-        <source>Opacit&amp;y</source>
-        <translation>&amp;Deckkraft</translation>
-    </message>
-    <message>
         <source>Al&amp;ign</source>
         <translation>Aus&amp;richten</translation>
     </message>
@@ -1125,6 +1121,30 @@
     <message>
         <source>F&amp;rame</source>
         <translation>&amp;Gestell</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Grid and snapping</source>
+        <translation>&amp;Raster und Einrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity</source>
+        <translation>Dec&amp;kkraft</translation>
+    </message>
+    <message>
+        <source>Arran&amp;ge</source>
+        <translation>A&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Poin&amp;ts</source>
+        <translation>Pun&amp;kte</translation>
+    </message>
+    <message>
+        <source>Mirror twi&amp;ns</source>
+        <translation>Spiegel&amp;zwillinge</translation>
     </message>
 </context>
 <context>
@@ -3065,10 +3085,6 @@
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Cus&amp;hioning</source>
-        <translation>Po&amp;lsterung</translation>
-    </message>
-    <message>
         <source>&amp;Cushion</source>
         <translation>&amp;Polsterung</translation>
     </message>
@@ -3217,14 +3233,6 @@
         <translation>Nur Gewähltes &amp;zeigen</translation>
     </message>
     <message>
-        <source>Show h&amp;idden again</source>
-        <translation>Ausgeblendetes &amp;wieder zeigen</translation>
-    </message>
-    <message>
-        <source>Se&amp;ction</source>
-        <translation>S&amp;chnitt</translation>
-    </message>
-    <message>
         <source>&amp;Save view …</source>
         <translation>Ansicht &amp;speichern …</translation>
     </message>
@@ -3251,10 +3259,6 @@
     <message>
         <source>&amp;Open picture …</source>
         <translation>Bild ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>&amp;Show</source>
-        <translation>An&amp;zeigen</translation>
     </message>
     <message>
         <source>&amp;Scale by two points</source>
@@ -3385,8 +3389,24 @@
         <translation>Ge&amp;rade machen</translation>
     </message>
     <message>
-        <source>M&amp;erge along seam</source>
-        <translation>An der &amp;Naht vereinen</translation>
+        <source>Cushionin&amp;g</source>
+        <translation>Po&amp;lsterung</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w hidden again</source>
+        <translation>Versteckte &amp;wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Sec&amp;tion</source>
+        <translation>Schni&amp;tt</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Merge a&amp;long seam</source>
+        <translation>Entlang der Naht ver&amp;einen</translation>
     </message>
 </context>
 <context>
@@ -3870,6 +3890,10 @@
     <message>
         <source>No point that is selected has been released.</source>
         <translation>Kein ausgewählter Punkt ist gelöst.</translation>
+    </message>
+    <message>
+        <source>Opacity of frames and scans</source>
+        <translation>Deckkraft von Gestellen und Scans</translation>
     </message>
 </context>
 <context>

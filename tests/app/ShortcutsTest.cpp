@@ -57,14 +57,14 @@ TEST_F(ShortcutsTest, AreTakenAtOnceKeptAndReset)
 {
     ShortcutsDialog& keys = *dialog();
     choose(keys, "Settle");
-    pressKeys(keys, Qt::Key_K, Qt::ControlModifier);
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+K"));
-    EXPECT_EQ(window.actions().settle->toolTip(), "Settle (Ctrl+K)");
-    EXPECT_EQ(QSettings().value("shortcuts/settle").toString(), "Ctrl+K");
+    pressKeys(keys, Qt::Key_Y, Qt::AltModifier);
+    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Alt+Y"));
+    EXPECT_EQ(window.actions().settle->toolTip(), "Settle (Alt+Y)");
+    EXPECT_EQ(QSettings().value("shortcuts/settle").toString(), "Alt+Y");
     {
         MainWindow again;
-        EXPECT_EQ(again.actions().settle->shortcut(), QKeySequence("Ctrl+K")) << "at the next start";
-        EXPECT_EQ(again.actions().settle->toolTip(), "Settle (Ctrl+K)");
+        EXPECT_EQ(again.actions().settle->shortcut(), QKeySequence("Alt+Y")) << "at the next start";
+        EXPECT_EQ(again.actions().settle->toolTip(), "Settle (Alt+Y)");
     }
     button(keys, "&Reset")->click();
     EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+Return"));
