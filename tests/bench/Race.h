@@ -11,8 +11,8 @@ namespace bolster::bench {
 /// Does a little work and returns how long a unit of it took, ms.
 using Lap = std::function<double()>;
 
-/// Laps of a unit of work: as often as takes some milliseconds untimed, because others have had the caches and set the
-/// clock since the last lap, then as often again.
+/// Laps of a unit of work: as often as takes some milliseconds untimed, because others have had the caches and set
+/// the clock since the last lap, then as often again.
 Lap repeated(std::function<void()> unit);
 
 double median(std::vector<double> values);
