@@ -298,7 +298,7 @@ bool PatternView::handle(QEvent* event)
 QString PatternView::toolTipAt(QPointF pixel) const
 {
     const PatternHit found = hit(pixel);
-    if (!found || m_toolKind == PatternToolKind::Sew) // it shows figures of its own
+    if (!found)
         return {};
     const Design& design = m_document.design();
     const ElementId id = found.element();
@@ -376,9 +376,9 @@ void PatternView::mouseMoveEvent(QMouseEvent* event)
         m_panFrom = event->position();
     } else {
         m_tool->move(pointerOf(*event));
+        emit patchPointed(patchPointAt(event->position())); // panning keeps it
     }
     emit pointerMoved(m_transform.toLayout(event->position()));
-    emit patchPointed(patchPointAt(event->position()));
 }
 
 void PatternView::mouseReleaseEvent(QMouseEvent* event)

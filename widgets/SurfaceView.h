@@ -193,7 +193,7 @@ private:
     void cutMarks();
     void cutPoints();
     void placeCrosshair();
-    std::optional<CoverPoint> coverPointAt(QPointF pixel) const;
+    std::optional<CoverPoint> coverPointOf(const SurfaceHit& solid) const;
     void updateBox();
     void draw(bool moving);
     void requestOcclusion();

@@ -88,7 +88,7 @@ void SurfaceView::mouseMoveEvent(QMouseEvent* event)
     }
     const SurfaceHit solid = m_hitTest.hitSolid(m_camera, event->position());
     emit pointerMoved(solid.kind == SurfaceHit::Kind::Cover ? std::optional(solid.position) : std::nullopt);
-    emit coverPointed(m_navigation == Navigation::None ? coverPointAt(event->position()) : std::nullopt);
+    emit coverPointed(m_navigation == Navigation::None ? coverPointOf(solid) : std::nullopt);
 }
 
 void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
@@ -101,7 +101,7 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
     } else if (event->button() == Qt::LeftButton) {
         m_tool->release(pointerOf(*event));
         const bool click = (event->position() - m_pressedAt).manhattanLength() < clickReach;
-        if (const auto point = coverPointAt(event->position());
+        if (const auto point = coverPointOf(m_hitTest.hitSolid(m_camera, event->position()));
             point && click && m_toolKind == SurfaceToolKind::Select)
             emit coverClicked(*point);
     }

@@ -109,9 +109,8 @@ void SurfaceView::cutPoints()
     }
 }
 
-std::optional<CoverPoint> SurfaceView::coverPointAt(QPointF pixel) const
+std::optional<CoverPoint> SurfaceView::coverPointOf(const SurfaceHit& solid) const
 {
-    const SurfaceHit solid = m_hitTest.hitSolid(m_camera, pixel);
     return solid.kind == SurfaceHit::Kind::Cover ? m_places.inPattern(solid.triangle, solid.position)
                                                  : std::nullopt;
 }

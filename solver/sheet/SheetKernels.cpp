@@ -38,11 +38,6 @@ HWY_INLINE Four& column(Columns& columns, int i)
     return *reinterpret_cast<Four*>(at(columns.data(), i));
 }
 
-HWY_INLINE FourFloats& column(float* numbers, int i)
-{
-    return *reinterpret_cast<FourFloats*>(at(numbers, i));
-}
-
 HWY_INLINE void widen(const float* numbers, Four& to)
 {
     to = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(numbers), Four);
@@ -74,11 +69,6 @@ struct alignas(64) Columns8 {
     double numbers[block][4];
 
     HWY_INLINE Four& operator[](int i) { return *reinterpret_cast<Four*>(numbers[i]); }
-    HWY_INLINE void fill(const Columns& from, int first, int count)
-    {
-        for (int i = 0; i < count; ++i)
-            (*this)[i] = column(from, first + i);
-    }
 };
 
 /// The same, turned: a vector for each row.
@@ -349,7 +339,7 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
 SheetRings::SheetRings(const SewnMesh& mesh)
 {
     const auto& unknown = mesh.topology->unknown;
-    const std::size_t padded = mesh.area.size() + 16; // whole registers are read
+    const std::size_t padded = mesh.area.size() + 8; // whole registers are read
     edges.reserve(mesh.ring.size());
     vertices.reserve(mesh.area.size() + 1);
     area.assign(padded, 1);
