@@ -1,7 +1,6 @@
 #include "DesignFile.h"
 
 #include "DesignCheck.h"
-#include "DesignJson.h"
 #include "WholeFile.h"
 
 #include <QFileInfo>
@@ -83,18 +82,28 @@ OpenedDesign openDesign(const QString& path, const QString& filesFolder)
     if (!file.problem.empty())
         return unreadable(file.problem);
     try {
-        ReadDesign read = readDesign(file.bytes);
-        OpenedDesign opened{std::move(read.design), {}, std::move(read.problems), read.readable};
-        if (!opened.readable)
-            return opened;
-        const Problems checked = checkDesign(opened.design);
-        opened.problems.insert(opened.problems.end(), checked.begin(), checked.end());
-        readFiles(opened, filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder);
-        arrange(opened.problems);
-        return opened;
+        return openReadDesign(readDesign(file.bytes),
+                              filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder);
     } catch (const std::bad_alloc&) {
         return unreadable({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this design"), {}});
     }
+}
+
+OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder)
+{
+    OpenedDesign opened{std::move(read.design), {}, std::move(read.problems), read.readable};
+    if (!opened.readable)
+        return opened;
+    const Problems checked = checkDesign(opened.design);
+    opened.problems.insert(opened.problems.end(), checked.begin(), checked.end());
+    readFiles(opened, filesFolder);
+    arrange(opened.problems);
+    return opened;
+}
+
+QString elementFilePath(const Element& element, const QString& folder, Message& problem)
+{
+    return fileInFolder(*elementFile(element), folder, problem);
 }
 
 ImportedFile readElementFile(const Element& element, const QString& folder)

@@ -1,7 +1,7 @@
 // Designs on disk in their text form, with what is in the files they refer to.
 #pragma once
 
-#include "Design.h"
+#include "DesignJson.h"
 #include "FileContent.h"
 
 namespace bolster {
@@ -17,6 +17,12 @@ struct OpenedDesign {
 /// missing file is a problem like any other: that of the design names no element, that of an element its field
 /// "file".
 OpenedDesign openDesign(const QString& path, const QString& filesFolder = {});
+
+/// The same from a design that has been read: checks it and reads the files in the folder. Throws std::bad_alloc.
+OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder);
+
+/// The element's file with links resolved; empty, and a problem, when it is not there or not inside the folder.
+QString elementFilePath(const Element& element, const QString& folder, Message& problem);
 
 /// Reads the file of one element; `folder` is the design's. Links are followed, but not out of the folder.
 ImportedFile readElementFile(const Element& element, const QString& folder);

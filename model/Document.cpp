@@ -17,11 +17,11 @@ Document::~Document()
         m_gesture->m_document = nullptr;
 }
 
-void Document::reset(Design design)
+void Document::reset(Design design, History history)
 {
     cancelGesture();
-    m_history = History();
-    m_saved = 0;
+    m_history = std::move(history);
+    m_saved = m_history.current();
     m_base = std::move(design);
     show(m_base);
     emit historyChanged();
@@ -67,8 +67,10 @@ void Document::jumpTo(NodeId node)
     cancelGesture();
     if (node < 0 || node >= m_history.count() || node == m_history.current())
         return;
-    for (const Edit& edit : m_history.moveTo(node))
-        m_base = m_base.with(edit);
+    std::optional<Design> there = m_history.moveTo(node, m_base);
+    if (!there)
+        return;
+    m_base = std::move(*there);
     show(m_base);
     emit historyChanged();
     announceDirty();

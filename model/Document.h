@@ -30,12 +30,15 @@ public:
     const History& history() const { return m_history; }
 
     /// A new design with a new history (open, new).
-    void reset(Design design);
+    void reset(Design design) { reset(std::move(design), History()); }
+    /// That of a project; `design` is that of the history's current node.
+    void reset(Design design, History history);
     /// The edit takes along mirror twins. Does nothing with an empty edit. Cancels a running gesture first.
     void commit(Edit edit);
     /// A running gesture is what undo and redo take back first, and nothing else.
     void undo();
     void redo();
+    /// Does nothing when the way there cannot be read any more.
     void jumpTo(NodeId node);
     /// A label in the history, "" for none. The design stays as it is.
     void nameVersion(NodeId node, std::string name);

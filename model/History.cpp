@@ -11,6 +11,22 @@ History::History()
     m_nodes.front().time = QDateTime::currentDateTimeUtc();
 }
 
+History::History(std::vector<Node> nodes, NodeId current, std::shared_ptr<StoredEdits> edits)
+    : m_nodes(std::move(nodes))
+    , m_current(current)
+    , m_stored(std::move(edits))
+{
+    for (NodeId id = 0; id < count(); ++id) {
+        m_nodes[static_cast<std::size_t>(id)].stored = true;
+        if (id == 0)
+            continue;
+        m_nodes[static_cast<std::size_t>(node(id).parent)].children.push_back(id);
+    }
+    for (Node& each : m_nodes)
+        if (each.lastVisitedChild < 0 && !each.children.empty())
+            each.lastVisitedChild = each.children.back();
+}
+
 NodeId History::append(Edit edit)
 {
     const NodeId id = count();
@@ -22,23 +38,41 @@ NodeId History::append(Edit edit)
     return id;
 }
 
-std::vector<Edit> History::moveTo(NodeId id)
+std::optional<Design> History::moveTo(NodeId id, const Design& design)
+{
+    std::optional<Design> there = designAt(id, design);
+    if (!there)
+        return std::nullopt;
+    const std::vector<NodeId> path = pathTo(id);
+    for (std::size_t i = 1; i < path.size(); ++i)
+        m_nodes[static_cast<std::size_t>(path[i - 1])].lastVisitedChild = path[i];
+    m_current = id;
+    return there;
+}
+
+std::optional<Design> History::designAt(NodeId id, const Design& design) const
 {
     assert(id >= 0 && id < count());
     const std::vector<NodeId> here = pathTo(m_current);
     const std::vector<NodeId> there = pathTo(id);
     const auto [up, down] = std::mismatch(here.begin(), here.end(), there.begin(), there.end());
 
-    std::vector<Edit> edits;
-    for (auto leaving = here.end(); leaving != up;)
-        edits.push_back(node(*--leaving).edit.inverse());
-    for (auto entering = down; entering != there.end(); ++entering)
-        edits.push_back(node(*entering).edit);
+    std::optional<Design> result = design;
+    for (auto leaving = here.end(); result && leaving != up;)
+        result = step(*--leaving, *result, StoredEdits::Known::Child);
+    for (auto entering = down; result && entering != there.end(); ++entering)
+        result = step(*entering, *result, StoredEdits::Known::Parent);
+    return result;
+}
 
-    for (std::size_t i = 1; i < there.size(); ++i)
-        m_nodes[static_cast<std::size_t>(there[i - 1])].lastVisitedChild = there[i];
-    m_current = id;
-    return edits;
+std::optional<Design> History::step(NodeId id, const Design& design, StoredEdits::Known known) const
+{
+    const Node& through = node(id);
+    const std::optional<Edit> stored = through.stored ? m_stored->edit(id, design, known) : std::nullopt;
+    if (through.stored && !stored)
+        return std::nullopt;
+    const Edit& edit = stored ? *stored : through.edit;
+    return design.with(known == StoredEdits::Known::Parent ? edit : edit.inverse());
 }
 
 std::vector<NodeId> History::pathTo(NodeId id) const

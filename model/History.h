@@ -6,13 +6,26 @@
 #include <QDateTime>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace bolster {
 
-using NodeId = std::int32_t; ///< 0 is the root: the design as it was opened
+using NodeId = std::int32_t; ///< 0 is the root: the design as it was opened, or the first one of a project
+
+/// Where the edits of an opened project lie until somebody goes there: a project may have 100,000 of them.
+class StoredEdits {
+public:
+    enum class Known { Parent, Child };
+
+    virtual ~StoredEdits() = default;
+    /// The edit that leads to `node`, always forward; `design` is that of the node's parent or its own one. Nothing
+    /// when the edit cannot be read any more.
+    virtual std::optional<Edit> edit(NodeId node, const Design& design, Known known) = 0;
+};
 
 class History {
 public:
@@ -20,12 +33,16 @@ public:
         NodeId parent = -1;
         std::vector<NodeId> children; ///< oldest first
         NodeId lastVisitedChild = -1; ///< where redo goes
-        Edit edit;                    ///< that leads from the parent to this node
+        Edit edit;                    ///< that leads from the parent to this node; of a stored one only the verb
         QDateTime time;
-        std::string name; ///< that the user gave this version, or ""
+        std::string name;    ///< that the user gave this version, or ""
+        bool stored = false; ///< the changes lie in the project
     };
 
     History();
+    /// That of an opened project: the root first, parents before children, ids in the nodes' order. Nodes need
+    /// parent, verb, time, name and, where it isn't the newest child, lastVisitedChild.
+    History(std::vector<Node> nodes, NodeId current, std::shared_ptr<StoredEdits> edits);
 
     const Node& node(NodeId id) const { return m_nodes[static_cast<std::size_t>(id)]; }
     NodeId count() const { return static_cast<NodeId>(m_nodes.size()); }
@@ -35,15 +52,21 @@ public:
 
     /// Appends an edit below the current node and makes it current.
     NodeId append(Edit edit);
-    /// Makes `id` current and remembers the way for redo. Returns the edits to apply, in order.
-    std::vector<Edit> moveTo(NodeId id);
+    /// Makes `id` current and remembers the way for redo. `design` is that of the current node; returns that of
+    /// `id`, or nothing when a stored edit on the way cannot be read: then nothing has changed.
+    std::optional<Design> moveTo(NodeId id, const Design& design);
+    /// The design of `id`, without going there.
+    std::optional<Design> designAt(NodeId id, const Design& design) const;
     void setName(NodeId id, std::string name) { m_nodes[static_cast<std::size_t>(id)].name = std::move(name); }
     /// The nodes from the root to `id`, both included.
     std::vector<NodeId> pathTo(NodeId id) const;
 
 private:
+    std::optional<Design> step(NodeId node, const Design& design, StoredEdits::Known known) const;
+
     std::vector<Node> m_nodes;
     NodeId m_current = 0;
+    std::shared_ptr<StoredEdits> m_stored;
 };
 
 } // namespace bolster

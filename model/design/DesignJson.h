@@ -20,5 +20,7 @@ ReadDesign readDesign(std::string_view text);
 /// Canonical: the same design gives the same bytes; elements by id, keys in the documented order, shortest
 /// numbers that read back to the same double, optional keys left out where they have their default.
 std::string writeDesign(const Design& design);
+/// One element, or the settings for settingsId, as writeDesign writes it.
+std::string writeElement(ElementId id, const Element& element);
 
 } // namespace bolster

@@ -315,27 +315,26 @@ void addFields(Line& line, const Scan& scan)
         line.raw("cuts", "[" + cuts + "]");
 }
 
-std::string elementText(ElementId id, const Element& element)
+} // namespace
+
+std::string writeElement(ElementId id, const Element& element)
 {
     if (const auto* quarantined = std::get_if<Quarantined>(&element))
         return quarantined->text;
     Line line;
-    line.add("id", id).quoted("kind", kindName(element));
+    if (id != settingsId)
+        line.add("id", id).quoted("kind", kindName(element));
     std::visit([&](const auto& value) { addFields(line, value); }, element);
     return line.done();
 }
-
-} // namespace
 
 std::string writeDesign(const Design& design)
 {
     std::string elements;
     for (const auto& [id, element] : design.elements())
-        elements.append(elements.empty() ? "\n  " : ",\n  ").append(elementText(id, *element));
-    Line settings;
-    addFields(settings, design.settings());
-    return "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": " + settings.done() +
-           ",\n \"elements\": [" + elements + "]}\n";
+        elements.append(elements.empty() ? "\n  " : ",\n  ").append(writeElement(id, *element));
+    return "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": " +
+           writeElement(settingsId, *design.element(settingsId)) + ",\n \"elements\": [" + elements + "]}\n";
 }
 
 } // namespace bolster

@@ -88,6 +88,8 @@ Message writeProblem(const QString& path, int error)
                 {name, folder}};
     case EISDIR:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is a folder"), {name}};
+    case EINVAL:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is not an ordinary file"), {name}};
     default:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"), {name, std::strerror(error)}};
     }
@@ -129,19 +131,49 @@ int syncFolder(const QString& folder)
     return errno;
 }
 
-int replaceRegular(const QString& target, std::string_view bytes, std::optional<mode_t> permissions)
+/// Removes the temporary file if it fails, or if it could not be written (`error`).
+int renameSynced(const QString& temporary, const QString& target, int error)
 {
-    const QString folder = QFileInfo(target).absolutePath();
-    const QString temporary = folder + "/.bolster-" + QUuid::createUuid().toString(QUuid::Id128);
     const QByteArray temporaryName = QFile::encodeName(temporary);
-    int error = writeSynced(temporary, bytes, permissions);
     if (!error && std::rename(temporaryName.constData(), QFile::encodeName(target).constData()) != 0)
         error = errno;
     if (error) {
         ::unlink(temporaryName.constData());
         return error;
     }
-    return syncFolder(folder);
+    return syncFolder(QFileInfo(target).absolutePath());
+}
+
+int replaceRegular(const QString& target, std::string_view bytes, std::optional<mode_t> permissions)
+{
+    const QString temporary = temporaryFileFor(target);
+    return renameSynced(temporary, target, writeSynced(temporary, bytes, permissions));
+}
+
+int syncWritten(const QString& path, std::optional<mode_t> permissions)
+{
+    Descriptor file(path, O_RDWR);
+    if (!file.valid() || (permissions && ::fchmod(file.get(), *permissions) != 0) || ::fsync(file.get()) != 0 ||
+        !file.close())
+        return errno;
+    return 0;
+}
+
+QString resolved(const QString& path)
+{
+    const QFileInfo info(path);
+    return info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+}
+
+/// Why a file that is there must not be replaced.
+Message protection(const QString& path, const QString& target, const struct stat& present)
+{
+    if (S_ISDIR(present.st_mode))
+        return writeProblem(path, EISDIR);
+    if (S_ISREG(present.st_mode) && ::access(QFile::encodeName(target).constData(), W_OK) != 0)
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is write-protected"),
+                {path.toStdString()}};
+    return {};
 }
 
 } // namespace
@@ -181,18 +213,14 @@ WholeFile readWholeFile(const QString& path, std::int64_t largest)
 
 Message replaceWholeFile(const QString& path, std::string_view bytes)
 {
-    const QFileInfo info(path);
-    const QString target = info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+    const QString target = resolved(path);
     struct stat present = {};
     if (::stat(QFile::encodeName(target).constData(), &present) != 0) {
         const int error = replaceRegular(target, bytes, std::nullopt);
         return error ? writeProblem(path, error) : Message{};
     }
-    if (S_ISDIR(present.st_mode))
-        return writeProblem(path, EISDIR);
-    if (S_ISREG(present.st_mode) && ::access(QFile::encodeName(target).constData(), W_OK) != 0)
-        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is write-protected"),
-                {path.toStdString()}};
+    if (Message problem = protection(path, target, present); !problem.empty())
+        return problem;
 
     int error = 0;
     if (S_ISREG(present.st_mode)) {
@@ -201,6 +229,30 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
         Descriptor device(target, O_WRONLY);
         error = device.valid() ? writeAll(device.get(), bytes) : errno;
     }
+    return error ? writeProblem(path, error) : Message{};
+}
+
+QString temporaryFileFor(const QString& path)
+{
+    return QFileInfo(resolved(path)).absolutePath() + "/.bolster-" + QUuid::createUuid().toString(QUuid::Id128);
+}
+
+Message moveIntoPlace(const QString& temporary, const QString& path)
+{
+    const QString target = resolved(path);
+    struct stat present = {};
+    std::optional<mode_t> permissions;
+    if (::stat(QFile::encodeName(target).constData(), &present) == 0) {
+        Message problem = protection(path, target, present);
+        if (problem.empty() && !S_ISREG(present.st_mode))
+            problem = writeProblem(path, EINVAL);
+        if (!problem.empty()) {
+            QFile::remove(temporary);
+            return problem;
+        }
+        permissions = present.st_mode & 0777;
+    }
+    const int error = renameSynced(temporary, target, syncWritten(temporary, permissions));
     return error ? writeProblem(path, error) : Message{};
 }
 

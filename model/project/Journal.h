@@ -1,0 +1,85 @@
+// The journal of a project: makes every edit durable before a window shows it as done.
+#pragma once
+
+#include "DesignHash.h"
+#include "Project.h"
+
+#include <functional>
+
+namespace bolster {
+
+class SealedRows;
+
+/// What a copy of a project leaves out, for a file that goes to somebody else.
+struct SaveOptions {
+    bool withHistory = true; ///< else only the current design
+    bool withScans = true;
+};
+
+/// Lies in the user's own folder, never where sync clients are. Nobody else can open it meanwhile. No function
+/// throws; each one returns what went wrong, or an empty message, and then has changed nothing.
+class Journal {
+public:
+    struct Opened {
+        std::unique_ptr<Journal> journal; ///< null when project.problem says why
+        OpenedProject project;
+    };
+
+    /// That of a new project; there must be no such file. `vfs` is for tests that simulate disks.
+    static Opened create(const QString& path, const Design& design, const char* vfs = nullptr);
+    /// That of a project file, as a copy of it; there must be no such file.
+    static Opened begin(const QString& project, const QString& path);
+    /// One that is there, whatever happened to the program that wrote it.
+    static Opened open(const QString& path, const char* vfs = nullptr);
+    /// The file is free then; edits that a history has not loaded yet cannot be read any more.
+    ~Journal();
+
+    /// Stores, as one durable step, the nodes that are new in the history, where it stands, and the ways for redo.
+    /// The design is that of the current node. Whoever makes an edit asks refusal(edit) before it gets into the
+    /// history.
+    Message record(const History& history, const Design& design);
+    /// Labels a node; "" for none.
+    Message setName(NodeId node, const std::string& name);
+    /// Keeps a file by its content. `name` is what an element is to say as its "file"; it is changed when the
+    /// project knows another content by this name, for older versions of the design still mean that.
+    Message addAsset(std::string& name, const QString& file);
+    /// A picture of a node, which may get lost: nothing else depends on it.
+    Message setThumbnail(NodeId node, const std::string& png);
+    /// "" when there is none. It comes from the file: nobody has looked into it.
+    std::string thumbnail(NodeId node);
+
+    /// Writes the project to a file beside `path`, checks it, and puts it in the place of `path`, which holds the
+    /// old bytes or the new ones at any moment.
+    Message save(const QString& path);
+    /// The same for a copy: what is saved elsewhere does not count as saved.
+    Message saveCopy(const QString& path, const SaveOptions& options);
+    /// The seal that the project file had when it was last saved or opened: another one means that somebody else
+    /// has changed it.
+    const std::optional<Hash>& base() const { return m_base; }
+
+private:
+    struct Step; // one that is being stored
+
+    Journal(std::shared_ptr<Database> database, std::string uuid);
+    static Opened opened(std::shared_ptr<Database> database);
+    static Message guarded(const std::function<void()>& work);
+    void store(Step& step, const History& history, NodeId id, const Design& design);
+    void storeRedo(Step& step, const History& history);
+    void accept(Step& step, NodeId current);
+    void snapshotBeforeSave();
+
+    std::shared_ptr<Database> m_database;
+    std::string m_uuid;
+    std::optional<Hash> m_base;
+    HashSum m_seal;
+    DesignHash m_designHash;
+    std::vector<Hash> m_rowHashes;    // of the nodes that are stored
+    std::vector<int> m_sinceSnapshot; // edits, by node
+    std::map<NodeId, NodeId> m_redo;  // as stored: where it is not the newest child
+    NodeId m_current = 0;             // as stored, and its design
+    Design m_design;
+    std::int64_t m_run = 1;
+    bool m_behind = false; // the last record failed
+};
+
+} // namespace bolster

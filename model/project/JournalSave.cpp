@@ -1,0 +1,189 @@
+// How a journal becomes a project file.
+#include "BlobStore.h"
+#include "JournalStep.h"
+#include "ProjectContents.h"
+#include "ProjectRows.h"
+#include "Schema.h"
+#include "WholeFile.h"
+
+#include <QFile>
+#include <QTemporaryFile>
+
+namespace bolster {
+namespace {
+
+constexpr int editsWorthASnapshot = 100; // before a save
+
+void throwUnless(const Message& problem)
+{
+    if (!problem.empty())
+        throw DatabaseError(problem);
+}
+
+/// Writes beside `path`, checks what was written, and moves it into place. Returns the seal of the file.
+Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write)
+{
+    const QString temporary = temporaryFileFor(path);
+    try {
+        write(temporary);
+        const OpenedProject written = openProject(temporary);
+        throwUnless(written.problem);
+        for (const auto& [name, blob] : written.assets)
+            readBlob(*written.database, blob, nullptr);
+        throwUnless(moveIntoPlace(temporary, path));
+        return written.seal;
+    } catch (...) {
+        QFile::remove(temporary);
+        throw;
+    }
+}
+
+/// The last rows of a file that was written from a journal.
+void finishFile(const QString& file, const ProjectContents& contents,
+                const std::function<void(Database&, SealedRows&)>& more)
+{
+    Database database(file, Database::Access::Working);
+    prepareUnshared(database);
+    Transaction transaction(database);
+    SealedRows rows(database, contents.seal);
+    putProject(rows, contents.uuid, std::nullopt);
+    more(database, rows);
+    rows.close(contents.current);
+    transaction.commit();
+}
+
+/// The names of files that only scans use, anywhere in the history.
+std::set<std::string> scanFiles(Database& database, const ProjectContents& contents)
+{
+    std::set<ElementId> scans;
+    std::set<std::string> ofScans, ofOthers; // as JSON
+    const auto eachChange = [&](const auto& visit) {
+        for (NodeId node = 0; node < static_cast<NodeId>(contents.nodes.size()); ++node)
+            for (const FieldChange& change : changesOf(database, node).value_or(FieldChanges()))
+                visit(change);
+    };
+    eachChange([&](const FieldChange& change) {
+        if (change.field == "kind" && (change.after == "\"scan\"" || change.before == "\"scan\""))
+            scans.insert(change.element);
+    });
+    eachChange([&](const FieldChange& change) {
+        for (const auto& text : {change.before, change.after})
+            if (change.field == "file" && text)
+                (scans.contains(change.element) ? ofScans : ofOthers).insert(*text);
+    });
+
+    std::set<std::string> names;
+    for (const auto& [name, blob] : contents.assets) {
+        Scan scan;
+        scan.file = name;
+        const std::string text = elementFields(ElementId{1}, makeElement(scan)).at("file");
+        if (ofScans.contains(text) && !ofOthers.contains(text))
+            names.insert(name);
+    }
+    return names;
+}
+
+/// With the contents that no other asset has.
+void removeAssets(Database& database, SealedRows& rows, const std::set<std::string>& names)
+{
+    for (const std::string& name : names) {
+        Query asset(database, "SELECT id FROM asset WHERE name = ?", {Value::text(name)});
+        if (asset.next())
+            rows.erase("asset", asset.integer(0));
+    }
+    std::vector<std::int64_t> unused;
+    Query blobs(database, "SELECT id FROM blob WHERE id NOT IN (SELECT blob FROM asset)");
+    while (blobs.next())
+        unused.push_back(blobs.integer(0));
+    for (const std::int64_t blob : unused)
+        removeBlob(database, rows, blob);
+}
+
+void copyAsset(Database& from, std::int64_t blob, const std::string& name, Database& to, SealedRows& rows)
+{
+    QTemporaryFile content; // may be larger than memory
+    if (!content.open())
+        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a temporary file cannot be made (%1)"),
+                             {content.errorString().toStdString()}});
+    readBlob(from, blob, &content);
+    content.seek(0);
+    putAsset(to, rows, name, addBlob(to, rows, content));
+}
+
+/// A project of its own that begins with the current design.
+void writeCurrent(Database& from, const ProjectContents& contents, const Design& design, bool withScans,
+                  const QString& file)
+{
+    Database to(file, Database::Access::Working);
+    prepareUnshared(to);
+    Transaction transaction(to);
+    createTables(to);
+    SealedRows rows(to, {});
+    putProject(rows, newUid(), std::nullopt);
+    putNode(rows, firstNode(design), {});
+    std::set<std::string> names;
+    for (const auto& [id, element] : design.elements())
+        if (const std::string* name = elementFile(*element); name && contents.assets.contains(*name))
+            if (withScans || !std::holds_alternative<Scan>(*element))
+                names.insert(*name);
+    for (const std::string& name : names)
+        copyAsset(from, contents.assets.at(name), name, to, rows);
+    rows.close(0);
+    transaction.commit();
+}
+
+} // namespace
+
+Message Journal::save(const QString& path)
+{
+    return guarded([&] {
+        snapshotBeforeSave();
+        ProjectContents contents;
+        contents.uuid = m_uuid;
+        contents.seal = m_seal;
+        contents.current = m_current;
+        const Hash seal = replaceProject(path, [&](const QString& file) {
+            m_database->vacuumInto(file);
+            finishFile(file, contents,
+                       [&](Database& database, SealedRows& rows) { putSavePoint(database, rows, m_current); });
+        });
+        Step step(*m_database, m_seal);
+        putProject(step.rows, m_uuid, seal);
+        putSavePoint(*m_database, step.rows, m_current);
+        accept(step, m_current);
+        m_base = seal;
+    });
+}
+
+Message Journal::saveCopy(const QString& path, const SaveOptions& options)
+{
+    return guarded([&] {
+        const ProjectContents contents = readContents(*m_database);
+        replaceProject(path, [&](const QString& file) {
+            if (!options.withHistory) {
+                writeCurrent(*m_database, contents, m_design, options.withScans, file);
+                return;
+            }
+            const auto scans = options.withScans ? std::set<std::string>() : scanFiles(*m_database, contents);
+            m_database->vacuumInto(file);
+            finishFile(file, contents,
+                       [&](Database& database, SealedRows& rows) { removeAssets(database, rows, scans); });
+            if (!scans.empty())
+                Database(file, Database::Access::Working).vacuum();
+        });
+    });
+}
+
+/// So that the file opens quickly.
+void Journal::snapshotBeforeSave()
+{
+    int& since = m_sinceSnapshot[static_cast<std::size_t>(m_current)];
+    if (since < editsWorthASnapshot)
+        return;
+    Step step(*m_database, m_seal);
+    putSnapshot(step.rows, m_current, m_design);
+    accept(step, m_current);
+    since = 0;
+}
+
+} // namespace bolster

@@ -1,0 +1,58 @@
+// Project files: the design with its whole history and the files it uses (docs/project-file.md).
+#pragma once
+
+#include "DesignFile.h"
+#include "Hash.h"
+#include "History.h"
+
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bolster {
+
+class Database;
+
+/// What a project knows of a node of its history besides what History does.
+struct ProjectNode {
+    std::array<std::uint8_t, 16> uid{}; ///< the same in every copy of the project
+    std::int64_t run = 0;               ///< of the program: increases each time the project is opened for work
+    Hash designHash{};                  ///< of the design after the edit
+    Hash rowHash{};                     ///< of everything about the node and all before it
+};
+
+struct OpenedProject {
+    Message problem; ///< why it could not be opened; the rest is empty then
+    Design design;   ///< of the current node
+    History history;
+    std::vector<ProjectNode> nodes;             ///< by NodeId
+    std::optional<NodeId> saved;                ///< the node that was saved last
+    Hash seal{};                                ///< of everything in the file but pictures
+    std::optional<Hash> base;                   ///< of a journal: the seal of the project file that it goes with
+    std::map<std::string, std::int64_t> assets; ///< by name: numbers in the file
+    std::shared_ptr<Database> database;         ///< what the history and the assets are read from
+};
+
+enum class ProjectCheck {
+    ToWork,    ///< all rows and the current design: 0.5 s with 100,000 edits
+    Everything ///< and the design after each edit, and all assets
+};
+
+/// Only whether it is a project or a text, by the first bytes.
+bool looksLikeProject(const QString& path);
+
+/// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see
+/// salvageProject.
+OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck::ToWork);
+
+/// Writes the files that elements of the design name to this folder, below it with the folders they name. What an
+/// asset lacks is a problem of the elements that use it.
+Problems extractAssets(const OpenedProject& project, const Design& design, const QString& folder);
+
+/// A design from either form, with its files: that of a text (openDesign), or the current one of a project.
+OpenedDesign openDesignOrProject(const QString& path);
+
+} // namespace bolster

@@ -1,0 +1,271 @@
+#include "ProjectContents.h"
+
+#include "BlobStore.h"
+#include "DesignHash.h"
+#include "Schema.h"
+
+#include <algorithm>
+
+namespace bolster {
+namespace {
+
+constexpr std::int64_t mostNodes = 10'000'000;
+
+[[noreturn]] void refuse(const char* table, std::int64_t key)
+{
+    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "row %1 of the table \"%2\" contradicts others"),
+                         {std::to_string(key), table}});
+}
+
+/// Whether a column's number is one of the nodes read so far.
+bool isNode(const ProjectContents& contents, const Value& value)
+{
+    return value.type == Value::Type::Integer && value.number >= 0 &&
+           value.number < static_cast<std::int64_t>(contents.nodes.size());
+}
+
+void readProject(Database& database, ProjectContents& contents)
+{
+    int count = 0;
+    eachRow(database, "project", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        contents.uuid = row[1].bytes;
+        if (row[3].type == Value::Type::Blob)
+            contents.base = hashFrom(row[3].bytes);
+        ++count;
+    });
+    if (count != 1)
+        refuse("project", count);
+}
+
+void readNode(ProjectContents& contents, std::span<const Value> row, const Hash& hash)
+{
+    const auto id = static_cast<std::int64_t>(contents.nodes.size());
+    const bool parentRight = id == 0 ? row[2].type == Value::Type::Null : isNode(contents, row[2]);
+    auto args = decodeTexts(row[6].bytes);
+    ProjectNode facts;
+    if (row[0].number != id || id >= mostNodes || !parentRight || !args || row[1].bytes.size() != facts.uid.size())
+        refuse("node", row[0].number);
+    std::copy(row[1].bytes.begin(), row[1].bytes.end(), facts.uid.begin());
+    facts.run = row[4].number;
+    facts.designHash = hashFrom(row[8].bytes);
+    facts.rowHash = hash;
+    contents.facts.push_back(facts);
+
+    History::Node node;
+    node.parent = id == 0 ? -1 : static_cast<NodeId>(row[2].number);
+    node.edit.verb = {std::string(row[5].bytes), std::move(*args)};
+    node.time = QDateTime::fromMSecsSinceEpoch(row[3].number, Qt::UTC);
+    contents.nodes.push_back(std::move(node));
+}
+
+void readNodes(Database& database, ProjectContents& contents)
+{
+    eachRow(
+        database, "node", contents.seal,
+        [&](std::span<const Value> row, const Hash& hash) { readNode(contents, row, hash); },
+        [&](std::span<const Value> row) {
+            return isNode(contents, row[2]) ? contents.facts[static_cast<std::size_t>(row[2].number)].rowHash
+                                            : Hash{};
+        });
+    if (contents.nodes.empty())
+        refuse("node", 0);
+}
+
+void readWhatRefersToNodes(Database& database, ProjectContents& contents)
+{
+    const auto nodeAt = [&](NodeId id) -> History::Node& { return contents.nodes[static_cast<std::size_t>(id)]; };
+    eachRow(database, "label", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!isNode(contents, row[0]))
+            refuse("label", row[0].number);
+        nodeAt(static_cast<NodeId>(row[0].number)).name = row[1].bytes;
+    });
+    eachRow(database, "redo", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!isNode(contents, row[0]) || !isNode(contents, row[1]) ||
+            nodeAt(static_cast<NodeId>(row[1].number)).parent != row[0].number)
+            refuse("redo", row[0].number);
+        contents.redo.emplace(row[0].number, row[1].number);
+        nodeAt(static_cast<NodeId>(row[0].number)).lastVisitedChild = static_cast<NodeId>(row[1].number);
+    });
+    eachRow(database, "snapshot", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!isNode(contents, row[0]))
+            refuse("snapshot", row[0].number);
+        contents.snapshots.push_back(static_cast<NodeId>(row[0].number));
+    });
+    eachRow(database, "save_point", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!isNode(contents, row[2]))
+            refuse("save_point", row[0].number);
+        contents.saved = static_cast<NodeId>(row[2].number);
+    });
+}
+
+void readAssets(Database& database, ProjectContents& contents)
+{
+    std::set<std::int64_t> blobs;
+    eachRow(database, "blob", contents.seal,
+            [&](std::span<const Value> row, const Hash&) { blobs.insert(row[0].number); });
+    eachRow(database, "asset", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!blobs.contains(row[2].number) || !isAssetName(std::string(row[1].bytes)) ||
+            !contents.assets.emplace(row[1].bytes, row[2].number).second)
+            refuse("asset", row[0].number);
+    });
+}
+
+void readState(Database& database, ProjectContents& contents)
+{
+    HashSum ignored;
+    int count = 0;
+    eachRow(database, "state", ignored, [&](std::span<const Value> row, const Hash&) {
+        if (row[0].number != 0 || !isNode(contents, row[1]))
+            refuse("state", row[0].number);
+        contents.current = static_cast<NodeId>(row[1].number);
+        if (hashFrom(row[2].bytes) != contents.seal.value())
+            throw DatabaseError(
+                {QT_TRANSLATE_NOOP("Message", "rows are missing from the project, or there are some too "
+                                              "many")});
+        ++count;
+    });
+    if (count != 1)
+        refuse("state", count);
+}
+
+class StoredNodes : public StoredEdits {
+public:
+    explicit StoredNodes(std::shared_ptr<Database> database)
+        : m_database(std::move(database))
+    {}
+
+    std::optional<Edit> edit(NodeId node, const Design& design, Known known) override
+    {
+        try {
+            const auto changes = changesOf(*m_database, node);
+            return changes ? editOf(*changes, design, known) : std::nullopt;
+        } catch (const DatabaseError&) {
+            return std::nullopt;
+        }
+    }
+
+private:
+    std::shared_ptr<Database> m_database;
+};
+
+[[noreturn]] void refuseDesign(NodeId node)
+{
+    throw DatabaseError(
+        {QT_TRANSLATE_NOOP("Message", "the edits up to number %1 do not lead to the design that was "
+                                      "stored with it"),
+         {std::to_string(node)}});
+}
+
+Design stepped(Database& database, NodeId node, const Design& parent)
+{
+    const auto changes = changesOf(database, node);
+    const auto edit = changes ? editOf(*changes, parent, StoredEdits::Known::Parent) : std::nullopt;
+    if (!edit)
+        refuseDesign(node);
+    return parent.with(*edit);
+}
+
+/// Walks the whole tree and keeps only the designs that have children to come.
+void checkDesigns(Database& database, const ProjectContents& contents)
+{
+    std::vector<int> childrenLeft(contents.nodes.size());
+    for (const History::Node& node : contents.nodes)
+        if (node.parent >= 0)
+            ++childrenLeft[static_cast<std::size_t>(node.parent)];
+
+    DesignHash hash;
+    std::map<NodeId, Design> designs;
+    for (NodeId id = 0; id < static_cast<NodeId>(contents.nodes.size()); ++id) {
+        const NodeId parent = contents.nodes[static_cast<std::size_t>(id)].parent;
+        const Design design = stepped(database, id, parent < 0 ? Design() : designs.at(parent));
+        if (hash.follow(design) != contents.facts[static_cast<std::size_t>(id)].designHash)
+            refuseDesign(id);
+        if (std::binary_search(contents.snapshots.begin(), contents.snapshots.end(), id) &&
+            snapshotOf(database, id) != design)
+            refuse("snapshot", id);
+        if (childrenLeft[static_cast<std::size_t>(id)] > 0)
+            designs.emplace(id, design);
+        if (parent >= 0 && --childrenLeft[static_cast<std::size_t>(parent)] == 0)
+            designs.erase(parent);
+    }
+}
+
+} // namespace
+
+ProjectContents readContents(Database& database)
+{
+    checkTables(database);
+    Query check(database, "PRAGMA quick_check(1)");
+    if (!check.next() || check.text(0) != "ok")
+        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged (%2)"),
+                             {database.path().toStdString(), std::string(check.text(0))}});
+    ProjectContents contents;
+    readProject(database, contents);
+    readNodes(database, contents);
+    readWhatRefersToNodes(database, contents);
+    readAssets(database, contents);
+    readState(database, contents);
+    return contents;
+}
+
+std::optional<FieldChanges> changesOf(Database& database, NodeId node)
+{
+    Query query(database, "SELECT patch FROM node WHERE id = ?", {Value::integer(node)});
+    return query.next() ? decodeChanges(query.blob(0)) : std::nullopt;
+}
+
+std::optional<Design> snapshotOf(Database& database, NodeId node)
+{
+    Query query(database, "SELECT codec, data FROM snapshot WHERE node = ?", {Value::integer(node)});
+    return query.next() && query.integer(0) == 1 ? decodeDesign(query.blob(1)) : std::nullopt;
+}
+
+Design designOf(Database& database, const ProjectContents& contents, NodeId node)
+{
+    std::vector<NodeId> steps; // last first
+    std::optional<Design> design;
+    for (NodeId at = node; at >= 0 && !design; at = contents.nodes[static_cast<std::size_t>(at)].parent) {
+        if (std::binary_search(contents.snapshots.begin(), contents.snapshots.end(), at))
+            design = snapshotOf(database, at);
+        if (!design)
+            steps.push_back(at);
+    }
+    if (!design)
+        design.emplace();
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+        design = stepped(database, *step, *design);
+    if (hashOf(*design) != contents.facts[static_cast<std::size_t>(node)].designHash)
+        refuseDesign(node);
+    return *design;
+}
+
+void checkEverything(Database& database, const ProjectContents& contents)
+{
+    checkDesigns(database, contents);
+    Query blobs(database, "SELECT id FROM blob");
+    while (blobs.next())
+        readBlob(database, blobs.integer(0), nullptr);
+    if (database.number("SELECT count(*) FROM chunk WHERE id / 1048576 NOT IN (SELECT id FROM blob)") != 0)
+        refuse("chunk", 0);
+}
+
+std::shared_ptr<StoredEdits> storedEdits(std::shared_ptr<Database> database)
+{
+    return std::make_shared<StoredNodes>(std::move(database));
+}
+
+OpenedProject opened(ProjectContents contents, Design design, std::shared_ptr<Database> database)
+{
+    OpenedProject project;
+    project.design = std::move(design);
+    project.history = History(std::move(contents.nodes), contents.current, storedEdits(database));
+    project.nodes = std::move(contents.facts);
+    project.saved = contents.saved;
+    project.seal = contents.seal.value();
+    project.base = contents.base;
+    project.assets = std::move(contents.assets);
+    project.database = std::move(database);
+    return project;
+}
+
+} // namespace bolster
