@@ -1,11 +1,9 @@
 #include "GlCanvas.h"
 
-#include <QElapsedTimer>
-#include <QOpenGLContext>
+#include <QPainter>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <exception>
 
 namespace bolster {
 
@@ -14,64 +12,99 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto restAfter = 180ms;
-constexpr double timeForMoving = 0.03;  ///< seconds a frame should take while something moves
-constexpr double timeForResting = 0.04; ///< seconds of refinement before the window gets its turn
+
+/// Makes its painter, and with it the context, on the thread where it is called first.
+class PaintingWork {
+public:
+    explicit PaintingWork(QOffscreenSurface& surface)
+        : m_surface(&surface)
+    {}
+
+    GlPainter::Picture operator()(const GlPainter::Request& request, const std::stop_token& stop)
+    {
+        GlPainter::Picture picture;
+        picture.failed = true;
+        try {
+            if (!m_painter)
+                m_painter = std::make_shared<GlPainter>(*m_surface);
+            picture = m_painter->paint(request, stop);
+        } catch (const std::exception& problem) {
+            qWarning("OpenGL: %s", problem.what());
+        }
+        if (request.finest)
+            request.finest->set_value(picture.image);
+        return picture;
+    }
+
+private:
+    QOffscreenSurface* m_surface;
+    std::shared_ptr<GlPainter> m_painter;
+};
 
 } // namespace
 
 GlCanvas::GlCanvas(const SurfaceScene& scene, const Camera& camera, QWidget* parent)
-    : QOpenGLWidget(parent)
+    : QWidget(parent)
     , SurfaceCanvas(scene, camera)
 {
-    setFormat(glFormat());
-    setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
     setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    m_surface.setFormat(glFormat());
+    m_surface.create();
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] {
         m_moving = false;
-        update();
+        schedule();
     });
+    m_job = std::make_unique<Job>(PaintingWork(m_surface),
+                                  [this](GlPainter::Picture picture) { received(std::move(picture)); });
 }
 
-GlCanvas::~GlCanvas()
-{
-    release();
-}
-
-void GlCanvas::release()
-{
-    if (!m_renderer || !context())
-        return;
-    makeCurrent();
-    m_renderer.reset();
-    m_picture.reset();
-    doneCurrent();
-}
-
-void GlCanvas::initializeGL()
-{
-    // The context goes when the view moves into another window: what lives in it must go before.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlCanvas::release, Qt::UniqueConnection);
-    try {
-        m_renderer = std::make_unique<SurfaceRenderer>();
-        m_picture = std::make_unique<GlPicture>(*glFunctions());
-    } catch (const std::exception& problem) {
-        m_renderer.reset();
-        m_picture.reset();
-        qWarning("OpenGL: %s", problem.what());
-        QMetaObject::invokeMethod(
-            this, [this] { emit failed(tr("No OpenGL: drawn in software")); }, Qt::QueuedConnection);
-    }
-}
+GlCanvas::~GlCanvas() = default;
 
 void GlCanvas::refresh(bool moving)
 {
-    if (m_picture)
-        m_picture->restart();
+    ++m_version;
     m_moving = moving;
     if (moving)
         m_rest.start(restAfter);
+    schedule();
+}
+
+/// Once, after all that is being changed.
+void GlCanvas::schedule()
+{
+    if (!std::exchange(m_scheduled, true))
+        QMetaObject::invokeMethod(this, &GlCanvas::send, Qt::QueuedConnection);
+}
+
+GlPainter::Request GlCanvas::request() const
+{
+    return {m_scene, m_camera, pixelSize(), m_version, m_moving, nullptr};
+}
+
+void GlCanvas::send()
+{
+    m_scheduled = false;
+    if (!isVisible() || (m_asked && m_askedMoving))
+        return; // a quick one is let end: stopping it again and again would show none
+    m_asked = m_version;
+    m_askedMoving = m_moving;
+    m_job->request(request(), true);
+}
+
+void GlCanvas::received(GlPainter::Picture picture)
+{
+    if (picture.failed) {
+        emit failed(tr("No OpenGL: drawn in software"));
+        return;
+    }
+    if (picture.version == m_asked)
+        m_asked.reset();
+    m_picture = std::move(picture);
     update();
+    if (m_picture.version != m_version || (!m_moving && !m_picture.finest))
+        schedule();
 }
 
 QSize GlCanvas::pixelSize() const
@@ -79,55 +112,29 @@ QSize GlCanvas::pixelSize() const
     return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
 }
 
-void GlCanvas::paintGL()
+void GlCanvas::paintEvent(QPaintEvent*)
 {
-    if (!m_renderer)
-        return;
-    const QSize size = pixelSize();
-    m_renderer->update(m_scene);
-    if (m_moving && !m_fineAtOnce)
-        paintMoving(size);
-    else
-        paintResting(size);
-    m_picture->present(defaultFramebufferObject(), size);
-    if (!m_moving && m_picture->count() < GlPicture::finest)
-        QMetaObject::invokeMethod(
-            this, [this] { update(); }, Qt::QueuedConnection);
+    QPainter painter(this);
+    if (m_picture.image.isNull())
+        painter.fillRect(rect(), mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5));
+    else // of another size only while the view is being resized
+        painter.drawImage(QRectF(rect()), m_picture.image);
 }
 
-void GlCanvas::paintMoving(const QSize& size)
+void GlCanvas::showEvent(QShowEvent*)
 {
-    // The time goes with the number of pixels.
-    const double wanted = std::sqrt(timeForMoving / std::max(m_frameTime, 1e-4));
-    const double scale = std::clamp(std::floor(4 * wanted) / 4, 0.5, 1.0);
-    const QSize reduced = (QSizeF(size) * scale).toSize().expandedTo({1, 1});
-    QElapsedTimer clock;
-    clock.start();
-    m_picture->replace(reduced, [&](const Vec2& jitter) { m_renderer->draw(m_scene, m_camera, reduced, jitter); });
-    glFunctions()->glFinish();
-    const double time = 1e-9 * static_cast<double>(clock.nsecsElapsed()) / (scale * scale);
-    m_frameTime += 0.35 * (time - m_frameTime);
-}
-
-void GlCanvas::paintResting(const QSize& size)
-{
-    QElapsedTimer clock;
-    clock.start();
-    do {
-        m_picture->add(size, [&](const Vec2& jitter) { m_renderer->draw(m_scene, m_camera, size, jitter); });
-        glFunctions()->glFinish();
-    } while (m_picture->count() < GlPicture::finest &&
-             (m_fineAtOnce || 1e-9 * static_cast<double>(clock.nsecsElapsed()) < timeForResting));
+    schedule();
 }
 
 QImage GlCanvas::grab()
 {
-    m_fineAtOnce = true;
-    if (m_picture)
-        m_picture->restart();
-    QImage image = grabFramebuffer();
-    m_fineAtOnce = false;
-    return image;
+    GlPainter::Request asked = request();
+    asked.finest = std::make_shared<std::promise<QImage>>();
+    std::future<QImage> image = asked.finest->get_future();
+    m_asked = m_version;
+    m_askedMoving = false;
+    m_job->request(std::move(asked), true);
+    return image.get();
 }
 
 } // namespace bolster

@@ -1,19 +1,19 @@
 // The 3D view drawn with OpenGL.
 #pragma once
 
-#include "GlPicture.h"
+#include "GlPainter.h"
 #include "SurfaceCanvas.h"
-#include "SurfaceRenderer.h"
+#include "SurfaceJob.h"
 
-#include <QOpenGLWidget>
+#include <QOffscreenSurface>
 #include <QTimer>
-
-#include <memory>
+#include <QWidget>
 
 namespace bolster {
 
-/// Quick while something moves, with fewer pixels where OpenGL is slow; finer and finer when it rests.
-class GlCanvas : public QOpenGLWidget, public SurfaceCanvas {
+/// Quick while something moves, with fewer pixels where OpenGL is slow; finer and finer when it rests. Pictures
+/// come from a thread of their own, so the window never waits for them.
+class GlCanvas : public QWidget, public SurfaceCanvas {
     Q_OBJECT
 
 public:
@@ -23,6 +23,7 @@ public:
     QWidget& widget() override { return *this; }
     void refresh(bool moving) override;
     bool drawsOcclusion() const override { return true; }
+    SurfaceMeshPtr shown() const override { return m_picture.surface; }
     QImage grab() override;
 
 signals:
@@ -30,21 +31,27 @@ signals:
     void failed(const QString& problem);
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
-    void release();
-    void paintMoving(const QSize& size);
-    void paintResting(const QSize& size);
+    using Job = SurfaceJob<GlPainter::Request, GlPainter::Picture>;
+
+    GlPainter::Request request() const;
+    void schedule();
+    void send();
+    void received(GlPainter::Picture picture);
     QSize pixelSize() const;
 
-    std::unique_ptr<SurfaceRenderer> m_renderer;
-    std::unique_ptr<GlPicture> m_picture;
+    QOffscreenSurface m_surface; ///< that the painter's context needs; only this thread may make it
+    GlPainter::Picture m_picture;
+    std::uint64_t m_version = 0; ///< of what is to be seen
     bool m_moving = false;
-    bool m_fineAtOnce = false;
-    double m_frameTime = 0.01; ///< of one frame of the whole size, seconds
-    QTimer m_rest;             ///< until the picture gets finer
+    bool m_scheduled = false;
+    std::optional<std::uint64_t> m_asked; ///< version of the picture that is on its way
+    bool m_askedMoving = false;
+    QTimer m_rest; ///< until the picture gets finer
+    std::unique_ptr<Job> m_job;
 };
 
 } // namespace bolster

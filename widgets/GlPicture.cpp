@@ -67,14 +67,20 @@ void GlPicture::replace(const QSize& size, const std::function<void(const Vec2& 
     drawFrame(size, draw);
 }
 
-void GlPicture::present(GLuint framebuffer, const QSize& size)
+QImage GlPicture::image(const QSize& size)
 {
-    QOpenGLFramebufferObject* source = m_count > 0 ? m_mean.get() : m_frame.get();
+    const QOpenGLFramebufferObject* source = m_count > 0 ? m_mean.get() : m_frame.get();
     if (!source)
-        return;
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        return {};
+    if (!m_shown || m_shown->size() != size)
+        m_shown = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::NoAttachment,
+                                                             GL_TEXTURE_2D, GL_RGBA8);
+    m_shown->bind();
     m_gl.glViewport(0, 0, size.width(), size.height());
     copy(source->texture());
+    QImage image = m_shown->toImage();
+    image.reinterpretAsFormat(QImage::Format_RGB32); // it is opaque, and so quicker to paint
+    return image;
 }
 
 } // namespace bolster

@@ -4,6 +4,7 @@
 #include "GlBuffer.h"
 #include "GlProgram.h"
 
+#include <QImage>
 #include <QOpenGLFramebufferObject>
 
 #include <functional>
@@ -24,8 +25,8 @@ public:
     void add(const QSize& size, const std::function<void(const Vec2& jitter)>& draw);
     /// Draws a single frame, possibly smaller, instead of the mean.
     void replace(const QSize& size, const std::function<void(const Vec2& jitter)>& draw);
-    /// Onto the framebuffer, stretched to its size.
-    void present(GLuint framebuffer, const QSize& size);
+    /// What there is, stretched to a size; null before the first frame.
+    QImage image(const QSize& size);
 
 private:
     void drawFrame(const QSize& size, const std::function<void(const Vec2& jitter)>& draw);
@@ -36,6 +37,7 @@ private:
     QOpenGLVertexArrayObject m_array;
     std::unique_ptr<QOpenGLFramebufferObject> m_frame;
     std::unique_ptr<QOpenGLFramebufferObject> m_mean;
+    std::unique_ptr<QOpenGLFramebufferObject> m_shown;
     int m_count = 0;
 };
 

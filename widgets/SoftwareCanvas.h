@@ -27,6 +27,7 @@ public:
     QWidget& widget() override { return *this; }
     void refresh(bool moving) override;
     bool drawsOcclusion() const override { return false; } ///< the renderer finds its own
+    SurfaceMeshPtr shown() const override { return m_picture.request.surface; }
     QImage grab() override;
 
 protected:

@@ -23,6 +23,8 @@ public:
     virtual void refresh(bool moving) = 0;
     /// Whether it draws the shadows that the scene brings.
     virtual bool drawsOcclusion() const = 0;
+    /// The cover in the picture that is on the screen, or null: pictures come later than what they show.
+    virtual SurfaceMeshPtr shown() const = 0;
     /// The finest picture, now.
     virtual QImage grab() = 0;
 

@@ -9,11 +9,13 @@
 #include <optional>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 namespace bolster {
 
 /// One thread that takes the newest request; a newer one asks the running one to stop if `replace` says so.
-/// Results arrive on the thread that made the job; after destruction none do.
+/// Results arrive on the thread that made the job; after destruction none do. What the work holds is destroyed on
+/// the job's thread.
 template <class Request, class Result>
 class SurfaceJob {
 public:
@@ -55,6 +57,7 @@ public:
 private:
     void run(std::stop_token stop)
     {
+        const Work work = std::exchange(m_work, nullptr);
         while (!stop.stop_requested()) {
             std::optional<Request> request;
             std::stop_token running;
@@ -66,7 +69,7 @@ private:
                 m_running = std::stop_source();
                 running = m_running.get_token();
             }
-            Result result = m_work(*request, running);
+            Result result = work(*request, running);
             if (!running.stop_requested())
                 QMetaObject::invokeMethod(
                     &m_receiver, [this, result = std::move(result)]() mutable { m_done(std::move(result)); },

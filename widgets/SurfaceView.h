@@ -75,6 +75,8 @@ public:
     /// The cover to show; null for none. Cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
+    /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
+    SurfaceMeshPtr shownSurface() const { return m_canvas ? m_canvas->shown() : nullptr; }
     /// What the design's files hold: frames, foam and scans; their placement is taken from the design.
     void setFiles(const DesignFiles& files);
     /// Colours on the cover; null for none.

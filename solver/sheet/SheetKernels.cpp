@@ -28,9 +28,14 @@ HWY_INLINE Number* at(Number* columns, int i)
     return columns + 4 * static_cast<std::ptrdiff_t>(i);
 }
 
+HWY_INLINE const Four& column(const double* columns, int i)
+{
+    return *reinterpret_cast<const Four*>(at(columns, i));
+}
+
 HWY_INLINE const Four& column(const Columns& columns, int i)
 {
-    return *reinterpret_cast<const Four*>(at(columns.data(), i));
+    return column(columns.data(), i);
 }
 
 HWY_INLINE Four& column(Columns& columns, int i)
@@ -38,9 +43,21 @@ HWY_INLINE Four& column(Columns& columns, int i)
     return *reinterpret_cast<Four*>(at(columns.data(), i));
 }
 
+HWY_INLINE void widen(const FourFloats& numbers, Four& to)
+{
+#if HWY_MAX_BYTES >= 32 // the compiler takes four instructions for one
+    constexpr hn::FixedTag<double, 4> four;
+    constexpr hn::Rebind<float, decltype(four)> fourFloats;
+    const auto from = hn::LoadU(fourFloats, reinterpret_cast<const float*>(&numbers));
+    hn::StoreU(hn::PromoteTo(four, from), four, reinterpret_cast<double*>(&to));
+#else
+    to = __builtin_convertvector(numbers, Four);
+#endif
+}
+
 HWY_INLINE void widen(const float* numbers, Four& to)
 {
-    to = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(numbers), Four);
+    widen(*reinterpret_cast<const FourFloats*>(numbers), to);
 }
 
 HWY_INLINE void narrow(const Four& numbers, float* to)
@@ -48,16 +65,20 @@ HWY_INLINE void narrow(const Four& numbers, float* to)
     *reinterpret_cast<FourFloats*>(to) = __builtin_convertvector(numbers, FourFloats);
 }
 
-HWY_INLINE double dot(const Four& a, const Four& b)
+/// Adds a column times a number.
+HWY_INLINE void add(const Four& numbers, float times, Four& to)
 {
-    const Four product = a * b;
-    return (product[0] + product[1]) + (product[2] + product[3]);
+    Four by;
+    widen(FourFloats{times, times, times, times}, by);
+    to += numbers * by;
 }
 
-constexpr int block = 8; // vertices that are worked on together
+// Vertices that are worked on together: so many that what was stored for the first can be loaded in wider
+// registers.
+constexpr int block = 32;
 
 // One number of each vertex of a block.
-using Wide = hn::CappedTag<double, block>;
+using Wide = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Wide>;
 constexpr Wide wide;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
@@ -65,7 +86,7 @@ constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
 constexpr double suspicious = 0.05;
 
 /// A column of each vertex of a block.
-struct alignas(64) Columns8 {
+struct alignas(64) BlockColumns {
     double numbers[block][4];
 
     HWY_INLINE Four& operator[](int i) { return *reinterpret_cast<Four*>(numbers[i]); }
@@ -75,8 +96,19 @@ struct alignas(64) Columns8 {
 struct Rows {
     Vector w, x, y, z;
 
+    HWY_INLINE Rows(Vector a, Vector b, Vector c, Vector d)
+        : w(a)
+        , x(b)
+        , y(c)
+        , z(d)
+    {}
     HWY_INLINE explicit Rows(const double* columns) { hn::LoadInterleaved4(wide, columns, w, x, y, z); }
 };
+
+HWY_INLINE Vector inner(const Rows& a, const Rows& b)
+{
+    return hn::MulAdd(a.w, b.w, hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))));
+}
 
 HWY_INLINE void store(Vector w, Vector x, Vector y, Vector z, double* columns)
 {
@@ -119,19 +151,28 @@ HWY_INLINE Rotated combine(const Rotated& a, Vector p, const Rotated& b, Vector 
 }
 
 struct FitBlock {
-    Columns8 covariance[2], frame, smoothing; // in
-    Columns8 fitted, residual, stretch;       // out; the last number of a stretch is -1 where the closed form fails
+    const double* frames; // in
+    BlockColumns covariance[2];
+    BlockColumns smoothing;                 // of the neighbours alone
+    BlockColumns fitted, residual, stretch; // out; the last number of a stretch is -1 where the closed form fails
+};
+
+/// What is found of some vertices, or of all of them.
+struct Found {
+    bool agree = true; ///< no neighbours' quaternions lie in opposite hemispheres
+    bool sound = true; ///< the closed form has worked
 };
 
 /// fitVertex of LocalStep for a register of vertices, and the residual of L2.
-HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex, double poisson, double bending)
+HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex, double poisson, double bending,
+                    Found& found)
 {
     constexpr hn::Rebind<float, Wide> narrow;
     const auto load = [&](const std::vector<float>& numbers) {
         return hn::PromoteTo(wide, hn::LoadU(narrow, numbers.data() + vertex));
     };
     const Vector one = hn::Set(wide, 1.0);
-    const Rows q(in.frame.numbers[from]);
+    const Rows q(in.frames + 4 * static_cast<std::ptrdiff_t>(from));
     const Vector ringArea = load(rings.area);
     const Vector pull = hn::Mul(hn::Set(wide, ringRegularisation), ringArea);
     const TwoColumns before = rotated(q);
@@ -167,7 +208,12 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     for (Vector& number : f)
         number = hn::Mul(number, length);
     store(f[0], f[1], f[2], f[3], in.fitted.numbers[from]);
-    const Rows smoothing(in.smoothing.numbers[from]);
+    const Vector weight = hn::LoadU(wide, rings.weight.data() + vertex);
+    const Rows neighbours(in.smoothing.numbers[from]);
+    const Rows smoothing(hn::NegMulAdd(weight, q.w, neighbours.w), hn::NegMulAdd(weight, q.x, neighbours.x),
+                         hn::NegMulAdd(weight, q.y, neighbours.y), hn::NegMulAdd(weight, q.z, neighbours.z));
+    const Vector along = inner(q, smoothing);
+    found.agree = found.agree && hn::AllFalse(wide, hn::Lt(along, hn::Mul(hn::Set(wide, -suspicious), weight)));
     const auto residual = [&](Vector wanted, Vector now, Vector smooth) {
         return hn::MulAdd(ringArea, hn::Sub(wanted, now), hn::Mul(hn::Set(wide, bending), smooth));
     };
@@ -184,38 +230,42 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Vector xyStrain = clamped(hn::Mul(hn::Set(wide, 0.5), hn::Add(inner(r0, f1), inner(r1, f0))));
     const auto sound = hn::And(hn::And(hn::Gt(determinant, hn::Zero(wide)), hn::Gt(area, hn::Zero(wide))),
                                hn::Gt(square, hn::Set(wide, 1e-12)));
+    found.sound = found.sound && hn::AllTrue(wide, sound);
     store(hn::Neg(hn::Mul(nu, yyStrain)), hn::Mul(nu, xyStrain), hn::Neg(hn::Mul(nu, xxStrain)),
           hn::IfThenElse(sound, hn::Zero(wide), hn::Set(wide, -1.0)), in.stretch.numbers[from]);
 }
 
+/// False when the closed form has failed somewhere. Tells whether all neighbours' quaternions `agree`.
 bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
-               double bending, int begin, int end, const SheetResults& to)
+               double bending, int begin, int end, const SheetResults& to, bool& agree)
 {
     FitBlock in{};
-    bool agree = true;
+    BlockColumns rest{}; // frames of a block that is not full
+    Found found;
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
         for (int i = 0; i < count; ++i) {
             const SheetRings::Vertex* const vertex = &rings.vertices[first + i];
-            const Four here = column(positions, vertex->unknown), frame = column(frames, first + i);
+            const Four here = column(positions, vertex->unknown);
             Four c0{}, c1{}, smoothing{};
-            double weight = 0;
             for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
                 const SheetRings::Edge& edge = rings.edges[k];
                 const Four apart = column(positions, edge.unknown) - here;
-                c0 += apart * static_cast<double>(edge.pull[0]);
-                c1 += apart * static_cast<double>(edge.pull[1]);
-                smoothing += (column(frames, edge.vertex) - frame) * static_cast<double>(edge.weight);
-                weight += static_cast<double>(edge.weight);
+                add(apart, edge.pull[0], c0);
+                add(apart, edge.pull[1], c1);
+                add(column(frames, edge.vertex), edge.weight, smoothing);
             }
-            agree = agree && dot(frame, smoothing) > -suspicious * weight;
             in.covariance[0][i] = c0;
             in.covariance[1][i] = c1;
             in.smoothing[i] = smoothing;
-            in.frame[i] = frame;
         }
-        for (int from = 0; from < block; from += lanes)
-            fit(in, from, rings, first + from, poisson, bending);
+        in.frames = at(frames.data(), first);
+        if (count < block) {
+            std::copy_n(in.frames, 4 * count, rest.numbers[0]);
+            in.frames = rest.numbers[0];
+        }
+        for (int from = 0; from < count; from += lanes)
+            fit(in, from, rings, first + from, poisson, bending, found);
         for (int i = 0; i < count; ++i) {
             narrow(in.residual[i], at(to.turns, to.turnSlots[first + i]));
             narrow(in.stretch[i], at(to.stretch, first + i));
@@ -224,45 +274,82 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
                     in.fitted[i] * static_cast<double>(rings.area[first + i]);
         }
     }
-    return agree;
+    agree = found.agree;
+    return found.sound;
 }
 
-/// The frame `beta` of the step from `before` to `now` further on. Their signs may be opposite.
-HWY_INLINE void extrapolate(const Four& before, const Four& now, double beta, Four& ahead)
+HWY_INLINE Rows sum(const Rows& a, Vector p, const Rows& b, Vector q)
 {
-    const Four further = now + (now - (dot(now, before) < 0 ? -before : before)) * beta;
-    ahead = further * (1 / std::sqrt(dot(further, further)));
+    const auto one = [&](Vector x, Vector y) { return hn::MulAdd(x, p, hn::Mul(y, q)); };
+    return {one(a.w, b.w), one(a.x, b.x), one(a.y, b.y), one(a.z, b.z)};
+}
+
+HWY_INLINE Rows normalised(const Rows& q)
+{
+    const Vector by = hn::Div(hn::Set(wide, 1.0), hn::Sqrt(inner(q, q)));
+    return {hn::Mul(q.w, by), hn::Mul(q.x, by), hn::Mul(q.y, by), hn::Mul(q.z, by)};
+}
+
+HWY_INLINE void store(const Rows& rows, double* columns)
+{
+    store(rows.w, rows.x, rows.y, rows.z, columns);
+}
+
+struct TurnBlock {
+    BlockColumns turns, stretch; // in
+    BlockColumns maps[2];        // out
+};
+
+/// Turns `ahead`, and makes of it the frames `beta` of the step from `before` to `turned` further on. The signs of
+/// these two may be opposite.
+HWY_INLINE void turn(TurnBlock& in, int from, double beta, const double* before, double* turned, double* ahead)
+{
+    const Vector one = hn::Set(wide, 1.0);
+    const std::ptrdiff_t numbers = 4 * static_cast<std::ptrdiff_t>(from);
+    const Rows asked(ahead + numbers), was(before + numbers);
+    const Rows wanted = sum(Rows(in.turns.numbers[from]), one, asked, one);
+    const auto turns = hn::Gt(inner(wanted, wanted), hn::Set(wide, 1e-24));
+    const auto choose = [&](Vector now, Vector otherwise) { return hn::IfThenElse(turns, now, otherwise); };
+    const Rows q = normalised({choose(wanted.w, asked.w), choose(wanted.x, asked.x), choose(wanted.y, asked.y),
+                               choose(wanted.z, asked.z)});
+    store(q, turned + numbers);
+
+    const Vector back = hn::CopySign(hn::Set(wide, beta), inner(q, was));
+    store(normalised(sum(q, hn::Set(wide, 1 + beta), was, hn::Neg(back))), ahead + numbers);
+
+    const Rows t(in.stretch.numbers[from]);
+    const TwoColumns r = rotated(q);
+    const Rotated m0 = combine(r.first, hn::Add(one, t.w), r.second, t.x);
+    const Rotated m1 = combine(r.first, t.x, r.second, hn::Add(one, t.y));
+    store(m0.x, m0.y, m0.z, hn::Zero(wide), in.maps[0].numbers[from]);
+    store(m1.x, m1.y, m1.z, hn::Zero(wide), in.maps[1].numbers[from]);
 }
 
 void TurnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
                 Columns& turned, Columns& ahead, Columns& maps)
 {
-    Columns8 after{}, stretch{}, map[2]{};
+    TurnBlock in{};
+    BlockColumns wasRest{}, turnedRest{}, aheadRest{}; // of a block that is not full
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
         for (int i = 0; i < count; ++i) {
-            Four& from = column(ahead, first + i);
-            Four q;
-            widen(at(results.turns, results.turnSlots[first + i]), q);
-            q += from;
-            const double square = dot(q, q);
-            const Four unit = square > 1e-24 ? q * (1 / std::sqrt(square)) : from;
-            column(turned, first + i) = after[i] = unit;
-            extrapolate(column(before, first + i), unit, beta, from);
-            widen(at(results.stretch, first + i), stretch[i]);
+            widen(at(results.turns, results.turnSlots[first + i]), in.turns[i]);
+            widen(at(results.stretch, first + i), in.stretch[i]);
         }
-        for (int from = 0; from < block; from += lanes) {
-            const Rows t(stretch.numbers[from]);
-            const TwoColumns r = rotated(Rows(after.numbers[from]));
-            const Vector one = hn::Set(wide, 1.0);
-            const Rotated m0 = combine(r.first, hn::Add(one, t.w), r.second, t.x);
-            const Rotated m1 = combine(r.first, t.x, r.second, hn::Add(one, t.y));
-            store(m0.x, m0.y, m0.z, hn::Zero(wide), map[0].numbers[from]);
-            store(m1.x, m1.y, m1.z, hn::Zero(wide), map[1].numbers[from]);
+        if (count == block) {
+            for (int from = 0; from < count; from += lanes)
+                turn(in, from, beta, at(before.data(), first), at(turned.data(), first), at(ahead.data(), first));
+        } else {
+            std::copy_n(at(before.data(), first), 4 * count, wasRest.numbers[0]);
+            std::copy_n(at(ahead.data(), first), 4 * count, aheadRest.numbers[0]);
+            for (int from = 0; from < count; from += lanes)
+                turn(in, from, beta, wasRest.numbers[0], turnedRest.numbers[0], aheadRest.numbers[0]);
+            std::copy_n(turnedRest.numbers[0], 4 * count, at(turned.data(), first));
+            std::copy_n(aheadRest.numbers[0], 4 * count, at(ahead.data(), first));
         }
         for (int i = 0; i < count; ++i) {
-            column(maps, 2 * (first + i)) = map[0][i];
-            column(maps, 2 * (first + i) + 1) = map[1][i];
+            column(maps, 2 * (first + i)) = in.maps[0][i];
+            column(maps, 2 * (first + i) + 1) = in.maps[1][i];
         }
     }
 }
@@ -273,15 +360,18 @@ void RingForces(const SheetRings& rings, const Columns& positions, const Columns
     for (int v = begin; v < end; ++v) {
         const SheetRings::Vertex* const vertex = &rings.vertices[v];
         const Four here = column(positions, vertex->unknown);
-        const Four map0 = column(maps, 2 * v), map1 = column(maps, 2 * v + 1);
-        Four places{}, preferred{};
+        Four places{}, first{}, second{};
         for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
             const SheetRings::Edge& edge = rings.edges[k];
-            places += (column(positions, edge.unknown) - here) * static_cast<double>(edge.weight);
-            preferred += (column(maps, 2 * edge.vertex) + map0) * static_cast<double>(edge.pull[0]) +
-                         (column(maps, 2 * edge.vertex + 1) + map1) * static_cast<double>(edge.pull[1]);
+            add(column(positions, edge.unknown) - here, edge.weight, places);
+            const double* const map = at(maps.data(), 2 * edge.vertex);
+            add(column(map, 0), edge.pull[0], first);
+            add(column(map, 1), edge.pull[1], second);
         }
-        Four force = (places * 2 - preferred) * stiffness;
+        const Vec2& pull = rings.pull[v];
+        first += column(maps, 2 * v) * pull.x();
+        second += column(maps, 2 * v + 1) * pull.y();
+        Four force = (places * 2 - (first + second)) * stiffness;
         if (to.outer)
             force += *reinterpret_cast<const Four*>(at(to.outer, v));
         if (to.moveSlots[v] >= 0)
@@ -345,17 +435,22 @@ SheetRings::SheetRings(const SewnMesh& mesh)
     area.assign(padded, 1);
     for (auto& numbers : inverse)
         numbers.assign(padded, 1);
+    weight.assign(padded, 0);
+    pull.assign(mesh.area.size(), Vec2::Zero());
     for (int v = 0; v < mesh.vertexCount(); ++v) {
         vertices.push_back({static_cast<int>(unknown[v]), static_cast<int>(edges.size())});
         Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
         for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
             const SewnMesh::RingEdge& ring = mesh.ring[k];
-            const Vec2 pull = ring.weight * ring.rest;
+            const Vec2 towards = ring.weight * ring.rest;
             edges.push_back({ring.vertex,
                              static_cast<int>(unknown[ring.vertex]),
                              static_cast<float>(ring.weight),
-                             {static_cast<float>(pull.x()), static_cast<float>(pull.y())}});
-            rest += pull * ring.rest.transpose();
+                             {static_cast<float>(towards.x()), static_cast<float>(towards.y())}});
+            // Of what was rounded, or a sum of differences is no longer the difference of sums.
+            weight[v] += static_cast<double>(edges.back().weight);
+            pull[v] += Eigen::Vector2f(edges.back().pull[0], edges.back().pull[1]).cast<double>();
+            rest += towards * ring.rest.transpose();
         }
         const Eigen::Matrix2f inverted = rest.inverse().cast<float>();
         inverse[0][v] = inverted(0, 0);
@@ -369,8 +464,10 @@ SheetRings::SheetRings(const SewnMesh& mesh)
 bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
                double bending, int begin, int end, const SheetResults& to)
 {
-    const bool agree = HWY_DYNAMIC_DISPATCH(FitFrames)(rings, positions, frames, poisson, bending, begin, end, to);
-    for (int v = begin; v < end; ++v)
+    bool agree = true;
+    const bool sound =
+        HWY_DYNAMIC_DISPATCH(FitFrames)(rings, positions, frames, poisson, bending, begin, end, to, agree);
+    for (int v = begin; !sound && v < end; ++v)
         if (to.stretch[4 * static_cast<std::ptrdiff_t>(v) + 3] < 0)
             fitSlowly(rings, positions, frames, poisson, bending, v, to);
     return agree;

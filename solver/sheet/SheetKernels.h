@@ -33,6 +33,9 @@ struct SheetRings {
     // Per vertex, and some more, since whole registers are read.
     std::vector<float> area;                   ///< A_i
     std::array<std::vector<float>, 3> inverse; ///< of the regularised S_i: xx, xy, yy
+    std::vector<double> weight;                ///< sum of the ring's
+    // Per vertex.
+    std::vector<Vec2> pull; ///< sum of the ring's
 };
 
 /// Where the loops put what they find: four numbers for each vertex or unknown.

@@ -10,7 +10,7 @@ Lap repeated(std::function<void()> unit)
 {
     return [unit = std::move(unit)] {
         const auto perUnit = [&unit] {
-            constexpr double least = 4; // ms: a thousand times what a clock's tick and a woken thread cost
+            constexpr double least = 25; // ms: what others left in the caches is gone after some iterations
             const Stopwatch watch;
             int count = 0;
             do {

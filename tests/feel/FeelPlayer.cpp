@@ -116,7 +116,7 @@ void FeelPlayer::send(const FeelEvent& event, QWidget& view, QPoint at)
 void FeelPlayer::painted(bool pattern, bool cover)
 {
     const double seen = now();
-    const SurfaceMeshPtr surface = m_window.surfaceView().surface();
+    const SurfaceMeshPtr surface = m_window.surfaceView().shownSurface();
     const std::uint64_t shown = cover && surface ? surface->revision : 0;
     std::erase_if(m_moves, [&](Move& move) {
         if (pattern && !std::exchange(move.patternSeen, true))
