@@ -114,6 +114,10 @@ void Actions::addFile()
     open = add(tr("&Open \u2026"), QStringLiteral("open"), QKeySequence::Open);
     save = add(tr("&Save"), QStringLiteral("save"), QKeySequence::Save);
     saveAs = add(tr("Save &as \u2026"), QStringLiteral("save-as"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    saveCopy = add(tr("With &everything \u2026"), {});
+    saveCopyWithoutHistory = add(tr("Without &history \u2026"), {});
+    saveCopyWithoutScans = add(tr("Without history and &scans \u2026"), {});
+    revert = add(tr("Re&vert to saved"), {});
     importFrame =
         add(tr("&Import frame \u2026"), QStringLiteral("import-frame"), QKeySequence(Qt::CTRL | Qt::Key_I));
     importScan = add(tr("Impor&t scan \u2026"), QStringLiteral("import-scan"),

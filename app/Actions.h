@@ -24,6 +24,10 @@ public:
     QAction* open;
     QAction* save;
     QAction* saveAs;
+    QAction* saveCopy;
+    QAction* saveCopyWithoutHistory;
+    QAction* saveCopyWithoutScans;
+    QAction* revert;
     QAction* importFrame;
     QAction* importScan;
     QAction* exportSurface;

@@ -93,6 +93,12 @@ void DesignFolder::start(const QString& folder)
     m_folder = folder;
 }
 
+void DesignFolder::leave()
+{
+    m_earlier.clear();
+    m_folder.clear();
+}
+
 void DesignFolder::moved(const QString& folder)
 {
     if (folder == m_folder)
@@ -102,11 +108,17 @@ void DesignFolder::moved(const QString& folder)
     m_folder = folder;
 }
 
-Message DesignFolder::makeOwnFolder(const Design& design)
+QString DesignFolder::newOwnFolder()
 {
     const QString folder = ownRoot() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces);
-    if (!QDir().mkpath(folder))
-        return {QT_TRANSLATE_NOOP("Message", "the folder \"%1\" could not be made"), {folder.toStdString()}};
+    return QDir().mkpath(folder) ? folder : QString();
+}
+
+Message DesignFolder::makeOwnFolder(const Design& design)
+{
+    const QString folder = newOwnFolder();
+    if (folder.isEmpty())
+        return {QT_TRANSLATE_NOOP("Message", "the folder \"%1\" could not be made"), {ownRoot().toStdString()}};
     Design copied;
     Message problem = copyTo(folder, design, &copied);
     moved(folder);

@@ -20,7 +20,11 @@ public:
     /// For another design: the folder of a file on disk, of a sample, or of a copy that a crash has left. Folders
     /// that were made here for the last design are removed.
     void start(const QString& folder);
-    /// A new folder of our own, for a design without a file; what `design` refers to is copied there.
+    /// Lets go of the folders as they are: somebody will come back for what is in them.
+    void leave();
+    /// A new folder of our own. Empty when it could not be made.
+    static QString newOwnFolder();
+    /// The same, for a design without a file; what `design` refers to is copied there.
     Message makeOwnFolder(const Design& design);
     bool ownFolder() const { return isOwnFolder(m_folder); }
     /// Removes folders of new designs that nobody has come back for in a month; `wanted` are kept.

@@ -1,11 +1,10 @@
-// The design that is open: the document, its file, what its files hold, and the copy for the start after a
-// crash.
+// The design that is open: the document, its file, what its files hold, and the journal of all that is done to it.
 #pragma once
 
 #include "DesignFile.h"
 #include "DesignFolder.h"
 #include "Document.h"
-#include "Recovery.h"
+#include "WorkJournal.h"
 
 #include <functional>
 #include <optional>
@@ -27,6 +26,7 @@ public:
     ~DesignSession() override;
 
     Document& document() { return m_document; }
+    WorkJournal& journal() { return m_journal; }
     /// Where Save writes to; "" for a new design, a sample, a restored new design.
     const QString& path() const { return m_path; }
     /// For the window's title.
@@ -39,20 +39,25 @@ public:
     const Problems& problemsOnOpening() const { return m_opened; }
 
     void startNew();
-    /// A sample is opened without its path. On failure everything stays as it was. What was changed while the file
-    /// was read is asked about by `replace`.
-    void open(const QString& path, const Replace& replace, const Done& done);
-    void restore(const Recovery::Orphan& orphan, const Replace& replace, const Done& done);
-    /// Removes what a crash has left, with the files that lay beside it alone.
-    static void discard(const Recovery::Orphan& orphan);
+    enum class Opening {
+        ToWork,
+        ToLook ///< without its path: Save asks where
+    };
+    /// A sample is opened to look. On failure everything stays as it was. What was changed while the file was read
+    /// is asked about by `replace`.
+    void open(const QString& path, Opening opening, const Replace& replace, const Done& done);
+    /// Goes on with what a crash has left, or what was kept for later.
+    void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done);
+    /// As a project, with its whole history, or as a text (".json"): the design alone, with its files beside it.
     void save(const QString& path, const Done& done);
+    /// Writes a project that somebody else is to have; the work stays where it is.
+    void saveCopy(const QString& path, const SaveOptions& options, const Done& done);
+    static bool isProject(const QString& path) { return path.endsWith(u".bolster", Qt::CaseInsensitive); }
     /// A save of the design as it is now is on its way.
     bool savingAll() const { return m_saving == m_document.history().current(); }
     /// Writing there would destroy a file that the design refers to.
     bool isElementFile(const QString& path) const;
-    /// Nothing of the unsaved work is to be kept.
-    void discardWork();
-    /// The window closes; unsaved work that was not discarded is found at the next start.
+    /// The window closes.
     void end();
 
     /// Brings the file to the design and adds an element for it, whose `file` is filled in. With `replaced` it
@@ -76,15 +81,25 @@ private:
     /// A file by its name as elements have it, and what it is read as.
     using FileKey = std::pair<FileKind, QString>;
 
+    struct Opened;
+
     static FileKey keyOf(const Element& element);
+    static Opened readProject(WorkJournal::Taken taken, const QString& files);
     void takeUnlessChanged(std::uint64_t revision, const Replace& replace, const std::function<void()>& take);
-    void take(OpenedDesign opened, const QString& path, const QString& folder, const QString& title);
+    void take(const Opened& opened, const QString& path, const QString& folder, const QString& title);
+    void leaveWork();
+    void saveProject(const QString& file, const Done& done);
+    void saveText(const QString& file, const Done& done);
+    void endSaving(const QString& file, std::optional<NodeId> node, const Message& problem, const Done& done);
+    void withJournal(const std::function<Message(Journal&)>& work, const Done& done);
+    void addFiles(const Done& done);
+    void renameFiles(const std::map<std::string, std::string>& names);
     void designChanged(const std::set<ElementId>& ids);
     void updateFiles();
     void readMissing(const FileKey& key);
 
     Document m_document;
-    Recovery m_recovery;
+    WorkJournal m_journal;
     DesignFolder m_folder;
     QString m_path;
     QString m_title; ///< of a design without a path
@@ -92,7 +107,6 @@ private:
     std::map<FileKey, ImportedFile> m_known;
     std::set<FileKey> m_reading;
     DesignFiles m_files;
-    bool m_workDiscarded = false;
     std::optional<NodeId> m_saving; ///< what is being written
     int m_generation = 0;           ///< counts designs, so that late results of an earlier one are dropped
 };

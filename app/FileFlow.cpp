@@ -25,13 +25,21 @@ namespace {
 
 const QString recentKey = QStringLiteral("recent");
 const QString folderKey = QStringLiteral("folder");
+const QString projectEnding = QStringLiteral("bolster");
 const QString designEnding = QStringLiteral("json");
 constexpr qsizetype mostRecent = 10;
 
-QString designFilter()
+QString openFilter()
 {
-    return FileFlow::tr("Designs (*.json)");
+    return FileFlow::tr("Projects and designs (*.bolster *.json)");
 }
+
+QString saveFilter()
+{
+    return FileFlow::tr("Project with its history (*.bolster);;Design as text (*.json)");
+}
+
+const QStringList saveEndings{projectEnding, designEnding};
 
 QString patternsOf(FileKind kind)
 {
@@ -98,20 +106,28 @@ void FileFlow::keepWork(const Then& then)
     }
     QMessageBox box(QMessageBox::Question, tr("Bolster"), tr("Save the changes in \"%1\"?").arg(m_session.title()),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
-    box.setInformativeText(tr("Otherwise they are lost."));
+    box.setInformativeText(tr("Work that is kept for later, with all its steps, is under File > Unsaved work."));
+    const QPushButton* keep = box.addButton(tr("&Keep for later"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
-    if (answer == QMessageBox::Discard) { // its copy goes when another design has taken its place
+    if (box.clickedButton() == keep) {
+        m_session.journal().setFate(WorkJournal::Fate::KeepForLater);
+        then();
+    } else if (answer == QMessageBox::Discard) {
+        m_session.journal().setFate(WorkJournal::Fate::Bin);
         then();
     } else if (answer == QMessageBox::Save) {
         const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
         if (!m_session.path().isEmpty())
             saveTo(m_session.path(), saved);
-        else if (const QString path =
-                     chooseTarget(tr("Save design"), proposed(designEnding), designFilter(), {designEnding});
-                 !path.isEmpty())
+        else if (const QString path = chooseSaveTarget(); !path.isEmpty())
             saveTo(path, saved);
     }
+}
+
+QString FileFlow::chooseSaveTarget()
+{
+    return chooseTarget(tr("Save project"), proposed(projectEnding), saveFilter(), saveEndings);
 }
 
 void FileFlow::startNew()
@@ -123,15 +139,24 @@ void FileFlow::open(const QString& path)
 {
     QString file = path;
     if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, tr("Open design"), startFolder(), designFilter());
+        file = QFileDialog::getOpenFileName(m_window, tr("Open project or design"), startFolder(), openFilter());
     if (!file.isEmpty())
         keepWork([this, file] { openNow(file); });
 }
 
 void FileFlow::openNow(const QString& path)
 {
+    const QString original = QFileInfo(path).absoluteFilePath();
+    for (const WorkJournal::Left& left : WorkJournal::left())
+        if (left.place.original == original) { // what was not saved to it is newer
+            restore(left);
+            return;
+        }
+    const auto opening = howToOpen(original);
+    if (!opening)
+        return;
     const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.open(path, replace, [this, path](const Message& problem) {
+    m_session.open(path, *opening, replace, [this, path](const Message& problem) {
         if (!problem.empty()) {
             fail(tr("\"%1\" could not be opened.").arg(QFileInfo(path).fileName()), problem);
             return;
@@ -142,13 +167,26 @@ void FileFlow::openNow(const QString& path)
     });
 }
 
+/// Nothing: not at all.
+std::optional<DesignSession::Opening> FileFlow::howToOpen(const QString& original)
+{
+    if (original == m_session.path() || !WorkJournal::isWorkedOn(original))
+        return DesignSession::Opening::ToWork;
+    QMessageBox box(QMessageBox::Question, tr("Bolster"),
+                    tr("\"%1\" is open in another window.").arg(QFileInfo(original).fileName()),
+                    QMessageBox::Open | QMessageBox::Cancel, m_window);
+    box.setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
+    box.setDefaultButton(QMessageBox::Open);
+    return box.exec() == QMessageBox::Open ? std::optional(DesignSession::Opening::ToLook) : std::nullopt;
+}
+
 void FileFlow::announceProblems()
 {
     std::set<ElementId> bad;
     for (const Problem& problem : m_session.problemsOnOpening())
         if (problem.severity == Severity::Error)
             bad.insert(problem.element);
-    if (bad.empty() || offersRecovery()) // which waits for an answer
+    if (bad.empty())
         return;
     m_banner->announce(
         Banner::Kind::Problem,
@@ -166,17 +204,38 @@ void FileFlow::save()
 
 void FileFlow::saveAs()
 {
-    const QString path = chooseTarget(tr("Save design"), proposed(designEnding), designFilter(), {designEnding});
-    if (!path.isEmpty())
+    if (const QString path = chooseSaveTarget(); !path.isEmpty())
         saveTo(path, [] {});
+}
+
+void FileFlow::saveCopy(const SaveOptions& options)
+{
+    const QString path =
+        chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
+                     tr("Project (*.%1)").arg(projectEnding), {projectEnding});
+    if (path.isEmpty())
+        return;
+    m_session.saveCopy(path, options, [this, path](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Saved a copy as %1").arg(QDir::toNativeSeparators(path)));
+        else
+            fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
+    });
+}
+
+void FileFlow::revert()
+{
+    if (const auto saved = m_session.document().saved())
+        m_session.document().jumpTo(*saved);
 }
 
 /// The title as a file in the usual folder.
 QString FileFlow::proposed(const QString& ending, const QString& addition) const
 {
     QString name = m_session.title();
-    if (name.endsWith(u'.' + designEnding))
-        name.chop(designEnding.size() + 1);
+    for (const QString& known : saveEndings)
+        if (name.endsWith(u'.' + known))
+            name.chop(known.size() + 1);
     name.replace(u'/', u'-');
     return QDir(startFolder()).filePath(name + addition + u'.' + ending);
 }
@@ -258,7 +317,7 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return QFileInfo(file).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) == 0 ||
+    return saveEndings.contains(QFileInfo(file).suffix().toLower()) ||
            is(FileKind::Mesh, file) || is(FileKind::Cloud, file);
 }
 
@@ -373,59 +432,6 @@ void FileFlow::exportPicture(const QImage& picture)
     else
         fail(tr("The picture could not be exported."),
              {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {path.toStdString()}});
-}
-
-void FileFlow::offerRecovery()
-{
-    const QList<Recovery::Orphan> orphans = Recovery::orphans();
-    QStringList wanted;
-    for (const Recovery::Orphan& orphan : orphans)
-        wanted << orphan.frameFolder();
-    DesignFolder::removeForgotten(wanted);
-    if (orphans.isEmpty()) {
-        if (offersRecovery())
-            m_banner->dismiss();
-        return;
-    }
-    const Recovery::Orphan& newest = orphans.front();
-    const QString name = isSample(newest.original)            ? tr("a sample")
-                         : QFileInfo::exists(newest.original) ? QFileInfo(newest.original).fileName()
-                                                              : tr("a new design");
-    m_recoveryOffer = tr("Bolster did not end properly. Unsaved work on %1 from %2 was kept.")
-                          .arg(name, QLocale().toString(newest.when, QLocale::ShortFormat));
-    if (newest.fileIsNewer())
-        m_recoveryOffer += u' ' + tr("The file itself was saved later; the copy opens as a new design.");
-    m_banner->announce(Banner::Kind::Information, m_recoveryOffer,
-                       {{tr("Restore"),
-                         [this, newest] {
-                             offerRecovery(); // until it has happened
-                             keepWork([this, newest] { restore(newest); });
-                         }},
-                        {tr("Discard \u2026"), [this, newest, name] {
-                             const QString question =
-                                 tr("Delete the kept work on %1 for good? It cannot be brought back.").arg(name);
-                             if (QMessageBox::question(m_window, tr("Bolster"), question,
-                                                       QMessageBox::Yes | QMessageBox::No,
-                                                       QMessageBox::No) == QMessageBox::Yes)
-                                 DesignSession::discard(newest);
-                             offerRecovery(); // the next one, or this one again
-                         }}});
-}
-
-bool FileFlow::offersRecovery() const
-{
-    return m_banner->shown() && m_banner->text() == m_recoveryOffer;
-}
-
-void FileFlow::restore(const Recovery::Orphan& orphan)
-{
-    const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.restore(orphan, replace, [this](const Message& problem) {
-        if (!problem.empty())
-            fail(tr("The unsaved work could not be restored."), problem);
-        else
-            offerRecovery(); // the next one
-    });
 }
 
 } // namespace bolster

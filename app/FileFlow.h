@@ -26,6 +26,9 @@ public:
     void open(const QString& path = {});
     void save();
     void saveAs();
+    void saveCopy(const SaveOptions& options);
+    /// To the version that was saved last; the way back is in the history.
+    void revert();
     /// Goes on when nothing unsaved is lost by it: saved, discarded on purpose, or nothing was unsaved.
     void keepWork(const Then& then);
 
@@ -39,9 +42,9 @@ public:
 
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
-    /// Offers what a crash has left, if anything.
-    void offerRecovery();
-    bool offersRecovery() const;
+    void fillUnsaved(QMenu& menu);
+    /// Goes on where a crash has ended the last run, if it has.
+    void recover();
     /// A design, a mesh or a scan that was dropped on the window, or nothing.
     static bool takes(const QString& file);
     void drop(const QString& file);
@@ -51,10 +54,15 @@ signals:
     void done(const QString& what);
     /// The user wants to see what is wrong.
     void problemsWanted();
+    /// The user wants to see what has been done.
+    void historyWanted();
 
 private:
-    void restore(const Recovery::Orphan& orphan);
+    void restore(const WorkJournal::Left& left);
+    void announceRestored();
+    QString chooseSaveTarget();
     void openNow(const QString& path);
+    std::optional<DesignSession::Opening> howToOpen(const QString& original);
     void saveTo(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
     QString chooseTarget(const QString& title, const QString& proposal, const QString& filter,
@@ -72,7 +80,6 @@ private:
     DesignSession& m_session;
     QWidget* m_window;
     Banner* m_banner;
-    QString m_recoveryOffer; ///< what the banner says of a copy
 };
 
 } // namespace bolster

@@ -49,10 +49,16 @@ private:
         QMenu* recent = menu->addMenu(tr("Open &recent"));
         QObject::connect(recent, &QMenu::aboutToShow, recent,
                          [recent, &files = m_files] { files.fillRecent(*recent); });
+        QMenu* unsaved = menu->addMenu(tr("&Unsaved work"));
+        QObject::connect(unsaved, &QMenu::aboutToShow, unsaved,
+                         [unsaved, &files = m_files] { files.fillUnsaved(*unsaved); });
         QMenu* samples = menu->addMenu(tr("Sa&mples"));
         m_files.fillSamples(*samples);
         menu->addSeparator();
         menu->addActions({m_actions.save, m_actions.saveAs});
+        menu->addMenu(tr("Save a &copy"))
+            ->addActions({m_actions.saveCopy, m_actions.saveCopyWithoutHistory, m_actions.saveCopyWithoutScans});
+        menu->addAction(m_actions.revert);
         menu->addSeparator();
         menu->addActions({m_actions.importFrame, m_actions.importScan});
         menu->addSeparator();

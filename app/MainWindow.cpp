@@ -92,9 +92,9 @@ void MainWindow::open(const QString& path)
     m_files->open(path);
 }
 
-void MainWindow::offerRecovery()
+void MainWindow::recover()
 {
-    m_files->offerRecovery();
+    m_files->recover();
 }
 
 void MainWindow::buildToolBars()
@@ -195,6 +195,7 @@ void MainWindow::connectViews()
     connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
     connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+    connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
     connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
     connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
     connect(m_status, &StatusLine::settleWanted, m_solver.get(), &SolverLink::settle);
@@ -202,10 +203,7 @@ void MainWindow::connectViews()
 
 void MainWindow::designOpened()
 {
-    const bool recoverable = m_files->offersRecovery();
     m_banner->dismiss(); // it spoke about the last one
-    if (recoverable)
-        m_files->offerRecovery();
     m_selection.clear();
     m_elements->scrollToTop();
     m_solver->forget(m_session->files());
@@ -311,7 +309,6 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (!std::exchange(m_workKept, false) && document().dirty()) {
         event->ignore();
         m_files->keepWork([this] {
-            m_session->discardWork(); // what is left of it after a save, or all of it
             m_workKept = true;
             QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); // not inside its own event
         });

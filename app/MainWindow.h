@@ -40,7 +40,7 @@ public:
     /// Opens a file as if it had been chosen in the dialog.
     void open(const QString& path);
     /// Offers what a crash has left.
-    void offerRecovery();
+    void recover();
 
     DesignSession& session() { return *m_session; }
     Document& document() { return m_session->document(); }

@@ -27,6 +27,10 @@ void MainWindow::connectActions()
     on(m_actions->open, [this] { m_files->open(); });
     on(m_actions->save, [this] { m_files->save(); });
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->saveCopy, [this] { m_files->saveCopy({}); });
+    on(m_actions->saveCopyWithoutHistory, [this] { m_files->saveCopy({.withHistory = false}); });
+    on(m_actions->saveCopyWithoutScans, [this] { m_files->saveCopy({.withHistory = false, .withScans = false}); });
+    on(m_actions->revert, [this] { m_files->revert(); });
     on(m_actions->importFrame, [this] { m_files->importFrame(); });
     on(m_actions->importScan, [this] { m_files->importScan(); });
     on(m_actions->exportSurface, [this] { m_files->exportSurface(m_solver->surface()); });

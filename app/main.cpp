@@ -46,8 +46,9 @@ int main(int argc, char* argv[])
 
     MainWindow window;
     window.show();
-    window.offerRecovery();
     if (const QStringList arguments = QCoreApplication::arguments(); arguments.size() > 1)
         window.open(arguments.at(1));
+    else
+        window.recover();
     return QApplication::exec();
 }

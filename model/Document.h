@@ -45,6 +45,8 @@ public:
 
     /// The current node is not the saved one.
     bool dirty() const;
+    /// Nothing when no node is.
+    std::optional<NodeId> saved() const { return m_saved < 0 ? std::nullopt : std::optional(m_saved); }
     /// The current node is the saved one from now on, or the one that was current when a save in the background
     /// began.
     void markSaved() { markSaved(m_history.current()); }

@@ -170,13 +170,13 @@ TEST_F(FilesTest, WhatIsSolvedIsTheDesignThatIsOpen)
     EXPECT_TRUE(window.solver().status().resting);
 }
 
-TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheCopyOfUnsavedWork)
+TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheJournalOfUnsavedWork)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     changeSomething();
     const auto copies = [] {
         const QString state = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-        return QDir(state + QStringLiteral("/recovery")).entryList({"*.json"}, QDir::Files).size();
+        return QDir(state + QStringLiteral("/journals")).entryList({"*.bolster"}, QDir::Files).size();
     };
     ASSERT_TRUE(QTest::qWaitFor([&] { return copies() > 0; }, 10000));
     answer(QMessageBox::Discard);

@@ -1,0 +1,79 @@
+// Unsaved work: what a crash has left, and what was kept for later.
+#include "Banner.h"
+#include "FileFlow.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+/// How many steps lie between what was saved and what is here now.
+int unsavedSteps(const Document& document)
+{
+    const std::vector<NodeId> way = document.history().pathTo(document.history().current());
+    const auto saved = std::ranges::find(way, document.saved().value_or(0));
+    return static_cast<int>(saved == way.end() ? way.size() - 1 : way.end() - saved - 1);
+}
+
+} // namespace
+
+/// The next start after a crash is where the work was.
+void FileFlow::recover()
+{
+    const QList<WorkJournal::Left> all = WorkJournal::left();
+    QStringList wanted;
+    for (const WorkJournal::Left& left : all)
+        wanted << left.place.files;
+    DesignFolder::removeForgotten(wanted);
+    WorkJournal::emptyBin();
+    const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
+    if (crashed != all.end())
+        restore(*crashed);
+}
+
+void FileFlow::restore(const WorkJournal::Left& left)
+{
+    const auto replace = [this](const Then& then) { keepWork(then); };
+    m_session.restore(left, replace, [this](const Message& problem) {
+        if (!problem.empty())
+            fail(tr("The unsaved work could not be restored."), problem);
+        else
+            announceRestored();
+    });
+}
+
+void FileFlow::announceRestored()
+{
+    const Document& document = m_session.document();
+    m_banner->announce(Banner::Kind::Information,
+                       tr("%n unsaved edits restored.", nullptr, unsavedSteps(document)),
+                       {{tr("Show"), [this] { emit historyWanted(); }},
+                        {tr("Go back to saved"), [this] {
+                             m_session.document().jumpTo(m_session.document().saved().value_or(0));
+                             m_banner->dismiss();
+                         }}});
+}
+
+void FileFlow::fillUnsaved(QMenu& menu)
+{
+    menu.clear();
+    menu.setToolTipsVisible(true);
+    for (const WorkJournal::Left& left : WorkJournal::left()) {
+        const QString& original = left.place.original;
+        const QString name = original.isEmpty() ? tr("New design") : QFileInfo(original).fileName();
+        QAction* action = menu.addAction(
+            tr("%1, %2").arg(name, QLocale().toString(left.when, QLocale::ShortFormat)), this,
+            [this, left] { keepWork([this, left] { restore(left); }); });
+        action->setToolTip(QDir::toNativeSeparators(original));
+    }
+    if (menu.isEmpty())
+        menu.addAction(tr("Nothing"))->setEnabled(false);
+}
+
+} // namespace bolster

@@ -1,0 +1,314 @@
+#include "WorkJournal.h"
+
+#include "EditCodec.h"
+#include "WholeFile.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+
+namespace bolster {
+namespace {
+
+const QString journalEnding = QStringLiteral(".bolster");
+const QString aboutEnding = QStringLiteral(".about");
+constexpr std::int64_t longestAbout = 100'000;
+constexpr int daysInBin = 30;
+
+QString stateFolder(const char* name)
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + '/' + name;
+}
+
+QString journals()
+{
+    return stateFolder("journals");
+}
+
+QString bin()
+{
+    return stateFolder("bin");
+}
+
+/// Only the lock of a program that has ended can be had: no age makes a lock invalid.
+std::shared_ptr<QLockFile> lockOf(const QString& base)
+{
+    auto lock = std::make_shared<QLockFile>(base + ".lock");
+    lock->setStaleLockTime(0);
+    return lock->tryLock(0) ? std::move(lock) : nullptr;
+}
+
+QString newBase()
+{
+    QDir().mkpath(journals());
+    return journals() + '/' + QUuid::createUuid().toString(QUuid::WithoutBraces);
+}
+
+QString baseOf(const WorkJournal::Left& left)
+{
+    return left.journal.chopped(journalEnding.size());
+}
+
+/// What stands in UUID.about, a line each.
+struct About {
+    WorkJournal::Place place;
+    bool kept = false;
+    std::optional<NodeId> savedAsText;
+};
+
+About readAbout(const QString& base)
+{
+    const QStringList lines =
+        QString::fromStdString(readWholeFile(base + aboutEnding, longestAbout).bytes).split('\n');
+    About about;
+    about.place = {lines.value(0), lines.value(1)};
+    about.kept = lines.value(2) == QLatin1String("kept");
+    bool saved = false;
+    if (const NodeId node = lines.value(3).toInt(&saved); saved)
+        about.savedAsText = node;
+    return about;
+}
+
+Message writeAboutFile(const QString& base, const About& about)
+{
+    const QStringList lines{about.place.original, about.place.files,
+                            about.kept ? QStringLiteral("kept") : QString(),
+                            about.savedAsText ? QString::number(*about.savedAsText) : QString()};
+    return replaceWholeFile(base + aboutEnding, lines.join('\n').toStdString());
+}
+
+void removeJournal(const QString& base)
+{
+    for (const char* ending : {".bolster", ".bolster-wal", ".bolster-journal", ".about"})
+        QFile::remove(base + ending);
+}
+
+void moveToBin(const QString& base)
+{
+    QDir().mkpath(bin());
+    const QString target = bin() + '/' + QFileInfo(base).fileName();
+    for (const QString& ending : {journalEnding, aboutEnding})
+        if (!QFile::rename(base + ending, target + ending))
+            QFile::remove(base + ending);
+    removeJournal(base);
+}
+
+WorkJournal::Taken notTaken(Message why)
+{
+    WorkJournal::Taken taken;
+    taken.project.problem = std::move(why);
+    return taken;
+}
+
+WorkJournal::Taken taken(const QString& base, std::shared_ptr<QLockFile> lock, Journal::Opened opened)
+{
+    if (!opened.journal)
+        return notTaken(std::move(opened.project.problem));
+    WorkJournal::Taken result{std::move(lock), std::move(opened.journal), base, std::move(opened.project), {}};
+    if (const auto saved = readAbout(base).savedAsText)
+        result.project.saved = saved;
+    return result;
+}
+
+/// The journal of a program that has ended, if there is unsaved work in it.
+bool hasUnsavedWork(const QString& base)
+{
+    const auto opened = Journal::open(base + journalEnding);
+    if (!opened.journal)
+        return true; // whatever it is, it is not for us to throw it away
+    const auto asText = readAbout(base).savedAsText;
+    const NodeId saved = asText.value_or(opened.project.saved.value_or(0));
+    return opened.project.history.current() != saved;
+}
+
+} // namespace
+
+QList<WorkJournal::Left> WorkJournal::left()
+{
+    QList<Left> found;
+    for (const QFileInfo& file : QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files, QDir::Time)) {
+        Left left{{}, file.lastModified(), file.absoluteFilePath()};
+        const QString base = baseOf(left);
+        const auto lock = lockOf(base);
+        if (!lock)
+            continue;
+        if (!hasUnsavedWork(base)) {
+            removeJournal(base);
+            continue;
+        }
+        const About about = readAbout(base);
+        left.place = about.place;
+        left.kept = about.kept;
+        if (const QFileInfo wal(left.journal + "-wal"); wal.exists() && wal.lastModified() > left.when)
+            left.when = wal.lastModified();
+        found.append(left);
+    }
+    return found;
+}
+
+bool WorkJournal::isWorkedOn(const QString& original)
+{
+    const QFileInfoList files = QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files);
+    return std::ranges::any_of(files, [&](const QFileInfo& file) {
+        const QString base = file.absoluteFilePath().chopped(journalEnding.size());
+        return readAbout(base).place.original == original && !lockOf(base);
+    });
+}
+
+WorkJournal::Taken WorkJournal::takeProject(const QString& project)
+{
+    const QString base = newBase();
+    auto lock = lockOf(base);
+    if (!lock)
+        return notTaken({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {journals().toStdString()}});
+    if (Message problem = writeAboutFile(base, {{project, {}}, false, {}}); !problem.empty())
+        return notTaken(std::move(problem));
+    Taken result = taken(base, std::move(lock), Journal::begin(project, base + journalEnding));
+    if (!result.journal)
+        removeJournal(base);
+    return result;
+}
+
+WorkJournal::Taken WorkJournal::takeLeft(const Left& left)
+{
+    const QString base = baseOf(left);
+    auto lock = lockOf(base);
+    if (!lock || !QFileInfo::exists(left.journal))
+        return notTaken({QT_TRANSLATE_NOOP("Message", "another window has it"), {}});
+    return taken(base, std::move(lock), Journal::open(left.journal));
+}
+
+void WorkJournal::putIntoBin(const Left& left)
+{
+    if (const auto lock = lockOf(baseOf(left)))
+        moveToBin(baseOf(left));
+}
+
+void WorkJournal::emptyBin()
+{
+    const QDateTime before = QDateTime::currentDateTime().addDays(-daysInBin);
+    for (const QFileInfo& file : QDir(bin()).entryInfoList(QDir::Files))
+        if (std::max(file.lastModified(), file.metadataChangeTime()) < before)
+            QFile::remove(file.absoluteFilePath());
+}
+
+WorkJournal::WorkJournal(Document& document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+    connect(&document, &Document::historyChanged, this, &WorkJournal::follow);
+}
+
+WorkJournal::~WorkJournal()
+{
+    end();
+}
+
+void WorkJournal::start(const Place& place, const Taken& taken)
+{
+    m_place = place;
+    m_root = m_document.committed();
+    m_base = taken.base;
+    m_lock = taken.lock;
+    m_journal = taken.journal;
+    m_names.clear();
+    for (NodeId node = 0; node < m_document.history().count(); ++node)
+        m_names.push_back(m_document.history().node(node).name);
+    m_savedAsText = m_journal ? readAbout(m_base).savedAsText : std::nullopt;
+    m_fate = Fate::Leave;
+    m_suspended = m_failing = false;
+    m_following = true;
+    if (m_journal)
+        move(place);
+}
+
+void WorkJournal::move(const Place& place)
+{
+    m_place = place;
+    if (m_journal)
+        if (const Message problem = writeAbout(); !problem.empty())
+            emit failed(problem);
+}
+
+Message WorkJournal::writeAbout() const
+{
+    return writeAboutFile(m_base, {m_place, false, m_savedAsText});
+}
+
+void WorkJournal::end()
+{
+    if (!std::exchange(m_following, false) || !m_journal)
+        return;
+    const bool unsaved = m_document.dirty();
+    m_journal.reset();
+    if (!unsaved)
+        removeJournal(m_base);
+    else if (m_fate == Fate::Bin)
+        moveToBin(m_base);
+    else if (m_fate == Fate::KeepForLater)
+        writeAboutFile(m_base, {m_place, true, m_savedAsText});
+    m_lock.reset();
+}
+
+Message WorkJournal::prepare()
+{
+    if (m_journal)
+        return {};
+    m_base = newBase();
+    m_lock = lockOf(m_base);
+    if (!m_lock)
+        return {QT_TRANSLATE_NOOP("Message", "unsaved work cannot be protected: \"%1\" cannot be written"),
+                {journals().toStdString()}};
+    if (Message problem = writeAbout(); !problem.empty())
+        return problem;
+    Journal::Opened opened = Journal::create(m_base + journalEnding, m_root);
+    m_journal = std::move(opened.journal);
+    return opened.project.problem;
+}
+
+void WorkJournal::follow()
+{
+    if (!m_following || m_suspended || (!m_journal && m_document.history().count() == 1))
+        return;
+    m_fate = Fate::Leave; // was said of the work as it was then
+    const Message problem = record();
+    if (!problem.empty() && !std::exchange(m_failing, true))
+        emit failed(problem);
+    m_failing = !problem.empty();
+}
+
+Message WorkJournal::record()
+{
+    if (Message problem = prepare(); !problem.empty())
+        return problem;
+    const History& history = m_document.history();
+    if (Message problem = m_journal->record(history, m_document.committed()); !problem.empty())
+        return problem;
+    m_names.resize(static_cast<std::size_t>(history.count()));
+    for (NodeId node = 0; node < history.count(); ++node) {
+        std::string& known = m_names[static_cast<std::size_t>(node)];
+        if (const std::string& name = history.node(node).name; name != known) {
+            if (Message problem = m_journal->setName(node, name); !problem.empty())
+                return problem;
+            known = name;
+        }
+    }
+    return {};
+}
+
+void WorkJournal::resume()
+{
+    m_suspended = false;
+    follow();
+}
+
+void WorkJournal::savedAsText(NodeId node)
+{
+    m_savedAsText = node;
+    move(m_place);
+}
+
+} // namespace bolster

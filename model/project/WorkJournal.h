@@ -1,0 +1,101 @@
+// The journal of the design that is being worked on: what a document has done is on the disk before anybody sees it.
+#pragma once
+
+#include "Document.h"
+#include "Journal.h"
+
+#include <QDateTime>
+#include <QLockFile>
+
+namespace bolster {
+
+/// Journals lie in the user's local state folder (AppLocalDataLocation/journals): UUID.bolster, beside it UUID.about
+/// with where the work belongs, and UUID.lock, which tells those of running programs from those that a crash has left.
+/// A design that nothing has been done to has none.
+class WorkJournal : public QObject {
+    Q_OBJECT
+
+public:
+    /// Where work belongs.
+    struct Place {
+        QString original; ///< the project or design that is edited; empty for a new one
+        QString files;    ///< the folder in which the design's files are found; empty when it has none
+
+        friend bool operator==(const Place&, const Place&) = default;
+    };
+    /// What a crash has left, or what somebody has kept for later.
+    struct Left {
+        Place place;
+        QDateTime when;    ///< of the last edit
+        QString journal;   ///< the file
+        bool kept = false; ///< on purpose
+    };
+    /// A journal of one's own, with what is in it. `project.problem` says why there is none.
+    struct Taken {
+        std::shared_ptr<QLockFile> lock;
+        std::shared_ptr<Journal> journal;
+        QString base; ///< path of the journal without its ending
+        OpenedProject project;
+        QString files; ///< where the project's files were put; for whoever reads it
+    };
+
+    /// Of no running program, newest first; those without unsaved work are removed.
+    static QList<Left> left();
+    /// A running program, this one or another, works on this project or design.
+    static bool isWorkedOn(const QString& original);
+    /// These may be called on any thread.
+    static Taken takeProject(const QString& project);
+    static Taken takeLeft(const Left& left);
+    /// Kept for 30 days more, then gone.
+    static void putIntoBin(const Left& left);
+    static void emptyBin();
+
+    /// The document must outlive it; it is not touched by the destructor.
+    explicit WorkJournal(Document& document, QObject* parent = nullptr);
+    /// As end().
+    ~WorkJournal() override;
+
+    /// Follows the document, which has just been reset: to a design that is not in a project, or to `taken`.
+    void start(const Place& place, const Taken& taken = {});
+    /// The work belongs there from now on.
+    void move(const Place& place);
+    const Place& place() const { return m_place; }
+    /// What becomes of unsaved work when it ends; otherwise it is found at the next start.
+    enum class Fate { Leave, KeepForLater, Bin };
+    void setFate(Fate fate) { m_fate = fate; }
+    /// Stops following, before the document is reset. Without unsaved work nothing remains.
+    void end();
+
+    /// Makes a journal if there is none yet.
+    Message prepare();
+    /// Null before the first edit. Belongs to another thread between suspend() and resume(): meanwhile edits wait.
+    const std::shared_ptr<Journal>& journal() const { return m_journal; }
+    void suspend() { m_suspended = true; }
+    void resume();
+    /// The document has been saved in another form, as it is at `node`.
+    void savedAsText(NodeId node);
+
+signals:
+    /// What is done is not protected until a later step succeeds.
+    void failed(const bolster::Message& why);
+
+private:
+    void follow();
+    Message record();
+    Message writeAbout() const;
+
+    Document& m_document;
+    Design m_root; ///< what a new journal begins with
+    Place m_place;
+    Fate m_fate = Fate::Leave;
+    QString m_base;
+    std::shared_ptr<QLockFile> m_lock;
+    std::shared_ptr<Journal> m_journal;
+    std::vector<std::string> m_names; ///< of nodes, as they are in the journal
+    std::optional<NodeId> m_savedAsText;
+    bool m_following = false;
+    bool m_suspended = false;
+    bool m_failing = false;
+};
+
+} // namespace bolster

@@ -1,0 +1,246 @@
+// Projects in the window: the whole history comes back, and nothing that was done is lost.
+#include "ProgramThatDies.h"
+#include "WindowTest.h"
+
+#include "ElementEdits.h"
+#include "FileFlow.h"
+#include "Project.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+
+namespace bolster {
+namespace {
+
+class ProjectFilesTest : public WindowTest {
+protected:
+    ~ProjectFilesTest() override
+    {
+        for (const char* name : {"journals", "bin"})
+            QDir(stateFolder(name)).removeRecursively();
+    }
+
+    static QString stateFolder(const char* name)
+    {
+        return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + '/' + name;
+    }
+    static qsizetype journals() { return QDir(stateFolder("journals")).entryList({"*.bolster"}).size(); }
+
+    Message save(const QString& path)
+    {
+        bool done = false;
+        Message problem;
+        window.session().save(path, [&](const Message& why) {
+            problem = why;
+            done = true;
+        });
+        EXPECT_TRUE(QTest::qWaitFor([&] { return done; }, 30000));
+        return problem;
+    }
+
+    void change(int times = 1)
+    {
+        for (int i = 0; i < times; ++i) {
+            Settings settings = window.document().design().settings();
+            settings.edgeLength += 1;
+            window.document().commit(edits::changeSettings(window.document().design(), settings));
+        }
+    }
+
+    bool openDialogFree(const QString& path)
+    {
+        bool opened = false;
+        const auto connection =
+            QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
+        window.open(path);
+        const bool done = QTest::qWaitFor([&] { return opened; }, 30000);
+        QObject::disconnect(connection);
+        return done;
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(ProjectFilesTest, ComeBackWithTheirHistoryAndTheirFiles)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    change(4);
+    window.document().nameVersion(2, "Good one");
+    window.actions().undo->trigger();
+    const Design design = window.document().design();
+    const QString path = folder.filePath("chair.bolster");
+    EXPECT_EQ(save(path).english(), "");
+    EXPECT_FALSE(window.isWindowModified());
+    EXPECT_EQ(window.session().path(), path);
+
+    ASSERT_TRUE(open(sample("box-cushion")));
+    EXPECT_EQ(journals(), 0) << "a saved project leaves nothing behind";
+    ASSERT_TRUE(open(path));
+    EXPECT_TRUE(window.document().design() == design);
+    EXPECT_FALSE(window.document().dirty());
+    EXPECT_EQ(window.session().files().meshes.size(), 1U);
+    EXPECT_FALSE(window.banner().shown()) << qPrintable(window.banner().text());
+    EXPECT_EQ(window.document().history().count(), 5);
+    EXPECT_EQ(window.document().history().node(2).name, "Good one");
+    window.actions().redo->trigger();
+    EXPECT_EQ(window.document().design().settings().edgeLength, design.settings().edgeLength + 1);
+    while (window.actions().undo->isEnabled())
+        window.actions().undo->trigger();
+    EXPECT_EQ(window.document().history().current(), 0);
+    EXPECT_TRUE(waitUntilSolved());
+}
+
+TEST_F(ProjectFilesTest, TheWorkOfAKilledProgramIsThereAtTheNextStart)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const double edge = window.document().design().settings().edgeLength;
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+
+    ASSERT_TRUE(ProgramThatDies::run(path, 5, 2));
+    EXPECT_EQ(journals(), 1);
+    window.recover();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().contains('3')) << qPrintable(window.banner().text());
+    EXPECT_EQ(window.session().path(), path);
+    EXPECT_TRUE(window.document().dirty());
+    EXPECT_EQ(window.document().design().settings().edgeLength, edge + 3);
+    window.actions().redo->trigger();
+    EXPECT_EQ(window.document().design().settings().edgeLength, edge + 4) << "redo came back, too";
+
+    const auto buttons = window.banner().findChildren<QAbstractButton*>();
+    const auto back = std::ranges::find_if(buttons, [](auto* b) { return b->text().contains("saved"); });
+    ASSERT_NE(back, buttons.end());
+    (*back)->click();
+    EXPECT_EQ(window.document().design().settings().edgeLength, edge);
+    EXPECT_FALSE(window.document().dirty());
+    EXPECT_EQ(window.document().history().count(), 6) << "what was left is a branch";
+}
+
+TEST_F(ProjectFilesTest, ANewDesignThatWasNeverSavedIsFoundAgain)
+{
+    ASSERT_TRUE(ProgramThatDies::run(sample("pillow"), 2, 0));
+    window.recover();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.session().path().isEmpty());
+    EXPECT_TRUE(window.document().dirty());
+    EXPECT_EQ(window.document().history().count(), 3);
+}
+
+TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    change(2);
+    const Design kept = window.document().design();
+    window.session().journal().setFate(WorkJournal::Fate::KeepForLater);
+    window.session().startNew();
+    ASSERT_EQ(WorkJournal::left().size(), 1);
+    EXPECT_TRUE(WorkJournal::left()[0].kept);
+    window.recover(); // nothing has crashed
+    EXPECT_FALSE(window.banner().shown());
+    ASSERT_TRUE(open(path));
+    EXPECT_TRUE(window.document().design() == kept);
+    EXPECT_TRUE(window.document().dirty());
+}
+
+TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change();
+    EXPECT_EQ(journals(), 1);
+    answer(QMessageBox::Discard);
+    ASSERT_TRUE(openDialogFree(sample("pillow")));
+    EXPECT_EQ(journals(), 0);
+    EXPECT_EQ(QDir(stateFolder("bin")).entryList({"*.bolster"}).size(), 1);
+    EXPECT_TRUE(WorkJournal::left().isEmpty());
+}
+
+TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    ASSERT_TRUE(QFile::copy(path, folder.filePath("theirs.bolster")));
+    change();
+    ASSERT_EQ(save(path).english(), "");
+    QFile::remove(path);
+    ASSERT_TRUE(QFile::rename(folder.filePath("theirs.bolster"), path));
+    change();
+    EXPECT_FALSE(save(path).empty());
+    EXPECT_TRUE(window.document().dirty());
+    EXPECT_EQ(save(folder.filePath("mine.bolster")).english(), "");
+    EXPECT_FALSE(window.document().dirty());
+}
+
+TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    MainWindow other;
+    bool opened = false;
+    QObject::connect(&other.session(), &DesignSession::opened, [&] { opened = true; });
+    answer(QMessageBox::Cancel);
+    other.open(path);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
+    EXPECT_FALSE(opened);
+    answer(QMessageBox::Open);
+    other.open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }, 30000));
+    EXPECT_TRUE(other.session().path().isEmpty()) << "Save must not write to it";
+    EXPECT_TRUE(other.document().design() == window.document().design());
+}
+
+TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(folder.filePath("box.bolster")).english(), "");
+    const Design saved = window.document().design();
+    change(3);
+    window.actions().revert->trigger();
+    EXPECT_TRUE(window.document().design() == saved);
+    EXPECT_EQ(window.document().history().count(), 4);
+}
+
+TEST_F(ProjectFilesTest, ACopyWithoutHistoryHasTheDesignAlone)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    change(3);
+    const QString path = folder.filePath("copy.bolster");
+    bool done = false;
+    window.session().saveCopy(path, {.withHistory = false}, [&](const Message& why) {
+        EXPECT_EQ(why.english(), "");
+        done = true;
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done; }, 30000));
+    EXPECT_TRUE(window.document().dirty()) << "a copy is not what was to be saved";
+    const OpenedProject copy = openProject(path, ProjectCheck::Everything);
+    EXPECT_EQ(copy.problem.english(), "");
+    EXPECT_TRUE(copy.design == window.document().design());
+    EXPECT_EQ(copy.history.count(), 1);
+    EXPECT_EQ(copy.assets.size(), 1U);
+}
+
+TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    file.seek(file.size() / 2);
+    file.write(QByteArray(4000, 'x'));
+    file.close();
+    const Design before = window.document().design();
+    answer(QMessageBox::Ok);
+    window.open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+    EXPECT_TRUE(window.document().design() == before);
+}
+
+} // namespace
+} // namespace bolster
