@@ -22,8 +22,9 @@ Message saveOurs(Journal& journal, const QString& file)
     if (QFileInfo::exists(file)) {
         const OpenedProject there = openProject(file);
         if (there.problem.empty() && journal.base() && there.seal != *journal.base())
-            return {QT_TRANSLATE_NOOP("Message", "somebody else has changed it since it was opened here; save under "
-                                                 "another name, or open it to see the changes"),
+            return {QT_TRANSLATE_NOOP("Message",
+                                      "somebody else has changed it since it was opened here; save under "
+                                      "another name, or open it to see the changes"),
                     {}};
     }
     return journal.save(file);
@@ -192,9 +193,8 @@ void DesignSession::saveProject(const QString& file, const Done& done)
         const NodeId node = m_document.history().current();
         m_saving = node;
         const bool ours = file == m_path;
-        withJournal(
-            [file, ours](Journal& journal) { return ours ? saveOurs(journal, file) : journal.save(file); },
-            [this, file, node, done](const Message& why) { endSaving(file, node, why, done); });
+        withJournal([file, ours](Journal& journal) { return ours ? saveOurs(journal, file) : journal.save(file); },
+                    [this, file, node, done](const Message& why) { endSaving(file, node, why, done); });
     });
 }
 

@@ -210,9 +210,8 @@ void FileFlow::saveAs()
 
 void FileFlow::saveCopy(const SaveOptions& options)
 {
-    const QString path =
-        chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
-                     tr("Project (*.%1)").arg(projectEnding), {projectEnding});
+    const QString path = chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
+                                      tr("Project (*.%1)").arg(projectEnding), {projectEnding});
     if (path.isEmpty())
         return;
     m_session.saveCopy(path, options, [this, path](const Message& problem) {
@@ -317,8 +316,8 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return saveEndings.contains(QFileInfo(file).suffix().toLower()) ||
-           is(FileKind::Mesh, file) || is(FileKind::Cloud, file);
+    return saveEndings.contains(QFileInfo(file).suffix().toLower()) || is(FileKind::Mesh, file) ||
+           is(FileKind::Cloud, file);
 }
 
 void FileFlow::drop(const QString& file)

@@ -51,8 +51,7 @@ void FileFlow::restore(const WorkJournal::Left& left)
 void FileFlow::announceRestored()
 {
     const Document& document = m_session.document();
-    m_banner->announce(Banner::Kind::Information,
-                       tr("%n unsaved edits restored.", nullptr, unsavedSteps(document)),
+    m_banner->announce(Banner::Kind::Information, tr("%n unsaved edits restored.", nullptr, unsavedSteps(document)),
                        {{tr("Show"), [this] { emit historyWanted(); }},
                         {tr("Go back to saved"), [this] {
                              m_session.document().jumpTo(m_session.document().saved().value_or(0));
@@ -67,9 +66,9 @@ void FileFlow::fillUnsaved(QMenu& menu)
     for (const WorkJournal::Left& left : WorkJournal::left()) {
         const QString& original = left.place.original;
         const QString name = original.isEmpty() ? tr("New design") : QFileInfo(original).fileName();
-        QAction* action = menu.addAction(
-            tr("%1, %2").arg(name, QLocale().toString(left.when, QLocale::ShortFormat)), this,
-            [this, left] { keepWork([this, left] { restore(left); }); });
+        QAction* action =
+            menu.addAction(tr("%1, %2").arg(name, QLocale().toString(left.when, QLocale::ShortFormat)), this,
+                           [this, left] { keepWork([this, left] { restore(left); }); });
         action->setToolTip(QDir::toNativeSeparators(original));
     }
     if (menu.isEmpty())

@@ -1,4 +1,5 @@
-// The journal of the design that is being worked on: what a document has done is on the disk before anybody sees it.
+// The journal of the design that is being worked on: what a document has done is on the disk before anybody sees
+// it.
 #pragma once
 
 #include "Document.h"
@@ -9,9 +10,9 @@
 
 namespace bolster {
 
-/// Journals lie in the user's local state folder (AppLocalDataLocation/journals): UUID.bolster, beside it UUID.about
-/// with where the work belongs, and UUID.lock, which tells those of running programs from those that a crash has left.
-/// A design that nothing has been done to has none.
+/// Journals lie in the user's local state folder (AppLocalDataLocation/journals): UUID.bolster, beside it
+/// UUID.about with where the work belongs, and UUID.lock, which tells those of running programs from those that a
+/// crash has left. A design that nothing has been done to has none.
 class WorkJournal : public QObject {
     Q_OBJECT
 

@@ -1,0 +1,143 @@
+#include "VersionEdits.h"
+
+#include "EditBuilder.h"
+#include "ElementEdits.h"
+#include "ElementFields.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+void addFields(Difference& difference, const ElementFields& before, const ElementFields& after)
+{
+    const auto valueIn = [](const ElementFields& fields, const std::string& key) {
+        const auto found = fields.find(key);
+        return found == fields.end() ? std::string() : found->second;
+    };
+    std::set<std::string> keys;
+    for (const ElementFields* fields : {&before, &after})
+        for (const auto& [key, value] : *fields)
+            keys.insert(key);
+    for (const std::string& key : keys)
+        if (const Difference::Field field{key, valueIn(before, key), valueIn(after, key)};
+            field.before != field.after)
+            difference.fields.push_back(field);
+}
+
+/// Without those that an element can do without: a twin.
+std::set<ElementId> neededBy(const Element& element)
+{
+    if (const auto* patch = std::get_if<Patch>(&element))
+        return {patch->fabric};
+    if (const auto* seam = std::get_if<Seam>(&element))
+        return {seam->a.patch, seam->b.patch};
+    if (const auto* fixation = std::get_if<FixationSeam>(&element))
+        return fixation->hasCurve() ? std::set{fixation->stretch.patch, fixation->curve}
+                                    : std::set{fixation->stretch.patch};
+    if (const PatchCurve* drawn = patchCurve(element))
+        return {drawn->patch};
+    if (const auto* cushion = std::get_if<Cushion>(&element))
+        return {cushion->frame};
+    if (const auto* foam = std::get_if<Foam>(&element))
+        return {foam->cushion};
+    return {};
+}
+
+bool liesOnPatch(const Element& element)
+{
+    return std::holds_alternative<Seam>(element) || std::holds_alternative<FixationSeam>(element) ||
+           patchCurve(element);
+}
+
+/// All that comes along when elements are taken from another version.
+class Taking {
+public:
+    Taking(const Design& design, const Design& other)
+        : m_design(design)
+        , m_other(other)
+    {}
+
+    void take(ElementId id)
+    {
+        const ElementPtr element = m_other.element(id);
+        if (!m_taken.insert(id).second || !element)
+            return;
+        for (const ElementId needed : neededBy(*element))
+            if (!m_design.element(needed))
+                take(needed);
+    }
+
+    /// What lies on the outlines of the patches, as far as everything else that it needs is there.
+    void takeWhatLiesOnPatches()
+    {
+        const std::set<ElementId> asked = m_taken;
+        for (const auto& [id, element] : m_other.elements()) {
+            const std::set<ElementId> needed = neededBy(*element);
+            const auto isThere = [&](ElementId n) { return m_design.element(n) || m_taken.contains(n); };
+            const auto isAsked = [&](ElementId n) { return asked.contains(n) && m_other.find<Patch>(n); };
+            if (liesOnPatch(*element) && std::ranges::any_of(needed, isAsked) &&
+                std::ranges::all_of(needed, isThere))
+                m_taken.insert(id);
+        }
+    }
+
+    Design result() const
+    {
+        std::vector<ElementId> gone; // or quite another thing by the same number
+        for (const ElementId id : m_taken)
+            if (const ElementPtr there = m_design.element(id), wanted = m_other.element(id);
+                there && (!wanted || wanted->index() != there->index()))
+                gone.push_back(id);
+        edits::EditBuilder builder(m_design.with(edits::removeElements(m_design, gone)));
+        for (const ElementId id : m_taken)
+            if (const ElementPtr wanted = m_other.element(id))
+                builder.set(id, wanted);
+        return builder.now();
+    }
+
+private:
+    const Design& m_design;
+    const Design& m_other;
+    std::set<ElementId> m_taken;
+};
+
+} // namespace
+
+std::vector<Difference> differencesBetween(const Design& a, const Design& b)
+{
+    std::vector<Difference> found;
+    for (const ElementId id : differences(a, b)) {
+        const ElementPtr before = a.element(id), after = b.element(id);
+        Difference difference{id, Difference::Kind::Changed, {}};
+        if (!before)
+            difference.kind = Difference::Kind::Added;
+        else if (!after)
+            difference.kind = Difference::Kind::Removed;
+        else
+            addFields(difference, elementFields(id, before), elementFields(id, after));
+        found.push_back(std::move(difference));
+    }
+    return found;
+}
+
+namespace edits {
+
+Edit takeFrom(const Design& design, const Design& other, const std::set<ElementId>& ids)
+{
+    Taking taking(design, other);
+    for (const ElementId id : ids)
+        taking.take(id);
+    taking.takeWhatLiesOnPatches();
+    const Design& named = !ids.empty() && other.element(*ids.begin()) ? other : design;
+    Message verb{QT_TRANSLATE_NOOP("Message", "Take %1 elements from another version"),
+                 {std::to_string(ids.size())}};
+    if (ids.size() == 1)
+        verb = {QT_TRANSLATE_NOOP("Message", "Take %1 from another version"), {displayName(named, *ids.begin())}};
+    Edit edit = editBetween(design, taking.result(), std::move(verb));
+    return edit.empty() ? Edit{} : edit;
+}
+
+} // namespace edits
+} // namespace bolster
