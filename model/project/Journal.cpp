@@ -22,8 +22,8 @@ void prepareForWork(Database& database)
 {
     database.run("PRAGMA page_size = 8192");
     database.run("PRAGMA locking_mode = EXCLUSIVE"); // before the first access: then there is no shared memory
+    database.run("PRAGMA synchronous = EXTRA"); // as FULL, and the journal of a new file stays gone when it is gone
     database.run("PRAGMA journal_mode = WAL");
-    database.run("PRAGMA synchronous = FULL");
     Transaction lock(database); // whoever else has the file open is noticed now
     lock.commit();
 }
