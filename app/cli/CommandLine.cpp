@@ -18,6 +18,7 @@ const char* const help = R"(Usage: bolster [DESIGN]             open the workben
        bolster import DESIGN FILE   make a project of a design
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
+       bolster salvage FILE OUT     get out what is left of a damaged project
        bolster bench                measure the solver against other libraries
        bolster COMMAND --help       explain a command
        bolster --version            print the version
@@ -32,13 +33,11 @@ struct Command {
     int (*run)(std::span<const std::string> words);
 };
 
-const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
-                            {"check", cli::checkHelp, cli::check},
-                            {"dump", cli::dumpHelp, cli::dump},
-                            {"import", cli::importHelp, cli::importDesign},
-                            {"history", cli::historyHelp, cli::history},
-                            {"verify", cli::verifyHelp, cli::verify},
-                            {"bench", cli::benchHelp, cli::bench}};
+const Command commands[] = {
+    {"solve", cli::solveHelp, cli::solve},       {"check", cli::checkHelp, cli::check},
+    {"dump", cli::dumpHelp, cli::dump},          {"import", cli::importHelp, cli::importDesign},
+    {"history", cli::historyHelp, cli::history}, {"verify", cli::verifyHelp, cli::verify},
+    {"salvage", cli::salvageHelp, cli::salvage}, {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

@@ -15,6 +15,7 @@ int dump(std::span<const std::string> words);
 int importDesign(std::span<const std::string> words);
 int history(std::span<const std::string> words);
 int verify(std::span<const std::string> words);
+int salvage(std::span<const std::string> words);
 
 extern const char* const checkHelp;
 extern const char* const solveHelp;
@@ -23,5 +24,6 @@ extern const char* const dumpHelp;
 extern const char* const importHelp;
 extern const char* const historyHelp;
 extern const char* const verifyHelp;
+extern const char* const salvageHelp;
 
 } // namespace bolster::cli

@@ -88,7 +88,8 @@ std::string historyText(const OpenedProject& project)
 
 int print(const std::string& text)
 {
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
     if (!written)
         printError("error: the output cannot be written");
     return written ? done : otherFailure;

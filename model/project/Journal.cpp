@@ -179,8 +179,10 @@ Message Journal::record(const History& history, const Design& design)
 {
     Message problem = guarded([&] {
         Step step(*m_database, m_seal);
+        std::optional<Design> there;
         for (auto id = static_cast<NodeId>(m_rowHashes.size()); id < history.count(); ++id) {
-            const std::optional<Design> there = history.designAt(id, design);
+            const History::Node& node = history.node(id);
+            there = there && node.parent == id - 1 ? there->with(node.edit) : history.designAt(id, design);
             if (!there)
                 throw DatabaseError(
                     {QT_TRANSLATE_NOOP("Message", "an edit of the project cannot be read any more")});

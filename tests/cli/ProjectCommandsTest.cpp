@@ -81,7 +81,8 @@ TEST_F(ProjectCommands, SolveAndCheckTakeBothForms)
     EXPECT_EQ(ofProject.out, ofText.out);
     EXPECT_EQ(ofProject.err, ofText.err);
     for (const QString& form : {text, file})
-        ASSERT_EQ(callCommandLine({"solve", form, "--tolerance", "0.01", "--obj", form == text ? path("t.obj") : path("p.obj")})
+        ASSERT_EQ(callCommandLine(
+                      {"solve", form, "--tolerance", "0.01", "--obj", form == text ? path("t.obj") : path("p.obj")})
                       .exitCode,
                   0);
     EXPECT_EQ(read("t.obj"), read("p.obj"));
