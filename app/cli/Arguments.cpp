@@ -76,11 +76,19 @@ int Arguments::integer(std::string_view option, int fallback, int least, int mos
 
 QString Arguments::onlyFile(const std::string& what) const
 {
-    if (m_positional.empty())
-        throw UsageError(what + " is missing");
-    if (m_positional.size() > 1)
-        throw UsageError("unexpected argument \"" + m_positional[1] + "\"");
-    return QString::fromStdString(m_positional.front());
+    return files({what}).front();
+}
+
+std::vector<QString> Arguments::files(std::initializer_list<std::string> what) const
+{
+    if (m_positional.size() < what.size())
+        throw UsageError(*(what.begin() + m_positional.size()) + " is missing");
+    if (m_positional.size() > what.size())
+        throw UsageError("unexpected argument \"" + m_positional[what.size()] + "\"");
+    std::vector<QString> paths;
+    for (const std::string& word : m_positional)
+        paths.push_back(QString::fromStdString(word));
+    return paths;
 }
 
 void Arguments::expectNoFile() const

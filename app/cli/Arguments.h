@@ -38,6 +38,8 @@ public:
 
     /// The only positional argument; throws UsageError when there is another number of them.
     QString onlyFile(const std::string& what) const;
+    /// As many as there are names for them; throws UsageError when there is another number.
+    std::vector<QString> files(std::initializer_list<std::string> what) const;
     /// Throws UsageError when there are positional arguments.
     void expectNoFile() const;
 

@@ -1,6 +1,6 @@
 #include "Commands.h"
-#include "DesignFile.h"
 #include "Output.h"
+#include "Project.h"
 #include "RestingSolve.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@ namespace bolster::cli {
 
 const char* const checkHelp = R"(Usage: bolster check DESIGN
 
-Reads a design (JSON) and the frames it names, and reports everything that is
-wrong with it: one line for each problem on stderr, with element and field, and
+Reads a design (JSON or a project) and the frames it names, and reports
+everything that is wrong with it: one line for each problem on stderr, with element and field, and
 the number of errors and warnings on stdout.
 
 Exit code:
@@ -21,7 +21,7 @@ Exit code:
 int check(std::span<const std::string> words)
 {
     const QString path = Arguments(words, {}).onlyFile("DESIGN");
-    OpenedDesign opened = openDesign(path);
+    OpenedDesign opened = openDesignOrProject(path);
     if (opened.readable)
         for (const Problem& problem : checkSolvable(opened.design))
             if (std::find(opened.problems.begin(), opened.problems.end(), problem) == opened.problems.end())

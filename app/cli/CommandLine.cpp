@@ -14,6 +14,11 @@ namespace {
 const char* const help = R"(Usage: bolster [DESIGN]             open the workbench
        bolster solve DESIGN ...     solve a design and write the cover
        bolster check DESIGN         report everything that is wrong with a design
+       bolster dump FILE            write a project's design as text
+       bolster import DESIGN FILE   make a project of a design
+       bolster history FILE         list the edits of a project
+       bolster verify FILE          look for damage in a project
+       bolster salvage FILE OUT     get out what is left of a damaged project
        bolster bench                measure the solver against other libraries
        bolster COMMAND --help       explain a command
        bolster --version            print the version
@@ -28,9 +33,11 @@ struct Command {
     int (*run)(std::span<const std::string> words);
 };
 
-const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
-                            {"check", cli::checkHelp, cli::check},
-                            {"bench", cli::benchHelp, cli::bench}};
+const Command commands[] = {
+    {"solve", cli::solveHelp, cli::solve},       {"check", cli::checkHelp, cli::check},
+    {"dump", cli::dumpHelp, cli::dump},          {"import", cli::importHelp, cli::importDesign},
+    {"history", cli::historyHelp, cli::history}, {"verify", cli::verifyHelp, cli::verify},
+    {"salvage", cli::salvageHelp, cli::salvage}, {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

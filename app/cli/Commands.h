@@ -11,9 +11,19 @@ enum ExitCode { done = 0, otherFailure = 1, badInput = 2, notConverged = 3 };
 int check(std::span<const std::string> words);
 int solve(std::span<const std::string> words);
 int bench(std::span<const std::string> words);
+int dump(std::span<const std::string> words);
+int importDesign(std::span<const std::string> words);
+int history(std::span<const std::string> words);
+int verify(std::span<const std::string> words);
+int salvage(std::span<const std::string> words);
 
 extern const char* const checkHelp;
 extern const char* const solveHelp;
 extern const char* const benchHelp;
+extern const char* const dumpHelp;
+extern const char* const importHelp;
+extern const char* const historyHelp;
+extern const char* const verifyHelp;
+extern const char* const salvageHelp;
 
 } // namespace bolster::cli

@@ -1,7 +1,7 @@
 #include "Commands.h"
-#include "DesignFile.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "Project.h"
 #include "RestingSolve.h"
 #include "SolveOutputs.h"
 
@@ -14,8 +14,9 @@ namespace bolster::cli {
 
 const char* const solveHelp = R"(Usage: bolster solve DESIGN [options]
 
-Sews and stretches the pattern of a design (JSON) and writes the cover at rest:
-a function of the design alone, the same on every run and number of threads.
+Sews and stretches the pattern of a design (JSON or a project) and writes the
+cover at rest: a function of the design alone, the same on every run and number
+of threads.
 
 Outputs:
   --obj FILE            the cover as OBJ: millimetres, z up, a group per patch
@@ -175,7 +176,7 @@ int solve(std::span<const std::string> words)
     const SolveOutputs outputs(arguments, options.threads);
 
     const Interrupt interrupt;
-    const OpenedDesign opened = openDesign(path);
+    const OpenedDesign opened = openDesignOrProject(path);
     outputs.protectInputs(path, opened.design);
     const SolveResult result = solveOpened(opened, options, interrupt.token());
     printFindings(result);

@@ -22,8 +22,8 @@ void prepareForWork(Database& database)
 {
     database.run("PRAGMA page_size = 8192");
     database.run("PRAGMA locking_mode = EXCLUSIVE"); // before the first access: then there is no shared memory
+    database.run("PRAGMA synchronous = EXTRA"); // as FULL, and the journal of a new file stays gone when it is gone
     database.run("PRAGMA journal_mode = WAL");
-    database.run("PRAGMA synchronous = FULL");
     Transaction lock(database); // whoever else has the file open is noticed now
     lock.commit();
 }
@@ -179,8 +179,10 @@ Message Journal::record(const History& history, const Design& design)
 {
     Message problem = guarded([&] {
         Step step(*m_database, m_seal);
+        std::optional<Design> there;
         for (auto id = static_cast<NodeId>(m_rowHashes.size()); id < history.count(); ++id) {
-            const std::optional<Design> there = history.designAt(id, design);
+            const History::Node& node = history.node(id);
+            there = there && node.parent == id - 1 ? there->with(node.edit) : history.designAt(id, design);
             if (!there)
                 throw DatabaseError(
                     {QT_TRANSLATE_NOOP("Message", "an edit of the project cannot be read any more")});

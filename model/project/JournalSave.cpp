@@ -3,40 +3,15 @@
 #include "JournalStep.h"
 #include "ProjectContents.h"
 #include "ProjectRows.h"
+#include "ProjectWriter.h"
 #include "Schema.h"
-#include "WholeFile.h"
 
-#include <QFile>
 #include <QTemporaryFile>
 
 namespace bolster {
 namespace {
 
 constexpr int editsWorthASnapshot = 100; // before a save
-
-void throwUnless(const Message& problem)
-{
-    if (!problem.empty())
-        throw DatabaseError(problem);
-}
-
-/// Writes beside `path`, checks what was written, and moves it into place. Returns the seal of the file.
-Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write)
-{
-    const QString temporary = temporaryFileFor(path);
-    try {
-        write(temporary);
-        const OpenedProject written = openProject(temporary);
-        throwUnless(written.problem);
-        for (const auto& [name, blob] : written.assets)
-            readBlob(*written.database, blob, nullptr);
-        throwUnless(moveIntoPlace(temporary, path));
-        return written.seal;
-    } catch (...) {
-        QFile::remove(temporary);
-        throw;
-    }
-}
 
 /// The last rows of a file that was written from a journal.
 void finishFile(const QString& file, const ProjectContents& contents,
@@ -97,17 +72,6 @@ void removeAssets(Database& database, SealedRows& rows, const std::set<std::stri
         unused.push_back(blobs.integer(0));
     for (const std::int64_t blob : unused)
         removeBlob(database, rows, blob);
-}
-
-void copyAsset(Database& from, std::int64_t blob, const std::string& name, Database& to, SealedRows& rows)
-{
-    QTemporaryFile content; // may be larger than memory
-    if (!content.open())
-        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a temporary file cannot be made (%1)"),
-                             {content.errorString().toStdString()}});
-    readBlob(from, blob, &content);
-    content.seek(0);
-    putAsset(to, rows, name, addBlob(to, rows, content));
 }
 
 /// A project of its own that begins with the current design.

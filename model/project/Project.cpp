@@ -77,7 +77,12 @@ void extractAsset(const OpenedProject& project, const std::string& name, const Q
     if (!file.open(QIODevice::WriteOnly))
         throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"),
                              {path.toStdString(), file.errorString().toStdString()}});
-    readBlob(*project.database, project.assets.at(name), &file);
+    try {
+        readBlob(*project.database, project.assets.at(name), &file);
+    } catch (...) {
+        file.remove(); // half of it would be read as if it were all
+        throw;
+    }
     if (!file.flush())
         throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"),
                              {path.toStdString(), file.errorString().toStdString()}});
@@ -107,6 +112,26 @@ OpenedProject openProject(const QString& path, ProjectCheck check)
         return refused(error.message);
     } catch (const std::bad_alloc&) {
         return refused({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this project"), {}});
+    }
+}
+
+std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId node)
+{
+    try {
+        return changesOf(*project.database, node);
+    } catch (const DatabaseError&) {
+        return std::nullopt;
+    }
+}
+
+Message extractAllAssets(const OpenedProject& project, const QString& folder)
+{
+    try {
+        for (const auto& [name, blob] : project.assets)
+            extractAsset(project, name, folder);
+        return {};
+    } catch (const DatabaseError& error) {
+        return error.message;
     }
 }
 

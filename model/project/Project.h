@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DesignFile.h"
+#include "EditCodec.h"
 #include "Hash.h"
 #include "History.h"
 
@@ -47,6 +48,12 @@ bool looksLikeProject(const QString& path);
 /// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see
 /// salvageProject.
 OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck::ToWork);
+
+/// What the edit of a node changes, as it is stored; nothing when it cannot be read.
+std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId node);
+
+/// Writes all assets below this folder, which is made if it isn't there. Stops at the first that fails.
+Message extractAllAssets(const OpenedProject& project, const QString& folder);
 
 /// Writes the files that elements of the design name to this folder, below it with the folders they name. What an
 /// asset lacks is a problem of the elements that use it.

@@ -11,7 +11,9 @@
 #include "PatchEdits.h"
 #include "WholeFile.h"
 
+#include <QFileInfo>
 #include <cstdlib>
+
 #include <random>
 
 namespace bolster::test {

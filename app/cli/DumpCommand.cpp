@@ -1,0 +1,136 @@
+#include "Commands.h"
+#include "Output.h"
+#include "Project.h"
+#include "WholeFile.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdio>
+
+namespace bolster::cli {
+
+const char* const dumpHelp = R"(Usage: bolster dump FILE [options]
+
+Writes the design of a project to stdout as canonical text (JSON): the same
+design gives the same bytes, so that versions can be compared. FILE may be a
+text, too. "bolster import" makes a project of it again.
+
+Options:
+  --history       write all versions: {"format": "bolster-history", "nodes":
+                  [...], "design": {...}}, a line for each edit
+  --assets DIR    write the frames and scans in the project into DIR
+
+Exit code:
+  0  done
+  1  an output cannot be written
+  2  FILE is damaged, or neither a project nor a design
+)";
+
+namespace {
+
+constexpr std::array rules = {OptionRule{"--history", false}, OptionRule{"--assets", true}};
+constexpr std::int64_t largestDesign = 64'000'000;
+
+std::string quoted(const std::string& text)
+{
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// JSON as it is; a project from anybody may hold other text.
+std::string valueText(const std::optional<std::string>& value)
+{
+    return !value ? "null" : nlohmann::json::accept(*value) ? *value : quoted(*value);
+}
+
+std::string changesText(const FieldChanges& changes)
+{
+    std::string text;
+    for (const FieldChange& change : changes) {
+        text.append(text.empty() ? "" : ", ").append("[").append(std::to_string(number(change.element)));
+        text.append(", ").append(quoted(change.field)).append(", ").append(valueText(change.before));
+        text.append(", ").append(valueText(change.after)).append("]");
+    }
+    return "[" + text + "]";
+}
+
+std::string nodeText(const OpenedProject& project, NodeId id)
+{
+    const History::Node& node = project.history.node(id);
+    const ProjectNode& stored = project.nodes[static_cast<std::size_t>(id)];
+    const Message& verb = node.edit.verb;
+    std::string args;
+    for (const std::string& arg : verb.args)
+        args.append(args.empty() ? "" : ", ").append(quoted(arg));
+    std::string text = "{\"id\": ";
+    text.append(std::to_string(id)).append(", \"parent\": ").append(id == 0 ? "null" : std::to_string(node.parent));
+    text.append(", \"redo\": ");
+    text.append(node.lastVisitedChild < 0 ? "null" : std::to_string(node.lastVisitedChild));
+    text.append(", \"time\": ").append(quoted(node.time.toUTC().toString(Qt::ISODateWithMs).toStdString()));
+    text.append(", \"run\": ").append(std::to_string(stored.run));
+    text.append(", \"verb\": ").append(quoted(verb.key)).append(", \"args\": [").append(args).append("]");
+    if (!node.name.empty())
+        text.append(", \"name\": ").append(quoted(node.name));
+    text.append(", \"design_hash\": \"").append(hexText(stored.designHash));
+    text.append("\", \"row_hash\": \"").append(hexText(stored.rowHash)).append("\", \"changes\": ");
+    return text.append(changesText(storedChanges(project, id).value_or(FieldChanges()))).append("}");
+}
+
+std::string historyText(const OpenedProject& project)
+{
+    std::string nodes;
+    for (NodeId id = 0; id < project.history.count(); ++id)
+        nodes.append(id == 0 ? "\n  " : ",\n  ").append(nodeText(project, id));
+    std::string text = "{\"format\": \"bolster-history\", \"version\": 1, \"current\": ";
+    text.append(std::to_string(project.history.current())).append(",\n \"nodes\": [").append(nodes);
+    return text.append("],\n \"design\": ").append(writeDesign(project.design)).append("}\n");
+}
+
+int print(const std::string& text)
+{
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (!written)
+        printError("error: the output cannot be written");
+    return written ? done : otherFailure;
+}
+
+int refused(const Message& why)
+{
+    printError("error: " + why.english());
+    return badInput;
+}
+
+int dumpText(const QString& path)
+{
+    const WholeFile text = readWholeFile(path, largestDesign);
+    if (!text.problem.empty())
+        return refused(text.problem);
+    const ReadDesign read = readDesign(text.bytes);
+    printProblems(read.problems);
+    return read.readable ? print(writeDesign(read.design)) : badInput;
+}
+
+} // namespace
+
+int dump(std::span<const std::string> words)
+{
+    const Arguments arguments(words, rules);
+    const QString path = arguments.onlyFile("FILE");
+    if (!looksLikeProject(path)) {
+        if (arguments.has("--history") || arguments.has("--assets"))
+            throw UsageError("only a project has a history and files, and \"" + path.toStdString() + "\" is none");
+        return dumpText(path);
+    }
+    const OpenedProject project = openProject(path);
+    if (!project.problem.empty())
+        return refused(project.problem);
+    if (arguments.has("--assets"))
+        if (const Message problem = extractAllAssets(project, arguments.path("--assets")); !problem.empty()) {
+            printError("error: " + problem.english());
+            return otherFailure;
+        }
+    return print(arguments.has("--history") ? historyText(project) : writeDesign(project.design));
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,49 @@
+#include "ProjectWriter.h"
+
+#include "BlobStore.h"
+#include "ProjectRows.h"
+#include "WholeFile.h"
+
+#include <QFile>
+#include <QTemporaryFile>
+
+namespace bolster {
+namespace {
+
+void throwUnless(const Message& problem)
+{
+    if (!problem.empty())
+        throw DatabaseError(problem);
+}
+
+} // namespace
+
+Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write, ProjectCheck check)
+{
+    const QString temporary = temporaryFileFor(path);
+    try {
+        write(temporary);
+        const OpenedProject written = openProject(temporary, check);
+        throwUnless(written.problem);
+        for (const auto& [name, blob] : written.assets)
+            readBlob(*written.database, blob, nullptr);
+        throwUnless(moveIntoPlace(temporary, path));
+        return written.seal;
+    } catch (...) {
+        QFile::remove(temporary);
+        throw;
+    }
+}
+
+void copyAsset(Database& from, std::int64_t blob, const std::string& name, Database& to, SealedRows& rows)
+{
+    QTemporaryFile content; // may be larger than memory
+    if (!content.open())
+        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a temporary file cannot be made (%1)"),
+                             {content.errorString().toStdString()}});
+    readBlob(from, blob, &content);
+    content.seek(0);
+    putAsset(to, rows, name, addBlob(to, rows, content));
+}
+
+} // namespace bolster

@@ -1,0 +1,162 @@
+// Power cuts, and disks that fail: what was acknowledged is there afterwards.
+#include "DesignHash.h"
+#include "FaultDisk.h"
+#include "TestProject.h"
+
+namespace bolster::test {
+namespace {
+
+const char* const name = "fault-disk";
+const QString file = "/journal";
+
+/// A designer at work on a disk that fails at some time.
+class Work {
+public:
+    Work(unsigned seed, Journal::Opened opened)
+        : m_hands(seed)
+        , m_journal(std::move(opened.journal))
+    {
+        m_document.reset(opened.project.design, opened.project.history);
+        m_states = {state()};
+    }
+
+    /// True when the step was acknowledged.
+    bool step()
+    {
+        m_hands.step(m_document);
+        m_states.push_back(state());
+        if (!m_journal->record(m_document.history(), m_document.committed()).empty())
+            return false;
+        m_states = {state()};
+        return true;
+    }
+
+    /// Stores what could not be stored before.
+    void catchUp()
+    {
+        expectFine(m_journal->record(m_document.history(), m_document.committed()));
+        m_states = {state()};
+    }
+
+    void end() { m_journal.reset(); }
+
+    /// Whether a project holds all that was acknowledged, and nothing but what was done.
+    void check(const OpenedProject& project) const
+    {
+        ASSERT_EQ(project.problem.english(), "");
+        const std::string found = hexText(hashOf(project.design)) + historyText(project.history, false);
+        EXPECT_TRUE(std::find(m_states.begin(), m_states.end(), found) != m_states.end());
+    }
+
+private:
+    std::string state() const
+    {
+        return hexText(hashOf(m_document.committed())) + historyText(m_document.history(), false);
+    }
+    Document m_document;
+    Hands m_hands;
+    std::unique_ptr<Journal> m_journal;
+    std::vector<std::string> m_states; // the acknowledged one, and what came after it
+};
+
+TEST(Faults, APowerCutLosesNothingThatWasAcknowledged)
+{
+    const int wanted = rounds("BOLSTER_POWER_CUTS", 1'000);
+    std::mt19937 random(1);
+    for (int done = 0; done < wanted;) {
+        FaultDisk disk(name);
+        Journal::Opened opened = Journal::create(file, smallDesign(), name);
+        for (int cut = 0; cut < 5 && done < wanted; ++cut, ++done) {
+            ASSERT_TRUE(opened.journal);
+            Work work(static_cast<unsigned>(done), std::move(opened));
+            disk.failAt(static_cast<int>(random() % (random() % 5 == 0 ? 3'000 : 100)), SQLITE_IOERR, true);
+            for (int steps = 0; steps < 60 && work.step(); ++steps) {
+            }
+            work.end();
+            disk.heal();
+            disk.powerCut(random);
+            opened = Journal::open(file, name);
+            work.check(opened.project);
+            if (::testing::Test::HasFailure())
+                FAIL() << "power cut number " << done;
+        }
+    }
+}
+
+TEST(Faults, APowerCutWhileAJournalIsMadeLeavesAJournalOrNone)
+{
+    std::mt19937 random(2);
+    bool made = false;
+    for (int call = 0; !made; ++call) {
+        FaultDisk disk(name);
+        disk.failAt(call, SQLITE_IOERR, true);
+        made = Journal::create(file, smallDesign(), name).journal != nullptr;
+        disk.heal();
+        disk.powerCut(random);
+        const Journal::Opened opened = Journal::open(file, name);
+        EXPECT_TRUE(!made || opened.journal) << call;
+        if (opened.journal) {
+            EXPECT_EQ(writeDesign(opened.project.design), writeDesign(smallDesign()));
+        }
+    }
+}
+
+/// Each single call of a scenario fails once, or from there on, until the program is started again.
+void failEverywhere(int code, bool lasting)
+{
+    for (int call = 0;; ++call) {
+        FaultDisk disk(name);
+        Work work(7, Journal::create(file, smallDesign(), name));
+        disk.failAt(call, code, lasting);
+        for (int step = 0; step < 40; ++step)
+            work.step();
+        const bool failed = disk.failed();
+        if (!lasting) {
+            disk.heal();
+            work.catchUp();
+        }
+        work.end();
+        disk.heal();
+        work.check(Journal::open(file, name).project);
+        if (::testing::Test::HasFailure())
+            FAIL() << "call " << call << ", code " << code;
+        if (!failed)
+            break;
+    }
+}
+
+TEST(Faults, AReadOrWriteErrorAtAnyCallLosesNothing)
+{
+    failEverywhere(SQLITE_IOERR, false);
+    failEverywhere(SQLITE_IOERR, true);
+}
+
+TEST(Faults, ADiskThatIsFullAtAnyCallLosesNothing)
+{
+    failEverywhere(SQLITE_FULL, false);
+    failEverywhere(SQLITE_FULL, true);
+}
+
+TEST(Faults, OpeningReportsAnErrorAtAnyCallAndWorksTheNextTime)
+{
+    FaultDisk disk(name);
+    Work work(8, Journal::create(file, smallDesign(), name));
+    for (int step = 0; step < 40; ++step)
+        work.step();
+    work.end();
+    for (int call = 0;; ++call) {
+        disk.failAt(call, SQLITE_IOERR, false);
+        const Journal::Opened opened = Journal::open(file, name);
+        const bool failed = disk.failed();
+        EXPECT_EQ(opened.journal == nullptr, !opened.project.problem.empty()) << call;
+        if (opened.journal)
+            work.check(opened.project);
+        if (!failed)
+            break;
+    }
+    disk.heal();
+    work.check(Journal::open(file, name).project);
+}
+
+} // namespace
+} // namespace bolster::test
