@@ -37,6 +37,7 @@ public:
         const PatternMap& map;
         const Selection& selection;
         const ProblemSet& problems;
+        const std::set<ElementId>& invalid; ///< what the present drag would break
         const std::map<ElementId, QColor>& seamColors;
         PatternTransform transform;
         PatternLayers layers;
@@ -54,6 +55,7 @@ public:
 private:
     bool selected(ElementId id) const;
     bool hovered(ElementId id) const;
+    bool bad(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 

@@ -9,6 +9,7 @@
 #include "SeamColors.h"
 #include "Selection.h"
 #include "SelectionSteps.h"
+#include "Translated.h"
 #include "Units.h"
 
 #include <QHelpEvent>
@@ -174,6 +175,8 @@ void PatternView::endTool()
 
 QString PatternView::prompt() const
 {
+    if (const auto& breakage = m_document.breakage())
+        return tr("%1 Let go here, and it goes back to where it was.").arg(translated(breakage->why));
     return m_tool->prompt();
 }
 
@@ -230,9 +233,9 @@ void PatternView::refresh()
         setCursor(Qt::ClosedHandCursor);
     else
         setCursor(m_spaceDown ? QCursor(Qt::OpenHandCursor) : m_tool->cursor());
-    if (const QString prompt = m_tool->prompt(); prompt != m_prompt) {
-        m_prompt = prompt;
-        emit promptChanged(prompt);
+    if (const QString text = prompt(); text != m_prompt) {
+        m_prompt = text;
+        emit promptChanged(text);
     }
     for (PatternRuler* ruler : m_rulers)
         ruler->update();
@@ -324,8 +327,9 @@ void PatternView::paintEvent(QPaintEvent*)
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     QPainter painter(this);
-    const PatternPainter::Input input{m_scene,     m_mesh,   m_map,  m_selection, m_problems, m_seamColors,
-                                      m_transform, m_layers, colors, small,       size()};
+    const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
+    const PatternPainter::Input input{m_scene,      m_mesh,      m_map,    m_selection, m_problems, invalid,
+                                      m_seamColors, m_transform, m_layers, colors,      small,      size()};
     PatternPainter(painter, input).paint();
     paintBackground(painter, m_background, m_transform, colors.dark);
     paintGuides(painter, m_snap.guides, m_transform, size(), colors);
