@@ -1,4 +1,5 @@
 // Drags that would break something: shown as invalid while they last, taken back on release.
+#include "CurvePath.h"
 #include "Document.h"
 #include "Gesture.h"
 #include "PatternView.h"
@@ -239,6 +240,94 @@ TEST_F(InvalidDragTest, ArrowKeysDoNotBreakAnythingEither)
     expectTakenBack("The outline of Second would cross or touch itself.");
 }
 
+TEST_F(InvalidDragTest, TheEndOfASeamIsDraggedAlongTheOutline)
+{
+    const auto seamNow = [this] { return *document.design().find<Seam>(squareSeam); };
+    selection.set({squareSeam});
+    keepPicture(view, QStringLiteral("seam-ends"));
+    press({100, 97}); // the upper end of the first side
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("along the outline"))) << view.prompt().toStdString();
+    move({104, 82});
+    move({104, 57});
+    EXPECT_NEAR(seamNow().a.to, 1.6, 0.02);
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral(" mm long, the other side 100 mm: ease -40")))
+        << view.prompt().toStdString();
+    keepPicture(view, QStringLiteral("seam-end-drag"));
+    release({104, 57});
+    EXPECT_EQ(document.history().count(), 2);
+    EXPECT_EQ(seamNow().b, (Stretch{secondSquare, 3, 4}));
+    document.undo();
+    EXPECT_TRUE(document.design() == squaresWithCurves());
+
+    press({100, 97});
+    move({100, 40});
+    move({100, -20});
+    move({60, -60}); // past the other end: it stops there
+    EXPECT_NEAR(seamNow().a.to, 1.01, 0.002);
+    EXPECT_FALSE(document.breakage());
+    QTest::keyClick(&view, Qt::Key_Escape);
+    release({60, -60});
+    EXPECT_TRUE(document.design() == squaresWithCurves());
+}
+
+TEST_F(InvalidDragTest, AnEndThatIsDraggedOverAnotherSeamGoesBack)
+{
+    selection.set({squareSeam});
+    press({100, 97});
+    move({100, 105});
+    move({60, 105});
+    ASSERT_TRUE(document.breakage());
+    EXPECT_EQ(document.breakage()->elements, std::set<ElementId>{squareSeam});
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("The stretch would overlap the seam of First and Second.")))
+        << view.prompt().toStdString();
+    EXPECT_TRUE(red({99, 50}));
+    keepPicture(view, QStringLiteral("invalid-seam-end"));
+    release({60, 105});
+    expectTakenBack("The stretch would overlap the seam of First and Second.");
+}
+
+TEST_F(InvalidDragTest, EndsOfStretchesSnap)
+{
+    view.setSnapping(true);
+    Seam shorter = *document.design().find<Seam>(topSeam);
+    shorter.a.from = 2.5;
+    document.commit({{}, {{topSeam, nullptr, makeElement(shorter)}}});
+    const auto to = [this] { return document.design().find<Seam>(squareSeam)->a.to; };
+    selection.set({squareSeam});
+    press({100, 97});
+    move({95, 105});
+    move({52, 104});
+    EXPECT_DOUBLE_EQ(to(), 2.5) << "the end of the other seam";
+    move({97.5, 105});
+    EXPECT_DOUBLE_EQ(to(), 2) << "the corner";
+    release({97.5, 105});
+    EXPECT_EQ(document.history().count(), 2) << "as it was";
+
+    selection.set({topSeam});
+    press({3, 100});
+    move({5, 90});
+    move({-5, 50}); // as long as the top of the other square
+    EXPECT_NEAR(document.design().find<Seam>(topSeam)->a.to, 3.5, 1e-9);
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("100 mm long, the other side 100 mm")))
+        << view.prompt().toStdString();
+    release({-5, 50});
+    EXPECT_EQ(document.history().count(), 3);
+}
+
+TEST_F(InvalidDragTest, TheEndOfAFixationIsDraggedToo)
+{
+    const auto stretch = [this] { return document.design().find<FixationSeam>(squareFixation)->stretch; };
+    selection.set({squareFixation});
+    press({300, 3});
+    move({305, 30});
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral(" mm long"))) << view.prompt().toStdString();
+    release({305, 30});
+    EXPECT_NEAR(stretch().from, 1.27, 0.02);
+    EXPECT_EQ(document.history().count(), 2);
+    document.undo();
+    EXPECT_TRUE(document.design() == squaresWithCurves());
+}
+
 TEST_F(InvalidDragTest, RandomDragsLeaveADesignThatEqualsItsReplay)
 {
     std::mt19937 random(7);
@@ -258,6 +347,8 @@ TEST_F(InvalidDragTest, RandomDragsLeaveADesignThatEqualsItsReplay)
             from = pixel(patch->points[static_cast<std::size_t>(pick(static_cast<int>(patch->points.size())))]);
         else if (line != scene.lines().end())
             from = pixel(line->second.points.front());
+        else if (const auto stretch = scene.stretches().find(id); stretch != scene.stretches().end())
+            from = view.transform().toPixels(toVec(stretch->second.path.pointAtPercent(0.03))).toPoint();
         moveTo(from);
         pressed = Qt::LeftButton;
         QTest::mousePress(&view, Qt::LeftButton, {}, from);
