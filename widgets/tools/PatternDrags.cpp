@@ -77,6 +77,7 @@ public:
                 nearest = (*at - from.layout).norm();
                 m_grabbed = *at;
             }
+        findNeighbours();
     }
 
     void update(const PatternPointer& pointer) override
@@ -88,6 +89,7 @@ public:
             grabbed.layout = m_grabbed + m_delta;
             SnapQuery query;
             query.ignoredPoints = m_points;
+            query.lengthsFrom = m_neighbours;
             Snapped snapped = snappedPointer(m_context, grabbed, query);
             if (!snapped.hints.empty())
                 m_delta = snapped.point - m_grabbed;
@@ -111,8 +113,22 @@ private:
         return (*points)[static_cast<std::size_t>(index)];
     }
 
+    /// Of a single corner of a polygon: its edges can become as long as others.
+    void findNeighbours()
+    {
+        const PatternPatch* patch =
+            m_points.size() == 1 ? m_context.scene().patch(m_points.begin()->first) : nullptr;
+        if (!patch || patch->patch().outline.degree() != 1)
+            return;
+        const std::size_t count = patch->points.size();
+        const auto index = static_cast<std::size_t>(m_points.begin()->second);
+        if (index < count)
+            m_neighbours = {patch->points[(index + count - 1) % count], patch->points[(index + 1) % count]};
+    }
+
     Selection::Points m_points;
-    Vec2 m_grabbed; ///< the point under the pointer, layout mm
+    std::vector<Vec2> m_neighbours; ///< layout mm
+    Vec2 m_grabbed;                 ///< the point under the pointer, layout mm
     Vec2 m_delta = Vec2::Zero();
 };
 
