@@ -234,7 +234,7 @@ bool PatternPainter::pointsReadable(const PatternPatch& patch, const PatternTran
 void PatternPainter::paintLine(const PatternLine& line)
 {
     const PatternPatch* on = m_in.scene.patch(line.patch);
-    if (!on || !visible(*on))
+    if (!on || !visible(*on) || !m_in.layers.shows(line))
         return;
     const ViewColors& colors = m_in.colors;
     const QPainterPath path = inPixels(line.path);
@@ -266,7 +266,7 @@ void PatternPainter::paintAllPoints()
         if (visible(patch) && (selected(id) || hovered(id)) && pointsReadable(patch, m_in.transform))
             paintPoints(id, patch.points, patch.corners, patch.patch().outline);
     for (const auto& [id, line] : m_in.scene.lines())
-        if (selected(id) || hovered(id))
+        if (m_in.layers.shows(line) && (selected(id) || hovered(id)))
             paintPoints(id, line.points, line.corners, line.curve());
     paintFollowers();
 }

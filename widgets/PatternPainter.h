@@ -24,6 +24,10 @@ struct PatternLayers {
     bool seams = true;
     bool points = true;
     bool labels = true;
+    bool handles = true; ///< handle curves
+    bool fancySeams = true;
+
+    bool shows(const PatternLine& line) const { return line.fancy() ? fancySeams : handles; }
 
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };

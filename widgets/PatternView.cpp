@@ -16,6 +16,7 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPainter>
+#include <QScopeGuard>
 #include <QToolTip>
 
 #include <cmath>
@@ -182,14 +183,21 @@ QString PatternView::prompt() const
 
 PatternHit PatternView::hit(QPointF pixel) const
 {
-    return m_scene.hit(m_transform.toLayout(pixel), m_transform.millimetres(grabRadius),
-                       [this](ElementId id) { return pointsShown(id); });
+    if (m_moving && m_hit && m_hit->first == pixel)
+        return m_hit->second;
+    const PatternHit found = m_scene.hit(
+        m_transform.toLayout(pixel), m_transform.millimetres(grabRadius),
+        [this](ElementId id) { return pointsShown(id); },
+        [this](const PatternLine& line) { return m_layers.shows(line); });
+    m_hit = {pixel, found};
+    return found;
 }
 
 bool PatternView::pointsShown(ElementId id) const
 {
-    if (m_scene.lines().contains(id))
-        return m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id);
+    if (const auto line = m_scene.lines().find(id); line != m_scene.lines().end())
+        return m_layers.points && m_layers.shows(line->second) &&
+               (m_selection.contains(id) || m_selection.hovered() == id);
     const PatternPatch* patch = m_scene.patch(id);
     return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id) &&
            PatternPainter::pointsReadable(*patch, m_transform);
@@ -379,6 +387,9 @@ void PatternView::mouseMoveEvent(QMouseEvent* event)
         setTransform(m_transform.panned(event->position() - *m_panFrom));
         m_panFrom = event->position();
     } else {
+        m_hit.reset();
+        m_moving = true;
+        const auto moved = qScopeGuard([this] { m_moving = false; });
         m_tool->move(pointerOf(*event));
         emit patchPointed(patchPointAt(event->position())); // panning keeps it
     }

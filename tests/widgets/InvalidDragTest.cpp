@@ -328,6 +328,27 @@ TEST_F(InvalidDragTest, TheEndOfAFixationIsDraggedToo)
     EXPECT_TRUE(document.design() == squaresWithCurves());
 }
 
+TEST_F(InvalidDragTest, HiddenCurvesAreNeitherDrawnNorHit)
+{
+    const auto hits = [this](const Vec2& at) { return view.hit(QPointF(pixel(at))).element(); };
+    ASSERT_EQ(hits({40, 30}), handle);
+    ASSERT_EQ(hits({40, 60}), fancy);
+    const QImage shown = view.grab().toImage();
+    PatternLayers layers = view.layers();
+    layers.handles = false;
+    view.setLayers(layers);
+    EXPECT_EQ(hits({40, 30}), firstSquare);
+    EXPECT_EQ(hits({40, 60}), fancy);
+    const QImage without = view.grab().toImage();
+    EXPECT_NE(shown.pixelColor(pixel({40, 30})), without.pixelColor(pixel({40, 30})));
+    EXPECT_EQ(shown.pixelColor(pixel({40, 60})), without.pixelColor(pixel({40, 60})));
+    layers.fancySeams = false;
+    view.setLayers(layers);
+    EXPECT_EQ(hits({40, 60}), firstSquare);
+    selection.set({handle});
+    EXPECT_EQ(hits({20, 30}), firstSquare) << "nor are its points";
+}
+
 TEST_F(InvalidDragTest, RandomDragsLeaveADesignThatEqualsItsReplay)
 {
     std::mt19937 random(7);
