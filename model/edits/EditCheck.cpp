@@ -1,12 +1,11 @@
 #include "EditCheck.h"
 
+#include "BezierPieces.h"
 #include "DesignCheck.h"
 #include "EditHelpers.h"
 #include "ElementRules.h"
-#include "OutlineCrossings.h"
 
 #include <algorithm>
-#include <array>
 
 namespace bolster::edits {
 
@@ -16,43 +15,84 @@ constexpr double shortest = 1e-3;   // mm, as in the rules for designs
 constexpr double reachShare = 0.25; // of the edge length: ends of handles this near to the outline lie on it
 constexpr int chords = 8;           // of a curved span
 
-std::vector<Vec2> polyline(const BSpline2& curve)
-{
-    std::vector<Vec2> line;
-    for (const BezierPiece<2>& piece : bezierPieces(curve)) {
-        const int count = piece.degree == 1 ? 1 : chords;
-        for (int k = line.empty() ? 0 : 1; k <= count; ++k)
-            line.push_back(piece.at(static_cast<double>(k) / count));
+/// A curve as straight pieces; of a closed one the first point is repeated.
+struct Polyline {
+    std::vector<Vec2> points;
+    Box2 box;
+
+    explicit Polyline(const BSpline2& curve)
+    {
+        for (const BezierPiece<2>& piece : bezierPieces(curve)) {
+            const int count = piece.degree == 1 ? 1 : chords;
+            for (int k = points.empty() ? 0 : 1; k <= count; ++k)
+                points.push_back(piece.at(static_cast<double>(k) / count));
+        }
+        for (const Vec2& point : points)
+            box.extend(point);
     }
-    return line;
-}
 
-Vec2 pointAlong(const std::vector<Vec2>& line, double along)
-{
-    const auto k = std::min(static_cast<std::size_t>(along), line.size() - 2);
-    return line[k] + (along - static_cast<double>(k)) * (line[k + 1] - line[k]);
-}
+    /// `along` is the number of the piece and the share of it.
+    Vec2 at(double along) const
+    {
+        const auto k = std::min(static_cast<std::size_t>(along), points.size() - 2);
+        return points[k] + (along - static_cast<double>(k)) * (points[k + 1] - points[k]);
+    }
 
-/// How many parts of the line lie inside the outline, and how many outside.
+    /// Inside, when it is closed.
+    bool contains(const Vec2& p) const
+    {
+        bool inside = false;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            const Vec2 &a = points[k], &b = points[k + 1];
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+                inside = !inside;
+        }
+        return inside;
+    }
+
+    /// Where it crosses another one, along this one; in no order.
+    std::vector<double> crossings(const Polyline& other) const
+    {
+        std::vector<double> found;
+        for (std::size_t j = 0; j + 1 < other.points.size(); ++j) {
+            const Vec2 &c = other.points[j], &d = other.points[j + 1];
+            if (!box.intersects(Box2(c.cwiseMin(d), c.cwiseMax(d))))
+                continue;
+            for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+                const Vec2 u = points[k + 1] - points[k], v = d - c, w = c - points[k];
+                const double cross = u.x() * v.y() - u.y() * v.x();
+                const double s = (w.x() * v.y() - w.y() * v.x()) / cross;
+                const double t = (w.x() * u.y() - w.y() * u.x()) / cross;
+                if (cross != 0 && s >= 0 && s <= 1 && t >= 0 && t <= 1)
+                    found.push_back(static_cast<double>(k) + s);
+            }
+        }
+        return found;
+    }
+};
+
+/// How many parts of a line lie inside an outline, and how many outside.
 struct Parts {
     int inside = 0;
     int outside = 0;
 };
 
-Parts partsOf(const BSpline2& outline, const std::vector<Vec2>& line, double reach)
+/// Crossings within `reach` of an end of the line do not count.
+Parts partsOf(const Polyline& outline, const Polyline& line, double reach)
 {
     const auto atEnd = [&](const Vec2& p) {
-        return (p - line.front()).norm() <= reach || (p - line.back()).norm() <= reach;
+        return (p - line.points.front()).norm() <= reach || (p - line.points.back()).norm() <= reach;
     };
-    std::vector<double> cuts = {0};
-    for (const OutlineCrossing& crossing : outlineCrossings(outline, line))
-        if (!atEnd(crossing.point))
-            cuts.push_back(crossing.along);
-    cuts.push_back(static_cast<double>(line.size() - 1));
+    std::vector<double> cuts = line.crossings(outline);
+    std::erase_if(cuts, [&](double along) { return atEnd(line.at(along)); });
+    cuts.push_back(0);
+    cuts.push_back(static_cast<double>(line.points.size() - 1));
+    std::ranges::sort(cuts);
     Parts parts;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
         if (cuts[i + 1] - cuts[i] > 1e-9)
-            ++(isInside(outline, pointAlong(line, 0.5 * (cuts[i] + cuts[i + 1]))) ? parts.inside : parts.outside);
+            ++(outline.contains(line.at(0.5 * (cuts[i] + cuts[i + 1]))) ? parts.inside : parts.outside);
     return parts;
 }
 
@@ -63,12 +103,12 @@ bool leavesPatch(const Design& design, const Element& element)
     const auto* patch = design.find<Patch>(drawn.patch);
     if (!patch || drawn.curve.empty() || patch->outline.empty())
         return false;
-    const Box2 box = patch->outline.boundingBox();
-    if (!box.intersects(drawn.curve.boundingBox()))
+    const Polyline outline(patch->outline), line(drawn.curve);
+    if (!outline.box.intersects(line.box))
         return true;
     const bool cutOff = std::holds_alternative<FancySeam>(element) && !drawn.curve.closed();
     const double reach = drawn.curve.closed() ? 0 : cutOff ? 0.05 : reachShare * design.settings().edgeLength;
-    const Parts parts = partsOf(patch->outline, polyline(drawn.curve), reach);
+    const Parts parts = partsOf(outline, line, reach);
     return parts.inside != 1 || (!cutOff && parts.outside > 0);
 }
 
