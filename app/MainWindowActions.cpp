@@ -119,6 +119,8 @@ void MainWindow::applyLayers()
     layers.seams = m_actions->showSeams->isChecked();
     layers.points = m_actions->showPoints->isChecked();
     layers.labels = m_actions->showLabels->isChecked();
+    layers.handles = m_actions->showHandles->isChecked();
+    layers.fancySeams = m_actions->showFancySeams->isChecked();
     m_pattern->setLayers(layers);
 
     using Layer = SurfaceView::Layer;

@@ -66,6 +66,11 @@ bool PatternPainter::hovered(ElementId id) const
     return m_in.selection.hovered() == id;
 }
 
+bool PatternPainter::bad(ElementId id) const
+{
+    return m_in.invalid.contains(id) || m_in.problems.hasError(id);
+}
+
 bool PatternPainter::visible(const PatternPatch& patch) const
 {
     const Vec2 margin = Vec2::Constant(m_in.transform.millimetres(20));
@@ -80,15 +85,15 @@ QPainterPath PatternPainter::inPixels(const QPainterPath& path) const
 void PatternPainter::paintPatch(const PatternPatch& patch)
 {
     const bool isSelected = selected(patch.id);
-    const bool bad = m_in.problems.hasError(patch.id);
+    const bool isBad = bad(patch.id);
     const QPainterPath outline = inPixels(patch.path);
     const ViewColors& colors = m_in.colors;
 
     QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.46 : hovered(patch.id) ? 0.38 : 0.30);
-    if (bad)
+    if (isBad)
         fill = mixed(colors.canvas, colors.error, 0.18);
     m_painter.fillPath(outline, fill);
-    if (bad)
+    if (isBad)
         m_painter.fillPath(outline, QBrush(mixed(colors.canvas, colors.error, 0.5), Qt::BDiagPattern));
     paintMap(patch, outline);
     if (m_in.layers.mesh)
@@ -98,7 +103,7 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
 
     if (m_in.layers.seams)
         paintFixations(patch);
-    const QColor line = bad                 ? colors.error
+    const QColor line = isBad               ? colors.error
                         : isSelected        ? colors.accent
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
@@ -153,8 +158,8 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
         if (color == m_in.seamColors.end())
             continue;
         const bool strong = selected(owner) || hovered(owner);
-        const QPen pen(m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
-                       2 * bandWidth * (strong ? 1.75 : 1), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+        const QPen pen(bad(owner) ? m_in.colors.error : color->second, 2 * bandWidth * (strong ? 1.75 : 1),
+                       Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
         m_painter.strokePath(inPixels(stretch.path), pen);
     }
     m_painter.restore();
@@ -167,9 +172,9 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
         if (stretch.patch != patch.id || !stretch.fixation)
             continue;
         const bool isSelected = selected(owner) || selected(stretch.curve);
-        const QColor color = m_in.problems.hasError(owner) ? m_in.colors.error
-                             : isSelected                  ? m_in.colors.accent
-                                                           : m_in.colors.fixation;
+        const QColor color = bad(owner)   ? m_in.colors.error
+                             : isSelected ? m_in.colors.accent
+                                          : m_in.colors.fixation;
         paintFixationMarks(m_painter, inPixels(stretch.path), counterClockwise, color,
                            isSelected || hovered(owner) || hovered(stretch.curve));
     }
@@ -180,8 +185,7 @@ void PatternPainter::paintInside(const PatternPatch& patch)
     QRectF written;
     if (m_in.layers.labels) {
         const PatternLabel label(patch, m_in.transform, m_in.font);
-        label.paint(m_painter, m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label,
-                    m_in.colors.mutedLabel);
+        label.paint(m_painter, bad(patch.id) ? m_in.colors.error : m_in.colors.label, m_in.colors.mutedLabel);
         written = label.box();
         const PatternTwins& twins = m_in.scene.twins();
         if (twins.has(patch.id) && !written.isEmpty())
@@ -203,8 +207,7 @@ void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& wr
                         selected(owner) || hovered(owner)};
         if (m_in.layers.labels)
             arrow.label = seamLabel(static_cast<std::size_t>(std::distance(m_in.seamColors.begin(), color)));
-        paintSeamArrow(m_painter, arrow, m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
-                       written);
+        paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, written);
     }
 }
 
@@ -231,16 +234,16 @@ bool PatternPainter::pointsReadable(const PatternPatch& patch, const PatternTran
 void PatternPainter::paintLine(const PatternLine& line)
 {
     const PatternPatch* on = m_in.scene.patch(line.patch);
-    if (!on || !visible(*on))
+    if (!on || !visible(*on) || !m_in.layers.shows(line))
         return;
     const ViewColors& colors = m_in.colors;
     const QPainterPath path = inPixels(line.path);
     const bool strong = selected(line.id) || hovered(line.id);
     const QColor own = line.fancy() ? colors.fancySeam : colors.handle;
-    const QColor color = m_in.problems.hasError(line.id) ? colors.error
-                         : selected(line.id)             ? colors.accent
-                         : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
-                                                         : own;
+    const QColor color = bad(line.id)        ? colors.error
+                         : selected(line.id) ? colors.accent
+                         : hovered(line.id)  ? mixed(own, colors.accent, 0.4)
+                                             : own;
     double width = 0;
     if (const FancySeam* fancy = line.fancy()) {
         width = fancy->width * m_in.transform.scale();
@@ -263,7 +266,7 @@ void PatternPainter::paintAllPoints()
         if (visible(patch) && (selected(id) || hovered(id)) && pointsReadable(patch, m_in.transform))
             paintPoints(id, patch.points, patch.corners, patch.patch().outline);
     for (const auto& [id, line] : m_in.scene.lines())
-        if (selected(id) || hovered(id))
+        if (m_in.layers.shows(line) && (selected(id) || hovered(id)))
             paintPoints(id, line.points, line.corners, line.curve());
     paintFollowers();
 }

@@ -24,6 +24,10 @@ struct PatternLayers {
     bool seams = true;
     bool points = true;
     bool labels = true;
+    bool handles = true; ///< handle curves
+    bool fancySeams = true;
+
+    bool shows(const PatternLine& line) const { return line.fancy() ? fancySeams : handles; }
 
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };
@@ -37,6 +41,7 @@ public:
         const PatternMap& map;
         const Selection& selection;
         const ProblemSet& problems;
+        const std::set<ElementId>& invalid; ///< what the present drag would break
         const std::map<ElementId, QColor>& seamColors;
         PatternTransform transform;
         PatternLayers layers;
@@ -54,6 +59,7 @@ public:
 private:
     bool selected(ElementId id) const;
     bool hovered(ElementId id) const;
+    bool bad(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 

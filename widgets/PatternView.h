@@ -123,6 +123,8 @@ private:
     Crosshair* m_crosshair;
     std::optional<CoverPoint> m_place; ///< of the cross-hair
     QPointF m_pressedAt;               ///< the left button
+    bool m_moving = false;             ///< the pointer: what lies under it is looked up once
+    mutable std::optional<std::pair<QPointF, PatternHit>> m_hit; ///< while m_moving
     SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;

@@ -1,6 +1,7 @@
 #include "FixationDrawTool.h"
 
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "ElementEdits.h"
 #include "Selection.h"
 #include "SurfaceMarks.h"
@@ -102,20 +103,13 @@ void FixationDrawTool::doubleClick(const SurfacePointer&)
 
 bool FixationDrawTool::wants(int key) const
 {
-    return key == Qt::Key_B || key == Qt::Key_Backspace || key == Qt::Key_Return || key == Qt::Key_Enter ||
-           key == Qt::Key_Escape;
+    return isDrawingKey(key, true) || key == Qt::Key_Escape;
 }
 
 bool FixationDrawTool::keyPress(const QKeyEvent& event)
 {
-    if (!wants(event.key()))
+    if (!pressDrawingKey(event.key(), m_points, &m_smooth, [this] { finish(false); }))
         return false;
-    if (event.key() == Qt::Key_B)
-        m_smooth = !m_smooth;
-    else if (event.key() == Qt::Key_Backspace && !m_points.empty())
-        m_points.pop_back();
-    else if (event.key() != Qt::Key_Backspace)
-        finish(false);
     updatePath();
     return true;
 }

@@ -23,14 +23,12 @@ public:
     void release(const SurfacePointer& pointer) override;
     void doubleClick(const SurfacePointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
     void leave() override;
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    std::optional<std::pair<ElementId, int>> hoveredPoint() const override { return std::nullopt; }
     std::vector<SurfaceLine> guides() const override;
 
 private:
