@@ -1,19 +1,11 @@
 #include "SeamsOfTwins.h"
 
+#include "SewnMirror.h"
 #include "Twins.h"
 
 namespace bolster::edits {
 
 namespace {
-
-std::vector<Stretch> stretchesOf(const Element& element)
-{
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {seam->a, seam->b};
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return {fixation->stretch};
-    return {};
-}
 
 ElementPtr withStretches(const Element& element, const std::vector<Stretch>& stretches)
 {
