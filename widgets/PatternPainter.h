@@ -24,6 +24,8 @@ struct PatternLayers {
     bool seams = true;
     bool points = true;
     bool labels = true;
+    bool twins = true;    ///< the mirror image of what is selected
+    bool symmetry = true; ///< the axis
 
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };
@@ -43,6 +45,7 @@ public:
         ViewColors colors;
         QFont font;
         QSize size;
+        const std::set<ElementId>& mirrored; ///< of what is selected or under the pointer
     };
 
     PatternPainter(QPainter& painter, const Input& input);
@@ -54,6 +57,7 @@ public:
 private:
     bool selected(ElementId id) const;
     bool hovered(ElementId id) const;
+    bool mirrored(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 

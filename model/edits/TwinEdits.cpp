@@ -103,6 +103,16 @@ std::optional<FixationSeam> imageThere(const Design& design, const SewnMirror& m
     return result;
 }
 
+ElementId mirrored(const Design& design, const SewnMirror& mirror, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    if (const auto* seam = std::get_if<Seam>(element.get()))
+        return mirror.counterpart(*seam).id;
+    if (const auto* fixation = std::get_if<FixationSeam>(element.get()))
+        return mirror.counterpart(*fixation).id;
+    return mirror.twin(id);
+}
+
 } // namespace
 
 Edit unlinkTwins(const Design& design, std::span<const ElementId> ids)
@@ -168,13 +178,17 @@ Edit relinkPoints(const Design& design, ElementId id, std::span<const int> point
 
 ElementId mirroredElement(const Design& design, ElementId id)
 {
-    const ElementPtr element = design.element(id);
-    if (!element || stretchesOf(*element).empty())
-        return twinOf(design, id);
-    const SewnMirror mirror(design, twinPairs(design));
-    if (const auto* seam = std::get_if<Seam>(element.get()))
-        return mirror.counterpart(*seam).id;
-    return mirror.counterpart(std::get<FixationSeam>(*element)).id;
+    return mirrored(design, SewnMirror(design, twinPairs(design)), id);
+}
+
+std::set<ElementId> mirroredElements(const Design& design, const std::set<ElementId>& ids)
+{
+    std::set<ElementId> result;
+    const SewnMirror mirror(design, ids.empty() ? SewnMirror::Pairs() : twinPairs(design));
+    for (const ElementId id : ids)
+        if (const ElementId there = mirrored(design, mirror, id); there != settingsId && !ids.contains(there))
+            result.insert(there);
+    return result;
 }
 
 bool sewingReleased(const Design& design, ElementId id)

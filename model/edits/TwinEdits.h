@@ -47,6 +47,8 @@ Edit relinkPoints(const Design& design, ElementId id, std::span<const int> point
 
 /// The twin; of a seam or fixation the one where the mirror shows it; settingsId when there is none.
 ElementId mirroredElement(const Design& design, ElementId id);
+/// Those of several; without these themselves.
+std::set<ElementId> mirroredElements(const Design& design, const std::set<ElementId>& ids);
 /// Whether a seam or fixation goes its own ways, because all points on its stretches do.
 bool sewingReleased(const Design& design, ElementId id);
 /// Makes a seam or fixation the mirror image of the one that lies there, at least for a part.
