@@ -53,6 +53,8 @@ Edit relinkedSewing(const Design& design, ElementId id)
 void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
 {
     const Design& design = m_document.design();
+    if (!design.find<Seam>(id) && !design.find<FixationSeam>(id))
+        return;
     const bool released = edits::sewingReleased(design, id);
     if (!released && edits::mirroredElement(design, id) == settingsId)
         return;

@@ -205,7 +205,7 @@ TEST_F(SurfaceShown, TheMirrorImageOfTheSelectionIsMarked)
         int count = 0;
         for (int y = 0; y < picture.height(); ++y)
             for (int x = 0; x < picture.width(); ++x)
-                count += picture.pixelColor(x, y) == color;
+                count += picture.pixelColor(x, y).rgb() == color.rgb();
         return count;
     };
     const ViewColors colors = ViewColors::of(view.palette());
