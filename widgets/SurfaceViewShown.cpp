@@ -113,7 +113,8 @@ void SurfaceView::showPlace(const std::optional<CoverPoint>& point)
 
 void SurfaceView::placeCrosshair()
 {
-    const std::optional<Vec2> pixel = m_place ? m_camera.pixel(*m_place) : std::nullopt;
+    const bool cutAway = m_place && m_scene.section && !m_scene.section->keeps(*m_place);
+    const std::optional<Vec2> pixel = m_place && !cutAway ? m_camera.pixel(*m_place) : std::nullopt;
     if (!pixel) {
         m_crosshair->showAt(std::nullopt);
         return;

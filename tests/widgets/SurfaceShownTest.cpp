@@ -285,5 +285,17 @@ TEST_F(SurfaceShown, AClickIsToldOnce)
     EXPECT_EQ(clicks.count(), 1) << "a drag turns the view";
 }
 
+TEST_F(SurfaceShown, TheCrossHairIsNotWhereTheCoverIsCutAway)
+{
+    const auto* crosshair = view.findChild<Crosshair*>();
+    const CoverPoint point{leftPatch, Vec2(50, 50)};
+    view.showPlace(point);
+    ASSERT_TRUE(crosshair->isVisible());
+    view.setSection(SectionPlane{-Vec3::UnitX(), -150});
+    EXPECT_FALSE(crosshair->isVisible());
+    view.setSection(SectionPlane{Vec3::UnitX(), 150});
+    EXPECT_TRUE(crosshair->isVisible());
+}
+
 } // namespace
 } // namespace bolster::test
