@@ -7,6 +7,7 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 
+#include <algorithm>
 #include <map>
 
 namespace bolster {
@@ -89,13 +90,21 @@ void PatternCommands::straighten()
     commit(edit);
 }
 
-/// The selected seam, or the one between two selected patches.
+/// The selected seam, the first one of several between the same patches, or the one between two selected patches.
 std::optional<ElementId> PatternCommands::seamToMerge() const
 {
     const Design& design = m_document.design();
     const std::vector<ElementId> seams = selectedOf<Seam>(design, m_selection.elements());
-    if (seams.size() == 1 && m_selection.elements().size() == 1)
-        return seams.front();
+    const auto joined = [&](ElementId id) {
+        const Seam& seam = *design.find<Seam>(id);
+        return std::minmax(seam.a.patch, seam.b.patch);
+    };
+    if (!seams.empty() && m_selection.elements().size() == seams.size()) {
+        const std::pair<ElementId, ElementId> both = joined(seams.front());
+        const bool same = std::ranges::all_of(
+            seams, [&](ElementId id) { return std::pair<ElementId, ElementId>(joined(id)) == both; });
+        return same ? std::optional(seams.front()) : std::nullopt;
+    }
     const std::vector<ElementId> chosen = patches();
     if (chosen.size() != 2 || m_selection.elements().size() != 2)
         return std::nullopt;
