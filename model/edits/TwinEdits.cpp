@@ -86,6 +86,9 @@ std::optional<Seam> imageThere(const Design& design, const SewnMirror& mirror, E
         result = mirror.of(there);
         if (result && *swapped)
             std::swap(result->a, result->b);
+        for (Stretch Seam::*side : {&Seam::a, &Seam::b}) // of a piece that is nearly its own mirror image
+            if (result && mirror.same((*result).*side, seam.*side))
+                (*result).*side = seam.*side;
     });
     return result;
 }

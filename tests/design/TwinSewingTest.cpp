@@ -120,6 +120,12 @@ TEST_F(TwinSewingTest, APieceThatIsItsOwnMirrorImageIsSewnOnBothSides)
 
     apply(moveSeamEnd(design, mirrored, SeamSide::A, StretchEnd::From, 3.5));
     EXPECT_EQ(seam(made).a, (Stretch{seat, 1, 1.5}));
+    Patch nearly = *design.find<Patch>(seat);
+    nearly.outline = nearly.outline.withPoint(1, Vec2(200.4, 0.3));
+    apply(replaceElement(design, seat, makeElement(nearly), {}));
+    EXPECT_EQ(mirroredElement(design, made), mirrored) << "within a millimetre it still is";
+    EXPECT_TRUE(relinkSewing(design, made).empty());
+    EXPECT_TRUE(relinkSewing(design, mirrored).empty());
     apply(flipSeams(design, std::array{made}));
     EXPECT_TRUE(seam(mirrored).reversed);
     // Its top lies across the middle: there is no other one.
