@@ -23,6 +23,14 @@ constexpr double leastMeshEdge = 2.5; // finer meshes would only be a grey veil
 constexpr double leastPointGap = 5;
 constexpr double pointSize = 7;
 
+/// Dashes of the selection's colour: it is not selected, but what is done to the selection is done to it.
+QPen mirroredPen(const ViewColors& colors)
+{
+    QPen pen(mixed(colors.canvas, colors.accent, 0.7), 2, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({4, 2.5});
+    return pen;
+}
+
 } // namespace
 
 PatternPainter::PatternPainter(QPainter& painter, const Input& input)
@@ -39,7 +47,7 @@ void PatternPainter::paint()
     m_painter.setRenderHint(QPainter::Antialiasing);
     if (m_in.layers.grid)
         paintGrid(m_painter, m_in.transform, m_in.size, m_in.colors);
-    if (m_in.scene.twins().symmetry)
+    if (m_in.layers.symmetry && m_in.scene.twins().symmetry)
         paintSymmetryAxis(m_painter, *m_in.scene.twins().symmetry, m_in.transform, m_in.size, m_in.colors);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
@@ -71,6 +79,11 @@ bool PatternPainter::bad(ElementId id) const
     return m_in.invalid.contains(id) || m_in.problems.hasError(id);
 }
 
+bool PatternPainter::mirrored(ElementId id) const
+{
+    return m_in.layers.twins && m_in.mirrored.contains(id);
+}
+
 bool PatternPainter::visible(const PatternPatch& patch) const
 {
     const Vec2 margin = Vec2::Constant(m_in.transform.millimetres(20));
@@ -89,7 +102,9 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     const QPainterPath outline = inPixels(patch.path);
     const ViewColors& colors = m_in.colors;
 
-    QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.46 : hovered(patch.id) ? 0.38 : 0.30);
+    QColor fill = colors.patchFill(patch.fabric, isSelected                                ? 0.46
+                                                 : hovered(patch.id) || mirrored(patch.id) ? 0.38
+                                                                                           : 0.30);
     if (isBad)
         fill = mixed(colors.canvas, colors.error, 0.18);
     m_painter.fillPath(outline, fill);
@@ -108,6 +123,8 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (mirrored(patch.id) && !bad && !isSelected)
+        m_painter.strokePath(outline, mirroredPen(colors));
 }
 
 void PatternPainter::paintMap(const PatternPatch& patch, const QPainterPath& outline)
@@ -157,7 +174,7 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
         const auto color = m_in.seamColors.find(owner);
         if (color == m_in.seamColors.end())
             continue;
-        const bool strong = selected(owner) || hovered(owner);
+        const bool strong = selected(owner) || hovered(owner) || mirrored(owner);
         const QPen pen(bad(owner) ? m_in.colors.error : color->second, 2 * bandWidth * (strong ? 1.75 : 1),
                        Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
         m_painter.strokePath(inPixels(stretch.path), pen);
@@ -176,7 +193,8 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
                              : isSelected ? m_in.colors.accent
                                           : m_in.colors.fixation;
         paintFixationMarks(m_painter, inPixels(stretch.path), counterClockwise, color,
-                           isSelected || hovered(owner) || hovered(stretch.curve));
+                           isSelected || hovered(owner) || hovered(stretch.curve) || mirrored(owner) ||
+                               mirrored(stretch.curve));
     }
 }
 
@@ -238,12 +256,13 @@ void PatternPainter::paintLine(const PatternLine& line)
         return;
     const ViewColors& colors = m_in.colors;
     const QPainterPath path = inPixels(line.path);
-    const bool strong = selected(line.id) || hovered(line.id);
+    const bool strong = selected(line.id) || hovered(line.id) || mirrored(line.id);
     const QColor own = line.fancy() ? colors.fancySeam : colors.handle;
-    const QColor color = bad(line.id)        ? colors.error
-                         : selected(line.id) ? colors.accent
-                         : hovered(line.id)  ? mixed(own, colors.accent, 0.4)
-                                             : own;
+    const QColor color = bad(line.id) ? colors.error
+                         : selected(line.id)             ? colors.accent
+                         : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
+                         : mirrored(line.id)             ? mixed(own, colors.accent, 0.6)
+                                                         : own;
     double width = 0;
     if (const FancySeam* fancy = line.fancy()) {
         width = fancy->width * m_in.transform.scale();

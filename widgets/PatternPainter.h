@@ -28,6 +28,8 @@ struct PatternLayers {
     bool fancySeams = true;
 
     bool shows(const PatternLine& line) const { return line.fancy() ? fancySeams : handles; }
+    bool twins = true;    ///< the mirror image of what is selected
+    bool symmetry = true; ///< the axis
 
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };
@@ -48,6 +50,7 @@ public:
         ViewColors colors;
         QFont font;
         QSize size;
+        const std::set<ElementId>& mirrored; ///< of what is selected or under the pointer
     };
 
     PatternPainter(QPainter& painter, const Input& input);
@@ -60,6 +63,7 @@ private:
     bool selected(ElementId id) const;
     bool hovered(ElementId id) const;
     bool bad(ElementId id) const;
+    bool mirrored(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 

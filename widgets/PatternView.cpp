@@ -8,6 +8,7 @@
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
+#include "SelectionEdits.h"
 #include "SelectionSteps.h"
 #include "Translated.h"
 #include "Units.h"
@@ -47,8 +48,12 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     setMinimumSize(200, 160);
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&document, &Document::changed, this, &PatternView::designChanged);
-    connect(&selection, &Selection::changed, this, &PatternView::refresh);
-    connect(&selection, &Selection::hoverChanged, this, &PatternView::refresh);
+    const auto selectionChanged = [this] {
+        m_mirrored = mirroredOfMarked(m_document.design(), m_selection);
+        refresh();
+    };
+    connect(&selection, &Selection::changed, this, selectionChanged);
+    connect(&selection, &Selection::hoverChanged, this, selectionChanged);
     connect(&problems, &ProblemSet::changed, this, &PatternView::refresh);
     m_scene.reset(document.design());
     m_seamColors = seamColors(document.design(), ViewColors::of(palette()).dark);
@@ -66,6 +71,7 @@ void PatternView::designChanged(const std::set<ElementId>& ids)
         return; // the pattern stays as it is while a curve is dragged in 3D
     m_scene.update(m_document.design(), ids);
     m_seamColors = seamColors(m_document.design(), ViewColors::of(palette()).dark);
+    m_mirrored = mirroredOfMarked(m_document.design(), m_selection);
     refresh();
 }
 
@@ -337,7 +343,7 @@ void PatternView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
     const PatternPainter::Input input{m_scene,      m_mesh,      m_map,    m_selection, m_problems, invalid,
-                                      m_seamColors, m_transform, m_layers, colors,      small,      size()};
+                                      m_seamColors, m_transform, m_layers, colors,      small,      size(), m_mirrored};
     PatternPainter(painter, input).paint();
     paintBackground(painter, m_background, m_transform, colors.dark);
     paintGuides(painter, m_snap.guides, m_transform, size(), colors);

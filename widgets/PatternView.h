@@ -129,6 +129,7 @@ private:
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;
+    std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
     SnapSettings m_snap;
     PatternGuides m_guides;
     bool m_guidesShown = true;

@@ -4,7 +4,11 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "PlaneCurves.h"
+#include "SeamEdits.h"
+#include "SewnMirror.h"
 #include "StretchRemap.h"
+#include "TwinEdits.h"
+#include "Twins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,9 +242,7 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
     });
 }
 
-} // namespace
-
-Outcome mergePatches(const Design& design, ElementId seamId)
+Outcome mergeOne(const Design& design, ElementId seamId)
 {
     const Seam* first = design.find<Seam>(seamId);
     if (!first)
@@ -277,6 +279,34 @@ Outcome mergePatches(const Design& design, ElementId seamId)
     builder.remove(b.id);
     outcome.edit = builder.result(
         {QT_TRANSLATE_NOOP("Message", "Merge %1 and %2"), {displayName(design, a.id), displayName(design, b.id)}});
+    return outcome;
+}
+
+} // namespace
+
+Outcome mergePatches(const Design& design, ElementId seamId)
+{
+    Outcome outcome = mergeOne(design, seamId);
+    const Seam* seam = design.find<Seam>(seamId);
+    if (outcome.edit.empty() || twinOf(design, seam->a.patch) == settingsId)
+        return outcome;
+    Design half = design.with(outcome.edit);
+    const SewnMirror mirror(design, twinPairs(design));
+    const auto [other, swapped] = mirror.counterpart(*seam);
+    const bool both = other != settingsId && other != seamId && mirror.twin(seam->b.patch) != settingsId &&
+                      mirror.twin(seam->b.patch) != seam->a.patch;
+    if (!both) { // what it becomes is no mirror image of its twin any more
+        half = half.with(unlinkTwins(half, std::array{seam->a.patch}));
+        outcome.edit = editBetween(design, half, std::move(outcome.edit.verb));
+        return outcome;
+    }
+    if (swapped)
+        half = half.with(swapSeamSides(half, std::array{other}));
+    Outcome there = mergeOne(half, other);
+    if (there.edit.empty())
+        return there;
+    outcome.edit = editBetween(design, half.with(there.edit), std::move(outcome.edit.verb));
+    outcome.dropped.insert(outcome.dropped.end(), there.dropped.begin(), there.dropped.end());
     return outcome;
 }
 

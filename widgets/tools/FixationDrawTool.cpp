@@ -222,7 +222,7 @@ std::vector<SurfaceLine> FixationDrawTool::guides() const
             line.points.push_back(line.points.front());
         line.color = fixationCurveColor(m_context.colors());
         line.width = 2.6F;
-        line.hidden = 0.5F;
+        line.hidden = 0.95F; // mostly the cover lies over the frame that is drawn on
         line.casing = 0.8F;
         lines.push_back(std::move(line));
     }
