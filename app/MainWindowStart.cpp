@@ -3,6 +3,7 @@
 
 #include "Actions.h"
 #include "FileFlow.h"
+#include "FreeCover.h"
 #include "LayoutEdits.h"
 #include "NextStep.h"
 #include "PatternView.h"
@@ -22,6 +23,8 @@ void MainWindow::connectFirstSteps()
     connect(m_pattern, &PatternView::toolChanged, hint,
             [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
 
+    auto* freeCover = new FreeCover(document(), *m_solver, *m_surface, this);
+    connect(m_session.get(), &DesignSession::opened, freeCover, &FreeCover::forget);
     connect(m_pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
         if (kind == PatternToolKind::Select)
             showDrawn();

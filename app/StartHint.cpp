@@ -14,6 +14,12 @@
 
 namespace bolster {
 
+namespace {
+
+constexpr qsizetype mostSamples = 7;
+
+} // namespace
+
 StartHint::StartHint(Document& document, QWidget* over)
     : QWidget(over)
     , m_document(document)
@@ -47,7 +53,8 @@ void StartHint::build()
     layout->addSpacing(8);
     layout->addWidget(look);
     const QString muted = mixed(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.55).name();
-    for (const Sample& sample : samples()) {
+    const QList<Sample> all = samples();
+    for (const Sample& sample : all.first(std::min<qsizetype>(all.size(), mostSamples))) {
         auto* link = new QLabel(QStringLiteral("<a href=\"%1\" style=\"text-decoration: none\">%2</a>"
                                                "<br><span style=\"color: %3\">%4</span>")
                                     .arg(sample.path.toHtmlEscaped(), sample.title.toHtmlEscaped(), muted,
@@ -56,6 +63,11 @@ void StartHint::build()
         link->setWordWrap(true);
         connect(link, &QLabel::linkActivated, this, &StartHint::sampleWanted);
         layout->addWidget(link);
+    }
+    if (all.size() > mostSamples) {
+        auto* more = new QLabel(tr("%1 more are under File > Samples").arg(all.size() - mostSamples), this);
+        more->setForegroundRole(QPalette::PlaceholderText);
+        layout->addWidget(more);
     }
     layout->addStretch();
 }

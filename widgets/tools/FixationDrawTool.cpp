@@ -23,6 +23,16 @@ constexpr double pointRadius = 4.5;
 
 constexpr double groundGrid = 10; // mm
 
+std::optional<BSpline3> polygonThrough(const SurfacePath& path)
+{
+    std::vector<Vec3> points;
+    for (const std::size_t i : path.given)
+        points.push_back(path.points[i]);
+    if (points.size() < 2)
+        return std::nullopt;
+    return BSpline3(1, path.closed, std::move(points));
+}
+
 } // namespace
 
 bool FixationDrawTool::near(const Vec3& point, QPointF pixel) const
@@ -239,7 +249,10 @@ void FixationDrawTool::updatePath()
 
 void FixationDrawTool::finish(bool closed)
 {
-    const std::optional<BSpline3> curve = curveAlong(path(closed, false), !m_smooth);
+    const SurfacePath along = path(closed, false);
+    // Straight pieces through the air are exactly that.
+    const std::optional<BSpline3> curve =
+        free() && !m_smooth ? polygonThrough(along) : curveAlong(along, !m_smooth);
     if (!curve) {
         m_context.report(tr("A curve needs two points, a closed one three."));
         return;
