@@ -33,7 +33,7 @@ QImage plain(QImage picture)
     for (int y = 0; y < picture.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (int x = 0; x < picture.width(); ++x)
-            line[x] &= 0xfffcfcfcU;
+            line[x] = (line[x] & 0xfffcfcfcU) | ((line[x] >> 6) & 0x00030303U);
     }
     return picture;
 }
