@@ -4,6 +4,7 @@
 #include "Document.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
+#include "PointerNote.h"
 #include "ScanCutTool.h"
 #include "SectionPanel.h"
 #include "Selection.h"
@@ -53,6 +54,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_legend(new MapLegend(this))
     , m_sectionPanel(new SectionPanel(this))
     , m_crosshair(new Crosshair(this))
+    , m_note(new PointerNote(this))
     , m_tool(makeSurfaceTool(m_toolKind, *this))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
         m_scene.occlusion = std::move(occlusion);
@@ -385,6 +387,7 @@ void SurfaceView::updateBox()
         m_camera.fit(box);
     } else if (box.isEmpty()) {
         m_fitPending = true;
+        m_scene.box = Box3(Vec3(-500, -500, 0), Vec3(500, 500, 0)); // ground to draw on
     }
 }
 
@@ -414,6 +417,7 @@ void SurfaceView::refresh()
         emit promptChanged(text);
     }
     setCursor(m_sectionHandle.hovering() ? QCursor(Qt::SizeAllCursor) : m_tool->cursor());
+    m_note->showNote(m_tool->note());
     const auto hovered = m_tool->hoveredPoint();
     const bool guided = !m_tool->guides().empty();
     if (hovered != m_hoveredPoint || guided || m_guided) {

@@ -31,6 +31,7 @@ namespace bolster {
 
 class Document;
 class Crosshair;
+class PointerNote;
 class SectionPanel;
 class Selection;
 class SurfaceViewCube;
@@ -248,6 +249,7 @@ private:
     MapLegend* m_legend;
     SectionPanel* m_sectionPanel;
     Crosshair* m_crosshair;
+    PointerNote* m_note;
     std::optional<Vec3> m_place; ///< of the cross-hair, mm
     QPointF m_pressedAt;         ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;

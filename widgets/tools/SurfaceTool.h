@@ -42,6 +42,16 @@ struct SurfacePointer {
     Qt::KeyboardModifiers modifiers;
 };
 
+/// What a tool writes beside the pointer.
+struct SurfaceNote {
+    QString text;
+    QPointF beside;     ///< pixels
+    bool typed = false; ///< a field in which the user types
+    bool good = true;   ///< it can be understood
+
+    friend bool operator==(const SurfaceNote&, const SurfaceNote&) = default;
+};
+
 class SurfaceTool {
 public:
     explicit SurfaceTool(SurfaceToolContext& context)
@@ -67,6 +77,7 @@ public:
     virtual QCursor cursor() const = 0;
     /// The control point under the pointer.
     virtual std::optional<std::pair<ElementId, int>> hoveredPoint() const { return std::nullopt; }
+    virtual std::optional<SurfaceNote> note() const { return std::nullopt; }
     /// Drawn with the scene.
     virtual std::vector<SurfaceLine> guides() const { return {}; }
 
