@@ -313,6 +313,8 @@ void Actions::addDrawing()
 void Actions::addTwins()
 {
     makeTwin = add(tr("Make &mirror twin"), QStringLiteral("twin"), QKeySequence(Qt::CTRL | Qt::Key_T));
+    showTwins = addToggle(tr("Mirror image of the &selection"), QStringLiteral("twin"), true);
+    showSymmetry = addToggle(tr("Symmetry &axis and plane"), {}, true);
     linkTwins = add(tr("Link as t&wins"), {});
     unlinkTwins = add(tr("&Unlink twins"), {});
     releasePoints = add(tr("R&elease points from the twin"), {}, QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T));

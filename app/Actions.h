@@ -109,6 +109,8 @@ public:
     QAction* mergePatches;
     QAction* makeTwin;
     QAction* linkTwins;
+    QAction* showTwins;    ///< the mirror image of what is selected
+    QAction* showSymmetry; ///< axis and plane
     QAction* unlinkTwins;
     QAction* releasePoints;
     QAction* relinkPoints;

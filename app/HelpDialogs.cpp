@@ -68,6 +68,8 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Move control points or patches"),
          HelpDialogs::tr("drag; Shift keeps to one axis; Esc takes it back")},
         {HelpDialogs::tr("Turn patches"), HelpDialogs::tr("drag the round handle; Shift in steps of 15\u00b0")},
+        {HelpDialogs::tr("Move the ends of a seam or fixation"),
+         HelpDialogs::tr("select it and drag the round handles at its ends")},
         {HelpDialogs::tr("Add a control point"), HelpDialogs::tr("double click on an outline or curve")},
         {HelpDialogs::tr("Draw a handle curve or a fancy seam"),
          HelpDialogs::tr("click points; Enter or double click ends; click the first one to close; B: straight or "

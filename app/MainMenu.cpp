@@ -95,6 +95,8 @@ private:
                             m_actions.showFancySeams, m_actions.showLabels, m_actions.showScans,
                             m_actions.showGround, m_actions.showField});
         layers->addSeparator();
+        layers->addActions({m_actions.showTwins, m_actions.showSymmetry});
+        layers->addSeparator();
         layers->addActions({m_actions.showDeviation, m_actions.showScanPairs});
         QMenu* grid = menu->addMenu(tr("&Grid and snapping"));
         grid->addActions({m_actions.showGrid, m_actions.snapping, m_actions.showRulers, m_actions.showGuides,

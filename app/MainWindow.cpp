@@ -15,7 +15,6 @@
 #include "SeamsView.h"
 #include "SelectionEdits.h"
 #include "Shortcuts.h"
-#include "StartHint.h"
 #include "StatusLine.h"
 #include "Translated.h"
 #include "Units.h"
@@ -75,11 +74,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectViewActions();
     connectPattern();
     connectPanels();
-    auto* hint = new StartHint(document(), m_pattern);
-    connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
-    connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);
-    connect(m_pattern, &PatternView::toolChanged, hint,
-            [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
+    connectFirstSteps();
     m_session->startNew();
     applyLayers();
     restoreSize();

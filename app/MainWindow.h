@@ -93,6 +93,8 @@ private:
     void connectDrawing();
     void connectBackground();
     void connectPanels();
+    void connectFirstSteps();
+    void showDrawn();
     void focusNextPart(bool forward);
     void connectTwins();
     void updateTwinActions();

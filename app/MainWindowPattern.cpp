@@ -1,8 +1,9 @@
-// What the window does with patches: clipboard, layout, shapes.
+// What the window does with patches: clipboard, layout, shapes; and with drags that cannot be.
 #include "MainWindow.h"
 
 #include "PatternCommands.h"
 #include "StatusLine.h"
+#include "Translated.h"
 
 namespace bolster {
 
@@ -10,6 +11,13 @@ void MainWindow::connectPattern()
 {
     auto* commands = new PatternCommands(document(), m_selection, *m_actions, this);
     connect(commands, &PatternCommands::said, m_status, &StatusLine::flash);
+    connect(&document(), &Document::refused, this, [this](const Message& why) {
+        m_status->flash(tr("%1 It is back where it was.").arg(translated(why)));
+    });
+    connect(&document(), &Document::changed, this, [this] {
+        if (document().gestureRunning())
+            m_status->flash({}); // what was said about the last drag would hide what this one says
+    });
 }
 
 } // namespace bolster

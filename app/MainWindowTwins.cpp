@@ -101,6 +101,17 @@ Edit changedPoints(const Design& design, const PointsByElement& points, const Ch
     return chain.result(verb);
 }
 
+/// The chosen points and seams become what the mirror shows of the others.
+Edit relinkedChosen(const Design& design, const Selection& selection)
+{
+    const Message verb{QT_TRANSLATE_NOOP("Message", "Re-link points of twins")};
+    EditChain chain(design);
+    chain.add(changedPoints(design, releasedOfChosen(design, selection), edits::relinkPoints, verb));
+    for (const ElementId id : selection.elements())
+        chain.add(edits::relinkSewing(chain.design(), id));
+    return chain.result(verb);
+}
+
 } // namespace
 
 void MainWindow::connectTwins()
@@ -139,9 +150,7 @@ void MainWindow::connectTwins()
                      tr("Select points of a twin, or a seam on it, that still follow."));
     });
     on(m_actions->relinkPoints, [this] {
-        const Design& design = document().design();
-        commitOrTell(changedPoints(design, releasedOfChosen(design, m_selection), edits::relinkPoints,
-                                   {QT_TRANSLATE_NOOP("Message", "Re-link points of twins")}),
+        commitOrTell(relinkedChosen(document().design(), m_selection),
                      tr("No point that is selected has been released."));
     });
     on(m_actions->symmetry, [this] {
@@ -169,7 +178,7 @@ void MainWindow::updateTwinActions()
                                      design.element(singles[0])->index() == design.element(singles[1])->index());
     m_actions->unlinkTwins->setEnabled(!selectedTwins(design, m_selection).empty());
     m_actions->releasePoints->setEnabled(!chosenPoints(design, m_selection).empty());
-    m_actions->relinkPoints->setEnabled(!releasedOfChosen(design, m_selection).empty());
+    m_actions->relinkPoints->setEnabled(!relinkedChosen(design, m_selection).empty());
 }
 
 void MainWindow::linkSelectedTwins()

@@ -2,12 +2,10 @@
 
 #include "Actions.h"
 #include "CopyPaste.h"
-#include "CornerEdits.h"
 #include "Document.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
 #include "LayoutEdits.h"
-#include "PatchMerge.h"
 #include "PatchShapeEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
@@ -16,8 +14,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMimeData>
-
-#include <map>
 
 namespace bolster {
 
@@ -32,16 +28,6 @@ std::string clipboardText()
     if (!data)
         return {};
     return data->hasFormat(mimeType) ? data->data(mimeType).toStdString() : data->text().toStdString();
-}
-
-/// The selected control points in the pattern, by their element.
-std::map<ElementId, std::vector<int>> planePoints(const Design& design, const Selection& selection)
-{
-    std::map<ElementId, std::vector<int>> points;
-    for (const Selection::Point& point : selection.points())
-        if (const int index = planePoint(design, point); index >= 0)
-            points[point.first].push_back(index);
-    return points;
 }
 
 QString droppedText(const Design& before, const std::vector<ElementId>& dropped)
@@ -102,14 +88,6 @@ void PatternCommands::connectLayout()
     });
 }
 
-void PatternCommands::connectShapes()
-{
-    connect(m_actions.makeCorner, &QAction::triggered, this, [this] { makeCorners(true); });
-    connect(m_actions.makeSmooth, &QAction::triggered, this, [this] { makeCorners(false); });
-    connect(m_actions.straighten, &QAction::triggered, this, &PatternCommands::straighten);
-    connect(m_actions.mergePatches, &QAction::triggered, this, &PatternCommands::merge);
-}
-
 void PatternCommands::update()
 {
     const Design& design = m_document.design();
@@ -128,24 +106,6 @@ void PatternCommands::update()
     m_actions.arrange->setEnabled(any);
     m_actions.mergePatches->setEnabled(seamToMerge().has_value());
     updatePoints();
-}
-
-void PatternCommands::updatePoints()
-{
-    const Design& design = m_document.design();
-    const auto points = planePoints(design, m_selection);
-    bool corners = false, smooth = false;
-    for (const auto& [id, indices] : points)
-        for (const int index : indices) {
-            const BSpline2& curve = *planeCurve(*design.element(id));
-            const bool end = !curve.closed() && (index == 0 || index == curve.pointCount() - 1);
-            const bool corner = edits::isCornerPoint(design, id, index);
-            corners |= corner && !end;
-            smooth |= !corner;
-        }
-    m_actions.makeCorner->setEnabled(smooth);
-    m_actions.makeSmooth->setEnabled(corners);
-    m_actions.straighten->setEnabled(points.size() == 1 && points.begin()->second.size() == 2);
 }
 
 void PatternCommands::updateClipboard()
@@ -245,75 +205,6 @@ void PatternCommands::mirror(bool horizontally)
     commit(edits::mirrorPatches(m_document.design(), chosen,
                                 horizontally ? edits::MirrorAxis::Vertical : edits::MirrorAxis::Horizontal,
                                 horizontally ? box.center().x() : box.center().y()));
-}
-
-void PatternCommands::makeCorners(bool corner)
-{
-    m_document.cancelGesture();
-    EditChain chain(m_document.design());
-    const auto points = planePoints(chain.design(), m_selection);
-    for (const auto& [id, indices] : points)
-        chain.add(corner ? edits::makeCorners(chain.design(), id, indices)
-                         : edits::makeSmooth(chain.design(), id, indices));
-    // Points come and go: what was selected is found again at its parameter.
-    Selection::Points found;
-    for (const auto& [id, indices] : points)
-        for (const int index : indices) {
-            const BSpline2& before = *planeCurve(*m_document.design().element(id));
-            found.insert({id, planeCurve(*chain.design().element(id))->pointAt(before.parameterOfPoint(index))});
-        }
-    const Edit edit = chain.result(corner ? Message{QT_TRANSLATE_NOOP("Message", "Make corners"), {}}
-                                          : Message{QT_TRANSLATE_NOOP("Message", "Make curves smooth"), {}});
-    m_selection.set(m_selection.elements());
-    if (commit(edit))
-        m_selection.set(m_selection.elements(), std::move(found));
-}
-
-void PatternCommands::straighten()
-{
-    m_document.cancelGesture();
-    const auto points = planePoints(m_document.design(), m_selection);
-    if (points.size() != 1 || points.begin()->second.size() != 2)
-        return;
-    const auto& [id, ends] = *points.begin();
-    const Edit edit = edits::straighten(m_document.design(), id, ends[0], ends[1]);
-    if (edit.empty()) {
-        emit said(tr("This stretch is straight already."));
-        return;
-    }
-    m_selection.set(m_selection.elements()); // the points have other numbers now
-    commit(edit);
-}
-
-/// The selected seam, or the one between two selected patches.
-std::optional<ElementId> PatternCommands::seamToMerge() const
-{
-    const Design& design = m_document.design();
-    const std::vector<ElementId> seams = selectedOf<Seam>(design, m_selection.elements());
-    if (seams.size() == 1 && m_selection.elements().size() == 1)
-        return seams.front();
-    const std::vector<ElementId> chosen = patches();
-    if (chosen.size() != 2 || m_selection.elements().size() != 2)
-        return std::nullopt;
-    std::optional<ElementId> found;
-    design.each<Seam>([&](ElementId id, const Seam& seam) {
-        const bool joins = (seam.a.patch == chosen[0] && seam.b.patch == chosen[1]) ||
-                           (seam.a.patch == chosen[1] && seam.b.patch == chosen[0]);
-        if (joins && !found)
-            found = id;
-    });
-    return found;
-}
-
-void PatternCommands::merge()
-{
-    m_document.cancelGesture();
-    const std::optional<ElementId> seam = seamToMerge();
-    if (!seam)
-        return;
-    const ElementId stays = m_document.design().find<Seam>(*seam)->a.patch;
-    if (commit(edits::mergePatches(m_document.design(), *seam)))
-        m_selection.set({stays});
 }
 
 } // namespace bolster

@@ -77,6 +77,7 @@ void ShortcutsDialog::build()
     m_tree->setColumnCount(2);
     m_tree->setHeaderLabels({tr("Command"), tr("Keys")});
     m_tree->setUniformRowHeights(true);
+    m_tree->setStyleSheet(QStringLiteral("QTreeWidget::item { padding: 3px 0; }"));
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -85,8 +86,9 @@ void ShortcutsDialog::build()
     m_keys->setObjectName(QStringLiteral("keys"));
 
     auto* choice = new QHBoxLayout;
+    m_keys->setMinimumWidth(m_keys->fontMetrics().horizontalAdvance(QStringLiteral("0")) * 30);
     choice->addWidget(m_name, 1);
-    choice->addWidget(m_keys, 1);
+    choice->addWidget(m_keys);
     choice->addWidget(m_clear);
     choice->addWidget(m_reset);
     auto* told = new QHBoxLayout;

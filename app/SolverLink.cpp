@@ -22,7 +22,7 @@ bool SolverLink::upToDate() const
 
 void SolverLink::send()
 {
-    if (!m_paused)
+    if (!m_paused && !m_document.breakage()) // the last good surface stays until the gesture is sound again
         m_thread->request({m_document.design(), m_files}, m_document.revision(), m_document.gestureRunning());
 }
 

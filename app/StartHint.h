@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+class QBoxLayout;
+
 namespace bolster {
 
 class Document;
@@ -17,6 +19,9 @@ public:
     void setDrawing(bool drawing);
 
 signals:
+    void rectangleWanted();
+    void outlineWanted();
+    void frameWanted();
     void openWanted();
     void sampleWanted(const QString& path);
 
@@ -25,6 +30,7 @@ protected:
 
 private:
     void build();
+    void addBeginning(QBoxLayout& layout);
     void place();
 
     Document& m_document;

@@ -1,10 +1,11 @@
 #include "Theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSettings>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QStyleOption>
 
 #include <utility>
 
@@ -96,13 +97,46 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     return style;
 }
 
+/// What no style sheet can say.
+class ThemeStyle : public QProxyStyle {
+public:
+    ThemeStyle()
+        : QProxyStyle(QStringLiteral("Fusion"))
+    {}
+
+    /// Fusion's border is darker than the window: in a dark one nobody sees where to click.
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox)
+            return;
+        QColor border = option->palette.color(QPalette::WindowText);
+        border.setAlphaF(option->state & State_Enabled ? 0.45F : 0.2F);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(border);
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+        painter->restore();
+    }
+
+    /// Fusion's pictures on the buttons of dialogs are black.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override
+    {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
 } // namespace
 
 void applyTheme(QApplication& application, Theme theme)
 {
     static const QPalette system = QApplication::palette();
-    if (!application.style()->objectName().startsWith(QLatin1String("fusion")))
-        QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    static bool styled = false;
+    if (!std::exchange(styled, true))
+        QApplication::setStyle(new ThemeStyle);
     const bool darkSystem = system.color(QPalette::Window).lightness() < 128;
     const bool isDark = theme == Theme::Dark || (theme == Theme::System && darkSystem);
     const Shades& shades = isDark ? dark : light;

@@ -106,6 +106,7 @@ void Document::cancelGesture()
     if (!m_gesture)
         return;
     std::exchange(m_gesture, nullptr)->m_document = nullptr;
+    m_breakage.reset();
     show(m_base);
 }
 

@@ -1,10 +1,12 @@
 // The current design, its history, and one signal.
 #pragma once
 
+#include "EditCheck.h"
 #include "History.h"
 
 #include <QObject>
 
+#include <optional>
 #include <set>
 
 namespace bolster {
@@ -55,6 +57,9 @@ public:
     void markUnsaved();
 
     bool gestureRunning() const { return m_gesture != nullptr; }
+    /// What the running gesture's preview would break, if anything: it is to be seen as invalid, not to be solved,
+    /// and is taken back on release.
+    const std::optional<edits::Breakage>& breakage() const { return m_breakage; }
     /// Takes back the running gesture, if there is one (undo during a drag, Escape).
     void cancelGesture();
 
@@ -63,6 +68,8 @@ signals:
     /// Nodes were added or named, or the current node moved.
     void historyChanged();
     void dirtyChanged(bool dirty);
+    /// A gesture was taken back on release because of what it would have broken.
+    void refused(const bolster::Message& why);
 
 private:
     friend class Gesture;
@@ -76,6 +83,7 @@ private:
     NodeId m_saved = 0;
     bool m_wasDirty = false;
     Gesture* m_gesture = nullptr;
+    std::optional<edits::Breakage> m_breakage;
 };
 
 } // namespace bolster

@@ -25,7 +25,9 @@ void Gesture::update(Edit edit)
     if (!m_document)
         return;
     m_edit = edits::withTwins(m_start, std::move(edit));
-    m_document->show(m_start.with(m_edit));
+    Design preview = m_start.with(m_edit);
+    m_document->m_breakage = edits::brokenBy(m_start, m_edit);
+    m_document->show(std::move(preview));
 }
 
 void Gesture::commit()
@@ -34,6 +36,11 @@ void Gesture::commit()
         return;
     // Detached first: the document goes from the preview straight to the committed design, without a way back.
     Document& document = *std::exchange(m_document, nullptr);
+    if (const std::optional<edits::Breakage> broken = document.m_breakage) {
+        document.cancelGesture();
+        emit document.refused(broken->why);
+        return;
+    }
     document.m_gesture = nullptr;
     document.commit(std::move(m_edit));
 }

@@ -21,7 +21,8 @@ public:
     const Design& start() const { return m_start; }
     /// Shows start() with this edit and what it means for mirror twins.
     void update(Edit edit);
-    /// Commits the last preview as one edit; nothing if there was none.
+    /// Commits the last preview as one edit; nothing if there was none. One that would break something
+    /// (Document::breakage) is taken back instead, and Document::refused says why.
     void commit();
     void cancel();
 

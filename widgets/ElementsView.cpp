@@ -243,7 +243,9 @@ bool ElementsView::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != m_tree && event->type() == QEvent::Leave)
         m_selection.hover(settingsId);
-    if (watched == m_tree && event->type() == QEvent::KeyPress && !m_selection.elements().empty()) {
+    // A line in which a name is edited passes Enter on, but has done with it.
+    if (watched == m_tree && m_tree->hasFocus() && event->type() == QEvent::KeyPress &&
+        !m_selection.elements().empty()) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {
             emit propertiesWanted();

@@ -56,6 +56,7 @@ private:
     void addCoverChoice(PropertyForm& form, const Ids& cushions) const;
     void addScan(PropertyForm& form, const Ids& ids) const;
     void addTwin(PropertyForm& form, ElementId id) const;
+    void addMirroredSewing(PropertyForm& form, ElementId id) const;
     void addSymmetry(PropertyForm& form) const;
     void addUnusable(PropertyForm& form, const Ids& ids) const;
     /// The coordinates of the selected control points.

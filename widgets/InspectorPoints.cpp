@@ -1,5 +1,7 @@
 // What the inspector shows of selected control points.
+#include "Gesture.h"
 #include "InspectorForms.h"
+#include "LengthEdits.h"
 #include "PlacementFields.h"
 #include "PointPlaces.h"
 
@@ -46,6 +48,21 @@ void InspectorForms::addPatternPoints(PropertyForm& form, const Selection::Point
         [this, points](int axis) { return sharedCoordinate(placesInLayout(m_document.design(), points), axis); },
         [this, points](int axis, double value) {
             m_document.commit(placeInLayout(m_document.design(), points, axis, value));
+        });
+    const auto& [first, last] = std::pair(*points.begin(), *points.rbegin());
+    if (points.size() != 2 || first.first != last.first)
+        return;
+    NumberBox::Range range = lengthRange;
+    range.least = 0;
+    form.addNumber(
+        tr("Length between"), range,
+        [this, id = first.first, a = first.second, b = last.second] {
+            return edits::lengthBetween(m_document.design(), id, a, b);
+        },
+        [this, id = first.first, a = first.second, b = last.second](double value) {
+            Gesture gesture(m_document); // what would break something is taken back with a reason
+            gesture.update(edits::setLengthBetween(gesture.start(), id, a, b, value));
+            gesture.commit();
         });
 }
 

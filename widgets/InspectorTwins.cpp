@@ -2,6 +2,7 @@
 #include "InspectorForms.h"
 #include "InspectorSubject.h"
 #include "PlacementFields.h"
+#include "SelectionEdits.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 
@@ -15,8 +16,68 @@ const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
 
 } // namespace
 
+namespace {
+
+/// What `change` does with the points on the stretches of a seam or fixation.
+template <class Change>
+void changePointsOn(EditChain& chain, ElementId id, const Change& change)
+{
+    std::vector<Stretch> stretches;
+    if (const Seam* seam = chain.design().find<Seam>(id))
+        stretches = {seam->a, seam->b};
+    else if (const FixationSeam* fixation = chain.design().find<FixationSeam>(id))
+        stretches = {fixation->stretch};
+    for (const Stretch& stretch : stretches)
+        if (const Patch* patch = chain.design().find<Patch>(stretch.patch); patch && !patch->outline.empty())
+            chain.add(change(chain.design(), stretch.patch,
+                             edits::pointsOnStretch(patch->outline, stretch.from, stretch.to)));
+}
+
+Edit releasedSewing(const Design& design, ElementId id)
+{
+    EditChain chain(design);
+    changePointsOn(chain, id, edits::releasePoints);
+    return chain.result({QT_TRANSLATE_NOOP("Message", "Release a seam from its mirror image")});
+}
+
+Edit relinkedSewing(const Design& design, ElementId id)
+{
+    EditChain chain(design);
+    changePointsOn(chain, id, edits::relinkPoints);
+    chain.add(edits::relinkSewing(chain.design(), id));
+    return chain.result({QT_TRANSLATE_NOOP("Message", "Re-link a seam to its mirror image")});
+}
+
+} // namespace
+
+void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
+{
+    const Design& design = m_document.design();
+    if (!design.find<Seam>(id) && !design.find<FixationSeam>(id))
+        return;
+    const bool released = edits::sewingReleased(design, id);
+    if (!released && edits::mirroredElement(design, id) == settingsId)
+        return;
+    form.addInfo(tr("Mirror image"), [this, id] {
+        const Design& now = m_document.design();
+        const ElementId other = edits::mirroredElement(now, id);
+        if (edits::sewingReleased(now, id))
+            return tr("released");
+        return other == id           ? tr("itself")
+               : other == settingsId ? QStringLiteral("\u2013")
+                                     : displayName(now, other);
+    });
+    if (released)
+        form.addButton(tr("Re-link to its mirror image"),
+                       [this, id] { m_document.commit(relinkedSewing(m_document.design(), id)); });
+    else
+        form.addButton(tr("Release from its mirror image"),
+                       [this, id] { m_document.commit(releasedSewing(m_document.design(), id)); });
+}
+
 void InspectorForms::addTwin(PropertyForm& form, ElementId id) const
 {
+    addMirroredSewing(form, id);
     if (twinOf(m_document.design(), id) == settingsId)
         return;
     form.addInfo(tr("Twin of"), [this, id] {

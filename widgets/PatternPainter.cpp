@@ -23,6 +23,14 @@ constexpr double leastMeshEdge = 2.5; // finer meshes would only be a grey veil
 constexpr double leastPointGap = 5;
 constexpr double pointSize = 7;
 
+/// Dashes of the selection's colour: it is not selected, but what is done to the selection is done to it.
+QPen mirroredPen(const ViewColors& colors)
+{
+    QPen pen(mixed(colors.canvas, colors.accent, 0.7), 2, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({4, 2.5});
+    return pen;
+}
+
 } // namespace
 
 PatternPainter::PatternPainter(QPainter& painter, const Input& input)
@@ -39,7 +47,7 @@ void PatternPainter::paint()
     m_painter.setRenderHint(QPainter::Antialiasing);
     if (m_in.layers.grid)
         paintGrid(m_painter, m_in.transform, m_in.size, m_in.colors);
-    if (m_in.scene.twins().symmetry)
+    if (m_in.layers.symmetry && m_in.scene.twins().symmetry)
         paintSymmetryAxis(m_painter, *m_in.scene.twins().symmetry, m_in.transform, m_in.size, m_in.colors);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
@@ -66,6 +74,16 @@ bool PatternPainter::hovered(ElementId id) const
     return m_in.selection.hovered() == id;
 }
 
+bool PatternPainter::bad(ElementId id) const
+{
+    return m_in.invalid.contains(id) || m_in.problems.hasError(id);
+}
+
+bool PatternPainter::mirrored(ElementId id) const
+{
+    return m_in.layers.twins && m_in.mirrored.contains(id);
+}
+
 bool PatternPainter::visible(const PatternPatch& patch) const
 {
     const Vec2 margin = Vec2::Constant(m_in.transform.millimetres(20));
@@ -80,15 +98,17 @@ QPainterPath PatternPainter::inPixels(const QPainterPath& path) const
 void PatternPainter::paintPatch(const PatternPatch& patch)
 {
     const bool isSelected = selected(patch.id);
-    const bool bad = m_in.problems.hasError(patch.id);
+    const bool isBad = bad(patch.id);
     const QPainterPath outline = inPixels(patch.path);
     const ViewColors& colors = m_in.colors;
 
-    QColor fill = colors.patchFill(patch.fabric, isSelected ? 0.46 : hovered(patch.id) ? 0.38 : 0.30);
-    if (bad)
+    QColor fill = colors.patchFill(patch.fabric, isSelected                                ? 0.46
+                                                 : hovered(patch.id) || mirrored(patch.id) ? 0.38
+                                                                                           : 0.30);
+    if (isBad)
         fill = mixed(colors.canvas, colors.error, 0.18);
     m_painter.fillPath(outline, fill);
-    if (bad)
+    if (isBad)
         m_painter.fillPath(outline, QBrush(mixed(colors.canvas, colors.error, 0.5), Qt::BDiagPattern));
     paintMap(patch, outline);
     if (m_in.layers.mesh)
@@ -98,11 +118,13 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
 
     if (m_in.layers.seams)
         paintFixations(patch);
-    const QColor line = bad                 ? colors.error
+    const QColor line = isBad               ? colors.error
                         : isSelected        ? colors.accent
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (mirrored(patch.id) && !bad && !isSelected)
+        m_painter.strokePath(outline, mirroredPen(colors));
 }
 
 void PatternPainter::paintMap(const PatternPatch& patch, const QPainterPath& outline)
@@ -152,9 +174,9 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
         const auto color = m_in.seamColors.find(owner);
         if (color == m_in.seamColors.end())
             continue;
-        const bool strong = selected(owner) || hovered(owner);
-        const QPen pen(m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
-                       2 * bandWidth * (strong ? 1.75 : 1), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+        const bool strong = selected(owner) || hovered(owner) || mirrored(owner);
+        const QPen pen(bad(owner) ? m_in.colors.error : color->second, 2 * bandWidth * (strong ? 1.75 : 1),
+                       Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
         m_painter.strokePath(inPixels(stretch.path), pen);
     }
     m_painter.restore();
@@ -167,11 +189,12 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
         if (stretch.patch != patch.id || !stretch.fixation)
             continue;
         const bool isSelected = selected(owner) || selected(stretch.curve);
-        const QColor color = m_in.problems.hasError(owner) ? m_in.colors.error
-                             : isSelected                  ? m_in.colors.accent
-                                                           : m_in.colors.fixation;
+        const QColor color = bad(owner)   ? m_in.colors.error
+                             : isSelected ? m_in.colors.accent
+                                          : m_in.colors.fixation;
         paintFixationMarks(m_painter, inPixels(stretch.path), counterClockwise, color,
-                           isSelected || hovered(owner) || hovered(stretch.curve));
+                           isSelected || hovered(owner) || hovered(stretch.curve) || mirrored(owner) ||
+                               mirrored(stretch.curve));
     }
 }
 
@@ -180,8 +203,7 @@ void PatternPainter::paintInside(const PatternPatch& patch)
     QRectF written;
     if (m_in.layers.labels) {
         const PatternLabel label(patch, m_in.transform, m_in.font);
-        label.paint(m_painter, m_in.problems.hasError(patch.id) ? m_in.colors.error : m_in.colors.label,
-                    m_in.colors.mutedLabel);
+        label.paint(m_painter, bad(patch.id) ? m_in.colors.error : m_in.colors.label, m_in.colors.mutedLabel);
         written = label.box();
         const PatternTwins& twins = m_in.scene.twins();
         if (twins.has(patch.id) && !written.isEmpty())
@@ -203,8 +225,7 @@ void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& wr
                         selected(owner) || hovered(owner)};
         if (m_in.layers.labels)
             arrow.label = seamLabel(static_cast<std::size_t>(std::distance(m_in.seamColors.begin(), color)));
-        paintSeamArrow(m_painter, arrow, m_in.problems.hasError(owner) ? m_in.colors.error : color->second,
-                       written);
+        paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, written);
     }
 }
 
@@ -231,15 +252,16 @@ bool PatternPainter::pointsReadable(const PatternPatch& patch, const PatternTran
 void PatternPainter::paintLine(const PatternLine& line)
 {
     const PatternPatch* on = m_in.scene.patch(line.patch);
-    if (!on || !visible(*on))
+    if (!on || !visible(*on) || !m_in.layers.shows(line))
         return;
     const ViewColors& colors = m_in.colors;
     const QPainterPath path = inPixels(line.path);
-    const bool strong = selected(line.id) || hovered(line.id);
+    const bool strong = selected(line.id) || hovered(line.id) || mirrored(line.id);
     const QColor own = line.fancy() ? colors.fancySeam : colors.handle;
-    const QColor color = m_in.problems.hasError(line.id) ? colors.error
+    const QColor color = bad(line.id) ? colors.error
                          : selected(line.id)             ? colors.accent
                          : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
+                         : mirrored(line.id)             ? mixed(own, colors.accent, 0.6)
                                                          : own;
     double width = 0;
     if (const FancySeam* fancy = line.fancy()) {
@@ -263,7 +285,7 @@ void PatternPainter::paintAllPoints()
         if (visible(patch) && (selected(id) || hovered(id)) && pointsReadable(patch, m_in.transform))
             paintPoints(id, patch.points, patch.corners, patch.patch().outline);
     for (const auto& [id, line] : m_in.scene.lines())
-        if (selected(id) || hovered(id))
+        if (m_in.layers.shows(line) && (selected(id) || hovered(id)))
             paintPoints(id, line.points, line.corners, line.curve());
     paintFollowers();
 }

@@ -24,6 +24,12 @@ struct PatternLayers {
     bool seams = true;
     bool points = true;
     bool labels = true;
+    bool handles = true; ///< handle curves
+    bool fancySeams = true;
+
+    bool shows(const PatternLine& line) const { return line.fancy() ? fancySeams : handles; }
+    bool twins = true;    ///< the mirror image of what is selected
+    bool symmetry = true; ///< the axis
 
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };
@@ -37,12 +43,14 @@ public:
         const PatternMap& map;
         const Selection& selection;
         const ProblemSet& problems;
+        const std::set<ElementId>& invalid; ///< what the present drag would break
         const std::map<ElementId, QColor>& seamColors;
         PatternTransform transform;
         PatternLayers layers;
         ViewColors colors;
         QFont font;
         QSize size;
+        const std::set<ElementId>& mirrored; ///< of what is selected or under the pointer
     };
 
     PatternPainter(QPainter& painter, const Input& input);
@@ -54,6 +62,8 @@ public:
 private:
     bool selected(ElementId id) const;
     bool hovered(ElementId id) const;
+    bool bad(ElementId id) const;
+    bool mirrored(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 

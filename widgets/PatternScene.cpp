@@ -223,12 +223,12 @@ Box2 PatternScene::boundingBox(const std::set<ElementId>& ids) const
     return box;
 }
 
-PatternHit PatternScene::hit(const Vec2& at, double tolerance,
-                             const std::function<bool(ElementId)>& pointsShown) const
+PatternHit PatternScene::hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
+                             const std::function<bool(const PatternLine&)>& lineShown) const
 {
     if (const std::optional<PatternHit> point = hitPoint(at, tolerance, pointsShown))
         return *point;
-    if (const std::optional<PatternHit> line = hitLine(at, tolerance))
+    if (const std::optional<PatternHit> line = hitLine(at, tolerance, lineShown))
         return *line;
     if (const std::optional<PatternHit> outline = hitOutline(at, tolerance))
         return *outline;
@@ -261,13 +261,14 @@ std::optional<PatternHit> PatternScene::hitPoint(const Vec2& at, double toleranc
     return best;
 }
 
-std::optional<PatternHit> PatternScene::hitLine(const Vec2& at, double tolerance) const
+std::optional<PatternHit> PatternScene::hitLine(const Vec2& at, double tolerance,
+                                                const std::function<bool(const PatternLine&)>& lineShown) const
 {
     std::optional<PatternHit> best;
     double nearest = tolerance;
     for (const auto& [id, line] : m_lines) {
         const PatternPatch* on = patch(line.patch);
-        if (!on || on->box.exteriorDistance(at) > tolerance)
+        if (!on || on->box.exteriorDistance(at) > tolerance || (lineShown && !lineShown(line)))
             continue;
         const BSpline2::Closest closest = line.curve().closest(fromLayout(on->patch(), at));
         if (closest.distance >= nearest)

@@ -101,7 +101,9 @@ public:
 
     /// Points before lines before outlines before inside; upper patches before lower ones. `tolerance` in mm.
     /// Points are hit only where `pointsShown`.
-    PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown) const;
+    /// Lines are hit only where `lineShown`.
+    PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
+                   const std::function<bool(const PatternLine&)>& lineShown = {}) const;
 
 private:
     void updatePatch(const Design& design, ElementId id);
@@ -110,7 +112,8 @@ private:
     void addStretch(PatternStretch added, const Stretch& stretch);
     std::optional<PatternHit> hitPoint(const Vec2& at, double tolerance,
                                        const std::function<bool(ElementId)>& pointsShown) const;
-    std::optional<PatternHit> hitLine(const Vec2& at, double tolerance) const;
+    std::optional<PatternHit> hitLine(const Vec2& at, double tolerance,
+                                      const std::function<bool(const PatternLine&)>& lineShown) const;
     std::optional<PatternHit> hitOutline(const Vec2& at, double tolerance) const;
 
     std::map<ElementId, PatternPatch> m_patches; ///< later ones lie on top

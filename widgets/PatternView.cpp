@@ -8,13 +8,16 @@
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
+#include "SelectionEdits.h"
 #include "SelectionSteps.h"
+#include "Translated.h"
 #include "Units.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPainter>
+#include <QScopeGuard>
 #include <QToolTip>
 
 #include <cmath>
@@ -45,8 +48,12 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     setMinimumSize(200, 160);
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&document, &Document::changed, this, &PatternView::designChanged);
-    connect(&selection, &Selection::changed, this, &PatternView::refresh);
-    connect(&selection, &Selection::hoverChanged, this, &PatternView::refresh);
+    const auto selectionChanged = [this] {
+        m_mirrored = mirroredOfMarked(m_document.design(), m_selection);
+        refresh();
+    };
+    connect(&selection, &Selection::changed, this, selectionChanged);
+    connect(&selection, &Selection::hoverChanged, this, selectionChanged);
     connect(&problems, &ProblemSet::changed, this, &PatternView::refresh);
     m_scene.reset(document.design());
     m_seamColors = seamColors(document.design(), ViewColors::of(palette()).dark);
@@ -64,6 +71,7 @@ void PatternView::designChanged(const std::set<ElementId>& ids)
         return; // the pattern stays as it is while a curve is dragged in 3D
     m_scene.update(m_document.design(), ids);
     m_seamColors = seamColors(m_document.design(), ViewColors::of(palette()).dark);
+    m_mirrored = mirroredOfMarked(m_document.design(), m_selection);
     refresh();
 }
 
@@ -174,19 +182,28 @@ void PatternView::endTool()
 
 QString PatternView::prompt() const
 {
+    if (const auto& breakage = m_document.breakage())
+        return tr("%1 Let go here, and it goes back to where it was.").arg(translated(breakage->why));
     return m_tool->prompt();
 }
 
 PatternHit PatternView::hit(QPointF pixel) const
 {
-    return m_scene.hit(m_transform.toLayout(pixel), m_transform.millimetres(grabRadius),
-                       [this](ElementId id) { return pointsShown(id); });
+    if (m_moving && m_hit && m_hit->first == pixel)
+        return m_hit->second;
+    const PatternHit found = m_scene.hit(
+        m_transform.toLayout(pixel), m_transform.millimetres(grabRadius),
+        [this](ElementId id) { return pointsShown(id); },
+        [this](const PatternLine& line) { return m_layers.shows(line); });
+    m_hit = {pixel, found};
+    return found;
 }
 
 bool PatternView::pointsShown(ElementId id) const
 {
-    if (m_scene.lines().contains(id))
-        return m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id);
+    if (const auto line = m_scene.lines().find(id); line != m_scene.lines().end())
+        return m_layers.points && m_layers.shows(line->second) &&
+               (m_selection.contains(id) || m_selection.hovered() == id);
     const PatternPatch* patch = m_scene.patch(id);
     return patch && m_layers.points && (m_selection.contains(id) || m_selection.hovered() == id) &&
            PatternPainter::pointsReadable(*patch, m_transform);
@@ -230,9 +247,9 @@ void PatternView::refresh()
         setCursor(Qt::ClosedHandCursor);
     else
         setCursor(m_spaceDown ? QCursor(Qt::OpenHandCursor) : m_tool->cursor());
-    if (const QString prompt = m_tool->prompt(); prompt != m_prompt) {
-        m_prompt = prompt;
-        emit promptChanged(prompt);
+    if (const QString text = prompt(); text != m_prompt) {
+        m_prompt = text;
+        emit promptChanged(text);
     }
     for (PatternRuler* ruler : m_rulers)
         ruler->update();
@@ -324,8 +341,9 @@ void PatternView::paintEvent(QPaintEvent*)
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.92);
     QPainter painter(this);
-    const PatternPainter::Input input{m_scene,     m_mesh,   m_map,  m_selection, m_problems, m_seamColors,
-                                      m_transform, m_layers, colors, small,       size()};
+    const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
+    const PatternPainter::Input input{m_scene,      m_mesh,      m_map,    m_selection, m_problems, invalid,
+                                      m_seamColors, m_transform, m_layers, colors,      small,      size(), m_mirrored};
     PatternPainter(painter, input).paint();
     paintBackground(painter, m_background, m_transform, colors.dark);
     paintGuides(painter, m_snap.guides, m_transform, size(), colors);
@@ -375,6 +393,9 @@ void PatternView::mouseMoveEvent(QMouseEvent* event)
         setTransform(m_transform.panned(event->position() - *m_panFrom));
         m_panFrom = event->position();
     } else {
+        m_hit.reset();
+        m_moving = true;
+        const auto moved = qScopeGuard([this] { m_moving = false; });
         m_tool->move(pointerOf(*event));
         emit patchPointed(patchPointAt(event->position())); // panning keeps it
     }

@@ -123,10 +123,13 @@ private:
     Crosshair* m_crosshair;
     std::optional<CoverPoint> m_place; ///< of the cross-hair
     QPointF m_pressedAt;               ///< the left button
+    bool m_moving = false;             ///< the pointer: what lies under it is looked up once
+    mutable std::optional<std::pair<QPointF, PatternHit>> m_hit; ///< while m_moving
     SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternTransform m_transform;
     PatternLayers m_layers;
+    std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
     SnapSettings m_snap;
     PatternGuides m_guides;
     bool m_guidesShown = true;

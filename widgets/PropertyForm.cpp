@@ -202,7 +202,8 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
         layout->addWidget(box, 1);
         boxes.push_back(box);
     }
-    addField(QStringLiteral("%1, %2").arg(label, range.unit.trimmed()), row, [boxes, read] {
+    const QString unit = range.unit.trimmed();
+    addField(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit), row, [boxes, read] {
         for (std::size_t i = 0; i < boxes.size(); ++i)
             boxes[i]->display(read(static_cast<int>(i)));
     });

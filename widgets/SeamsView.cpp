@@ -7,6 +7,7 @@
 #include "Selection.h"
 #include "ViewColors.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QEvent>
 #include <QHeaderView>
@@ -46,7 +47,7 @@ public:
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
     {
         const int sign = index.column() == SeamsModel::Difference ? signSpace : 0;
-        return {QStyledItemDelegate::sizeHint(option, index).width() + sign, option.fontMetrics.height() + 9};
+        return {QStyledItemDelegate::sizeHint(option, index).width() + sign, 2 * option.fontMetrics.height() + 6};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -61,7 +62,10 @@ public:
             selected ? option.palette.color(QPalette::HighlightedText) : ViewColors::of(option.palette).warning;
         if (puckers)
             shown.palette.setColor(QPalette::Text, warning);
-        QStyledItemDelegate::paint(painter, shown, index);
+        if (index.column() == SeamsModel::Name)
+            paintSides(*painter, shown, index);
+        else
+            QStyledItemDelegate::paint(painter, shown, index);
         if (puckers && index.column() == SeamsModel::Difference)
             icon(QStringLiteral("warning"), warning)
                 .paint(painter, QRect(option.rect.left() + 3, option.rect.center().y() - 7, 14, 14));
@@ -98,6 +102,25 @@ public:
     }
 
 private:
+    /// The two sides one below the other: side by side, names would have to be cut off.
+    void paintSides(QPainter& painter, QStyleOptionViewItem option, const QModelIndex& index) const
+    {
+        initStyleOption(&option, index);
+        const QStringList sides = option.text.split(QStringLiteral(" \u2013 "));
+        option.text.clear();
+        const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
+        style->drawControl(QStyle::CE_ItemViewItem, &option, &painter, option.widget);
+        const bool selected = option.state & QStyle::State_Selected;
+        painter.setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+        painter.setFont(option.font);
+        const QRect box = option.rect.adjusted(4, 2, -2, -2);
+        const int line = option.fontMetrics.height();
+        for (qsizetype i = 0; i < sides.size(); ++i)
+            painter.drawText(QRect(box.left(), box.top() + static_cast<int>(i) * line + 1, box.width(), line),
+                             Qt::AlignLeft | Qt::AlignVCenter,
+                             option.fontMetrics.elidedText(sides[i], Qt::ElideMiddle, box.width()));
+    }
+
     static constexpr int signSpace = 18; // pixels
 
     Document& m_document;
@@ -161,8 +184,8 @@ void SeamsView::buildTable()
     header->setMinimumSectionSize(28);
     const int digit = m_table->fontMetrics().horizontalAdvance(u'0');
     for (const auto& [column, digits] :
-         {std::pair(SeamsModel::Label, 5), std::pair(SeamsModel::Name, 15), std::pair(SeamsModel::Difference, 11),
-          std::pair(SeamsModel::Ratio, 9), std::pair(SeamsModel::ContinuityColumn, 6),
+         {std::pair(SeamsModel::Label, 4), std::pair(SeamsModel::Name, 16), std::pair(SeamsModel::Difference, 10),
+          std::pair(SeamsModel::Ratio, 7), std::pair(SeamsModel::ContinuityColumn, 6),
           std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
           std::pair(SeamsModel::MatchColumn, 11)})
         header->resizeSection(column, digits * digit + 8);

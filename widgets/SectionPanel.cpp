@@ -9,6 +9,9 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cmath>
+
 namespace bolster {
 
 namespace {
@@ -61,7 +64,10 @@ SectionPanel::SectionPanel(QWidget* parent)
     turn->setIcon(icon(QStringLiteral("swap")));
     QToolButton* close = addButton({}, tr("Close the section"));
     close->setIcon(icon(QStringLiteral("close")));
-    connect(m_slider, &QSlider::valueChanged, this, &SectionPanel::announce);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int step) {
+        m_offset = m_range.first + (m_range.second - m_range.first) * step / steps;
+        announce();
+    });
     connect(turn, &QToolButton::clicked, this, &SectionPanel::flip);
     connect(close, &QToolButton::clicked, this, &SectionPanel::closed);
     hide();
@@ -102,8 +108,7 @@ void SectionPanel::choose(int direction)
     m_normal = direction == 3 ? toEye : Vec3(Vec3::Unit(direction));
     m_flipped = m_normal.dot(toEye) < 0;
     m_range = sectionRange(m_box(), m_normal);
-    const QSignalBlocker silent(m_slider);
-    m_slider->setValue(steps / 2);
+    m_offset = (m_range.first + m_range.second) / 2;
     announce();
 }
 
@@ -113,15 +118,38 @@ void SectionPanel::flip()
     announce();
 }
 
-double SectionPanel::offset() const
+void SectionPanel::setPlane(const SectionPlane& plane)
 {
-    return m_range.first + (m_range.second - m_range.first) * m_slider->value() / steps;
+    if (!on())
+        return;
+    m_flipped = m_normal.dot(plane.normal) < 0;
+    const bool turned = std::abs(m_normal.dot(plane.normal)) < 1 - 1e-12;
+    m_normal = m_flipped ? Vec3(-plane.normal) : plane.normal;
+    m_offset = m_flipped ? -plane.offset : plane.offset;
+    m_range = sectionRange(m_box(), m_normal);
+    // A plane that has been turned has none of these directions.
+    if (turned) {
+        QButtonGroup* group = m_directions[0]->group();
+        group->setExclusive(false);
+        for (std::size_t i = 0; i < m_directions.size(); ++i)
+            m_directions[i]->setChecked(i < 3 && std::abs(m_normal[static_cast<Eigen::Index>(i)]) > 1 - 1e-9);
+        group->setExclusive(true);
+    }
+    announce();
+}
+
+void SectionPanel::showOffset()
+{
+    const QSignalBlocker silent(m_slider);
+    const double share = (m_offset - m_range.first) / (m_range.second - m_range.first);
+    m_slider->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * steps)));
+    m_value->setText(lengthText(m_offset));
 }
 
 void SectionPanel::announce()
 {
-    m_value->setText(lengthText(offset()));
-    emit changed(SectionPlane{m_flipped ? Vec3(-m_normal) : m_normal, m_flipped ? -offset() : offset()});
+    showOffset();
+    emit changed(SectionPlane{m_flipped ? Vec3(-m_normal) : m_normal, m_flipped ? -m_offset : m_offset});
 }
 
 } // namespace bolster

@@ -28,6 +28,8 @@ public:
     /// Shows it and begins in the middle of the scene, or hides it.
     void setOn(bool on);
     bool on() const { return !isHidden(); }
+    /// Moves the plane, from elsewhere than the panel; announced as changes of its own are.
+    void setPlane(const SectionPlane& plane);
     /// To the lower left corner of the parent.
     void place();
 
@@ -40,7 +42,7 @@ private:
     void choose(int direction);
     void flip();
     void announce();
-    double offset() const;
+    void showOffset();
 
     std::function<Box3()> m_box;
     std::function<Camera()> m_camera;
@@ -49,6 +51,7 @@ private:
     QLabel* m_value;
     Vec3 m_normal = Vec3::UnitX();
     std::pair<double, double> m_range{-1, 1}; ///< mm
+    double m_offset = 0;                      ///< mm, along m_normal
     bool m_flipped = false;
 };
 

@@ -47,4 +47,16 @@ std::pair<double, double> sectionRange(const Box3& box, const Vec3& normal)
     return {middle - reach, middle + reach};
 }
 
+std::vector<Vec3> planeFrame(const Box3& box, const Vec3& normal, double offset)
+{
+    constexpr double margin = 0.04; // of the box's diagonal
+    const Vec3 up = std::abs(normal.z()) > 0.9 ? Vec3::UnitY() : Vec3::UnitZ();
+    const Vec3 u = up.cross(normal).normalized(), v = normal.cross(u), center = box.center();
+    const Vec3 middle = center + (offset - normal.dot(center)) * normal;
+    const Vec3 half = box.sizes() / 2;
+    const double more = margin * box.diagonal().norm();
+    const Vec3 x = (half.dot(u.cwiseAbs()) + more) * u, y = (half.dot(v.cwiseAbs()) + more) * v;
+    return {middle - x - y, middle + x - y, middle + x + y, middle - x + y, middle - x - y};
+}
+
 } // namespace bolster

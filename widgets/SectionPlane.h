@@ -26,5 +26,8 @@ std::vector<std::vector<Eigen::Vector3f>> keptParts(const std::vector<Eigen::Vec
 std::vector<Eigen::Vector3f> keptPoints(const std::vector<Eigen::Vector3f>& points, const SectionPlane& section);
 /// From where to where the plane's offset can go while it cuts the box: mm.
 std::pair<double, double> sectionRange(const Box3& box, const Vec3& normal);
+/// A rectangle around what a plane cuts of a box, and a little more: five points, from the lower left corner on,
+/// seen against the unit normal. The box must not be empty.
+std::vector<Vec3> planeFrame(const Box3& box, const Vec3& normal, double offset);
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "ElementEdits.h"
 #include "PatchEdits.h"
 #include "Selection.h"
+#include "TwinEdits.h"
 
 #include <QCoreApplication>
 
@@ -128,6 +129,14 @@ void removeAndForget(Document& document, Selection& selection, const Edit& remov
 {
     selection.set(selection.elements());
     document.commit(removal);
+}
+
+std::set<ElementId> mirroredOfMarked(const Design& design, const Selection& selection)
+{
+    std::set<ElementId> marked = selection.elements();
+    if (selection.hovered() != settingsId)
+        marked.insert(selection.hovered());
+    return edits::mirroredElements(design, marked);
 }
 
 } // namespace bolster

@@ -67,4 +67,7 @@ void pruneSelection(Selection& selection, const Design& design);
 /// Commits a removal; no other point takes the place of a removed one in the selection.
 void removeAndForget(Document& document, Selection& selection, const Edit& removal);
 
+/// What follows the selected elements and the one under the pointer as their mirror image.
+std::set<ElementId> mirroredOfMarked(const Design& design, const Selection& selection);
+
 } // namespace bolster

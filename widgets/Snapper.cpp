@@ -229,10 +229,37 @@ void Snapper::addAlignments(const SnapQuery& query, std::vector<Rail>& rails) co
 
 void Snapper::addLengths(const SnapQuery& query, std::vector<Rail>& rails) const
 {
-    if (!query.from)
-        return;
-    const Vec2 from = *query.from;
-    const double length = (query.at - from).norm();
+    std::vector<Vec2> starts = query.lengthsFrom;
+    if (query.from)
+        starts.push_back(*query.from);
+    for (const Vec2& from : starts) {
+        const double best = lengthNear(query, (query.at - from).norm());
+        if (best == 0)
+            continue;
+        const auto nearest = [from, best](const Vec2& at) {
+            const Vec2 out = (at - from).norm() > 0 ? Vec2((at - from).normalized()) : Vec2::UnitX();
+            return Tangent{from + best * out, {-out.y(), out.x()}};
+        };
+        rails.push_back({{SnapHint::Kind::EqualLength, from, from, best}, 0.4, nearest});
+    }
+    for (int axis = 0; query.boxFrom && axis < 2; ++axis) {
+        const double way = query.at[axis] - (*query.boxFrom)[axis];
+        const double best = lengthNear(query, std::abs(way));
+        if (best == 0)
+            continue;
+        const double place = (*query.boxFrom)[axis] + std::copysign(best, way);
+        const auto nearest = [axis, place](const Vec2& at) {
+            return axis == 0 ? Tangent{{place, at.y()}, Vec2::UnitY()} : Tangent{{at.x(), place}, Vec2::UnitX()};
+        };
+        Vec2 from = query.at;
+        from[axis] = (*query.boxFrom)[axis];
+        rails.push_back({{SnapHint::Kind::EqualLength, from, from, best}, 0.4, nearest});
+    }
+}
+
+/// The length of an edge that is nearest to this one; 0 without any. Edges that end at what moves do not count.
+double Snapper::lengthNear(const SnapQuery& query, double length) const
+{
     double best = 0;
     const auto offer = [&](double other) {
         if (other > m_reach && std::abs(other - length) < std::abs(best - length))
@@ -240,18 +267,18 @@ void Snapper::addLengths(const SnapQuery& query, std::vector<Rail>& rails) const
     };
     for (std::size_t i = 1; i < query.own.size(); ++i)
         offer((query.own[i] - query.own[i - 1]).norm());
-    for (const auto& [id, patch] : m_scene.patches())
-        if (!query.ignored.contains(id))
-            for (const PatternEdge& edge : patch.edges)
-                if (edge.ends)
-                    offer(edge.length);
-    if (best == 0)
-        return;
-    const auto nearest = [from, best](const Vec2& at) {
-        const Vec2 out = (at - from).norm() > 0 ? Vec2((at - from).normalized()) : Vec2::UnitX();
-        return Tangent{from + best * out, {-out.y(), out.x()}};
-    };
-    rails.push_back({{SnapHint::Kind::EqualLength, from, from, best}, 0.4, nearest});
+    for (const auto& [id, patch] : m_scene.patches()) {
+        if (query.ignored.contains(id))
+            continue;
+        const BSpline2& outline = patch.patch().outline;
+        const auto moves = [&](double parameter) {
+            return query.ignoredPoints.contains({id, outline.pointAt(outline.wrapped(parameter))});
+        };
+        for (const PatternEdge& edge : patch.edges)
+            if (edge.ends && (query.ignoredPoints.empty() || (!moves(edge.from) && !moves(edge.to))))
+                offer(edge.length);
+    }
+    return best;
 }
 
 void Snapper::addGuides(const SnapQuery& query, std::vector<Rail>& rails) const

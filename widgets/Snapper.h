@@ -40,10 +40,12 @@ struct Snapped {
 /// What is asked: everything in layout mm.
 struct SnapQuery {
     Vec2 at = Vec2::Zero();
-    std::optional<Vec2> from{};    ///< the edge that ends at the point begins here: directions and lengths count
-    std::optional<Vec2> before{};  ///< and the edge before it here: perpendicular and straight on
-    std::vector<Vec2> own{};       ///< points of what is being drawn
-    std::set<ElementId> ignored{}; ///< patches that move along
+    std::optional<Vec2> from{};      ///< the edge that ends at the point begins here: directions and lengths count
+    std::vector<Vec2> lengthsFrom{}; ///< straight edges that end at the point begin here: only lengths count
+    std::optional<Vec2> boxFrom{};   ///< the point is the corner of a box opposite this one: its sides count
+    std::optional<Vec2> before{};    ///< and the edge before it here: perpendicular and straight on
+    std::vector<Vec2> own{};         ///< points of what is being drawn
+    std::set<ElementId> ignored{};   ///< patches that move along
     std::set<std::pair<ElementId, int>> ignoredPoints{}; ///< control points that move along
 };
 
@@ -67,6 +69,7 @@ private:
     void addDirections(const SnapQuery& query, std::vector<Rail>& rails) const;
     void addAlignments(const SnapQuery& query, std::vector<Rail>& rails) const;
     void addLengths(const SnapQuery& query, std::vector<Rail>& rails) const;
+    double lengthNear(const SnapQuery& query, double length) const;
     void addGuides(const SnapQuery& query, std::vector<Rail>& rails) const;
     void addGrid(const SnapQuery& query, std::vector<Rail>& rails) const;
 

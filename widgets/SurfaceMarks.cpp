@@ -64,6 +64,12 @@ void addFieldLines(const FieldPicture& field, SurfaceScene& scene)
     }
 }
 
+/// Lighter than what is selected: what is done to the selection is done to it, too.
+QColor mirroredColor(const ViewColors& colors)
+{
+    return mixed(colors.accent, Qt::white, 0.45);
+}
+
 void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const
 {
     scene.lines.clear();
@@ -94,6 +100,8 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
             line = {line.points, scene.colors.accent, 3, 0.35F, 1};
         else if (m_selection.hovered() == chain.seam)
             line = {line.points, scene.colors.hover, 3, 0.25F, 1};
+        else if (mirrored(chain.seam))
+            line = {line.points, mirroredColor(scene.colors), 2.4F, 0.25F, 1};
         scene.lines.push_back(std::move(line));
     }
 }
@@ -107,10 +115,11 @@ void SurfaceMarks::addFancySeams(SurfaceScene& scene) const
         const bool middle = line.across == 0, outer = std::abs(line.across) == 1;
         if (m_curves.all().contains(line.element) || !(middle || outer))
             continue;
-        if (selected || hovered)
-            scene.lines.push_back({pointsOf(mesh, line.vertices),
-                                   selected ? scene.colors.accent : scene.colors.hover, middle ? 2.4F : 1.2F,
-                                   0.3F});
+        const QColor marked = selected  ? scene.colors.accent
+                              : hovered ? scene.colors.hover
+                                        : mirroredColor(scene.colors);
+        if (selected || hovered || mirrored(line.element))
+            scene.lines.push_back({pointsOf(mesh, line.vertices), marked, middle ? 2.4F : 1.2F, 0.3F});
         else
             scene.lines.push_back({pointsOf(mesh, line.vertices),
                                    withAlpha(scene.colors.fancySeam, middle ? 0.7F : 0.4F), middle ? 1.2F : 0.8F,
@@ -132,6 +141,8 @@ void SurfaceMarks::addOutlines(SurfaceScene& scene) const
             add(outlineOf(range), scene.colors.accent, 2.4F, 0.25F);
         else if (m_selection.hovered() == range.patch)
             add(outlineOf(range), scene.colors.hover, 1.8F, 0);
+        else if (mirrored(range.patch))
+            add(outlineOf(range), mirroredColor(scene.colors), 1.8F, 0.15F);
     }
 }
 
@@ -140,8 +151,11 @@ void SurfaceMarks::addCurve(SurfaceScene& scene, ElementId id, const SurfaceCurv
     const bool selected = m_selection.contains(id), hovered = m_selection.hovered() == id;
     SurfaceLine line;
     line.points = pointsOf(curve.points);
-    line.color = selected ? scene.colors.accent : curveColor(scene.colors, curve);
-    line.width = selected || hovered ? 3.2F : 2.2F;
+    const bool twin = mirrored(id) && !selected;
+    line.color = selected ? scene.colors.accent
+                 : twin   ? mirroredColor(scene.colors)
+                          : curveColor(scene.colors, curve);
+    line.width = selected || hovered ? 3.2F : twin ? 2.8F : 2.2F;
     line.hidden = selected || hovered ? 0.6F : 0.22F;
     line.casing = 0.8F;
     scene.lines.push_back(std::move(line));

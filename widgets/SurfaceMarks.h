@@ -12,6 +12,9 @@ class Selection;
 /// The colour of fixation curves; selected ones take the accent.
 QColor fixationCurveColor(const ViewColors& colors);
 
+/// Of the mirror image of what is selected.
+QColor mirroredColor(const ViewColors& colors);
+
 /// Adds sections and arrows, seen through the cover.
 void addFieldLines(const FieldPicture& field, SurfaceScene& scene);
 
@@ -21,6 +24,7 @@ public:
     struct Shown {
         bool seams = true;
         bool heldNormals = true;
+        std::set<ElementId> mirrored = {}; ///< of what is selected or under the pointer
     };
 
     SurfaceMarks(const Design& design, const SurfaceCurves& curves, const Selection& selection, Shown shown)
@@ -33,6 +37,7 @@ public:
     void fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const;
 
 private:
+    bool mirrored(ElementId id) const { return m_shown.mirrored.contains(id); }
     void addSeams(SurfaceScene& scene) const;
     void addFancySeams(SurfaceScene& scene) const;
     void addOutlines(SurfaceScene& scene) const;

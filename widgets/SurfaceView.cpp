@@ -4,12 +4,14 @@
 #include "Document.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
+#include "PointerNote.h"
 #include "ScanCutTool.h"
 #include "SectionPanel.h"
 #include "Selection.h"
 #include "SoftwareCanvas.h"
 #include "SurfaceMarks.h"
 #include "SurfaceViewCube.h"
+#include "SymmetryMark.h"
 
 #include <QEvent>
 #include <QResizeEvent>
@@ -41,8 +43,9 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
-    , m_layers{Layer::Cover,        Layer::Checker,    Layer::Seams, Layer::Frames, Layer::FixationCurves,
-               Layer::HandleCurves, Layer::FancySeams, Layer::Scans, Layer::Ground}
+    , m_layers{Layer::Cover,          Layer::Checker,      Layer::Seams,      Layer::Frames,
+               Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams, Layer::Scans,
+               Layer::Ground,         Layer::Twins,        Layer::Symmetry}
     , m_frameShapes([this] {
         m_scene.frameShapes = m_frameShapes.shapes();
         draw(false);
@@ -51,6 +54,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_legend(new MapLegend(this))
     , m_sectionPanel(new SectionPanel(this))
     , m_crosshair(new Crosshair(this))
+    , m_note(new PointerNote(this))
     , m_tool(makeSurfaceTool(m_toolKind, *this))
     , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
         m_scene.occlusion = std::move(occlusion);
@@ -90,6 +94,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     connect(m_sectionPanel, &SectionPanel::closed, this, &SurfaceView::sectionClosed);
     connect(&m_document, &Document::changed, this, &SurfaceView::designChanged);
     const auto selectionChanged = [this] {
+        updateMirrored();
         updateScans();
         updateLooks();
         updateMarks();
@@ -150,8 +155,8 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
     m_sinceSurface.start();
     m_occlusionJob.cancel();
     updateLooks();
-    updateMarks();
     updateBox();
+    updateMarks();
     m_occlusionDelay.start();
     draw(moving);
 }
@@ -238,6 +243,7 @@ void SurfaceView::setLayerVisible(Layer layer, bool visible)
     m_scene.checker = layerVisible(Layer::Checker);
     m_scene.meshEdges = layerVisible(Layer::MeshEdges);
     m_scene.ground = layerVisible(Layer::Ground);
+    updateMirrored();
     updateCurves();
     updateFrames();
     updateScans();
@@ -253,9 +259,10 @@ void SurfaceView::designChanged(const std::set<ElementId>& ids)
     updateCurves();
     updateFrames();
     updateScans();
+    updateMirrored();
     updateLooks();
-    updateMarks();
     updateBox();
+    updateMarks();
     draw(m_document.gestureRunning());
 }
 
@@ -322,9 +329,9 @@ void SurfaceView::updateLooks()
     for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
         const Fabric* fabric = m_document.design().find<Fabric>(range.fabric);
         QColor tint = m_scene.colors.accent;
-        tint.setAlphaF(m_selection.contains(range.patch)      ? 0.14F
-                       : m_selection.hovered() == range.patch ? 0.07F
-                                                              : 0);
+        tint.setAlphaF(m_selection.contains(range.patch)                                          ? 0.14F
+                       : m_selection.hovered() == range.patch || m_mirrored.contains(range.patch) ? 0.07F
+                                                                                                  : 0);
         const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
         m_scene.patches.push_back({range.patch, color, tint});
     }
@@ -332,16 +339,20 @@ void SurfaceView::updateLooks()
 
 void SurfaceView::updateMarks()
 {
-    const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves)};
+    const SurfaceMarks::Shown shown{layerVisible(Layer::Seams), layerVisible(Layer::FixationCurves), m_mirrored};
     SurfaceMarks(m_document.design(), m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
     if (layerVisible(Layer::Frames))
         m_foamMeshes.addLines(m_document.design(), m_selection, m_scene);
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
     addScanPairs();
+    if (const auto& symmetry = m_document.design().settings().symmetry; symmetry && layerVisible(Layer::Symmetry))
+        addSymmetryPlane(*symmetry, m_scene);
     cutMarks();
     for (SurfaceLine& guide : m_tool->guides())
         m_scene.lines.push_back(std::move(guide));
+    for (SurfaceLine& line : m_sectionHandle.lines())
+        m_scene.lines.push_back(std::move(line));
 }
 
 void SurfaceView::addScanPairs()
@@ -376,6 +387,7 @@ void SurfaceView::updateBox()
         m_camera.fit(box);
     } else if (box.isEmpty()) {
         m_fitPending = true;
+        m_scene.box = Box3(Vec3(-500, -500, 0), Vec3(500, 500, 0)); // ground to draw on
     }
 }
 
@@ -399,12 +411,13 @@ void SurfaceView::draw(bool moving)
 
 void SurfaceView::refresh()
 {
-    const QString text = m_tool->prompt();
+    const QString text = prompt();
     if (text != m_prompt) {
         m_prompt = text;
         emit promptChanged(text);
     }
-    setCursor(m_tool->cursor());
+    setCursor(m_sectionHandle.hovering() ? QCursor(Qt::SizeAllCursor) : m_tool->cursor());
+    m_note->showNote(m_tool->note());
     const auto hovered = m_tool->hoveredPoint();
     const bool guided = !m_tool->guides().empty();
     if (hovered != m_hoveredPoint || guided || m_guided) {
@@ -417,7 +430,7 @@ void SurfaceView::refresh()
 
 QString SurfaceView::prompt() const
 {
-    return m_tool->prompt();
+    return m_sectionHandle.hovering() ? m_sectionHandle.prompt() : m_tool->prompt();
 }
 
 SurfaceHit SurfaceView::hit(QPointF pixel) const
@@ -429,7 +442,7 @@ void SurfaceView::apply(const Camera& camera)
 {
     m_camera = camera;
     m_camera.size = {std::max(width(), 1), std::max(height(), 1)};
-    if (!m_tool->guides().empty())
+    if (m_scene.section || !m_tool->guides().empty())
         updateMarks(); // handles keep their size in the picture
     placeCrosshair();
     draw(true);

@@ -8,6 +8,7 @@
 #include "FoamMeshes.h"
 #include "MapLegend.h"
 #include "ScanPoints.h"
+#include "SectionHandle.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceHit.h"
@@ -30,6 +31,7 @@ namespace bolster {
 
 class Document;
 class Crosshair;
+class PointerNote;
 class SectionPanel;
 class Selection;
 class SurfaceViewCube;
@@ -55,7 +57,9 @@ public:
         Scans,
         ScanPairs,
         Ground,
-        Field
+        Field,
+        Twins,   ///< the mirror image of what is selected
+        Symmetry ///< the plane
     };
     Q_ENUM(Layer)
 
@@ -189,11 +193,17 @@ private:
     void addScanPairs();
     void updateLooks();
     void updateMarks();
+    void updateMirrored();
     void updateCurves();
     void updateCover();
     std::set<ElementId> unseen() const;
     void cutMarks();
     void cutPoints();
+    bool pressSection(const QMouseEvent& event);
+    bool moveSection(const QMouseEvent& event);
+    bool releaseSection(const QMouseEvent& event);
+    bool cancelSection();
+    void sectionHandleChanged();
     void placeCrosshair();
     std::optional<CoverPoint> coverPointOf(const SurfaceHit& solid) const;
     void updateBox();
@@ -220,6 +230,7 @@ private:
     SurfaceScene m_scene;
     SurfaceCurves m_curves;
     std::set<ElementId> m_hidden;
+    std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
     VisibleCover m_visibleCover;
     CoverPlaces m_places; ///< on what is shown of the cover
     double m_scanOpacity = 1;
@@ -231,12 +242,14 @@ private:
     std::vector<std::pair<Vec3, Vec3>> m_scanPairs; ///< on the cover, and of the scan
     SurfaceHitTest m_hitTest{m_frameShapes};
     Camera m_camera;
+    SectionHandle m_sectionHandle{m_scene, m_camera};
 
     std::unique_ptr<SurfaceCanvas> m_canvas;
     SurfaceViewCube* m_cube;
     MapLegend* m_legend;
     SectionPanel* m_sectionPanel;
     Crosshair* m_crosshair;
+    PointerNote* m_note;
     std::optional<Vec3> m_place; ///< of the cross-hair, mm
     QPointF m_pressedAt;         ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;

@@ -65,6 +65,8 @@ void SurfaceView::mousePressEvent(QMouseEvent* event)
     const bool left = event->button() == Qt::LeftButton, alt = event->modifiers() & Qt::AltModifier;
     if (left && !alt) {
         m_pressedAt = event->position();
+        if (pressSection(*event))
+            return;
         m_tool->press(pointerOf(*event));
         return;
     }
@@ -81,6 +83,8 @@ void SurfaceView::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_navigation != Navigation::None) {
         navigate(event->position());
+    } else if (moveSection(*event)) {
+        return;
     } else if (!m_tool->move(pointerOf(*event)) && event->buttons() & Qt::LeftButton) {
         m_navigationButton = Qt::LeftButton;
         startNavigation(event->modifiers() & Qt::ShiftModifier ? Navigation::Pan : Navigation::Turn,
@@ -98,7 +102,7 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
             m_navigation = Navigation::None;
             setCursor(m_tool->cursor());
         }
-    } else if (event->button() == Qt::LeftButton) {
+    } else if (event->button() == Qt::LeftButton && !releaseSection(*event)) {
         m_tool->release(pointerOf(*event));
         const bool click = (event->position() - m_pressedAt).manhattanLength() < clickReach;
         if (const auto point = coverPointOf(m_hitTest.hitSolid(m_camera, event->position()));
@@ -109,7 +113,9 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
 
 void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && !(event->modifiers() & Qt::AltModifier))
+    if (m_sectionHandle.hovering() && event->button() == Qt::LeftButton)
+        pressSection(*event);
+    else if (event->button() == Qt::LeftButton && !(event->modifiers() & Qt::AltModifier))
         m_tool->doubleClick(pointerOf(*event));
     else
         mousePressEvent(event);
@@ -159,6 +165,11 @@ bool SurfaceView::handle(QEvent* event)
         event->accept();
         return true;
     }
+    if (event->type() == QEvent::ShortcutOverride && m_sectionHandle.dragging() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
         // During a drag these belong to the tool, whatever the menus say.
         const int key = static_cast<const QKeyEvent&>(*event).key();
@@ -172,7 +183,7 @@ bool SurfaceView::handle(QEvent* event)
 
 void SurfaceView::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && m_tool->escape())
+    if (event->key() == Qt::Key_Escape && (cancelSection() || m_tool->escape()))
         return;
     if (event->key() == Qt::Key_Home)
         fitAll();
@@ -188,6 +199,8 @@ void SurfaceView::keyReleaseEvent(QKeyEvent* event)
 
 void SurfaceView::leaveEvent(QEvent*)
 {
+    m_sectionHandle.leave();
+    sectionHandleChanged();
     m_tool->leave();
     emit pointerMoved(std::nullopt);
     emit coverPointed(std::nullopt);

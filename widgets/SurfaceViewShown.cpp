@@ -1,8 +1,9 @@
-// What of the scene the 3D view shows: hidden elements, the section, what is see-through, the other view's pointer.
+// What of the scene the 3D view shows: hidden elements, what the section cuts, what is see-through, the other
+// view's pointer.
 #include "Crosshair.h"
 #include "Document.h"
 #include "Hiding.h"
-#include "SectionPanel.h"
+#include "SelectionEdits.h"
 #include "SurfaceView.h"
 
 namespace bolster {
@@ -47,28 +48,17 @@ void SurfaceView::updateCurves()
     m_curves.update(m_document.design(), unseen());
 }
 
+void SurfaceView::updateMirrored()
+{
+    m_mirrored =
+        layerVisible(Layer::Twins) ? mirroredOfMarked(m_document.design(), m_selection) : std::set<ElementId>();
+}
+
 void SurfaceView::updateCover()
 {
     m_scene.surface = layerVisible(Layer::Cover) ? m_visibleCover.of(m_surface, unseen()) : nullptr;
     m_hitTest.setSurface(m_scene.surface);
     m_places.setSurface(m_scene.surface);
-}
-
-void SurfaceView::setSectionShown(bool shown)
-{
-    m_sectionPanel->setOn(shown);
-}
-
-void SurfaceView::setSection(const std::optional<SectionPlane>& section)
-{
-    if (section == m_scene.section)
-        return;
-    m_scene.section = section;
-    m_hitTest.setSection(section);
-    updateScans();
-    updateMarks();
-    placeCrosshair();
-    draw(true);
 }
 
 void SurfaceView::setFrameOpacity(double opacity)
@@ -123,7 +113,8 @@ void SurfaceView::showPlace(const std::optional<CoverPoint>& point)
 
 void SurfaceView::placeCrosshair()
 {
-    const std::optional<Vec2> pixel = m_place ? m_camera.pixel(*m_place) : std::nullopt;
+    const bool cutAway = m_place && m_scene.section && !m_scene.section->keeps(*m_place);
+    const std::optional<Vec2> pixel = m_place && !cutAway ? m_camera.pixel(*m_place) : std::nullopt;
     if (!pixel) {
         m_crosshair->showAt(std::nullopt);
         return;

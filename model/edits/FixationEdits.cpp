@@ -6,6 +6,7 @@
 #include "PatternLocator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace bolster::edits {
@@ -166,6 +167,21 @@ double shareNear(const std::vector<Vec3>& way, const Vec3& point)
     return static_cast<double>(nearest - way.begin()) / waySteps;
 }
 
+/// A place along a closed curve, mm; at its nearest corner if that is closer than `reach`: corners of the cover
+/// belong on those of what it is fixed to.
+double atCorner(const BSpline3& curve, const ArcLength3& length, double place, double reach)
+{
+    double best = place;
+    for (const double corner : curve.corners()) {
+        const double way = std::remainder(length.at(corner) - place, length.total());
+        if (std::abs(way) < reach) {
+            reach = std::abs(way);
+            best = place + way;
+        }
+    }
+    return best;
+}
+
 Message attachVerb(const Design& design, const Stretch& stretch, ElementId curve)
 {
     return {QT_TRANSLATE_NOOP("Message", "Attach %1 to %2"),
@@ -256,7 +272,8 @@ Edit attachStretches(const Design& design, std::span<const Stretch> stretches, E
     const std::vector<std::size_t> order = sorted(places);
     double at = 0;
     if (target->closed() && !ways[order[0]].empty())
-        at = length.at(places[order[0]]) - 0.5 * scale * lengths[order[0]];
+        at = atCorner(*target, length, length.at(places[order[0]]) - 0.5 * scale * lengths[order[0]],
+                      0.5 * scale * std::ranges::min(lengths));
     Design now = design;
     for (const std::size_t i : order) {
         const double end = at + scale * lengths[i];

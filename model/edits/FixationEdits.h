@@ -23,7 +23,7 @@ Edit addFixationFromSurface(const Design& design, const SurfaceMesh& surface, co
 /// Empty when there is no such curve, the stretch has a problem, or nothing changes.
 Edit attachStretch(const Design& design, const Stretch& stretch, ElementId curve, const SurfaceMesh* surface);
 /// Fixes several stretches to one curve in a row, in the order in which they lie along it: each gets a part of the
-/// curve that is as long as it is, in proportion.
+/// curve that is as long as it is, in proportion. On a closed curve the row begins at a corner if one is near.
 Edit attachStretches(const Design& design, std::span<const Stretch> stretches, ElementId curve,
                      const SurfaceMesh* surface);
 /// Fixes one stretch to several curves in a row: it is divided in proportion to their lengths.

@@ -2,14 +2,14 @@
 #include "TwinEdits.h"
 
 #include "EditHelpers.h"
+#include "SewnMirror.h"
 #include "Twins.h"
 
 namespace bolster::edits {
 
 namespace {
 
-constexpr double layoutGap = 40;         // mm, between the pattern and a copy that lies beside it
-constexpr double ownMirrorTolerance = 1; // mm: of patches and curves that are their own mirror image
+constexpr double layoutGap = 40; // mm, between the pattern and a copy that lies beside it
 
 Box2 layoutBox(const Patch& patch)
 {
@@ -24,29 +24,6 @@ void placeInMirror(Patch& patch, const Symmetry& symmetry)
 {
     patch.position = symmetry.mirroredInLayout(patch.position);
     patch.rotation = std::remainder(2 * symmetry.axisAngle() - 180 - patch.rotation, 360);
-}
-
-/// The stretch where a patch, mirrored at the middle of its box, has this one; nothing when it is another shape.
-std::optional<Stretch> stretchInOwnMirror(const Patch& patch, const Stretch& stretch)
-{
-    const BSpline2& outline = patch.outline;
-    const double middle = outline.boundingBox().center().x();
-    const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-    const auto mirrored = [&](double t) {
-        const Vec2 p = outline.at(outline.wrapped(t));
-        return outline.closest({2 * middle - p.x(), p.y()});
-    };
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
-        if (mirrored(stretch.from + share * (end - stretch.from)).distance > ownMirrorTolerance)
-            return std::nullopt;
-    const auto tidy = [&](double t) { // mostly a knot
-        for (const double knot : outline.breaks())
-            if (std::abs(t - knot) < 1e-6 * outline.period())
-                return outline.wrapped(knot);
-        return t;
-    };
-    const Stretch result{stretch.patch, tidy(mirrored(end).parameter), tidy(mirrored(stretch.from).parameter)};
-    return result.from == stretch.from ? std::nullopt : std::optional(result); // it lies across the middle
 }
 
 /// Whether the middle of one lies on the other.
@@ -74,23 +51,6 @@ bool isFree(const Design& design, const Stretch& stretch)
     });
     design.each<FixationSeam>([&](ElementId, const FixationSeam& fixation) { look(fixation.stretch); });
     return free;
-}
-
-/// The curve that runs in the mirror as it does itself, only backwards.
-bool isOwnMirror(const BSpline3& curve, const Symmetry& symmetry)
-{
-    if (curve.closed() || curve.empty())
-        return false;
-    const auto image = mirroredCurve(curve.reversed(), symmetry);
-    if (!image)
-        return false;
-    constexpr int samples = 16;
-    for (int i = 0; i <= samples; ++i) {
-        const double t = curve.domainStart() + curve.period() * i / samples;
-        if ((image->at(t) - curve.at(t)).norm() > ownMirrorTolerance)
-            return false;
-    }
-    return true;
 }
 
 class TwinMaker {
@@ -127,7 +87,7 @@ public:
             return {};
         for (const auto& [id, twin] : m_made)
             if (m_start.find<Patch>(id))
-                addSewn(id, twin);
+                addSewn(id);
         return editBetween(m_start, m_now, std::move(verb));
     }
 
@@ -199,31 +159,20 @@ private:
     /// In the twin of its patch, or in the patch itself.
     void addDrawn(ElementId id, ElementId patch)
     {
-        const ElementPtr element = m_start.element(id);
-        const ElementId twin = twinOf(m_now, patch);
-        const auto curve = mirroredCurve(*planeCurve(*element));
-        if (!curve || m_made.contains(id) || twinOf(m_now, id) != settingsId)
+        if (m_made.contains(id) || twinOf(m_now, id) != settingsId)
             return;
+        const ElementId twin = twinOf(m_now, patch);
         const ElementId on = twin == settingsId ? patch : twin;
-        if (const auto* handle = std::get_if<HandleCurve>(element.get())) {
-            HandleCurve copy = *handle;
-            const auto target = mirroredCurve(handle->target, m_symmetry);
-            if (!target)
-                return;
-            copy.patch = on;
-            copy.curve = *curve;
-            copy.target = *target;
-            copy.orientation = mirroredOrientation(copy.orientation, m_symmetry);
-            putTwin(id, std::move(copy));
-        } else if (const auto* fancy = std::get_if<FancySeam>(element.get())) {
-            FancySeam copy = *fancy;
-            copy.patch = on;
-            copy.curve = *curve;
-            putTwin(id, std::move(copy));
-        }
+        const ElementPtr copy = mirroredDrawn(*m_start.element(id), on, m_symmetry);
+        if (!copy)
+            return;
+        if (const auto* handle = std::get_if<HandleCurve>(copy.get()))
+            putTwin(id, *handle);
+        else
+            putTwin(id, std::get<FancySeam>(*copy));
     }
 
-    void addSewn(ElementId patch, ElementId twin)
+    void addSewn(ElementId patch)
     {
         m_start.each<Seam>([&](ElementId id, const Seam& seam) {
             if ((seam.a.patch == patch || seam.b.patch == patch) && m_sewn.insert(id).second)
@@ -231,50 +180,33 @@ private:
         });
         m_start.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
             if (seam.stretch.patch == patch)
-                addFixation(seam, twin);
+                addFixation(seam);
         });
     }
 
-    void addSeam(Seam seam)
+    void addSeam(const Seam& original)
     {
-        const Seam original = seam;
-        for (Stretch* side : {&seam.a, &seam.b}) {
-            if (const ElementId twin = twinOf(m_now, side->patch); twin != settingsId) {
-                side->patch = twin;
-                continue;
-            }
-            const Patch* patch = m_now.find<Patch>(side->patch);
-            const auto mirrored = patch ? stretchInOwnMirror(*patch, *side) : std::nullopt;
-            if (!mirrored || !isFree(m_now, *mirrored))
+        const SewnMirror mirror(m_now, twinPairs(m_now));
+        const auto seam = mirror.of(original);
+        if (!seam || mirror.counterpart(original).id != settingsId)
+            return;
+        for (const Stretch& side : {seam->a, seam->b})
+            if (mirror.twin(side.patch) == settingsId && !isFree(m_now, side))
                 return;
-            *side = *mirrored;
-            seam.reversed = !seam.reversed;
-        }
-        bool sewn = seam.a == original.b && seam.b == original.a; // across the plane: its own mirror image
-        m_now.each<Seam>([&](ElementId, const Seam& other) { sewn = sewn || other == seam; });
-        if (!sewn)
-            put(makeElement(seam));
+        put(makeElement(*seam));
     }
 
-    void addFixation(FixationSeam seam, ElementId twin)
+    void addFixation(const FixationSeam& original)
     {
-        seam.stretch.patch = twin;
-        seam.orientation = mirroredOrientation(std::move(seam.orientation), m_symmetry);
-        const FixationCurve* curve = seam.hasCurve() ? m_now.find<FixationCurve>(seam.curve) : nullptr;
-        if (curve && twinOf(m_now, seam.curve) != settingsId) {
-            seam.curve = twinOf(m_now, seam.curve);
-        } else if (curve && isOwnMirror(curve->curve, m_symmetry)) {
-            const double both = curve->curve.domainStart() + curve->curve.domainEnd();
-            if (seam.curveRange)
-                seam.curveRange = {both - seam.curveRange->second, both - seam.curveRange->first};
-            seam.reversed = !seam.reversed;
-        } else if (curve) {
-            const ElementId made = addCurve(seam.curve, *curve);
-            if (made == settingsId)
+        auto fixation = SewnMirror(m_now, twinPairs(m_now)).of(original);
+        if (!fixation) { // its curve has no mirror image yet
+            const auto* curve = m_now.find<FixationCurve>(original.curve);
+            if (!curve || addCurve(original.curve, *curve) == settingsId)
                 return;
-            seam.curve = made;
+            fixation = SewnMirror(m_now, twinPairs(m_now)).of(original);
         }
-        put(makeElement(std::move(seam)));
+        if (fixation)
+            put(makeElement(*fixation));
     }
 
     Design m_start;

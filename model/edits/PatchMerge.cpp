@@ -4,7 +4,11 @@
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "PlaneCurves.h"
+#include "SeamEdits.h"
+#include "SewnMirror.h"
 #include "StretchRemap.h"
+#include "TwinEdits.h"
+#include "Twins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,6 +157,50 @@ std::optional<Message> problemOf(const Design& design, const Half& a, const Half
     return std::nullopt;
 }
 
+/// Seams of two patches that follow each other on both: as one, and which they are.
+struct Row {
+    Seam seam;
+    std::set<ElementId> ids;
+};
+
+Row rowAround(const Design& design, ElementId id)
+{
+    Row row{*design.find<Seam>(id), {id}};
+    const auto meets = [&](ElementId patch, double end, double start) {
+        const BSpline2& outline = design.find<Patch>(patch)->outline;
+        return std::abs(std::remainder(end - start, outline.period())) <= 1e-9 * outline.period();
+    };
+    // The neighbour `next` continues the row behind its end, or before its start.
+    const auto join = [&](const Seam& next) {
+        Stretch &a = row.seam.a, &b = row.seam.b;
+        const bool back = row.seam.reversed;
+        const bool behind = meets(a.patch, a.to, next.a.from) &&
+                            (back ? meets(b.patch, next.b.to, b.from) : meets(b.patch, b.to, next.b.from));
+        const bool before = meets(a.patch, next.a.to, a.from) &&
+                            (back ? meets(b.patch, b.to, next.b.from) : meets(b.patch, next.b.to, b.from));
+        if (!behind && !before)
+            return false;
+        (behind ? a.to : a.from) = behind ? next.a.to : next.a.from;
+        (behind != back ? b.to : b.from) = behind != back ? next.b.to : next.b.from;
+        row.seam.match = Match::Length;
+        return true;
+    };
+    for (bool grown = true; grown;) {
+        grown = false;
+        design.each<Seam>([&](ElementId other, Seam next) {
+            if (next.a.patch == row.seam.b.patch)
+                std::swap(next.a, next.b);
+            const bool alike = next.a.patch == row.seam.a.patch && next.b.patch == row.seam.b.patch &&
+                               next.reversed == row.seam.reversed && row.seam.a.patch != row.seam.b.patch;
+            if (alike && !row.ids.contains(other) && join(next)) {
+                row.ids.insert(other);
+                grown = true;
+            }
+        });
+    }
+    return row;
+}
+
 /// The outline of both, in coordinates of the first one.
 BSpline2 mergedOutline(const Half& a, BSpline2 restB, std::vector<double>& starts)
 {
@@ -194,20 +242,21 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
     });
 }
 
-} // namespace
-
-Outcome mergePatches(const Design& design, ElementId seamId)
+Outcome mergeOne(const Design& design, ElementId seamId)
 {
-    const Seam* seam = design.find<Seam>(seamId);
-    if (!seam)
+    const Seam* first = design.find<Seam>(seamId);
+    if (!first)
         return Outcome::refused({QT_TRANSLATE_NOOP("Message", "Select the seam along which to merge."), {}});
-    Half a(design, seam->a), b(design, seam->b);
-    if (auto problem = problemOf(design, a, b, *seam))
+    if (auto problem = problemOf(design, Half(design, first->a), Half(design, first->b), *first))
+        return Outcome::refused(std::move(*problem));
+    const auto [seam, row] = rowAround(design, seamId);
+    Half a(design, seam.a), b(design, seam.b);
+    if (auto problem = problemOf(design, a, b, seam))
         return Outcome::refused(std::move(*problem));
     if (runsCounterClockwise(a) != runsCounterClockwise(b))
         b.turn();
 
-    const Map2 map = fit(a, b, seam->match);
+    const Map2 map = fit(a, b, seam.match);
     std::vector<double> starts;
     Patch merged = *a.patch;
     if (const auto restB = mapped(b.rest(), map))
@@ -223,12 +272,41 @@ Outcome mergePatches(const Design& design, ElementId seamId)
     EditBuilder builder(design);
     builder.replace(a.id, std::move(merged));
     const OutlineArcs arcs = {{a.id, {a.arc(a.id, starts[0])}}, {b.id, {b.arc(a.id, starts[1])}}};
-    remapStretches(design, arcs, {seamId}, builder, outcome.dropped);
+    remapStretches(design, arcs, row, builder, outcome.dropped);
     moveCurves(design, b.id, a.id, map, builder);
-    builder.remove(seamId);
+    for (const ElementId id : row)
+        builder.remove(id);
     builder.remove(b.id);
     outcome.edit = builder.result(
         {QT_TRANSLATE_NOOP("Message", "Merge %1 and %2"), {displayName(design, a.id), displayName(design, b.id)}});
+    return outcome;
+}
+
+} // namespace
+
+Outcome mergePatches(const Design& design, ElementId seamId)
+{
+    Outcome outcome = mergeOne(design, seamId);
+    const Seam* seam = design.find<Seam>(seamId);
+    if (outcome.edit.empty() || twinOf(design, seam->a.patch) == settingsId)
+        return outcome;
+    Design half = design.with(outcome.edit);
+    const SewnMirror mirror(design, twinPairs(design));
+    const auto [other, swapped] = mirror.counterpart(*seam);
+    const bool both = other != settingsId && other != seamId && mirror.twin(seam->b.patch) != settingsId &&
+                      mirror.twin(seam->b.patch) != seam->a.patch;
+    if (!both) { // what it becomes is no mirror image of its twin any more
+        half = half.with(unlinkTwins(half, std::array{seam->a.patch}));
+        outcome.edit = editBetween(design, half, std::move(outcome.edit.verb));
+        return outcome;
+    }
+    if (swapped)
+        half = half.with(swapSeamSides(half, std::array{other}));
+    Outcome there = mergeOne(half, other);
+    if (there.edit.empty())
+        return there;
+    outcome.edit = editBetween(design, half.with(there.edit), std::move(outcome.edit.verb));
+    outcome.dropped.insert(outcome.dropped.end(), there.dropped.begin(), there.dropped.end());
     return outcome;
 }
 

@@ -6,6 +6,7 @@
 #include "OutlineCrossings.h"
 #include "PlaneCurves.h"
 #include "StretchRemap.h"
+#include "Twins.h"
 
 #include <algorithm>
 
@@ -184,9 +185,7 @@ Message crossingsProblem(const std::string& name, std::size_t count)
             {name, std::to_string(count)}};
 }
 
-} // namespace
-
-Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& line)
+Outcome splitOne(const Design& design, ElementId id, const std::vector<Vec2>& line)
 {
     const Patch* patch = design.find<Patch>(id);
     if (!patch || line.size() < 2)
@@ -214,6 +213,50 @@ Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& 
             {QT_TRANSLATE_NOOP("Message", "A piece of %1 would cross itself or be too narrow: draw another line."),
              {displayName(design, id)}});
     return Split(design, id, *patch, std::move(first), std::move(second)).run();
+}
+
+std::vector<Vec2> mirroredLine(const Patch& patch, const Patch& twin, std::vector<Vec2> line)
+{
+    for (Vec2& point : line)
+        point = toLayout(twin, mirroredInOutline(fromLayout(patch, point)));
+    return line;
+}
+
+/// What the cuts have added to both sides follows each other, too.
+Design withLinkedPieces(const Design& start, const Design& half, Design now)
+{
+    for (const auto& [id, element] : half.elements()) {
+        if (start.element(id) || !canBeTwin(*element))
+            continue;
+        now = now.with({{}, {{id, nullptr, withTwinLink(*element, std::nullopt)}}});
+        for (const auto& [other, there] : now.elements()) {
+            const bool fits = !half.element(other) && there->index() == element->index() &&
+                              unlikePoints(*element, *withTwinLink(*there, std::nullopt), symmetryOf(now)) == 0;
+            if (!fits)
+                continue;
+            now = now.with({{}, {{other, nullptr, withTwinLink(*there, Twin{id, {}})}}});
+            break;
+        }
+    }
+    return now;
+}
+
+} // namespace
+
+Outcome splitPatch(const Design& design, ElementId id, const std::vector<Vec2>& line)
+{
+    Outcome outcome = splitOne(design, id, line);
+    const auto* twin = design.find<Patch>(twinOf(design, id));
+    if (outcome.edit.empty() || !twin)
+        return outcome;
+    const Design half = design.with(outcome.edit);
+    Outcome other = splitOne(half, twinOf(design, id), mirroredLine(*design.find<Patch>(id), *twin, line));
+    if (other.edit.empty())
+        return other;
+    const Design now = withLinkedPieces(design, half, half.with(other.edit));
+    outcome.edit = editBetween(design, now, std::move(outcome.edit.verb));
+    outcome.dropped.insert(outcome.dropped.end(), other.dropped.begin(), other.dropped.end());
+    return outcome;
 }
 
 } // namespace bolster::edits

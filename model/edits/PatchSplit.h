@@ -11,7 +11,8 @@ namespace bolster::edits {
 /// of the outline lie on it, what is beyond the crossings does not matter. The larger piece keeps id and name. The
 /// two are sewn together smoothly (C1), so that the surface stays as it is. Seams and fixations keep their places:
 /// one that runs over the cut is divided. Handle curves go to their piece, one that crosses the cut once is
-/// divided, others are dropped; a fancy seam across the cut is drawn in both pieces. Refused with a reason.
+/// divided, others are dropped; a fancy seam across the cut is drawn in both pieces. The twin of the patch is cut
+/// in the mirror image of the line. Refused with a reason.
 Outcome splitPatch(const Design& design, ElementId patch, const std::vector<Vec2>& line);
 
 } // namespace bolster::edits

@@ -135,4 +135,27 @@ Edit moveSeamEnd(const Design& design, ElementId id, SeamSide side, StretchEnd e
                        {QT_TRANSLATE_NOOP("Message", "Move an end of %1"), {seamName(design, *seam)}});
 }
 
+Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, StretchEnd end, double parameter)
+{
+    const ElementPtr element = design.element(owner);
+    if (!element || !std::isfinite(parameter))
+        return {};
+    Element moved = *element;
+    auto* seam = std::get_if<Seam>(&moved);
+    auto* fixation = std::get_if<FixationSeam>(&moved);
+    if (!seam && !fixation)
+        return {};
+    Stretch& stretch = fixation ? fixation->stretch : side == SeamSide::A ? seam->a : seam->b;
+    const auto* patch = design.find<Patch>(stretch.patch);
+    if (!patch || patch->outline.empty())
+        return {};
+    (end == StretchEnd::From ? stretch.from : stretch.to) = parameter;
+    stretch = stretchBetween(stretch.patch, patch->outline, stretch.from, stretch.to);
+    const std::string name = seam ? seamName(design, *seam) : displayName(design, stretch.patch);
+    return replaceElement(design, owner, makeElement(std::move(moved)),
+                          {seam ? QT_TRANSLATE_NOOP("Message", "Move an end of %1")
+                                : QT_TRANSLATE_NOOP("Message", "Move an end of a fixation of %1"),
+                           {name}});
+}
+
 } // namespace bolster::edits

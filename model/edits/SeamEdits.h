@@ -27,5 +27,8 @@ enum class StretchEnd { From, To };
 /// Moves an end of a seam's stretch to another parameter of its outline.
 Edit moveSeamEnd(const Design& design, ElementId seam, SeamSide side, StretchEnd end, double parameter,
                  Message* problem = nullptr);
+/// The same for a drag, also of the stretch of a fixation seam (its only side is A): brokenBy() says what is wrong
+/// with the result. An end on the other end makes the stretch the whole outline.
+Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, StretchEnd end, double parameter);
 
 } // namespace bolster::edits

@@ -1,19 +1,11 @@
 #include "SeamsOfTwins.h"
 
+#include "SewnMirror.h"
 #include "Twins.h"
 
 namespace bolster::edits {
 
 namespace {
-
-std::vector<Stretch> stretchesOf(const Element& element)
-{
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {seam->a, seam->b};
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return {fixation->stretch};
-    return {};
-}
 
 ElementPtr withStretches(const Element& element, const std::vector<Stretch>& stretches)
 {
@@ -78,7 +70,8 @@ Design withMoves(const Moves& moves, ElementId patch, const Design& before, cons
 Design withTwinSeams(const Design& before, const Design& now)
 {
     Design result = now;
-    for (const auto& [follower, original] : twinPairs(now))
+    // New twins have got their seams from what made them twins.
+    for (const auto& [follower, original] : heldPairs(now, before))
         for (const auto& [patch, twin] : {std::pair(original, follower), std::pair(follower, original)}) {
             const auto* old = before.find<Patch>(patch);
             const auto* edited = now.find<Patch>(patch);

@@ -1,6 +1,8 @@
 #include "TwinEdits.h"
 
 #include "EditHelpers.h"
+#include "ElementRules.h"
+#include "SewnMirror.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -56,6 +58,62 @@ ElementPtr withMirrored(const Element& element, const Element& twin, const std::
         if (const auto image = mirroredCurve(*spaceCurve(twin), symmetry))
             result = *withSpaceCurve(result, place(*space, *image, plane ? firstTwinSpacePoint : 0));
     return std::make_shared<const Element>(std::move(result));
+}
+
+bool meet(const Design& design, const Stretch& a, const Stretch& b)
+{
+    const auto* patch = design.find<Patch>(a.patch);
+    return patch && a.patch == b.patch && stretchesOverlap(patch->outline, a, b);
+}
+
+/// Which way round two seams lie in the same place; nothing when they don't.
+std::optional<bool> meetSwapped(const Design& design, const Seam& a, const Seam& b)
+{
+    if (meet(design, a.a, b.a) && meet(design, a.b, b.b))
+        return false;
+    return meet(design, a.a, b.b) && meet(design, a.b, b.a) ? std::optional(true) : std::nullopt;
+}
+
+/// The mirror image of what lies where the mirror shows this one.
+std::optional<Seam> imageThere(const Design& design, const SewnMirror& mirror, ElementId id, const Seam& seam)
+{
+    const auto place = mirror.of(seam);
+    std::optional<Seam> result;
+    design.each<Seam>([&](ElementId other, const Seam& there) {
+        const auto swapped = place && other != id && !result ? meetSwapped(design, *place, there) : std::nullopt;
+        if (!swapped)
+            return;
+        result = mirror.of(there);
+        if (result && *swapped)
+            std::swap(result->a, result->b);
+        for (Stretch Seam::*side : {&Seam::a, &Seam::b}) // of a piece that is nearly its own mirror image
+            if (result && mirror.same((*result).*side, seam.*side))
+                (*result).*side = seam.*side;
+    });
+    return result;
+}
+
+std::optional<FixationSeam> imageThere(const Design& design, const SewnMirror& mirror, ElementId id,
+                                       const FixationSeam& fixation)
+{
+    const auto place = mirror.of(fixation.stretch);
+    std::optional<FixationSeam> result;
+    design.each<FixationSeam>([&](ElementId other, const FixationSeam& there) {
+        if (place && other != id && !result && there.hasCurve() == fixation.hasCurve() &&
+            meet(design, place->stretch, there.stretch))
+            result = mirror.of(there);
+    });
+    return result;
+}
+
+ElementId mirrored(const Design& design, const SewnMirror& mirror, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    if (const auto* seam = std::get_if<Seam>(element.get()))
+        return mirror.counterpart(*seam).id;
+    if (const auto* fixation = std::get_if<FixationSeam>(element.get()))
+        return mirror.counterpart(*fixation).id;
+    return mirror.twin(id);
 }
 
 } // namespace
@@ -121,6 +179,40 @@ Edit relinkPoints(const Design& design, ElementId id, std::span<const int> point
     return editBetween(design, moved.with(changeReleased(moved, follower, released, {})), std::move(verb));
 }
 
+ElementId mirroredElement(const Design& design, ElementId id)
+{
+    return mirrored(design, SewnMirror(design, twinPairs(design)), id);
+}
+
+std::set<ElementId> mirroredElements(const Design& design, const std::set<ElementId>& ids)
+{
+    std::set<ElementId> result;
+    const SewnMirror mirror(design, ids.empty() ? SewnMirror::Pairs() : twinPairs(design));
+    for (const ElementId id : ids)
+        if (const ElementId there = mirrored(design, mirror, id); there != settingsId && !ids.contains(there))
+            result.insert(there);
+    return result;
+}
+
+bool sewingReleased(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    return element && SewnMirror(design, twinPairs(design)).released(*element);
+}
+
+Edit relinkSewing(const Design& design, ElementId id)
+{
+    const Message verb{QT_TRANSLATE_NOOP("Message", "Re-link a seam to its mirror image")};
+    const SewnMirror mirror(design, twinPairs(design));
+    if (const auto* seam = design.find<Seam>(id))
+        if (const auto there = imageThere(design, mirror, id, *seam))
+            return replaceWith(design, id, *there, verb);
+    if (const auto* fixation = design.find<FixationSeam>(id))
+        if (const auto there = imageThere(design, mirror, id, *fixation))
+            return replaceWith(design, id, *there, verb);
+    return {};
+}
+
 std::vector<int> pointsOnStretch(const BSpline2& outline, double from, double to)
 {
     std::vector<int> points;
@@ -133,6 +225,10 @@ std::vector<int> pointsOnStretch(const BSpline2& outline, double from, double to
         if (ahead <= length + slack)
             points.push_back(i);
     }
+    if (points.empty()) // a part of a straight edge
+        points = {outline.pointAt(outline.wrapped(from)), outline.pointAt(outline.wrapped(to))};
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 

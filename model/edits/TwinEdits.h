@@ -14,8 +14,14 @@ namespace bolster::edits {
 /// except when all points of a curve move. Where points were inserted or removed, or a curve was replaced, the
 /// other one gets the same points; released ones keep their place. Values that a mirror keeps (fabric, grain,
 /// pressure ...) are taken over, names and places in the layout are not. When an edit changes both in different
-/// ways, the original wins. The removal of one unlinks the other; of a copy of a twin the link is dropped. Applied
-/// twice it is the same as applied once. Document and Gesture apply it to every edit.
+/// ways, the original wins. The removal of one unlinks the other; of a copy of a twin the link is dropped.
+///
+/// Seams and fixations have no links: of two that lie where the mirror shows the other one, on twins or on a patch
+/// that is its own mirror image, each follows the other, unless all points on their stretches are released. What is
+/// sewn, fixed or drawn on a twin comes to be on the other one, too, if nothing is in the way there; what is taken
+/// off goes there, too.
+///
+/// Applied twice it is the same as applied once. Document and Gesture apply it to every edit.
 Edit withTwins(const Design& before, Edit edit);
 
 using MirroredName = std::function<std::string(const std::string&)>;
@@ -39,7 +45,16 @@ Edit releasePoints(const Design& design, ElementId id, std::span<const int> poin
 /// Released points of this element jump to the mirror image of its twin's, and follow again.
 Edit relinkPoints(const Design& design, ElementId id, std::span<const int> points);
 
-/// The control points with most influence on a stretch, its ends included.
+/// The twin; of a seam or fixation the one where the mirror shows it; settingsId when there is none.
+ElementId mirroredElement(const Design& design, ElementId id);
+/// Those of several; without these themselves.
+std::set<ElementId> mirroredElements(const Design& design, const std::set<ElementId>& ids);
+/// Whether a seam or fixation goes its own ways, because all points on its stretches do.
+bool sewingReleased(const Design& design, ElementId id);
+/// Makes a seam or fixation the mirror image of the one that lies there, at least for a part.
+Edit relinkSewing(const Design& design, ElementId id);
+
+/// The control points with most influence on a stretch, its ends included; never none.
 std::vector<int> pointsOnStretch(const BSpline2& outline, double from, double to);
 
 } // namespace bolster::edits

@@ -28,6 +28,21 @@ TEST_F(DrawingWindowTest, AnEmptyDesignLetsOneDraw)
     EXPECT_FALSE(hint->isVisible());
 }
 
+TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
+{
+    PatternView& view = window.patternView();
+    view.setTool(PatternToolKind::Rectangle);
+    move(view, {300, 200}, Qt::NoButton);
+    press(view, {300, 200});
+    release(view, {300, 200});
+    QTest::keyClicks(&view, QStringLiteral("3 m x 2 m"));
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
+    const Box2 seen = view.transform().visible(view.size());
+    EXPECT_GT(seen.sizes().x(), 3000);
+    EXPECT_GT(seen.sizes().y(), 2000);
+}
+
 TEST_F(DrawingWindowTest, SnappingStaysAsItWasLeft)
 {
     const bool before = window.actions().snapping->isChecked();

@@ -134,6 +134,21 @@ TEST_F(KeyboardTest, EnterInTheListLeadsToTheProperties)
     EXPECT_TRUE(qobject_cast<QLineEdit*>(QApplication::focusWidget())) << "its name";
 }
 
+TEST_F(KeyboardTest, EnterAfterANameStaysInTheList)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    auto& elements = *window.findChild<ElementsView*>();
+    window.selection().set({ElementId{2}});
+    key(Qt::Key_F2);
+    const auto editing = [&] { return elements.tree().findChild<QLineEdit*>() != nullptr; };
+    ASSERT_TRUE(editing());
+    QTest::keyClicks(QApplication::focusWidget(), "Seat");
+    key(Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !editing(); }));
+    EXPECT_EQ(part(), window.docks().elements) << "what is typed next must not get into the name";
+    EXPECT_EQ(window.document().design().find<Patch>(ElementId{2})->name, "Seat");
+}
+
 TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

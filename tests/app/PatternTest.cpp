@@ -1,6 +1,7 @@
 // Editing patches by menu, clipboard and the split tool.
 #include "WindowTest.h"
 
+#include "ElidedLabel.h"
 #include "LayoutEdits.h"
 #include "StatusLine.h"
 
@@ -147,6 +148,34 @@ TEST_F(PatternTest, EscapeTakesBackTheCutThenTheTool)
     key(Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().tool() == PatternToolKind::Select; }, 5000));
     EXPECT_EQ(design(), before);
+}
+
+TEST_F(PatternTest, AnImpossibleDragIsNeitherSolvedNorKept)
+{
+    ASSERT_TRUE(waitUntilSolved());
+    const Design before = design();
+    const ElementId top = patchNamed("Top");
+    PatternView& view = window.patternView();
+    const auto status = [this] { return window.statusBar()->findChild<ElidedLabel*>()->fullText(); };
+    window.selection().set({top});
+    view.fitSelection();
+    view.setSnapping(false);
+    const QPoint from = patternPixel(top, 0), across = patternPixel(top, 2) + QPoint(60, 10);
+    move(view, from, Qt::NoButton);
+    press(view, from);
+    move(view, (from + across) / 2, Qt::LeftButton);
+    move(view, across, Qt::LeftButton);
+    ASSERT_TRUE(window.document().breakage());
+    EXPECT_TRUE(status().startsWith(QStringLiteral("The outline of Top would cross or touch itself.")))
+        << status().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window.solver().status().state == SolverStatus::State::Settled; }));
+    EXPECT_FALSE(window.solver().upToDate()) << "it is not asked";
+    EXPECT_TRUE(window.solver().surface()) << "the last good one stays";
+    release(view, across);
+    EXPECT_EQ(design(), before);
+    EXPECT_EQ(window.document().history().count(), 1);
+    EXPECT_TRUE(status().endsWith(QStringLiteral("It is back where it was."))) << status().toStdString();
+    EXPECT_TRUE(waitUntilSolved());
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Mirror twins from the menu.
+#include "TwinEdits.h"
 #include "Twins.h"
 #include "WindowTest.h"
 
@@ -50,6 +51,42 @@ TEST_F(TwinTest, MakesReleasesAndUnlinksTwins)
     for (int i = 0; i < 5; ++i)
         actions.undo->trigger();
     EXPECT_TRUE(window.document().design() == before);
+}
+
+TEST_F(TwinTest, SeamsFollowAreReleasedAndRelinked)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    Actions& actions = window.actions();
+    Document& document = window.document();
+    std::vector<ElementId> patches;
+    document.design().each<Patch>([&](ElementId id, const Patch&) { patches.push_back(id); });
+    window.selection().set({patches.begin(), patches.end()});
+    actions.makeTwin->trigger();
+    ElementId seam{};
+    document.design().each<Seam>([&](ElementId id, const Seam&) {
+        if (seam == ElementId{})
+            seam = id;
+    });
+    const ElementId mirrored = edits::mirroredElement(document.design(), seam);
+    ASSERT_TRUE(document.design().find<Seam>(mirrored));
+    const auto continuity = [&](ElementId id) { return document.design().find<Seam>(id)->continuity; };
+
+    window.selection().set({seam});
+    actions.seamContinuities.last()->trigger();
+    EXPECT_EQ(continuity(mirrored), Continuity::G1);
+    actions.undo->trigger();
+    EXPECT_EQ(continuity(seam), Continuity::C0) << "one step for both";
+    EXPECT_EQ(continuity(mirrored), Continuity::C0);
+
+    ASSERT_TRUE(actions.releasePoints->isEnabled());
+    actions.releasePoints->trigger();
+    EXPECT_TRUE(edits::sewingReleased(document.design(), seam));
+    actions.seamContinuities.last()->trigger();
+    EXPECT_EQ(continuity(mirrored), Continuity::C0);
+    ASSERT_TRUE(actions.relinkPoints->isEnabled());
+    actions.relinkPoints->trigger();
+    EXPECT_EQ(continuity(seam), Continuity::C0);
+    EXPECT_FALSE(actions.relinkPoints->isEnabled());
 }
 
 } // namespace

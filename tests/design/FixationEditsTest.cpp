@@ -200,6 +200,22 @@ TEST_F(FixationEditsTest, SeveralStretchesShareACurveInTheOrderOfTheSurface)
     EXPECT_TRUE(attachStretches(design, overlapping, rail, &surface).empty());
 }
 
+TEST_F(FixationEditsTest, ARowOnAClosedCurveBeginsAtItsCorner)
+{
+    const BSpline3 square(1, true, {{-30, 0, 290}, {170, 0, 290}, {170, 200, 290}, {-30, 200, 290}});
+    const Edit added = addElement(design, makeElement(FixationCurve{"Edge", square}));
+    design = design.with(added);
+    const Stretch edges[] = {{seat, 0, 1}, {seat, 1, 2}, {seat, 2, 3}, {seat, 3, 0}};
+    const std::vector<FixationSeam> seams =
+        seamsAfter(attachStretches(design, edges, added.changes.front().id, &surface));
+    ASSERT_EQ(seams.size(), 4u);
+    for (std::size_t k = 0; k < 4; ++k) {
+        ASSERT_TRUE(seams[k].curveRange);
+        EXPECT_NEAR(seams[k].curveRange->first, static_cast<double>(k), 1e-6);
+        EXPECT_FALSE(seams[k].reversed);
+    }
+}
+
 TEST_F(FixationEditsTest, OneStretchIsDividedAmongCurves)
 {
     design = design.with(attachStretch(design, {seat, 0, 1}, rail, &surface));

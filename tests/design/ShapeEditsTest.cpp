@@ -4,6 +4,7 @@
 #include "DesignCheck.h"
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
+#include "LengthEdits.h"
 #include "PatchShapeEdits.h"
 
 #include "TestData.h"
@@ -291,6 +292,50 @@ TEST_F(ShapeEdits, PastingNonsenseIsRefused)
         const Outcome outcome = paste(design, text, Vec2(0, 0));
         EXPECT_TRUE(outcome.edit.empty()) << text;
         EXPECT_FALSE(outcome.problem.empty()) << text;
+    }
+}
+
+TEST(LengthEdits, AStraightEdgeKeepsItsDirection)
+{
+    Edit edit;
+    Patch patch;
+    patch.name = "Kite";
+    patch.outline = BSpline2(1, true, {{0, 0}, {30, 40}, {60, 100}, {0, 100}});
+    HandleCurve handle{{"Ridge", ElementId{2}, BSpline2(3, false, {{5, 50}, {10, 70}, {20, 60}, {25, 80}})}, {}};
+    edit.changes = {{ElementId{2}, nullptr, makeElement(patch)}, {ElementId{3}, nullptr, makeElement(handle)}};
+    const Design design = Design().with(edit);
+
+    EXPECT_NEAR(edits::lengthBetween(design, ElementId{2}, 1, 0), 50, 1e-9);
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 0)}) {
+        const Edit longer = edits::setLengthBetween(design, ElementId{2}, a, b, 75);
+        EXPECT_EQ(longer.verb.english(), "Change the length of a stretch of Kite");
+        const auto& points = design.with(longer).find<Patch>(ElementId{2})->outline.points();
+        EXPECT_LT((points[1] - Vec2(45, 60)).norm(), 1e-6) << "the end moves, the start stays";
+        EXPECT_EQ(points[2], Vec2(60, 100));
+        EXPECT_EQ(design.with(longer).with(longer.inverse()), design);
+    }
+    EXPECT_TRUE(edits::setLengthBetween(design, ElementId{2}, 0, 1, 50).empty()) << "it is so long";
+    EXPECT_TRUE(edits::setLengthBetween(design, ElementId{2}, 0, 0, 10).empty());
+    EXPECT_TRUE(edits::setLengthBetween(design, ElementId{2}, 0, 7, 10).empty());
+    EXPECT_TRUE(edits::setLengthBetween(design, ElementId{2}, 0, 1, 0).empty());
+    EXPECT_TRUE(edits::setLengthBetween(design, ElementId{9}, 0, 1, 10).empty());
+
+    const double before = edits::lengthBetween(design, ElementId{3}, 0, 3);
+    const Edit doubled = edits::setLengthBetween(design, ElementId{3}, 0, 3, 2 * before);
+    const auto& curve = design.with(doubled).find<HandleCurve>(ElementId{3})->curve;
+    EXPECT_LT((curve.points()[3] - Vec2(45, 110)).norm(), 1e-6) << "scaled about its start";
+    EXPECT_NEAR(edits::lengthBetween(design.with(doubled), ElementId{3}, 0, 3), 2 * before, 1e-6);
+}
+
+TEST(LengthEdits, ASmoothOutlineReachesTheLength)
+{
+    Patch patch;
+    patch.outline = BSpline2(3, true, {{0, 0}, {100, -20}, {140, 60}, {80, 120}, {-10, 90}});
+    const Design design = Design().with({{}, {{ElementId{2}, nullptr, makeElement(patch)}}});
+    for (const double length : {60.0, 100.0, 180.0}) {
+        const Edit edit = edits::setLengthBetween(design, ElementId{2}, 1, 3, length);
+        ASSERT_FALSE(edit.empty()) << length;
+        EXPECT_NEAR(edits::lengthBetween(design.with(edit), ElementId{2}, 1, 3), length, 1e-5);
     }
 }
 

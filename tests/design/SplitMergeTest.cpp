@@ -233,6 +233,35 @@ TEST_F(SplitMerge, MergesAlongASeam)
     EXPECT_LT((merged.outline.at(after.find<FixationSeam>(fixation)->stretch.to) - Vec2(500, 0)).norm(), 1e-6);
 }
 
+TEST_F(SplitMerge, MergesAlongSeveralSeamsInARow)
+{
+    // The seam in three pieces, the sides of the middle one swapped; `reversed` is the side that is walked
+    // backwards.
+    const Seam whole = *design.find<Seam>(seam);
+    Seam lower = whole, middle = whole, upper = whole;
+    lower.a.to = middle.a.from = 1.25;
+    middle.a.to = upper.a.from = 1.75;
+    ASSERT_TRUE(whole.reversed);
+    lower.b = {side, 0.75, 1};
+    middle.b = {side, 0.25, 0.75};
+    upper.b = {side, 0, 0.25};
+    std::swap(middle.a, middle.b);
+    const ElementId third{21}, second{20};
+    const Design rowed = design.with({{},
+                                      {{seam, nullptr, makeElement(lower)},
+                                       {second, nullptr, makeElement(middle)},
+                                       {third, nullptr, makeElement(upper)}}});
+    for (const ElementId id : {seam, second, third}) {
+        const Outcome outcome = mergePatches(rowed, id);
+        const Design after = done(rowed, outcome);
+        EXPECT_TRUE(outcome.dropped.empty());
+        after.each<Seam>([](ElementId, const Seam&) { ADD_FAILURE() << "no seam is left"; });
+        const ElementId stays = id == second ? side : seat;
+        EXPECT_NEAR(std::abs(after.find<Patch>(stays)->outline.signedArea()), 620 * 400, 1e-6);
+        EXPECT_NEAR(length(after, after.find<FixationSeam>(fixation)->stretch), 500, 1e-6);
+    }
+}
+
 TEST_F(SplitMerge, MergingWhatWasSplitGivesTheOldOutline)
 {
     const Design halves = done(design, split({{-100, 120}, {900, 120}}));

@@ -304,6 +304,27 @@ TEST_F(TwinsTest, LinksWhatWasDrawnSeparately)
     EXPECT_TRUE(design.find<FixationSeam>(ElementId{8})->reversed);
 }
 
+TEST_F(TwinsTest, LinkingLeavesSeamsWhereTheyAre)
+{
+    // B is A's mirror image; its corners have other numbers.
+    design = test::soundDesign(R"({"format": "bolster-design", "version": 1, "unit": "mm", "elements": [
+      {"id": 1, "kind": "fabric", "name": "Leather"},
+      {"id": 2, "kind": "patch", "name": "A", "fabric": 1,
+       "outline": {"degree": 1, "closed": true, "points": [[0,0],[100,0],[150,300],[0,250]]}},
+      {"id": 3, "kind": "patch", "name": "B", "fabric": 1, "position": [500, 0],
+       "outline": {"degree": 1, "closed": true, "points": [[-100,0],[0,0],[0,250],[-75,275],[-150,300]]}},
+      {"id": 4, "kind": "patch", "name": "C", "fabric": 1, "position": [900, 0],
+       "outline": {"degree": 1, "closed": true, "points": [[0,0],[100,0],[100,250],[0,250]]}},
+      {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 0}, "b": {"patch": 4, "from": 1, "to": 2}},
+      {"id": 6, "kind": "seam", "a": {"patch": 3, "from": 1, "to": 2}, "b": {"patch": 4, "from": 3, "to": 0}},
+      {"id": 7, "kind": "seam", "a": {"patch": 2, "from": 1, "to": 2}, "b": {"patch": 4, "from": 0, "to": 1}}]})");
+    const Seam before = *design.find<Seam>(ElementId{7});
+    apply(linkTwins(design, ElementId{2}, ElementId{3}));
+    ASSERT_EQ(twinOf(design, ElementId{2}), ElementId{3});
+    EXPECT_EQ(*design.find<Seam>(ElementId{7}), before) << "nothing of this one has changed";
+    EXPECT_EQ(mirroredElement(design, ElementId{5}), ElementId{6});
+}
+
 TEST_F(TwinsTest, LinksByChanceAreDropped)
 {
     Patch pasted = patch(twin);

@@ -191,6 +191,7 @@ TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
 {
     const OpenedDesign opened = openDesign(BOLSTER_SAMPLES "/box-cushion/box-cushion.json");
     ASSERT_TRUE(opened.readable && !hasErrors(opened.problems));
+    int refused = 0;
     for (unsigned seed = 0; seed < 10; ++seed) {
         SCOPED_TRACE(seed);
         Document document;
@@ -201,8 +202,13 @@ TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
             EXPECT_EQ(ids, differences(seen, document.design()));
             seen = document.design();
         });
+        QObject::connect(&document, &Document::refused, [&](const Message& why) {
+            EXPECT_FALSE(why.empty());
+            ++refused;
+        });
         for (int i = 0; i < 100; ++i) {
             step(document, designer);
+            ASSERT_FALSE(document.breakage()) << i;
             Design replay = opened.design;
             for (const NodeId node : document.history().pathTo(document.history().current()))
                 replay = replay.with(document.history().node(node).edit);
@@ -223,6 +229,7 @@ TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
         document.jumpTo(0);
         EXPECT_EQ(writeDesign(document.design()), writeDesign(opened.design));
     }
+    EXPECT_GT(refused, 0) << "gestures that would break something are among them";
 }
 
 } // namespace

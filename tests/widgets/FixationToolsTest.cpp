@@ -154,7 +154,7 @@ TEST_F(FixationDrawing, ADoubleClickEndsAndBackspaceTakesBack)
     QTest::keyClick(&view, Qt::Key_Backspace);
     mouse.doubleClick(pixel(onTube(30, 40)));
     ASSERT_EQ(curvesOf(document).size(), 2u);
-    const BSpline3& drawn = curvesOf(document).back().curve;
+    const BSpline3 drawn = curvesOf(document).back().curve;
     EXPECT_LT(drawn.boundingBox().max().y(), 60) << "the second point was taken back";
 }
 
@@ -167,7 +167,7 @@ TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
     mouse.click(pixel({350, 40, 0}));
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_EQ(curvesOf(document).size(), 2u);
-    const BSpline3& drawn = curvesOf(document).back().curve;
+    const BSpline3 drawn = curvesOf(document).back().curve;
     EXPECT_LT(drawn.boundingBox().sizes().z(), 0.1);
     EXPECT_NEAR(drawn.at(drawn.domainEnd()).x(), 350, 2);
 }
@@ -188,6 +188,42 @@ TEST_F(FixationDrawing, NothingIsLostOrMadeByAccident)
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
 }
 
+TEST_F(FixationDrawing, PlacesAreTyped)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    QTest::keyClick(&view, Qt::Key_B);
+    for (const char* place : {"-250, -100, 40", "250, -100", "250, 300"}) {
+        QTest::keyClicks(&view, QString::fromLatin1(place));
+        QTest::keyClick(&view, Qt::Key_Return);
+    }
+    QTest::keyClicks(&view, QStringLiteral("7"));
+    QTest::keyClick(&view, Qt::Key_Escape); // the number, not the curve
+    QTest::keyClick(&view, Qt::Key_C);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3 drawn = curvesOf(document).back().curve;
+    EXPECT_TRUE(drawn.closed());
+    EXPECT_EQ(drawn.corners().size(), 3u);
+    for (const Vec3& corner : {Vec3(-250, -100, 40), Vec3(250, -100, 40), Vec3(250, 300, 40)})
+        EXPECT_LT(drawn.closest(corner).distance, 1e-3);
+    EXPECT_LT(drawn.closest({0, -100, 40}).distance, 1e-3) << "through the air, not along the frame";
+}
+
+TEST_F(FixationDrawing, WhereThereIsNothingTheGroundIsDrawnOn)
+{
+    document.reset({});
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel({101, 48, 0}));
+    mouse.click(pixel({299, 52, 0}));
+    mouse.click(pixel({302, 149, 0}));
+    QTest::keyClick(&view, Qt::Key_B);
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 1u);
+    const BSpline3 drawn = curvesOf(document).back().curve;
+    for (const Vec3& point : {Vec3(100, 50, 0), Vec3(300, 50, 0), Vec3(300, 150, 0)})
+        EXPECT_LT(drawn.closest(point).distance, 1e-3);
+}
+
 TEST_F(FixationDrawing, EndsOfOtherCurvesAreMet)
 {
     view.setSurface(twoSquaresCover());
@@ -197,7 +233,7 @@ TEST_F(FixationDrawing, EndsOfOtherCurvesAreMet)
     mouse.click(pixel({0, 100, 50}) + QPointF(3, 2));
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_EQ(curvesOf(document).size(), 2u);
-    const BSpline3& drawn = curvesOf(document).back().curve;
+    const BSpline3 drawn = curvesOf(document).back().curve;
     EXPECT_LT((drawn.at(drawn.domainEnd()) - Vec3(0, 100, 50)).norm(), 1e-3);
 }
 

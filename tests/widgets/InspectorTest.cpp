@@ -98,6 +98,33 @@ TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
     EXPECT_EQ(boxes("Pressure").front()->text(), "");
 }
 
+TEST_F(InspectorTest, AnEdgeTakesALengthByNumber)
+{
+    selection.set({firstSquare}, {{firstSquare, 0}, {firstSquare, 1}});
+    NumberBox* length = boxes("Length between").front();
+    EXPECT_EQ(length->text(), "100 mm");
+    type(length, "3*25 mm");
+    EXPECT_LT((patch(firstSquare).outline.points()[1] - Vec2(75, 0)).norm(), 1e-6);
+    EXPECT_EQ(document.history().count(), 2);
+    document.undo();
+    EXPECT_TRUE(document.design() == twoSquares());
+
+    // What would break something is not done, and said.
+    std::string refused;
+    QObject::connect(&document, &Document::refused, [&](const Message& why) { refused = why.english(); });
+    Patch bent = patch(firstSquare);
+    bent.outline = BSpline2(1, true, {{0, 0}, {100, 0}, {50, 10}, {50, 60}, {0, 60}});
+    document.commit({{}, {{firstSquare, nullptr, makeElement(bent)}}});
+    selection.set({firstSquare}, {{firstSquare, 1}, {firstSquare, 2}});
+    const Design before = document.design();
+    type(boxes("Length between").front(), "200");
+    EXPECT_TRUE(document.design() == before);
+    EXPECT_EQ(refused, "The outline of First would cross or touch itself.");
+
+    selection.set({firstSquare, secondSquare}, {{firstSquare, 1}, {secondSquare, 2}});
+    EXPECT_TRUE(boxes("Length between").isEmpty());
+}
+
 TEST_F(InspectorTest, TakesTheNumberThatLayBelowVaries)
 {
     selection.set({firstSquare, secondSquare});

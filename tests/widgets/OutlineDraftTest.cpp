@@ -125,5 +125,20 @@ TEST(TypedSize, IsWidthByHeightTowardsThePointer)
     EXPECT_FALSE(typedSize(QStringLiteral("300x"), downRight, english));
 }
 
+TEST(TypedEntryTest, APlaceInSpaceHasTwoOrThreeNumbers)
+{
+    const QLocale english(QLocale::English, QLocale::UnitedStates), german(QLocale::German, QLocale::Germany);
+    const auto place = [](const char* text, const QLocale& locale) {
+        return typedPlace(QString::fromUtf8(text), 7, locale).value_or(Vec3::Constant(1e9));
+    };
+    EXPECT_EQ(place("250,-100,40", english), Vec3(250, -100, 40));
+    EXPECT_EQ(place("25 cm, 2*50; 3", english), Vec3::Constant(1e9));
+    EXPECT_EQ(place("25 cm; -2*50", english), Vec3(250, -100, 7)) << "as high as before";
+    EXPECT_EQ(place("1,5, 2,5, 3", german), Vec3(1.5, 2.5, 3));
+    EXPECT_EQ(place("1,5;2;3", german), Vec3(1.5, 2, 3));
+    for (const char* text : {"250", "1,2,3,4", "a,b", "1,2,"})
+        EXPECT_FALSE(typedPlace(QString::fromUtf8(text), 0, english)) << text;
+}
+
 } // namespace
 } // namespace bolster

@@ -103,6 +103,44 @@ TEST_F(SnapperTest, FindsTheLengthOfAnotherEdge)
     EXPECT_NEAR((found.point - *query.from).norm(), 100, 1e-9) << "as long as an edge of the squares";
 }
 
+TEST_F(SnapperTest, TheSidesOfABoxBecomeAsLongAsOthers)
+{
+    SnapQuery query;
+    query.boxFrom = Vec2(-45, -45);
+    query.at = *query.boxFrom + Vec2(31, 98);
+    const Snapped found = snap(query);
+    ASSERT_TRUE(has(found, Kind::EqualLength));
+    EXPECT_NEAR(found.point.y(), 55, 1e-9) << "100 mm high";
+    EXPECT_NEAR(found.point.x(), -14, 1e-9);
+}
+
+TEST_F(SnapperTest, ADraggedCornerMakesItsEdgesAsLongAsOthers)
+{
+    SnapQuery query;
+    query.ignoredPoints = {{firstSquare, 0}};
+    query.lengthsFrom = {Vec2(0, 100), Vec2(100, 0)};
+    query.at = Vec2(0, 100) + 101 * Vec2(-0.28, -0.96);
+    const Snapped found = snap(query);
+    ASSERT_TRUE(has(found, Kind::EqualLength));
+    EXPECT_NEAR((found.point - Vec2(0, 100)).norm(), 100, 1e-9);
+
+    // Its own edges do not count: they are as long as the drag makes them.
+    Design design = twoSquares();
+    for (const ElementId id : {firstSquare, secondSquare}) {
+        Patch patch = *design.find<Patch>(id);
+        patch.outline = BSpline2(1, true, {{0, 0}, {70, 0}, {70, 300}, {0, 300}});
+        if (id == firstSquare)
+            design = design.with({{}, {{id, nullptr, makeElement(patch)}}});
+        else
+            design = design.with({{}, {{id, nullptr, nullptr}}});
+    }
+    scene.reset(design);
+    query.lengthsFrom = {Vec2(70, 0)};
+    query.ignoredPoints = {{firstSquare, 0}};
+    query.at = Vec2(1, -5);
+    EXPECT_FALSE(has(snap(query), Kind::EqualLength));
+}
+
 TEST_F(SnapperTest, DirectionAndLengthTogether)
 {
     SnapQuery query;

@@ -2,18 +2,25 @@
 #include "CoverPlaces.h"
 #include "Crosshair.h"
 #include "Document.h"
+#include "ElementEdits.h"
 #include "Hiding.h"
 #include "PatternView.h"
 #include "ProblemSet.h"
 #include "SectionPanel.h"
 #include "Selection.h"
+#include "SurfaceMarks.h"
 #include "SurfaceSetup.h"
 #include "SurfaceView.h"
+#include "TwinEdits.h"
+#include "Twins.h"
+#include "Units.h"
 #include "VisibleCover.h"
 
+#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -139,6 +146,90 @@ TEST_F(SurfaceShown, ThePanelMovesTheSection)
     EXPECT_FALSE(view.section());
 }
 
+TEST_F(SurfaceShown, TheArrowsMoveAndTurnTheSection)
+{
+    view.setSectionShown(true);
+    const auto* panel = view.findChild<SectionPanel*>();
+    const auto shows = [&](const QString& text) {
+        const auto labels = panel->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; });
+    };
+    const std::vector<Vec3> frame = planeFrame(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)), Vec3::UnitX(), 200);
+    const Vec3 anchor = (frame[2] + frame[3]) / 2;
+    const double mm = view.camera().pixelSize(anchor);
+    const QPointF arrow = pixel(anchor + 30 * mm * Vec3::UnitX());
+    mouse.move(arrow);
+    EXPECT_EQ(view.cursor().shape(), Qt::SizeAllCursor);
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("section")));
+
+    mouse.drag(arrow, pixel(anchor + 30 * mm * Vec3::UnitX() + Vec3(-60, 0, 0)));
+    EXPECT_NEAR(view.section()->offset, 140, 2);
+    EXPECT_TRUE(shows(lengthText(view.section()->offset)));
+    EXPECT_NEAR(panel->findChild<QSlider*>()->value(), 350, 5);
+    EXPECT_TRUE(selection.elements().empty()) << "the tool has nothing to do with it";
+
+    const SectionPlane before = *view.section();
+    const QPointF there = pixel(Vec3(before.offset, anchor.y(), anchor.z()) + 30 * mm * Vec3::UnitX());
+    mouse.move(there);
+    mouse.press(there);
+    mouse.move(there + QPointF(31, 2), Qt::ControlModifier);
+    EXPECT_NEAR(view.section()->normal.dot(before.normal), std::cos(15 * M_PI / 180), 1e-9);
+    EXPECT_NEAR(view.section()->normal.z(), 0, 1e-9);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_NEAR(view.section()->offset, before.offset, 1e-9);
+    EXPECT_NEAR((view.section()->normal - before.normal).norm(), 0, 1e-9);
+    mouse.move(there + QPointF(90, 0));
+    EXPECT_NEAR(view.section()->offset, before.offset, 1e-9) << "the drag is over";
+    mouse.release(there);
+}
+
+TEST_F(SurfaceShown, ASectionSeenFromTheFrontIsMovedUpwards)
+{
+    Camera camera = view.camera();
+    camera.look(Camera::StandardView::Front);
+    view.setCamera(camera);
+    view.setSectionShown(true);
+    const auto buttons = view.findChild<SectionPanel*>()->findChildren<QToolButton*>();
+    buttons[1]->click(); // y
+    ASSERT_NEAR(view.section()->normal.y(), -1, 1e-12);
+    const std::vector<Vec3> frame = planeFrame(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)), -Vec3::UnitY(), -100);
+    const QPointF arrow = pixel((frame[2] + frame[3]) / 2) - QPointF(0, 30);
+    mouse.drag(arrow, arrow - QPointF(0, 20));
+    EXPECT_GT(view.section()->offset, -99) << "towards the eye: more is seen";
+}
+
+TEST_F(SurfaceShown, TheMirrorImageOfTheSelectionIsMarked)
+{
+    const auto colored = [&](const QColor& color) {
+        const QImage picture = view.grab().toImage();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                count += picture.pixelColor(x, y).rgb() == color.rgb();
+        return count;
+    };
+    const ViewColors colors = ViewColors::of(view.palette());
+    FixationCurve other{"Other", BSpline3(1, false, {{0, 150, 50}, {400, 150, 50}})};
+    document.commit(edits::addElement(document.design(), makeElement(other)));
+    const ElementId otherId{number(document.design().nextId()) - 1};
+    Settings settings = document.design().settings();
+    settings.symmetry = Symmetry{};
+    settings.symmetry->planePoint = Vec3(0, 125, 0);
+    settings.symmetry->planeNormal = Vec3::UnitY();
+    document.commit(edits::changeSettings(document.design(), settings));
+    const QImage withPlane = view.grab().toImage();
+    view.setLayerVisible(SurfaceView::Layer::Symmetry, false);
+    EXPECT_NE(view.grab().toImage(), withPlane);
+
+    document.commit(edits::linkTwins(document.design(), curveId, otherId));
+    ASSERT_EQ(twinOf(document.design(), curveId), otherId);
+    EXPECT_EQ(colored(mirroredColor(colors)), 0);
+    selection.set({curveId});
+    EXPECT_GT(colored(mirroredColor(colors)), 30);
+    view.setLayerVisible(SurfaceView::Layer::Twins, false);
+    EXPECT_EQ(colored(mirroredColor(colors)), 0);
+}
+
 TEST_F(SurfaceShown, HandlesAndFancySeamsHaveLayers)
 {
     const HandleCurve handle{{"Handle", leftPatch, BSpline2(1, false, {{20, 20}, {90, 20}})},
@@ -192,6 +283,18 @@ TEST_F(SurfaceShown, AClickIsToldOnce)
     EXPECT_LT((point.outline - Vec2(50, 60)).norm(), 2);
     mouse.drag(pixel({250, 60, 0}), pixel({150, 60, 0}));
     EXPECT_EQ(clicks.count(), 1) << "a drag turns the view";
+}
+
+TEST_F(SurfaceShown, TheCrossHairIsNotWhereTheCoverIsCutAway)
+{
+    const auto* crosshair = view.findChild<Crosshair*>();
+    const CoverPoint point{leftPatch, Vec2(50, 50)};
+    view.showPlace(point);
+    ASSERT_TRUE(crosshair->isVisible());
+    view.setSection(SectionPlane{-Vec3::UnitX(), -150});
+    EXPECT_FALSE(crosshair->isVisible());
+    view.setSection(SectionPlane{Vec3::UnitX(), 150});
+    EXPECT_TRUE(crosshair->isVisible());
 }
 
 } // namespace

@@ -4,12 +4,14 @@
 #include "PatternView.h"
 #include "Picture.h"
 #include "ProblemSet.h"
+#include "SeamEdits.h"
 #include "Selection.h"
 #include "TestDesigns.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 #include "ViewColors.h"
 
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QTest>
@@ -147,6 +149,43 @@ TEST_F(TwinViewTest, TheInspectorUnlinksAndLinksAgain)
     EXPECT_EQ(twinOf(document.design(), firstSquare), settingsId);
     selection.set({secondSquare});
     EXPECT_FALSE(button(inspector, QStringLiteral("Unlink from its twin")));
+}
+
+TEST_F(TwinViewTest, TheInspectorReleasesAndRelinksASeam)
+{
+    document.commit(edits::addSeam(document.design(), {firstSquare, 0, 1}, {twin, 2, 3}, true));
+    ElementId seam{};
+    document.design().each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+    ASSERT_NE(edits::mirroredElement(document.design(), seam), settingsId);
+    Inspector inspector(document, selection, problems);
+    inspector.show();
+    selection.set({seam});
+    QPushButton* release = button(inspector, QStringLiteral("Release from its mirror image"));
+    ASSERT_TRUE(release);
+    release->click();
+    EXPECT_TRUE(edits::sewingReleased(document.design(), seam));
+    document.commit(edits::setContinuity(document.design(), std::array{seam}, Continuity::G1));
+    QPushButton* relink = button(inspector, QStringLiteral("Re-link to its mirror image"));
+    ASSERT_TRUE(relink);
+    relink->click();
+    EXPECT_EQ(document.design().find<Seam>(seam)->continuity, Continuity::C0);
+    EXPECT_FALSE(edits::sewingReleased(document.design(), seam));
+}
+
+TEST_F(TwinViewTest, MarksTheMirrorImageOfTheSelection)
+{
+    selection.clear();
+    const QImage before = view.grab().toImage();
+    selection.set({firstSquare});
+    EXPECT_NE(view.grab().toImage().pixel(pixel({-70, 30})), before.pixel(pixel({-70, 30})));
+    PatternLayers layers = view.layers();
+    layers.twins = false;
+    view.setLayers(layers);
+    EXPECT_EQ(view.grab().toImage().pixel(pixel({-70, 30})), before.pixel(pixel({-70, 30})));
+    selection.clear();
+    Inspector inspector(document, selection, problems);
+    for (const QLabel* label : inspector.findChildren<QLabel*>())
+        EXPECT_FALSE(label->text().endsWith(u',')) << label->text().toStdString();
 }
 
 } // namespace

@@ -18,13 +18,9 @@ public:
 
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
-    void release(const PatternPointer&) override {}
-    void doubleClick(const PatternPointer&) override {}
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
-    void leave() override {}
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
@@ -51,9 +47,7 @@ public:
     void release(const PatternPointer&) override { m_pressed.reset(); }
     void doubleClick(const PatternPointer&) override { m_context.endTool(); }
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool escape() override;
-    void leave() override {}
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::SizeAllCursor; }

@@ -59,6 +59,7 @@ void BoxShapeTool::pointerMoved()
         SnapQuery query;
         if (m_first)
             query.own.push_back(*m_first);
+        query.boxFrom = m_first;
         m_next = snappedPointer(m_context, *m_pointer, query);
         if (m_first && (m_pointer->modifiers & Qt::ShiftModifier)) {
             const Vec2 way = m_pointer->layout - *m_first;

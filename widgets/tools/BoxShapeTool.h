@@ -21,7 +21,6 @@ public:
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
     void release(const PatternPointer& pointer) override;
-    void doubleClick(const PatternPointer&) override {}
 
     QString prompt() const override;
     void paint(QPainter& painter, const ViewColors& colors) const override;

@@ -1,12 +1,15 @@
 #include "FixationDrawTool.h"
 
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "ElementEdits.h"
 #include "Selection.h"
 #include "SurfaceMarks.h"
+#include "Units.h"
 
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +21,18 @@ namespace {
 constexpr double reach = 9;
 constexpr double dragDistance = 4;
 constexpr double pointRadius = 4.5;
+
+constexpr double groundGrid = 10; // mm
+
+std::optional<BSpline3> polygonThrough(const SurfacePath& path)
+{
+    std::vector<Vec3> points;
+    for (const std::size_t i : path.given)
+        points.push_back(path.points[i]);
+    if (points.size() < 2)
+        return std::nullopt;
+    return BSpline3(1, path.closed, std::move(points));
+}
 
 } // namespace
 
@@ -41,12 +56,40 @@ std::optional<Vec3> FixationDrawTool::curveEndAt(QPointF pixel) const
     return found;
 }
 
-std::optional<FixationDrawTool::Point> FixationDrawTool::pointAt(QPointF pixel) const
+std::optional<FixationDrawTool::Point> FixationDrawTool::pointAt(const SurfacePointer& pointer) const
 {
-    const SurfaceHit hit = m_context.ground(pixel);
-    if (const std::optional<Vec3> end = curveEndAt(pixel))
+    const SurfaceHit hit = m_context.ground(pointer.pixel);
+    if (const std::optional<Vec3> end = curveEndAt(pointer.pixel))
         return Point{*end, hit ? hit.kind : SurfaceHit::Kind::Frame};
-    return hit ? std::optional(Point{hit.position, hit.kind}) : std::nullopt;
+    return hit ? std::optional(Point{hit.position, hit.kind}) : groundAt(pointer);
+}
+
+/// Only where nothing else could be meant: a click that just misses the frame must not set a point behind it.
+std::optional<FixationDrawTool::Point> FixationDrawTool::groundAt(const SurfacePointer& pointer) const
+{
+    bool other = m_context.nearest(Vec3::Zero(), SurfaceHit::Kind::Cover).has_value();
+    m_context.document().design().each<Frame>([&](ElementId, const Frame&) { other = true; });
+    if (other && !free())
+        return std::nullopt;
+    const Camera::Ray ray = m_context.toolCamera().ray({pointer.pixel.x(), pointer.pixel.y()});
+    const double way = (height() - ray.origin.z()) / ray.direction.z();
+    Vec3 at = ray.origin + way * ray.direction;
+    if (!(way > 0) || !at.allFinite() || way > 20 * m_context.toolCamera().distance)
+        return std::nullopt; // the sky
+    if (!(pointer.modifiers & Qt::ControlModifier))
+        at.head<2>() = groundGrid * (at.head<2>() / groundGrid).array().round();
+    return Point{at, SurfaceHit::Kind::Nothing};
+}
+
+/// Through the air: it has a point that lies on nothing.
+bool FixationDrawTool::free() const
+{
+    return std::ranges::any_of(m_points, [](const Point& p) { return p.on == SurfaceHit::Kind::Nothing; });
+}
+
+double FixationDrawTool::height() const
+{
+    return m_points.empty() ? 0 : m_points.back().position.z();
 }
 
 bool FixationDrawTool::closes(QPointF pixel) const
@@ -56,6 +99,7 @@ bool FixationDrawTool::closes(QPointF pixel) const
 
 void FixationDrawTool::press(const SurfacePointer& pointer)
 {
+    m_typed.clear();
     m_pressed = pointer.pixel;
 }
 
@@ -70,8 +114,10 @@ bool FixationDrawTool::move(const SurfacePointer& pointer)
         updatePath();
         return false;
     }
-    m_closing = closes(pointer.pixel);
-    m_next = m_closing ? std::nullopt : pointAt(pointer.pixel);
+    m_pointer = pointer.pixel;
+    m_closing = !m_typed.open() && closes(pointer.pixel);
+    if (!m_typed.open())
+        m_next = m_closing ? std::nullopt : pointAt(pointer);
     updatePath();
     return true;
 }
@@ -85,11 +131,11 @@ void FixationDrawTool::release(const SurfacePointer& pointer)
         finish(true);
         return;
     }
-    const std::optional<Point> point = pointAt(pointer.pixel);
+    const std::optional<Point> point = pointAt(pointer);
     if (point)
         m_points.push_back(*point);
     else
-        m_context.report(tr("There is neither a frame nor the cover here."));
+        m_context.report(tr("There is neither a frame nor the cover here: click on one, or type x, y, z."));
     m_next.reset();
     updatePath();
 }
@@ -102,26 +148,53 @@ void FixationDrawTool::doubleClick(const SurfacePointer&)
 
 bool FixationDrawTool::wants(int key) const
 {
-    return key == Qt::Key_B || key == Qt::Key_Backspace || key == Qt::Key_Return || key == Qt::Key_Enter ||
-           key == Qt::Key_Escape;
+    return m_typed.wants(key) || isDrawingKey(key, true) || key == Qt::Key_C || key == Qt::Key_Escape;
 }
 
 bool FixationDrawTool::keyPress(const QKeyEvent& event)
 {
-    if (!wants(event.key()))
+    if (m_typed.keyPress(event)) {
+        pointTyped();
+        return true;
+    }
+    if (event.key() == Qt::Key_C)
+        finish(true);
+    else if (!pressDrawingKey(event.key(), m_points, &m_smooth, [this] { enter(); }))
         return false;
-    if (event.key() == Qt::Key_B)
-        m_smooth = !m_smooth;
-    else if (event.key() == Qt::Key_Backspace && !m_points.empty())
-        m_points.pop_back();
-    else if (event.key() != Qt::Key_Backspace)
-        finish(false);
     updatePath();
     return true;
 }
 
+void FixationDrawTool::pointTyped()
+{
+    const std::optional<Vec3> place = typedPlace(m_typed.text(), height());
+    m_typedGood = place.has_value();
+    m_closing = false;
+    m_next = place ? std::optional(Point{*place, SurfaceHit::Kind::Nothing}) : std::nullopt;
+    updatePath();
+}
+
+void FixationDrawTool::enter()
+{
+    if (!m_typed.open()) {
+        finish(false);
+    } else if (m_typedGood) {
+        m_points.push_back(*m_next);
+        m_next.reset();
+        m_typed.clear();
+    } else {
+        m_context.report(tr("\"%1\" is no place: try 250, -100, 40").arg(m_typed.text()));
+    }
+}
+
 bool FixationDrawTool::escape()
 {
+    if (m_typed.open()) {
+        m_typed.clear();
+        m_next.reset();
+        updatePath();
+        return true;
+    }
     if (m_points.empty())
         m_context.endTool();
     m_points.clear();
@@ -139,7 +212,7 @@ void FixationDrawTool::leave()
     updatePath();
 }
 
-/// A piece between two points on the cover follows the cover, any other one the frame.
+/// What lies on the cover alone follows the cover, what has a point in the air nothing, any other curve the frame.
 SurfacePath FixationDrawTool::path(bool closed, bool withNext) const
 {
     std::vector<Vec3> through;
@@ -153,7 +226,10 @@ SurfacePath FixationDrawTool::path(bool closed, bool withNext) const
     if (withNext && m_next)
         add(*m_next);
     const auto on = onCover ? SurfaceHit::Kind::Cover : SurfaceHit::Kind::Frame;
+    const bool air = free() || (withNext && m_next && m_next->on == SurfaceHit::Kind::Nothing);
     return pathAlong(through, closed, m_smooth, [&](const Vec3& p) -> std::optional<Vec3> {
+        if (air)
+            return std::nullopt;
         const std::optional<SurfaceFoot> foot = m_context.nearest(p, on);
         return foot ? std::optional(foot->position) : std::nullopt;
     });
@@ -167,7 +243,10 @@ void FixationDrawTool::updatePath()
 
 void FixationDrawTool::finish(bool closed)
 {
-    const std::optional<BSpline3> curve = curveAlong(path(closed, false), !m_smooth);
+    const SurfacePath along = path(closed, false);
+    // Straight pieces through the air are exactly that.
+    const std::optional<BSpline3> curve =
+        free() && !m_smooth ? polygonThrough(along) : curveAlong(along, !m_smooth);
     if (!curve) {
         m_context.report(tr("A curve needs two points, a closed one three."));
         return;
@@ -188,15 +267,31 @@ void FixationDrawTool::finish(bool closed)
 
 QString FixationDrawTool::prompt() const
 {
+    if (m_typed.open())
+        return tr("Enter sets the point: x, y, z \u2013 without z it is as high as the last one");
     if (m_points.empty())
-        return tr("Click on a frame to begin a fixation curve, drag to turn the view \u2013 Esc ends the tool");
+        return tr(
+            "Click on a frame to begin a fixation curve, or type x, y, z \u2013 drag turns the view, Esc ends "
+            "the tool");
     if (m_closing)
         return tr("Click to close the curve");
-    return m_smooth
-               ? tr("Click for the next point, double click or Enter ends \u2013 B makes it straight, Backspace "
-                    "takes a point back")
-               : tr("Click for the next point, double click or Enter ends \u2013 B makes it smooth, Backspace "
-                    "takes a point back");
+    return m_smooth ? tr("Click or type the next point, Enter ends, C closes \u2013 B makes it straight, Backspace "
+                         "takes a point back")
+                    : tr("Click or type the next point, Enter ends, C closes \u2013 B makes it smooth, Backspace "
+                         "takes a point back");
+}
+
+std::optional<SurfaceNote> FixationDrawTool::note() const
+{
+    if (m_typed.open())
+        return SurfaceNote{m_typed.text(), m_pointer, true, m_typedGood};
+    if (!m_next || m_next->on != SurfaceHit::Kind::Nothing)
+        return std::nullopt;
+    const Vec3& at = m_next->position;
+    return SurfaceNote{
+        tr("%1, %2, %3 mm")
+            .arg(decimalText(at.x(), 0, true), decimalText(at.y(), 0, true), decimalText(at.z(), 0, true)),
+        m_pointer};
 }
 
 SurfaceLine FixationDrawTool::ring(const Vec3& centre, double radius) const
@@ -228,7 +323,7 @@ std::vector<SurfaceLine> FixationDrawTool::guides() const
             line.points.push_back(line.points.front());
         line.color = fixationCurveColor(m_context.colors());
         line.width = 2.6F;
-        line.hidden = 0.5F;
+        line.hidden = 0.95F; // mostly the cover lies over the frame that is drawn on
         line.casing = 0.8F;
         lines.push_back(std::move(line));
     }

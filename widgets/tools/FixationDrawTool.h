@@ -3,15 +3,17 @@
 
 #include "SurfacePath.h"
 #include "SurfaceTool.h"
+#include "TypedEntry.h"
 
 #include <QCoreApplication>
 
 namespace bolster {
 
 /// Clicks set points on a frame, or on the cover where there is none, or on the end of another curve; the curve
-/// follows the surface between them. A double click or Enter ends it, a click on the first point closes it. B
-/// switches between smooth and straight, Backspace takes back a point, Escape the curve, then the tool. A drag
-/// turns the view.
+/// follows the surface between them. Where there is nothing at all they lie on the ground, or as high as the point
+/// before. Places can be typed; a curve with such a point goes through the air. A double click or Enter ends it, a
+/// click on the first point or C closes it. B switches between smooth and straight, Backspace takes back a point,
+/// Escape the curve, then the tool. A drag turns the view.
 class FixationDrawTool : public SurfaceTool {
     Q_DECLARE_TR_FUNCTIONS(FixationDrawTool)
 
@@ -23,23 +25,27 @@ public:
     void release(const SurfacePointer& pointer) override;
     void doubleClick(const SurfacePointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
     void leave() override;
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    std::optional<std::pair<ElementId, int>> hoveredPoint() const override { return std::nullopt; }
+    std::optional<SurfaceNote> note() const override;
     std::vector<SurfaceLine> guides() const override;
 
 private:
     struct Point {
-        Vec3 position = Vec3::Zero(); ///< mm
-        SurfaceHit::Kind on = SurfaceHit::Kind::Frame;
+        Vec3 position = Vec3::Zero();                  ///< mm
+        SurfaceHit::Kind on = SurfaceHit::Kind::Frame; ///< nothing: in the air
     };
 
-    std::optional<Point> pointAt(QPointF pixel) const;
+    std::optional<Point> pointAt(const SurfacePointer& pointer) const;
+    std::optional<Point> groundAt(const SurfacePointer& pointer) const;
+    bool free() const;
+    double height() const;
+    void pointTyped();
+    void enter();
     std::optional<Vec3> curveEndAt(QPointF pixel) const;
     bool closes(QPointF pixel) const;
     bool near(const Vec3& point, QPointF pixel) const;
@@ -51,6 +57,9 @@ private:
     std::vector<Point> m_points;
     std::optional<Point> m_next; ///< under the pointer
     std::optional<QPointF> m_pressed;
+    QPointF m_pointer; ///< pixels
+    TypedEntry m_typed;
+    bool m_typedGood = false;
     SurfacePath m_shown;
     bool m_smooth = true;
     bool m_closing = false; ///< a click now closes the curve

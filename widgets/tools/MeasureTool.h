@@ -17,10 +17,6 @@ public:
 
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
-    void release(const PatternPointer&) override {}
-    void doubleClick(const PatternPointer&) override {}
-    bool keyPress(const QKeyEvent&) override { return false; }
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool escape() override;
     void leave() override;
 

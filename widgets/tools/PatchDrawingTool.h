@@ -19,7 +19,6 @@ public:
     using PatternTool::PatternTool;
 
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
     void leave() override;

@@ -2,6 +2,7 @@
 
 #include "CurvePath.h"
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "HandleEdits.h"
 #include "PatchDrawingTool.h"
 #include "PatternMarks.h"
@@ -73,19 +74,13 @@ void PatternDrawTool::doubleClick(const PatternPointer&)
 
 bool PatternDrawTool::wants(int key) const
 {
-    return key == Qt::Key_B || key == Qt::Key_Backspace || key == Qt::Key_Return || key == Qt::Key_Enter;
+    return isDrawingKey(key, true);
 }
 
 bool PatternDrawTool::keyPress(const QKeyEvent& event)
 {
-    if (!wants(event.key()))
+    if (!pressDrawingKey(event.key(), m_points, &m_smooth, [this] { finish(false); }))
         return false;
-    if (event.key() == Qt::Key_B)
-        m_smooth = !m_smooth;
-    else if (event.key() == Qt::Key_Backspace && !m_points.empty())
-        m_points.pop_back();
-    else if (event.key() != Qt::Key_Backspace)
-        finish(false);
     m_context.refresh();
     return true;
 }

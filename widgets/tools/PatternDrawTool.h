@@ -27,10 +27,8 @@ public:
 
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
-    void release(const PatternPointer&) override {}
     void doubleClick(const PatternPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
     void leave() override;

@@ -48,9 +48,11 @@ void PatternSelectTool::press(const PatternPointer& pointer)
     m_pressed = pointer;
     m_pressedHandle = onTurnHandle(pointer.pixel);
     m_pressedCorner = m_pressedHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
-    m_pressedHit = m_pressedHandle || m_pressedCorner ? PatternHit{} : m_context.hit(pointer.pixel);
+    m_pressedEnd = m_pressedHandle || m_pressedCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
+    const bool onHandle = m_pressedHandle || m_pressedCorner || m_pressedEnd;
+    m_pressedHit = onHandle ? PatternHit{} : m_context.hit(pointer.pixel);
     m_alreadySelected = false;
-    if (!m_pressedHandle && !m_pressedCorner)
+    if (!onHandle)
         select(pointer);
     m_context.refresh();
 }
@@ -84,6 +86,8 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
         return turnPatches(m_context, *m_pressed);
     if (m_pressedCorner)
         return scalePatches(m_context, *m_pressed, *m_pressedCorner);
+    if (m_pressedEnd)
+        return dragStretchEnd(m_context, *m_pressed, *m_pressedEnd);
     switch (m_pressedHit.kind) {
     case PatternHit::Kind::Nothing:
         return m_context.lasso() != bool(m_pressed->modifiers & Qt::AltModifier)
@@ -132,7 +136,8 @@ void PatternSelectTool::move(const PatternPointer& pointer)
     } else if (!m_pressed) {
         m_overHandle = onTurnHandle(pointer.pixel);
         m_overCorner = m_overHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
-        m_hover = m_overHandle || m_overCorner ? PatternHit{} : m_context.hit(pointer.pixel);
+        m_overEnd = m_overHandle || m_overCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
+        m_hover = m_overHandle || m_overCorner || m_overEnd ? PatternHit{} : m_context.hit(pointer.pixel);
         m_context.selection().hover(m_hover ? m_hover.element() : settingsId);
     }
     m_context.refresh();
@@ -155,7 +160,7 @@ void PatternSelectTool::release(const PatternPointer& pointer)
             m_context.selection().set({m_pressedHit.patch}, {{m_pressedHit.patch, m_pressedHit.point}});
         else if (m_alreadySelected)
             m_context.selection().set({m_pressedHit.element()});
-        else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !add)
+        else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !m_pressedEnd && !add)
             m_context.selection().clear();
     }
     move(pointer);
@@ -230,6 +235,7 @@ void PatternSelectTool::leave()
     m_hover = {};
     m_overHandle = false;
     m_overCorner.reset();
+    m_overEnd.reset();
     m_context.selection().hover(settingsId);
     m_context.refresh();
 }
@@ -284,6 +290,8 @@ QString PatternSelectTool::prompt() const
         return tr("Drag to turn the selected patches in the layout");
     if (m_overCorner)
         return tr("Drag to scale the selected patches \u2013 Shift keeps the proportions");
+    if (m_overEnd)
+        return tr("Drag to move this end of the stretch along the outline");
     switch (m_hover.kind) {
     case PatternHit::Kind::Point:
         return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
@@ -307,6 +315,8 @@ QCursor PatternSelectTool::cursor() const
         return m_drag->cursor();
     if (m_overHandle)
         return Qt::OpenHandCursor;
+    if (m_overEnd)
+        return Qt::SizeAllCursor;
     if (m_overCorner)
         return *m_overCorner == Box2::TopLeft || *m_overCorner == Box2::BottomRight ? Qt::SizeFDiagCursor
                                                                                     : Qt::SizeBDiagCursor;
@@ -332,6 +342,7 @@ void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
     if (m_hover.kind == PatternHit::Kind::Point)
         if (const auto twin = m_context.scene().twins().follower(m_context.scene(), m_hover.patch, m_hover.point))
             paintFollower(painter, m_context.transform().toPixels(*twin), colors);
+    paintStretchEnds(painter, colors, m_context, m_overEnd);
     const std::optional<QPointF> handle = turnHandle();
     if (!handle)
         return;

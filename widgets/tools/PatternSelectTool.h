@@ -1,7 +1,7 @@
 // Selects, moves and turns in the pattern view.
 #pragma once
 
-#include "PatternDrags.h"
+#include "StretchEndDrag.h"
 
 #include <QCoreApplication>
 
@@ -10,8 +10,8 @@
 namespace bolster {
 
 /// Click selects, Shift adds, a drag from nothing selects a box. Control points are dragged together, patches by
-/// their inside, turned by the handle above the selection. A double click on an outline or line inserts a control
-/// point, arrow keys move by 1 mm (Shift: 10 mm).
+/// their inside, turned by the handle above the selection, ends of selected seams along the outline. A double
+/// click on an outline or line inserts a control point, arrow keys move by 1 mm (Shift: 10 mm).
 class PatternSelectTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(PatternSelectTool)
 
@@ -48,11 +48,13 @@ private:
     PatternHit m_hover;
     bool m_overHandle = false;
     std::optional<Box2::CornerType> m_overCorner;
+    std::optional<StretchEndHandle> m_overEnd;
 
     std::optional<PatternPointer> m_pressed;
     PatternHit m_pressedHit;
     bool m_pressedHandle = false;
     std::optional<Box2::CornerType> m_pressedCorner;
+    std::optional<StretchEndHandle> m_pressedEnd;
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 

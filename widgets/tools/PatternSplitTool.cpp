@@ -1,6 +1,7 @@
 #include "PatternSplitTool.h"
 
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "ElementText.h"
 #include "PatchSplit.h"
 #include "Selection.h"
@@ -66,17 +67,13 @@ void PatternSplitTool::doubleClick(const PatternPointer&)
 
 bool PatternSplitTool::wants(int key) const
 {
-    return key == Qt::Key_Backspace || key == Qt::Key_Return || key == Qt::Key_Enter;
+    return isDrawingKey(key, false);
 }
 
 bool PatternSplitTool::keyPress(const QKeyEvent& event)
 {
-    if (!wants(event.key()))
+    if (!pressDrawingKey(event.key(), m_points, nullptr, [this] { finish(); }))
         return false;
-    if (event.key() != Qt::Key_Backspace)
-        finish();
-    else if (!m_points.empty())
-        m_points.pop_back();
     changeLine();
     return true;
 }

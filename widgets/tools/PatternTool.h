@@ -63,16 +63,16 @@ public:
     virtual void press(const PatternPointer& pointer) = 0;
     /// With the button down or not.
     virtual void move(const PatternPointer& pointer) = 0;
-    virtual void release(const PatternPointer& pointer) = 0;
-    virtual void doubleClick(const PatternPointer& pointer) = 0;
-    virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
-    virtual bool keyRelease(const QKeyEvent& event) = 0;
+    virtual void release(const PatternPointer&) {}
+    virtual void doubleClick(const PatternPointer&) {}
+    virtual bool keyPress(const QKeyEvent&) { return false; } ///< true: used
+    virtual bool keyRelease(const QKeyEvent&) { return false; }
     /// Keys that are the tool's even where a window gives them another meaning.
     virtual bool wants(int) const { return false; }
     /// One step back; false when there was none.
     virtual bool escape() = 0;
     /// The pointer has left the view, or the view the keyboard.
-    virtual void leave() = 0;
+    virtual void leave() {}
 
     virtual QString prompt() const = 0;
     virtual QCursor cursor() const = 0;

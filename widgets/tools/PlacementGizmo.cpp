@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace bolster {
@@ -30,22 +29,6 @@ constexpr double snapAngle = 15 * std::numbers::pi / 180;
 double snapped(double value, double step, Qt::KeyboardModifiers modifiers)
 {
     return modifiers & Qt::ControlModifier ? step * std::round(value / step) : value;
-}
-
-/// Of a pixel from a polyline in the picture.
-double distance(const Camera& camera, const std::vector<Vec3>& points, const Vec2& pixel)
-{
-    double best = std::numeric_limits<double>::max();
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const std::optional<Vec2> from = camera.pixel(points[i - 1]), to = camera.pixel(points[i]);
-        if (!from || !to)
-            continue;
-        const Vec2 edge = *to - *from;
-        const double length = edge.squaredNorm();
-        const double t = length > 0 ? std::clamp((pixel - *from).dot(edge) / length, 0.0, 1.0) : 0;
-        best = std::min(best, (*from + t * edge - pixel).norm());
-    }
-    return best;
 }
 
 } // namespace
@@ -109,7 +92,7 @@ PlacementGizmo::Handle PlacementGizmo::handleAt(QPointF position) const
     Handle best;
     double nearest = reach;
     for (const Shape& shape : shapes(centre))
-        if (const double d = distance(camera, shape.points, pixel); d < nearest) {
+        if (const double d = distanceInPicture(camera, shape.points, pixel); d < nearest) {
             nearest = d;
             best = shape.handle;
         }

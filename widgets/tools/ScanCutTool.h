@@ -17,15 +17,10 @@ public:
     void press(const SurfacePointer& pointer) override;
     bool move(const SurfacePointer& pointer) override;
     void release(const SurfacePointer& pointer) override;
-    void doubleClick(const SurfacePointer&) override {}
-    bool keyPress(const QKeyEvent&) override { return false; }
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool escape() override;
-    void leave() override {}
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    std::optional<std::pair<ElementId, int>> hoveredPoint() const override { return std::nullopt; }
     std::vector<SurfaceLine> guides() const override;
 
 private:

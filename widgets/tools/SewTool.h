@@ -22,7 +22,6 @@ public:
     void release(const PatternPointer& pointer) override;
     void doubleClick(const PatternPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent&) override { return false; }
     bool wants(int key) const override;
     bool escape() override;
     void leave() override;

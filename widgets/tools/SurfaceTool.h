@@ -42,6 +42,16 @@ struct SurfacePointer {
     Qt::KeyboardModifiers modifiers;
 };
 
+/// What a tool writes beside the pointer.
+struct SurfaceNote {
+    QString text;
+    QPointF beside;     ///< pixels
+    bool typed = false; ///< a field in which the user types
+    bool good = true;   ///< it can be understood
+
+    friend bool operator==(const SurfaceNote&, const SurfaceNote&) = default;
+};
+
 class SurfaceTool {
 public:
     explicit SurfaceTool(SurfaceToolContext& context)
@@ -53,22 +63,23 @@ public:
     /// With the button down or not. False: a drag that is none of the tool's, so it may turn the view.
     virtual bool move(const SurfacePointer& pointer) = 0;
     virtual void release(const SurfacePointer& pointer) = 0;
-    virtual void doubleClick(const SurfacePointer& pointer) = 0;
-    virtual bool keyPress(const QKeyEvent& event) = 0; ///< true: used
-    virtual bool keyRelease(const QKeyEvent& event) = 0;
+    virtual void doubleClick(const SurfacePointer&) {}
+    virtual bool keyPress(const QKeyEvent&) { return false; } ///< true: used
+    virtual bool keyRelease(const QKeyEvent&) { return false; }
     /// Keys that are the tool's even where a window gives them another meaning.
     virtual bool wants(int) const { return false; }
     /// One step back; false when there was none.
     virtual bool escape() = 0;
     /// The pointer has left the view, or the view the keyboard.
-    virtual void leave() = 0;
+    virtual void leave() {}
 
     virtual QString prompt() const = 0;
     virtual QCursor cursor() const = 0;
     /// The control point under the pointer.
-    virtual std::optional<std::pair<ElementId, int>> hoveredPoint() const = 0;
+    virtual std::optional<std::pair<ElementId, int>> hoveredPoint() const { return std::nullopt; }
+    virtual std::optional<SurfaceNote> note() const { return std::nullopt; }
     /// Drawn with the scene.
-    virtual std::vector<SurfaceLine> guides() const = 0;
+    virtual std::vector<SurfaceLine> guides() const { return {}; }
 
 protected:
     SurfaceToolContext& m_context;

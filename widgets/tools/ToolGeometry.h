@@ -6,6 +6,8 @@
 #include <QColor>
 #include <QPointF>
 
+#include <vector>
+
 namespace bolster {
 
 /// How far along a line (from `origin`, in lengths of the unit vector `along`) it is to the place nearest to the
@@ -19,6 +21,9 @@ inline double alongLine(const Camera& camera, const Vec3& origin, const Vec3& al
         return 0;
     return (along.dot(between) - share * ray.direction.dot(between)) / denominator;
 }
+
+/// Of a pixel from a polyline in the picture, pixels. Parts behind the eye do not count.
+double distanceInPicture(const Camera& camera, const std::vector<Vec3>& points, const Vec2& pixel);
 
 /// x red, y green, z blue, as usual.
 inline QColor axisColor(int axis)

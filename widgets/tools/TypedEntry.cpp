@@ -93,6 +93,24 @@ std::optional<Vec2> typedSize(const QString& text, const Vec2& towards, const QL
     return Vec2(std::copysign(size->x(), towards.x()), std::copysign(size->y(), towards.y()));
 }
 
+std::optional<Vec3> typedPlace(const QString& text, double height, const QLocale& locale)
+{
+    const bool commas = locale.decimalPoint() != QLatin1String(",");
+    QStringList parts = text.split(u';');
+    if (parts.size() == 1)
+        parts = text.split(commas ? QStringLiteral(",") : QStringLiteral(", "));
+    if (parts.size() < 2 || parts.size() > 3)
+        return std::nullopt;
+    Vec3 place(0, 0, height);
+    for (qsizetype axis = 0; axis < parts.size(); ++axis) {
+        const auto length = parseLength(parts[axis], locale);
+        if (!length)
+            return std::nullopt;
+        place[axis] = *length;
+    }
+    return place;
+}
+
 bool TypedEntry::keyPress(const QKeyEvent& event)
 {
     if (event.key() == Qt::Key_Backspace && open()) {

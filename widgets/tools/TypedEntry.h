@@ -23,6 +23,9 @@ std::optional<Vec2> typedStep(const QString& text, const Vec2& towards, const QL
 /// "300,200", or one length for both.
 std::optional<Vec2> typedSize(const QString& text, const Vec2& towards, const QLocale& locale = QLocale());
 
+/// A place in space, mm: "250, -250, 40", or with ";" between; of two numbers the third is `height`.
+std::optional<Vec3> typedPlace(const QString& text, double height, const QLocale& locale = QLocale());
+
 /// What has been typed so far. Opens with a digit, sign, bracket or decimal sign; then takes everything.
 class TypedEntry {
 public:

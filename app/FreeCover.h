@@ -1,0 +1,38 @@
+// A cover that nothing holds yet: where it floats means nothing, so the window looks after it.
+#pragma once
+
+#include <QObject>
+
+#include <cstdint>
+
+namespace bolster {
+
+class Document;
+class SolverLink;
+class SurfaceView;
+
+/// Settles such a cover by itself, because it may have drifted far away, and keeps it in the picture until somebody
+/// moves the view.
+class FreeCover : public QObject {
+    Q_OBJECT
+
+public:
+    FreeCover(Document& document, SolverLink& solver, SurfaceView& view, QObject* parent);
+
+    /// Another design was opened.
+    void forget();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void look();
+
+    Document& m_document;
+    SolverLink& m_solver;
+    SurfaceView& m_view;
+    std::uint64_t m_shown = 0; ///< revision of the design
+    bool m_moved = false;      ///< by hand
+};
+
+} // namespace bolster

@@ -1,0 +1,25 @@
+// What docs/first-cover.md promises.
+#include "FirstCover.h"
+#include "WindowTest.h"
+
+namespace bolster {
+namespace {
+
+TEST_F(WindowTest, ANewcomerSewsACushionWithinTwentyFiveClicks)
+{
+    Designer designer(window);
+    sewFirstCover(designer, [](const QString&) {});
+    EXPECT_LE(designer.clicks(), 25);
+    int seams = 0;
+    window.document().design().each<Seam>([&](ElementId, const Seam&) { ++seams; });
+    EXPECT_EQ(seams, 4);
+    ASSERT_TRUE(waitUntilSolved());
+    const Box3 box = window.solver().surface()->boundingBox();
+    EXPECT_GT(box.sizes().z(), 150) << "it is filled";
+    EXPECT_GT(box.sizes().x(), 380);
+    EXPECT_GT(box.sizes().y(), 380);
+    EXPECT_FALSE(window.findChild<QWidget*>(QStringLiteral("next-step"))->isVisible()) << "nothing is left to do";
+}
+
+} // namespace
+} // namespace bolster

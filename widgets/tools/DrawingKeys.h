@@ -1,0 +1,32 @@
+// The keys of all tools that draw a line point by point.
+#pragma once
+
+#include <Qt>
+
+#include <vector>
+
+namespace bolster {
+
+/// Enter ends the line, Backspace takes back a point, B switches between straight and smooth.
+inline bool isDrawingKey(int key, bool canBeSmooth)
+{
+    return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace ||
+           (key == Qt::Key_B && canBeSmooth);
+}
+
+/// Does what the key means; false when it is none of these. Lines that are always straight have no `smooth`.
+template <class Point, class Finish>
+bool pressDrawingKey(int key, std::vector<Point>& points, bool* smooth, Finish finish)
+{
+    if (!isDrawingKey(key, smooth))
+        return false;
+    if (key == Qt::Key_B)
+        *smooth = !*smooth;
+    else if (key != Qt::Key_Backspace)
+        finish();
+    else if (!points.empty())
+        points.pop_back();
+    return true;
+}
+
+} // namespace bolster
