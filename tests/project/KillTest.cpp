@@ -2,9 +2,12 @@
 #include "DesignHash.h"
 #include "TestProject.h"
 
+#include <QDir>
+
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -166,6 +169,31 @@ TEST_F(KillTest, WhenSavingIsKilledTheFileIsTheOldOrTheNewOne)
         const std::string latest = stateOf(journal.project.design, journal.project.history);
         ASSERT_TRUE(follow(latest, 0, 1)) << round;
     }
+}
+
+TEST_F(KillTest, AFullDiskWhileSavingLeavesTheOldOrTheNewFile)
+{
+    expectFine(Journal::open(path("journal")).journal->save(path("a.bolster")));
+    int refused = 0;
+    for (rlim_t most = 0; most < 150'000; most += 2'048) {
+        Child child([&](const auto& acknowledge) {
+            ::signal(SIGXFSZ, SIG_IGN); // a write beyond the limit fails then, as on a full disk
+            const Journal::Opened opened = Journal::open(path("journal"));
+            const rlimit limit = {most, most};
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+            if (opened.journal && opened.journal->save(path("a.bolster")).empty())
+                acknowledge();
+        });
+        child.await(1);
+        child.kill();
+        refused += child.done() == 0;
+        const OpenedProject saved = openProject(path("a.bolster"), ProjectCheck::Everything);
+        ASSERT_EQ(saved.problem.english(), "") << most;
+        ASSERT_EQ(writeDesign(saved.design), writeDesign(smallDesign()));
+        ASSERT_TRUE(Journal::open(path("journal")).journal) << most;
+        EXPECT_EQ(QDir(m_folder.path()).entryList({".bolster*"}, QDir::Files | QDir::Hidden).size(), 0) << most;
+    }
+    EXPECT_GT(refused, 10);
 }
 
 TEST_F(KillTest, CopiesTakenDuringWorkAreWhole)

@@ -127,7 +127,7 @@ TEST_F(SalvageTest, WhateverPagesAreLostTheResultIsSound)
 {
     make(300);
     std::mt19937 random(1);
-    const int wanted = rounds("BOLSTER_SALVAGES", 60);
+    const int wanted = rounds("BOLSTER_SALVAGES", 30);
     int saved = 0;
     for (int i = 0; i < wanted; ++i) {
         std::string bytes = m_bytes;

@@ -1,0 +1,133 @@
+// Projects of all versions of the format that there ever were.
+#include "Database.h"
+#include "FormatUpgrade.h"
+#include "ProjectFuzz.h"
+#include "TestProject.h"
+
+#include <QDir>
+
+#include <sqlite3.h>
+
+namespace bolster::test {
+namespace {
+
+using Versions = TestFiles;
+
+const QString corpus = BOLSTER_TEST_DATA "/projects/v1/";
+
+/// What must never change about a project: every version of the design, and all that the history says.
+std::string everything(const OpenedProject& project)
+{
+    std::string text = historyText(project.history) + "\n" + writeDesign(project.design);
+    for (NodeId node = 0; node < project.history.count(); ++node)
+        text += hexText(hashOf(writeDesign(project.history.designAt(node, project.design).value()))) + "\n";
+    for (const auto& [name, blob] : project.assets)
+        text += name + "\n";
+    return text;
+}
+
+TEST_F(Versions, ProjectsOfVersion1OpenForEver)
+{
+    const QStringList files = QDir(corpus).entryList({"*.bolster"});
+    EXPECT_FALSE(files.isEmpty());
+    for (const QString& file : files) {
+        const OpenedProject project = openProject(corpus + file, ProjectCheck::Everything);
+        ASSERT_EQ(project.problem.english(), "") << file.toStdString();
+        const std::string wanted = readWholeFile(corpus + file + ".txt", 10'000'000).bytes;
+        EXPECT_EQ(everything(project), wanted) << file.toStdString();
+        expectFine(extractAllAssets(project, path("assets")));
+        EXPECT_EQ(read("assets/chair.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        EXPECT_TRUE(openDesignOrProject(corpus + file).readable);
+        EXPECT_TRUE(Journal::begin(corpus + file, path("journal")).journal) << "work can go on";
+    }
+}
+
+/// Made the file above, once: BOLSTER_WRITE_CORPUS names the folder.
+TEST_F(Versions, WritesACorpusFileWhenAsked)
+{
+    const QString folder = qEnvironmentVariable("BOLSTER_WRITE_CORPUS");
+    if (folder.isEmpty())
+        GTEST_SKIP();
+    Document document;
+    document.reset(smallDesign());
+    Journal::Opened opened = Journal::create(path("journal"), document.committed());
+    document.reset(opened.project.design, opened.project.history);
+    write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("room.xyz", "1 2 3\n4 5 6\n");
+    for (std::string name : {"chair.obj", "scans/room.xyz"})
+        expectFine(opened.journal->addAsset(name, path(QString::fromStdString(name).section('/', -1))));
+    Hands hands(2026);
+    for (int step = 0; step < 220; ++step) {
+        hands.step(document);
+        expectFine(opened.journal->record(document.history(), document.committed()));
+        if (step == 100) {
+            expectFine(opened.journal->setThumbnail(3, "no picture"));
+            expectFine(opened.journal->save(path("a.bolster")));
+            opened = {};
+            opened = Journal::open(path("journal"));
+            document.reset(opened.project.design, opened.project.history);
+        }
+    }
+    expectFine(opened.journal->setName(7, "Für den Kunden"));
+    expectFine(opened.journal->save(folder + "/small.bolster"));
+    const OpenedProject project = openProject(folder + "/small.bolster", ProjectCheck::Everything);
+    expectFine(replaceWholeFile(folder + "/small.bolster.txt", everything(project)));
+}
+
+TEST_F(Versions, OlderOnesAreUpgradedIntoANewFile)
+{
+    Document document;
+    document.reset(smallDesign());
+    expectFine(Journal::create(path("journal"), document.committed()).journal->save(path("old.bolster")));
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path("old.bolster").toUtf8(), &database), SQLITE_OK);
+    EXPECT_EQ(
+        sqlite3_exec(database, "DROP TABLE thumbnail; PRAGMA user_version = 0; VACUUM", nullptr, nullptr, nullptr),
+        SQLITE_OK);
+    sqlite3_close(database);
+    const std::string old = read("old.bolster");
+    EXPECT_EQ(formatVersionOf(path("old.bolster")), 0);
+
+    const std::vector<UpgradeStep> steps = {
+        {0, [](Database& older) {
+             older.run("CREATE TABLE thumbnail(node INTEGER PRIMARY KEY, png BLOB NOT NULL) STRICT");
+         }}};
+    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 2, steps).empty())
+        << "no step from 1 to 2";
+    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 1).empty());
+    EXPECT_FALSE(QFileInfo::exists(path("new.bolster")));
+    expectFine(upgradeProject(path("old.bolster"), path("new.bolster"), 1, steps));
+    const OpenedProject upgraded = openProject(path("new.bolster"), ProjectCheck::Everything);
+    EXPECT_EQ(upgraded.problem.english(), "");
+    EXPECT_EQ(writeDesign(upgraded.design), writeDesign(document.committed()));
+    EXPECT_EQ(read("old.bolster"), old);
+    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 1, steps).empty())
+        << "it is there already";
+    EXPECT_FALSE(upgradeProject(write("x", "no project"), path("y"), 1, steps).empty());
+    EXPECT_EQ(QDir(m_folder.path()).entryList({".bolster*"}, QDir::Files | QDir::Hidden).size(), 0);
+}
+
+TEST_F(Versions, ReadersTakeAnyBytes)
+{
+    std::mt19937 random(1);
+    const std::string edit = encodeChanges(fieldChanges(editBetween(Design(), smallDesign(), {})));
+    ASSERT_TRUE(fuzzChanges(edit));
+    int edits = 0;
+    const auto mutate = [&](std::string bytes, int most) {
+        for (int change = static_cast<int>(random()) % most; change >= 0; --change)
+            bytes[random() % bytes.size()] = static_cast<char>(random());
+        return bytes;
+    };
+    for (int i = 0; i < 20'000; ++i)
+        edits += fuzzChanges(mutate(edit, 4));
+    EXPECT_GT(edits, 1'000);
+    Document document;
+    document.reset(smallDesign());
+    expectFine(Journal::create(path("journal"), document.committed()).journal->save(path("a.bolster")));
+    const std::string project = read("a.bolster");
+    for (int i = 0; i < 100; ++i)
+        fuzzProject(path("fuzzed" + QString::number(i)), mutate(project, 200));
+}
+
+} // namespace
+} // namespace bolster::test
