@@ -313,10 +313,6 @@
 <context>
     <name>FixationDrawTool</name>
     <message>
-        <source>There is neither a frame nor the cover here.</source>
-        <translation>Hier ist weder ein Gestell noch der Bezug.</translation>
-    </message>
-    <message>
         <source>A curve needs two points, a closed one three.</source>
         <translation>Eine Kurve braucht zwei Punkte, eine geschlossene drei.</translation>
     </message>
@@ -325,20 +321,36 @@
         <translation>Fixierung %1</translation>
     </message>
     <message>
-        <source>Click on a frame to begin a fixation curve, drag to turn the view – Esc ends the tool</source>
-        <translation>Auf ein Gestell klicken, um eine Fixierkurve zu beginnen; Ziehen dreht die Ansicht – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
         <source>Click to close the curve</source>
         <translation>Klick schließt die Kurve</translation>
     </message>
     <message>
-        <source>Click for the next point, double click or Enter ends – B makes it straight, Backspace takes a point back</source>
-        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie gerade, Rücktaste nimmt einen Punkt zurück</translation>
+        <source>There is neither a frame nor the cover here: click on one, or type x, y, z.</source>
+        <translation>Hier ist weder ein Gestell noch der Bezug: eines davon anklicken oder x, y, z tippen.</translation>
     </message>
     <message>
-        <source>Click for the next point, double click or Enter ends – B makes it smooth, Backspace takes a point back</source>
-        <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie rund, Rücktaste nimmt einen Punkt zurück</translation>
+        <source>&quot;%1&quot; is no place: try 250, -100, 40</source>
+        <translation>„%1“ ist kein Ort: zum Beispiel 250, -100, 40</translation>
+    </message>
+    <message>
+        <source>Enter sets the point: x, y, z – without z it is as high as the last one</source>
+        <translation>Eingabe setzt den Punkt: x, y, z – ohne z liegt er so hoch wie der letzte</translation>
+    </message>
+    <message>
+        <source>Click on a frame to begin a fixation curve, or type x, y, z – drag turns the view, Esc ends the tool</source>
+        <translation>Auf ein Gestell klicken, um eine Fixierkurve zu beginnen, oder x, y, z tippen – Ziehen dreht die Ansicht, Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click or type the next point, Enter ends, C closes – B makes it straight, Backspace takes a point back</source>
+        <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – B macht gerade, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>Click or type the next point, Enter ends, C closes – B makes it smooth, Backspace takes a point back</source>
+        <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – B macht glatt, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1, %2, %3 mm</translation>
     </message>
 </context>
 <context>
@@ -606,6 +618,14 @@
     <message>
         <source>click points on a frame; Enter or double click ends; click the first one to close</source>
         <translation>Punkte auf einem Gestell klicken; Eingabe oder Doppelklick beendet; auf den ersten klicken schließt</translation>
+    </message>
+    <message>
+        <source>Move the ends of a seam or fixation</source>
+        <translation>Enden einer Naht oder Fixierung verschieben</translation>
+    </message>
+    <message>
+        <source>select it and drag the round handles at its ends</source>
+        <translation>auswählen und die runden Griffe an ihren Enden ziehen</translation>
     </message>
 </context>
 <context>
@@ -1046,6 +1066,30 @@
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Length between</source>
+        <translation>Länge dazwischen</translation>
+    </message>
+    <message>
+        <source>Mirror image</source>
+        <translation>Spiegelbild</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sie selbst</translation>
+    </message>
+    <message>
+        <source>Re-link to its mirror image</source>
+        <translation>Wieder mit dem Spiegelbild verknüpfen</translation>
+    </message>
+    <message>
+        <source>Release from its mirror image</source>
+        <translation>Vom Spiegelbild lösen</translation>
     </message>
 </context>
 <context>
@@ -2516,6 +2560,50 @@
         <source>Change the curve of %1</source>
         <translation>Kurve von %1 ändern</translation>
     </message>
+    <message>
+        <source>The outline of %1 would cross or touch itself.</source>
+        <translation>Der Umriss von %1 würde sich selbst kreuzen oder berühren.</translation>
+    </message>
+    <message>
+        <source>The outline of %1 would enclose nothing.</source>
+        <translation>Der Umriss von %1 würde nichts einschließen.</translation>
+    </message>
+    <message>
+        <source>%1 would not lie inside %2 any more.</source>
+        <translation>%1 läge nicht mehr innerhalb von %2.</translation>
+    </message>
+    <message>
+        <source>A stretch of %1 that is sewn or fixed would have no length.</source>
+        <translation>Ein Abschnitt von %1, der vernäht oder fixiert ist, hätte keine Länge.</translation>
+    </message>
+    <message>
+        <source>The stretch would overlap another one of %1 that is fixed to %2.</source>
+        <translation>Der Abschnitt würde sich mit einem anderen von %1 überschneiden, der an %2 fixiert ist.</translation>
+    </message>
+    <message>
+        <source>The stretch would overlap the seam of %1 and %2.</source>
+        <translation>Der Abschnitt würde sich mit der Naht von %1 und %2 überschneiden.</translation>
+    </message>
+    <message>
+        <source>The two sides of the seam would overlap.</source>
+        <translation>Die beiden Seiten der Naht würden sich überschneiden.</translation>
+    </message>
+    <message>
+        <source>Change the length of a stretch of %1</source>
+        <translation>Länge eines Abschnitts von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Move an end of a fixation of %1</source>
+        <translation>Ein Ende einer Fixierung von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Re-link a seam to its mirror image</source>
+        <translation>Naht wieder mit ihrem Spiegelbild verknüpfen</translation>
+    </message>
+    <message>
+        <source>Release a seam from its mirror image</source>
+        <translation>Naht von ihrem Spiegelbild lösen</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -2687,6 +2775,10 @@
         <source>Drag to scale the selected patches – Shift keeps the proportions</source>
         <translation>Ziehen skaliert die ausgewählten Schnittteile – Umschalt behält das Seitenverhältnis</translation>
     </message>
+    <message>
+        <source>Drag to move this end of the stretch along the outline</source>
+        <translation>Ziehen, um dieses Ende des Abschnitts am Umriss entlang zu verschieben</translation>
+    </message>
 </context>
 <context>
     <name>PatternSplitTool</name>
@@ -2762,6 +2854,17 @@
     <message>
         <source>Drag a rectangle over what is to be cut away of the scan. Esc ends.</source>
         <translation>Ziehen Sie ein Rechteck über das, was vom Scan wegfallen soll. Esc beendet.</translation>
+    </message>
+</context>
+<context>
+    <name>SectionHandle</name>
+    <message>
+        <source>Section at %1 – Ctrl turns it by 15°, Escape puts it back</source>
+        <translation>Schnitt bei %1 – Strg dreht ihn um 15°, Escape setzt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Drag to move the section, with Ctrl to turn it</source>
+        <translation>Ziehen verschiebt den Schnitt, mit Strg wird er gedreht</translation>
     </message>
 </context>
 <context>
@@ -2858,6 +2961,29 @@
     <message>
         <source>Grid</source>
         <translation>Raster</translation>
+    </message>
+</context>
+<context>
+    <name>StretchEndDrag</name>
+    <message>
+        <source>%1 long – Ctrl lets go of what is near, Esc takes it back</source>
+        <translation>%1 lang – Strg löst das Einrasten, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>%1 long, the other side %2: ease %3, %4 – Ctrl lets go of what is near, Esc takes it back</source>
+        <translation>%1 lang, die andere Seite %2: Mehrweite %3, %4 – Strg löst das Einrasten, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>End of another stretch</source>
+        <translation>Ende eines anderen Abschnitts</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>As long as the other side</source>
+        <translation>So lang wie die andere Seite</translation>
     </message>
 </context>
 <context>
@@ -3408,6 +3534,14 @@
         <source>Merge a&amp;long seam</source>
         <translation>Entlang der Naht ver&amp;einen</translation>
     </message>
+    <message>
+        <source>Mirror image of the &amp;selection</source>
+        <translation>S&amp;piegelbild der Auswahl</translation>
+    </message>
+    <message>
+        <source>Symmetry &amp;axis and plane</source>
+        <translation>S&amp;ymmetrieachse und -ebene</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -3895,6 +4029,37 @@
         <source>Opacity of frames and scans</source>
         <translation>Deckkraft von Gestellen und Scans</translation>
     </message>
+    <message>
+        <source>%1 It is back where it was.</source>
+        <translation>%1 Es ist wieder, wo es war.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::NextStep</name>
+    <message>
+        <source>Next: %1 for the other side.</source>
+        <translation>Als Nächstes: %1 für die andere Seite.</translation>
+    </message>
+    <message>
+        <source>draw a second patch</source>
+        <translation>ein zweites Schnittteil zeichnen</translation>
+    </message>
+    <message>
+        <source>Next: %1 – click an edge, then the edge it is sewn to.</source>
+        <translation>Als Nächstes: %1 – eine Kante anklicken, dann die Kante, an die sie genäht wird.</translation>
+    </message>
+    <message>
+        <source>sew the patches</source>
+        <translation>die Schnittteile nähen</translation>
+    </message>
+    <message>
+        <source>Next: %1 and give them a pressure in the properties.</source>
+        <translation>Als Nächstes: %1 und ihnen in den Eigenschaften einen Druck geben.</translation>
+    </message>
+    <message>
+        <source>select all patches</source>
+        <translation>alle Schnittteile auswählen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NumberBox</name>
@@ -3934,6 +4099,10 @@
     <message>
         <source>This could not be done, and nothing was changed: %1</source>
         <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+    </message>
+    <message>
+        <source>%1 Let go here, and it goes back to where it was.</source>
+        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
     </message>
 </context>
 <context>
@@ -4137,16 +4306,36 @@
 <context>
     <name>bolster::StartHint</name>
     <message>
-        <source>Nothing here yet</source>
-        <translation>Hier ist noch nichts</translation>
-    </message>
-    <message>
-        <source>Drop a design here, open one, or look at a sample:</source>
-        <translation>Ziehen Sie einen Entwurf hierher, öffnen Sie einen oder sehen Sie sich ein Beispiel an:</translation>
-    </message>
-    <message>
         <source>Open …</source>
         <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>A new cover</source>
+        <translation>Ein neuer Bezug</translation>
+    </message>
+    <message>
+        <source>Draw the first patch, import a frame, or open a design:</source>
+        <translation>Das erste Schnittteil zeichnen, ein Gestell importieren oder einen Entwurf öffnen:</translation>
+    </message>
+    <message>
+        <source>Or look at a sample:</source>
+        <translation>Oder ein Beispiel ansehen:</translation>
+    </message>
+    <message>
+        <source>%1 more are under File &gt; Samples</source>
+        <translation>%1 weitere unter Datei &gt; Beispiele</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Frame …</source>
+        <translation>Gestell …</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,14 @@ public:
             .paint(painter, place);
     }
 
+    /// What is being typed stays when something else about the line changes meanwhile.
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override
+    {
+        const auto* line = qobject_cast<QLineEdit*>(editor);
+        if (!line || line->text().isEmpty())
+            QStyledItemDelegate::setEditorData(editor, index);
+    }
+
 private:
     static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
     {

@@ -123,7 +123,7 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
                         : hovered(patch.id) ? colors.hover
                                             : colors.outline;
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (mirrored(patch.id) && !bad && !isSelected)
+    if (mirrored(patch.id) && !isBad && !isSelected)
         m_painter.strokePath(outline, mirroredPen(colors));
 }
 

@@ -30,30 +30,6 @@ private:
     std::map<ElementId, ElementId> m_parent;
 };
 
-/// Patches with an edge that is not sewn.
-std::set<ElementId> openPatches(const Design& design)
-{
-    std::map<ElementId, double> sewn; // of the outline, in parameters
-    const auto add = [&](const Stretch& stretch) {
-        const auto* patch = design.find<Patch>(stretch.patch);
-        if (!patch || patch->outline.empty())
-            return;
-        const BSpline2& outline = patch->outline;
-        sewn[stretch.patch] +=
-            unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
-    };
-    design.each<Seam>([&](ElementId, const Seam& seam) {
-        add(seam.a);
-        add(seam.b);
-    });
-    std::set<ElementId> open;
-    design.each<Patch>([&](ElementId id, const Patch& patch) {
-        if (patch.outline.empty() || !(sewn[id] > (1 - 1e-6) * patch.outline.period()))
-            open.insert(id);
-    });
-    return open;
-}
-
 void warnOfFreePatches(const Design& design, Problems& problems)
 {
     Components components;
@@ -73,10 +49,7 @@ void warnOfFreePatches(const Design& design, Problems& problems)
         if (const ElementId root = components.root(id); !fixed.contains(root))
             free[root].push_back(id);
     });
-    const std::set<ElementId> open = openPatches(design);
     for (const auto& [root, patches] : free) {
-        if (std::ranges::none_of(patches, [&](ElementId id) { return open.contains(id); }))
-            continue; // sewn all round, as a cushion is
         const ElementId id = patches.front();
         Message message{QT_TRANSLATE_NOOP("Message",
                                           "the patch is free in space: nothing fixes it to the frame; add a "

@@ -47,6 +47,7 @@ protected:
     {
         designer.typeFixation({from, to}, false);
         designer.rename(name);
+        ASSERT_TRUE(waitUntilSolved());
         designer.key(Qt::Key_A, Qt::ShiftModifier);
         designer.click(edge);
     }
@@ -66,7 +67,7 @@ TEST_F(BuildSeatTest, FromNothingByPointerAndKeys)
     importFrame();
     drawPatches();
     sewBolster();
-    ASSERT_TRUE(waitUntilSolved());
+    ASSERT_TRUE(waitUntilAtRest()); // edges are fixed to what they are near
     fix(QStringLiteral("Left rail"), QStringLiteral("-230, 200, 10"), QStringLiteral("-230, -200"), {-330, 0});
     fix(QStringLiteral("Front rail"), QStringLiteral("-145, -205, 90"), QStringLiteral("145, -205"), {0, -200});
     fix(QStringLiteral("Rear rail"), QStringLiteral("-145, 195, 90"), QStringLiteral("145, 195"), {0, 200});

@@ -51,10 +51,10 @@ private:
     }
     static QMap<int, int> order(const QJsonArray& elements)
     {
-        QMap<int, int> places;
+        QMap<int, int> order;
         for (qsizetype i = 0; i < elements.size(); ++i)
-            places[elements[i][QStringLiteral("id")].toInt()] = static_cast<int>(i);
-        return places;
+            order[elements[i][QStringLiteral("id")].toInt()] = static_cast<int>(i);
+        return order;
     }
 
     void values(const QJsonValue& a, const QJsonValue& b, const QString& where, const QString& key)

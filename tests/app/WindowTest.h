@@ -60,6 +60,13 @@ protected:
             mostMs);
     }
 
+    /// It is the resting surface, which depends on nothing but the design.
+    bool waitUntilAtRest(int mostMs = 120000)
+    {
+        return QTest::qWaitFor([&] { return window.solver().upToDate() && window.solver().status().resting; },
+                               mostMs);
+    }
+
     std::uint64_t meshRevision() { return window.solver().surface() ? window.solver().surface()->revision : 0; }
 
     /// Where a point of the layout is in the pattern view.

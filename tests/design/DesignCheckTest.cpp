@@ -396,30 +396,6 @@ TEST(DesignCheck, WarnsOfEachComponentThatIsFreeInSpace)
     EXPECT_NE(problems[0].english().find("free in space"), std::string::npos);
 }
 
-TEST(DesignCheck, WhatIsSewnAllRoundMayBeFree)
-{
-    Patch side;
-    side.fabric = ElementId{1};
-    side.outline = BSpline2(1, true, {{0, 0}, {400, 0}, {400, 400}, {0, 400}});
-    Edit edit;
-    edit.changes = {{ElementId{1}, nullptr, makeElement(Fabric{"Linen"})},
-                    {ElementId{2}, nullptr, makeElement(side)},
-                    {ElementId{3}, nullptr, makeElement(side)}};
-    const int meets[] = {0, 3, 2, 1};
-    for (int k = 0; k < 4; ++k) {
-        Seam seam;
-        seam.a = {ElementId{2}, double(k), double((k + 1) % 4)};
-        seam.b = {ElementId{3}, double(meets[k]), double((meets[k] + 1) % 4)};
-        seam.reversed = true;
-        edit.changes.push_back({ElementId{4 + k}, nullptr, makeElement(seam)});
-    }
-    const Design cushion = Design().with(edit);
-    EXPECT_TRUE(checkDesign(cushion).empty());
-    const Design open = cushion.with({{}, {{ElementId{7}, nullptr, nullptr}}});
-    ASSERT_EQ(checkDesign(open).size(), 1u);
-    EXPECT_NE(checkDesign(open)[0].english().find("free in space"), std::string::npos);
-}
-
 TEST(DesignCheck, RepeatsTheProblemsOfUnreadableElements)
 {
     const ReadDesign read = readDesign(R"({"format": "bolster-design", "version": 1, "elements": [

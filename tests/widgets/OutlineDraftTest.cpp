@@ -127,7 +127,6 @@ TEST(TypedSize, IsWidthByHeightTowardsThePointer)
 
 TEST(TypedEntryTest, APlaceInSpaceHasTwoOrThreeNumbers)
 {
-    const QLocale english(QLocale::English, QLocale::UnitedStates), german(QLocale::German, QLocale::Germany);
     const auto place = [](const char* text, const QLocale& locale) {
         return typedPlace(QString::fromUtf8(text), 7, locale).value_or(Vec3::Constant(1e9));
     };
