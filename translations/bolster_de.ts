@@ -1190,6 +1190,14 @@
         <source>Mirror twi&amp;ns</source>
         <translation>Spiegel&amp;zwillinge</translation>
     </message>
+    <message>
+        <source>&amp;Unsaved work</source>
+        <translation>Nicht &amp;gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy</source>
+        <translation>&amp;Kopie speichern</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1803,10 +1811,6 @@
     <message>
         <source>the file is not a design</source>
         <translation>die Datei ist kein Entwurf</translation>
-    </message>
-    <message>
-        <source>the copy could not be read</source>
-        <translation>die Kopie ließ sich nicht lesen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be written</source>
@@ -2603,6 +2607,174 @@
     <message>
         <source>Release a seam from its mirror image</source>
         <translation>Naht von ihrem Spiegelbild lösen</translation>
+    </message>
+    <message>
+        <source>somebody else has changed it since it was opened here; save under another name, or open it to see the changes</source>
+        <translation>jemand anders hat es geändert, seit es hier geöffnet wurde; unter einem anderen Namen speichern, oder es öffnen, um die Änderungen zu sehen</translation>
+    </message>
+    <message>
+        <source>another element had the same number; give this one a number of its own</source>
+        <translation>ein anderes Element hatte dieselbe Nummer; gib diesem eine eigene</translation>
+    </message>
+    <message>
+        <source>Take %1 elements from another version</source>
+        <translation>%1 Elemente aus einer anderen Fassung übernehmen</translation>
+    </message>
+    <message>
+        <source>Take %1 from another version</source>
+        <translation>%1 aus einer anderen Fassung übernehmen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written: it is not an ordinary file</source>
+        <translation>„%1“ lässt sich nicht schreiben: es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the content number %1 is damaged</source>
+        <translation>der Inhalt Nummer %1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a file that the design uses cannot be read (%1)</source>
+        <translation>eine Datei, die der Entwurf benutzt, lässt sich nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>a file of the project cannot be written out (%1)</source>
+        <translation>eine Datei des Projekts lässt sich nicht herausschreiben (%1)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened or made</source>
+        <translation>„%1“ lässt sich nicht öffnen oder anlegen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is in use by another program</source>
+        <translation>„%1“ wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged (%2)</source>
+        <translation>„%1“ ist beschädigt (%2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read or written (%2)</source>
+        <translation>„%1“ lässt sich nicht lesen oder schreiben (%2)</translation>
+    </message>
+    <message>
+        <source>a row holds something of another kind than it should</source>
+        <translation>eine Zeile enthält etwas anderer Art, als sie sollte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is closed</source>
+        <translation>„%1“ ist geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be stored: it holds a number that is none, or text in an unknown encoding</source>
+        <translation>%1 lässt sich nicht speichern: eine Zahl darin ist keine, oder ein Text hat eine unbekannte Kodierung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has version %2 of the format, which this program does not know</source>
+        <translation>„%1“ hat Version %2 des Formats, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>there is a file &quot;%1&quot; already</source>
+        <translation>es gibt schon eine Datei „%1“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Bolster project</source>
+        <translation>„%1“ ist kein Bolster-Projekt</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this project</source>
+        <translation>der Speicher reicht für dieses Projekt nicht aus</translation>
+    </message>
+    <message>
+        <source>an edit of the project cannot be read any more</source>
+        <translation>eine Bearbeitung des Projekts lässt sich nicht mehr lesen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no name for a file of a project</source>
+        <translation>„%1“ ist kein Name für eine Datei eines Projekts</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was made by a newer Bolster (version %2 of the format, this program knows %3); update the program</source>
+        <translation>„%1“ stammt von einem neueren Bolster (Version %2 des Formats, dieses Programm kennt %3); aktualisiere das Programm</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; says that it has version %2 of the format, which never was</source>
+        <translation>„%1“ gibt an, Version %2 des Formats zu haben, die es nie gab</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the journal of a running program, or of one that crashed, not a project file</source>
+        <translation>„%1“ ist das Journal eines laufenden oder abgestürzten Programms, keine Projektdatei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: it is %2 bytes long and should have %3</source>
+        <translation>„%1“ ist beschädigt: Die Datei hat %2 Bytes und sollte %3 haben</translation>
+    </message>
+    <message>
+        <source>a temporary folder cannot be made (%1)</source>
+        <translation>ein temporärer Ordner lässt sich nicht anlegen (%1)</translation>
+    </message>
+    <message>
+        <source>row %1 of the table &quot;%2&quot; contradicts others</source>
+        <translation>Zeile %1 der Tabelle „%2“ widerspricht anderen</translation>
+    </message>
+    <message>
+        <source>rows are missing from the project, or there are some too many</source>
+        <translation>im Projekt fehlen Zeilen, oder es sind zu viele</translation>
+    </message>
+    <message>
+        <source>the edits up to number %1 do not lead to the design that was stored with it</source>
+        <translation>die Bearbeitungen bis Nummer %1 führen nicht zu dem Entwurf, der damit gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>a temporary file cannot be made (%1)</source>
+        <translation>eine temporäre Datei lässt sich nicht anlegen (%1)</translation>
+    </message>
+    <message>
+        <source>nothing in &quot;%1&quot; can be saved</source>
+        <translation>aus „%1“ lässt sich nichts retten</translation>
+    </message>
+    <message>
+        <source>%1 versions were saved</source>
+        <translation>%1 Versionen wurden gerettet</translation>
+    </message>
+    <message>
+        <source>lost: versions %1 to %2</source>
+        <translation>verloren: Versionen %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Saved version</source>
+        <translation>Gerettete Version</translation>
+    </message>
+    <message>
+        <source>version %1 was saved without the edits before it</source>
+        <translation>Version %1 wurde ohne die Bearbeitungen davor gerettet</translation>
+    </message>
+    <message>
+        <source>lost: the names of %1 versions</source>
+        <translation>verloren: die Namen von %1 Versionen</translation>
+    </message>
+    <message>
+        <source>lost: the file &quot;%1&quot;</source>
+        <translation>verloren: die Datei „%1“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read or copied</source>
+        <translation>„%1“ lässt sich nicht lesen oder kopieren</translation>
+    </message>
+    <message>
+        <source>the tables of &quot;%1&quot; are not those of a Bolster project</source>
+        <translation>die Tabellen von „%1“ sind nicht die eines Bolster-Projekts</translation>
+    </message>
+    <message>
+        <source>a checksum is incomplete</source>
+        <translation>eine Prüfsumme ist unvollständig</translation>
+    </message>
+    <message>
+        <source>row %1 of the table &quot;%2&quot; is damaged</source>
+        <translation>Zeile %1 der Tabelle „%2“ ist beschädigt</translation>
+    </message>
+    <message>
+        <source>another window has it</source>
+        <translation>ein anderes Fenster hat es</translation>
     </message>
 </context>
 <context>
@@ -3542,6 +3714,22 @@
         <source>Symmetry &amp;axis and plane</source>
         <translation>S&amp;ymmetrieachse und -ebene</translation>
     </message>
+    <message>
+        <source>With &amp;everything …</source>
+        <translation>Mit &amp;allem …</translation>
+    </message>
+    <message>
+        <source>Without &amp;history …</source>
+        <translation>Ohne &amp;Verlauf …</translation>
+    </message>
+    <message>
+        <source>Without history and &amp;scans …</source>
+        <translation>Ohne Verlauf und &amp;Scans …</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to saved</source>
+        <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -3597,10 +3785,6 @@
 <context>
     <name>bolster::FileFlow</name>
     <message>
-        <source>Designs (*.json)</source>
-        <translation>Entwürfe (*.json)</translation>
-    </message>
-    <message>
         <source>Meshes (%1)</source>
         <translation>Netze (%1)</translation>
     </message>
@@ -3611,18 +3795,6 @@
     <message>
         <source>Save the changes in &quot;%1&quot;?</source>
         <translation>Änderungen in „%1“ speichern?</translation>
-    </message>
-    <message>
-        <source>Otherwise they are lost.</source>
-        <translation>Sonst gehen sie verloren.</translation>
-    </message>
-    <message>
-        <source>Save design</source>
-        <translation>Entwurf speichern</translation>
-    </message>
-    <message>
-        <source>Open design</source>
-        <translation>Entwurf öffnen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be opened.</source>
@@ -3700,24 +3872,8 @@
         <translation>Das Bild ließ sich nicht exportieren.</translation>
     </message>
     <message>
-        <source>a new design</source>
-        <translation>einem neuen Entwurf</translation>
-    </message>
-    <message>
-        <source>Bolster did not end properly. Unsaved work on %1 from %2 was kept.</source>
-        <translation>Bolster wurde nicht ordentlich beendet. Ungespeicherte Arbeit an %1 vom %2 ist erhalten.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
         <source>The unsaved work could not be restored.</source>
         <translation>Die ungespeicherte Arbeit ließ sich nicht wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>The file itself was saved later; the copy opens as a new design.</source>
-        <translation>Die Datei selbst wurde später gespeichert; die Kopie öffnet sich als neuer Entwurf.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; exists already. Replace it?</source>
@@ -3732,18 +3888,6 @@
         <translation>-Bezug</translation>
     </message>
     <message>
-        <source>a sample</source>
-        <translation>einem Beispiel</translation>
-    </message>
-    <message>
-        <source>Discard …</source>
-        <translation>Verwerfen …</translation>
-    </message>
-    <message>
-        <source>Delete the kept work on %1 for good? It cannot be brought back.</source>
-        <translation>Die aufbewahrte Arbeit an %1 endgültig löschen? Sie lässt sich nicht zurückholen.</translation>
-    </message>
-    <message>
         <source>Scans (%1)</source>
         <translation>Scans (%1)</translation>
     </message>
@@ -3754,6 +3898,77 @@
     <message>
         <source>Choose another file</source>
         <translation>Eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>Projects and designs (*.bolster *.json)</source>
+        <translation>Projekte und Entwürfe (*.bolster *.json)</translation>
+    </message>
+    <message>
+        <source>Project with its history (*.bolster);;Design as text (*.json)</source>
+        <translation>Projekt mit seinem Verlauf (*.bolster);;Entwurf als Text (*.json)</translation>
+    </message>
+    <message>
+        <source>Work that is kept for later, with all its steps, is under File &gt; Unsaved work.</source>
+        <translation>Was für später aufgehoben wird, liegt mit allen Schritten unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep for later</source>
+        <translation>Für später auf&amp;heben</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Open project or design</source>
+        <translation>Projekt oder Entwurf öffnen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is open in another window.</source>
+        <translation>„%1“ ist in einem anderen Fenster geöffnet.</translation>
+    </message>
+    <message>
+        <source>It can be opened here to look at; what is changed is saved under another name.</source>
+        <translation>Hier kann es zum Ansehen geöffnet werden; Änderungen werden unter einem anderen Namen gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save a copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>-copy</source>
+        <translation>-Kopie</translation>
+    </message>
+    <message>
+        <source>Project (*.%1)</source>
+        <translation>Projekt (*.%1)</translation>
+    </message>
+    <message>
+        <source>Saved a copy as %1</source>
+        <translation>Kopie gespeichert als %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n nicht gespeicherter Schritt wiederhergestellt.</numerusform>
+            <numerusform>%n nicht gespeicherte Schritte wiederhergestellt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Go back to saved</source>
+        <translation>Zum Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>New design</source>
+        <translation>Neuer Entwurf</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
     </message>
 </context>
 <context>

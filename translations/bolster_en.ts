@@ -27,6 +27,13 @@
             <numerusform>%n elements cannot be used as they are; everything else works.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n unsaved edits restored.</source>
+        <translation>
+            <numerusform>%n unsaved edit restored.</numerusform>
+            <numerusform>%n unsaved edits restored.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::StatusLine</name>
