@@ -1,6 +1,7 @@
 #include "DesignSession.h"
 
 #include "Background.h"
+#include "EditCodec.h"
 #include "ElementEdits.h"
 #include "Project.h"
 #include "Samples.h"
@@ -42,6 +43,7 @@ DesignSession::DesignSession(QObject* parent)
     : QObject(parent)
     , m_journal(m_document)
 {
+    m_document.setRefusal(&refusal);
     connect(&m_document, &Document::changed, this, &DesignSession::designChanged);
     connect(&m_journal, &WorkJournal::failed, this, &DesignSession::recoveryFailed);
 }

@@ -39,6 +39,11 @@ void Document::commit(Edit edit)
         show(m_base);
         return;
     }
+    if (const Message why = m_refusal ? m_refusal(edit) : Message(); !why.empty()) {
+        show(m_base);
+        emit refused(why);
+        return;
+    }
     m_history.append(std::move(edit));
     m_base = std::move(next);
     show(m_base);

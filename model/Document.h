@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <optional>
+#include <functional>
 #include <set>
 
 namespace bolster {
@@ -37,6 +38,8 @@ public:
     void reset(Design design, History history);
     /// The edit takes along mirror twins. Does nothing with an empty edit. Cancels a running gesture first.
     void commit(Edit edit);
+    /// Asked before each edit; one that comes back with a reason is not made, see refused().
+    void setRefusal(std::function<Message(const Edit&)> refusal) { m_refusal = std::move(refusal); }
     /// A running gesture is what undo and redo take back first, and nothing else.
     void undo();
     void redo();
@@ -68,7 +71,7 @@ signals:
     /// Nodes were added or named, or the current node moved.
     void historyChanged();
     void dirtyChanged(bool dirty);
-    /// A gesture was taken back on release because of what it would have broken.
+    /// An edit was not made: a gesture that would have broken something, or what cannot be stored.
     void refused(const bolster::Message& why);
 
 private:
@@ -84,6 +87,7 @@ private:
     bool m_wasDirty = false;
     Gesture* m_gesture = nullptr;
     std::optional<edits::Breakage> m_breakage;
+    std::function<Message(const Edit&)> m_refusal;
 };
 
 } // namespace bolster

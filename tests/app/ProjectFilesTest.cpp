@@ -10,6 +10,8 @@
 #include <QFile>
 #include <QStandardPaths>
 
+#include <limits>
+
 namespace bolster {
 namespace {
 
@@ -193,6 +195,20 @@ TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
     ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }, 30000));
     EXPECT_TRUE(other.session().path().isEmpty()) << "Save must not write to it";
     EXPECT_TRUE(other.document().design() == window.document().design());
+}
+
+TEST_F(ProjectFilesTest, WhatCannotBeStoredIsNotDone)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const Design before = window.document().design();
+    std::vector<Message> reasons;
+    QObject::connect(&window.document(), &Document::refused, [&](const Message& why) { reasons.push_back(why); });
+    Settings settings = before.settings();
+    settings.edgeLength = std::numeric_limits<double>::quiet_NaN();
+    window.document().commit(edits::changeSettings(before, settings));
+    EXPECT_EQ(reasons.size(), 1U);
+    EXPECT_TRUE(window.document().design() == before);
+    EXPECT_FALSE(window.document().dirty());
 }
 
 TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
