@@ -16,6 +16,7 @@
 #include "SelectionEdits.h"
 #include "Shortcuts.h"
 #include "StatusLine.h"
+#include "Thumbnails.h"
 #include "Translated.h"
 #include "Units.h"
 

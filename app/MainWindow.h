@@ -26,6 +26,7 @@ class Inspector;
 class PatternView;
 class ProblemsView;
 class ScanLink;
+class Thumbnails;
 class SeamsView;
 class Shortcuts;
 class StatusLine;
@@ -95,6 +96,7 @@ private:
     void connectPanels();
     void connectFirstSteps();
     void showDrawn();
+    void compareWith(NodeId node);
     void focusNextPart(bool forward);
     void connectTwins();
     void updateTwinActions();
@@ -117,6 +119,7 @@ private:
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
+    std::unique_ptr<Thumbnails> m_thumbnails;
     Actions* m_actions;
     PatternView* m_pattern;
     SurfaceView* m_surface;

@@ -3,14 +3,18 @@
 
 #include "Actions.h"
 #include "CommandPalette.h"
+#include "CompareWindow.h"
 #include "Docks.h"
 #include "ElementsView.h"
+#include "HistoryModel.h"
 #include "HistoryPanel.h"
+#include "HistoryView.h"
 #include "Inspector.h"
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "Shortcuts.h"
 #include "ShortcutsDialog.h"
+#include "Thumbnails.h"
 
 #include <QApplication>
 #include <QMenuBar>
@@ -34,6 +38,9 @@ void MainWindow::connectPanels()
         dialog->show();
     });
 
+    connect(&m_history->view(), &HistoryView::compareWanted, this, &MainWindow::compareWith);
+    m_thumbnails = std::make_unique<Thumbnails>(*m_session, *m_solver, *m_surface);
+    m_history->view().history().setPictures([this](NodeId node) { return m_thumbnails->picture(node); });
     connect(m_actions->nextPart, &QAction::triggered, this, [this] { focusNextPart(true); });
     connect(m_actions->previousPart, &QAction::triggered, this, [this] { focusNextPart(false); });
     connect(m_elements, &ElementsView::propertiesWanted, this, [this] {
@@ -43,6 +50,20 @@ void MainWindow::connectPanels()
     const QList<QDockWidget*> parts = m_docks->all();
     for (qsizetype i = 1; i < parts.size(); ++i)
         setTabOrder(parts[i - 1]->widget(), parts[i]->widget());
+}
+
+void MainWindow::compareWith(NodeId node)
+{
+    auto* window = findChild<CompareWindow*>();
+    if (!window) {
+        window = new CompareWindow(document(), m_session->files(), this);
+        connect(m_session.get(), &DesignSession::opened, window, &QWidget::close);
+    }
+    if (window->compareWith(node)) {
+        window->show();
+        window->raise();
+        window->activateWindow();
+    }
 }
 
 /// Among the parts that can be seen; of docks on top of each other that is one.

@@ -6,8 +6,8 @@
 
 #include <QObject>
 
-#include <optional>
 #include <functional>
+#include <optional>
 #include <set>
 
 namespace bolster {

@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>bolster::FieldText</name>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::FileFlow</name>
     <message numerus="yes">
         <source>%n elements cannot be used as they are; everything else works.</source>

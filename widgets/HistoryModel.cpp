@@ -79,6 +79,17 @@ QString HistoryModel::text(NodeId node) const
     return verb.empty() ? tr("Change") : translated(verb);
 }
 
+QString HistoryModel::toolTip(NodeId node) const
+{
+    const QString when =
+        QLocale().toString(m_document.history().node(node).time.toLocalTime(), QLocale::ShortFormat);
+    const QByteArray png = m_pictures ? m_pictures(node) : QByteArray();
+    if (png.isEmpty())
+        return when;
+    return QStringLiteral("<img src=\"data:image/png;base64,%1\"><br>%2")
+        .arg(QString::fromLatin1(png.toBase64()), when.toHtmlEscaped());
+}
+
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
@@ -88,7 +99,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return text(row.node);
     case Qt::ToolTipRole:
-        return QLocale().toString(m_document.history().node(row.node).time.toLocalTime(), QLocale::ShortFormat);
+        return toolTip(row.node);
     case Qt::EditRole:
     case NameRole:
         return QString::fromStdString(m_document.history().node(row.node).name);

@@ -5,6 +5,8 @@
 
 #include <QAbstractListModel>
 
+#include <functional>
+
 namespace bolster {
 
 class Document;
@@ -33,6 +35,9 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QModelIndex indexOf(NodeId node) const;
+    /// PNGs of versions, for tool tips; empty ones where there are none.
+    using Pictures = std::function<QByteArray(NodeId)>;
+    void setPictures(Pictures pictures) { m_pictures = std::move(pictures); }
 
 private:
     struct Row {
@@ -52,8 +57,10 @@ private:
     void rebuild();
     std::vector<Row> rowsNow() const;
     QString text(NodeId node) const;
+    QString toolTip(NodeId node) const;
 
     Document& m_document;
+    Pictures m_pictures;
     std::vector<Row> m_rows;
 };
 

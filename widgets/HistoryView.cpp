@@ -198,6 +198,9 @@ void HistoryView::contextMenuEvent(QContextMenuEvent* event)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     connect(menu->addAction(tr("&Go to this version")), &QAction::triggered, this,
             [this, node] { m_document.jumpTo(node); });
+    QAction* compare = menu->addAction(tr("&Compare with now \u2026"));
+    compare->setEnabled(node != m_document.history().current());
+    connect(compare, &QAction::triggered, this, [this, node] { emit compareWanted(node); });
     connect(menu->addAction(tr("&Name this version \u2026")), &QAction::triggered, this,
             [this, node] { edit(m_model->indexOf(node)); });
     QAction* forget = menu->addAction(tr("&Remove its name"));

@@ -3,8 +3,11 @@
 
 #include <QListView>
 
+#include <cstdint>
+
 namespace bolster {
 
+using NodeId = std::int32_t;
 class Document;
 class HistoryModel;
 
@@ -16,6 +19,11 @@ public:
 
     /// Shows only what has these words in its text or name; everything when there are none.
     void setFilter(const QString& words);
+    HistoryModel& history() { return *m_model; }
+
+signals:
+    /// With the present one.
+    void compareWanted(bolster::NodeId node);
 
 protected:
     bool event(QEvent* event) override;

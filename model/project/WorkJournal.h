@@ -72,6 +72,8 @@ public:
     /// Null before the first edit. Belongs to another thread between suspend() and resume(): meanwhile edits wait.
     const std::shared_ptr<Journal>& journal() const { return m_journal; }
     void suspend() { m_suspended = true; }
+    /// The journal, if there is one and this thread may use it.
+    Journal* writable() const { return m_suspended ? nullptr : m_journal.get(); }
     void resume();
     /// The document has been saved in another form, as it is at `node`.
     void savedAsText(NodeId node);

@@ -2,13 +2,18 @@
 #include "ProgramThatDies.h"
 #include "WindowTest.h"
 
+#include "CompareWindow.h"
 #include "ElementEdits.h"
 #include "FileFlow.h"
+#include "HistoryModel.h"
+#include "HistoryView.h"
 #include "Project.h"
 
 #include <QDir>
 #include <QFile>
+#include <QPushButton>
 #include <QStandardPaths>
+#include <QTreeWidget>
 
 #include <limits>
 
@@ -195,6 +200,52 @@ TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
     ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }, 30000));
     EXPECT_TRUE(other.session().path().isEmpty()) << "Save must not write to it";
     EXPECT_TRUE(other.document().design() == window.document().design());
+}
+
+TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const auto top = window.document().design().elements().lower_bound(ElementId{2})->first;
+    const Design first = window.document().design();
+    window.document().commit(edits::renameElement(first, top, "Lid"));
+    change();
+    emit window.findChild<HistoryView*>()->compareWanted(0);
+    auto* compare = window.findChild<CompareWindow*>();
+    ASSERT_TRUE(compare);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(compare));
+    QTreeWidget& list = compare->differences();
+    ASSERT_EQ(list.topLevelItemCount(), 2) << "the settings and the lid";
+    EXPECT_EQ(list.topLevelItem(1)->text(0), "Lid");
+    EXPECT_EQ(list.topLevelItem(1)->child(0)->text(2), "Lid");
+    EXPECT_FALSE(compare->take().isEnabled());
+    list.topLevelItem(1)->setSelected(true);
+    ASSERT_TRUE(compare->take().isEnabled());
+    QTest::mouseClick(&compare->take(), Qt::LeftButton);
+    EXPECT_EQ(*window.document().design().element(top), *first.element(top));
+    EXPECT_EQ(window.document().design().settings().edgeLength, first.settings().edgeLength + 1);
+    EXPECT_EQ(list.topLevelItemCount(), 1);
+
+    auto* pattern = compare->findChild<PatternView*>(); // looked at, not edited
+    const std::uint64_t revision = window.document().revision();
+    QTest::keyClick(pattern, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(pattern, Qt::Key_Delete);
+    EXPECT_EQ(window.document().revision(), revision);
+    compare->close();
+}
+
+TEST_F(ProjectFilesTest, VersionsHavePicturesThatComeBack)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change();
+    const NodeId node = window.document().history().current();
+    auto* model = &window.findChild<HistoryView*>()->history();
+    const auto toolTip = [&] { return model->indexOf(node).data(Qt::ToolTipRole).toString(); };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return toolTip().contains("<img"); }, 60000));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_TRUE(open(path));
+    EXPECT_TRUE(toolTip().contains("<img"));
 }
 
 TEST_F(ProjectFilesTest, WhatCannotBeStoredIsNotDone)

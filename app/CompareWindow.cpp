@@ -1,0 +1,147 @@
+#include "CompareWindow.h"
+
+#include "ElementText.h"
+#include "FieldText.h"
+#include "Translated.h"
+#include "VersionEdits.h"
+#include "VersionPane.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+namespace {
+
+constexpr int elementRole = Qt::UserRole;
+
+} // namespace
+
+CompareWindow::CompareWindow(Document& document, const DesignFiles& files, QWidget* parent)
+    : QWidget(parent, Qt::Window)
+    , m_document(document)
+    , m_files(files)
+    , m_left(new VersionPane)
+    , m_right(new VersionPane)
+    , m_list(new QTreeWidget)
+    , m_take(new QPushButton(tr("&Take from there")))
+{
+    setWindowTitle(tr("Compare versions"));
+    m_list->setHeaderLabels({tr("What differs"), tr("There"), tr("Now")});
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setAlternatingRowColors(true);
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_take->setToolTip(tr("Makes the chosen elements as they are in the other version: one step in the history"));
+    auto* panes = new QSplitter(Qt::Horizontal);
+    panes->addWidget(m_left);
+    panes->addWidget(m_right);
+    auto* below = new QWidget;
+    auto* buttons = new QHBoxLayout;
+    buttons->setContentsMargins(8, 6, 8, 8);
+    buttons->addStretch();
+    buttons->addWidget(m_take);
+    auto* lower = new QVBoxLayout(below);
+    lower->setContentsMargins(0, 0, 0, 0);
+    lower->addWidget(m_list);
+    lower->addLayout(buttons);
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->addWidget(panes);
+    parts->addWidget(below);
+    parts->setSizes({640, 220});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(parts);
+    resize(1200, 860);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &CompareWindow::selectionChanged);
+    connect(m_take, &QPushButton::clicked, this, &CompareWindow::takeChosen);
+    connect(&document, &Document::historyChanged, this, [this] {
+        if (isVisible())
+            refresh();
+    });
+}
+
+bool CompareWindow::compareWith(NodeId node)
+{
+    const std::optional<Design> other = m_document.history().designAt(node, m_document.committed());
+    if (!other)
+        return false;
+    m_other = *other;
+    m_left->setVersion(titleOf(node), m_other, m_files);
+    refresh();
+    return true;
+}
+
+QString CompareWindow::titleOf(NodeId node) const
+{
+    const History::Node& version = m_document.history().node(node);
+    const QString when = QLocale().toString(version.time.toLocalTime(), QLocale::ShortFormat);
+    const QString what = !version.name.empty()       ? QString::fromStdString(version.name)
+                         : version.edit.verb.empty() ? tr("Start")
+                                                     : translated(version.edit.verb);
+    return tr("%1, %2").arg(what, when);
+}
+
+void CompareWindow::refresh()
+{
+    m_right->setVersion(tr("Now"), m_document.committed(), m_files);
+    fillList();
+    selectionChanged();
+}
+
+void CompareWindow::fillList()
+{
+    m_list->clear();
+    for (const Difference& difference : differencesBetween(m_other, m_document.committed())) {
+        const Design& named = difference.kind == Difference::Kind::Removed ? m_other : m_document.committed();
+        auto* item = new QTreeWidgetItem(m_list, {displayName(named, difference.element)});
+        item->setData(0, elementRole, static_cast<int>(difference.element));
+        if (difference.kind == Difference::Kind::Added)
+            item->setText(2, tr("only now"));
+        else if (difference.kind == Difference::Kind::Removed)
+            item->setText(1, tr("only there"));
+        for (const Difference::Field& field : difference.fields) {
+            auto* child = new QTreeWidgetItem(
+                item, {fieldText(field.key), fieldValueText(field.before), fieldValueText(field.after)});
+            child->setData(0, elementRole, static_cast<int>(difference.element));
+        }
+    }
+    if (m_list->topLevelItemCount() == 0)
+        new QTreeWidgetItem(m_list, {tr("Nothing differs")});
+    m_list->expandAll();
+    m_list->header()->resizeSections(QHeaderView::ResizeToContents);
+}
+
+std::set<ElementId> CompareWindow::chosen() const
+{
+    std::set<ElementId> ids;
+    for (const QTreeWidgetItem* item : m_list->selectedItems())
+        if (const QVariant id = item->data(0, elementRole); id.isValid())
+            ids.insert(static_cast<ElementId>(id.toInt()));
+    return ids;
+}
+
+void CompareWindow::selectionChanged()
+{
+    const std::set<ElementId> ids = chosen();
+    m_take->setEnabled(!ids.empty());
+    for (VersionPane* pane : {m_left, m_right}) {
+        std::set<ElementId> there;
+        for (const ElementId id : ids)
+            if (id != settingsId && pane->design().element(id))
+                there.insert(id);
+        pane->selection().set(there);
+    }
+}
+
+void CompareWindow::takeChosen()
+{
+    m_document.commit(edits::takeFrom(m_document.committed(), m_other, chosen()));
+}
+
+} // namespace bolster

@@ -1,0 +1,45 @@
+// Two versions of a design side by side, with what differs.
+#pragma once
+
+#include "DesignFiles.h"
+#include "Document.h"
+
+#include <QWidget>
+
+class QPushButton;
+class QTreeWidget;
+
+namespace bolster {
+
+class VersionPane;
+
+/// The other version is on the left, the present one on the right; what is chosen in the list can be taken over.
+class CompareWindow : public QWidget {
+    Q_OBJECT
+
+public:
+    CompareWindow(Document& document, const DesignFiles& files, QWidget* parent = nullptr);
+
+    /// The version at a node; false when it cannot be read any more.
+    bool compareWith(NodeId node);
+    QTreeWidget& differences() { return *m_list; }
+    QPushButton& take() { return *m_take; }
+
+private:
+    void refresh();
+    void fillList();
+    void selectionChanged();
+    void takeChosen();
+    QString titleOf(NodeId node) const;
+    std::set<ElementId> chosen() const;
+
+    Document& m_document;
+    const DesignFiles& m_files;
+    Design m_other;
+    VersionPane* m_left;
+    VersionPane* m_right;
+    QTreeWidget* m_list;
+    QPushButton* m_take;
+};
+
+} // namespace bolster

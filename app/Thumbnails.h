@@ -1,0 +1,41 @@
+// Small pictures of the versions in the history, made while nothing else is to do.
+#pragma once
+
+#include "History.h"
+
+#include <QByteArray>
+#include <QObject>
+#include <QTimer>
+
+#include <map>
+
+namespace bolster {
+
+class DesignSession;
+class SolverLink;
+class SurfaceView;
+
+/// Drawn beside the GUI thread from the settled surface, looked at as in the view. They are kept in the project,
+/// from where they may get lost: nothing depends on them.
+class Thumbnails : public QObject {
+    Q_OBJECT
+
+public:
+    Thumbnails(DesignSession& session, SolverLink& solver, SurfaceView& view);
+
+    /// A PNG, or nothing when the version has none.
+    QByteArray picture(NodeId node);
+
+private:
+    void make();
+    void keep(NodeId node, const QByteArray& png);
+
+    DesignSession& m_session;
+    SolverLink& m_solver;
+    SurfaceView& m_view;
+    QTimer m_pause;
+    std::map<NodeId, QByteArray> m_pictures;
+    int m_generation = 0; ///< counts designs, so that late pictures of an earlier one are dropped
+};
+
+} // namespace bolster

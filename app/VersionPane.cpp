@@ -1,0 +1,81 @@
+#include "VersionPane.h"
+
+#include "DesignFiles.h"
+#include "PatternView.h"
+#include "RayRenderer.h"
+#include "SolverLink.h"
+#include "SurfaceView.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+VersionPane::VersionPane(QWidget* parent)
+    : QWidget(parent)
+    , m_solver(std::make_unique<SolverLink>(m_document))
+    , m_title(new QLabel)
+    , m_pattern(new PatternView(m_document, m_selection, m_problems))
+    , m_surface(new SurfaceView(m_document, m_selection))
+{
+    m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setContentsMargins(8, 6, 8, 6);
+    auto* views = new QSplitter(Qt::Vertical);
+    views->addWidget(m_pattern);
+    views->addWidget(m_surface);
+    views->setSizes({100, 130});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_title);
+    layout->addWidget(views, 1);
+    m_pattern->installEventFilter(this);
+    m_surface->installEventFilter(this);
+    connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
+        m_surface->setSurface(surface);
+        m_pattern->setSurface(surface);
+        if (surface && std::exchange(m_fitCover, false))
+            m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+    });
+}
+
+VersionPane::~VersionPane() = default;
+
+void VersionPane::setVersion(const QString& title, const Design& design, const DesignFiles& files)
+{
+    m_title->setText(title);
+    m_selection.clear();
+    m_document.reset(design);
+    m_solver->forget(files);
+    m_surface->setFiles(files);
+    m_pattern->fitAll();
+    m_fitCover = true;
+}
+
+/// What would begin to change something moves the picture instead.
+bool VersionPane::eventFilter(QObject* view, QEvent* event)
+{
+    const QEvent::Type type = event->type();
+    if (type == QEvent::KeyPress)
+        return static_cast<QKeyEvent*>(event)->key() != Qt::Key_Home;
+    if (type == QEvent::ContextMenu || type == QEvent::MouseButtonDblClick)
+        return true;
+    if (type != QEvent::MouseButtonPress && type != QEvent::MouseButtonRelease)
+        return false;
+    auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::LeftButton)
+        return false;
+    QMouseEvent middle(type, mouse->position(), mouse->globalPosition(), Qt::MiddleButton,
+                       type == QEvent::MouseButtonPress ? Qt::MiddleButton : Qt::NoButton, mouse->modifiers());
+    view->event(&middle);
+    return true;
+}
+
+} // namespace bolster

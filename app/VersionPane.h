@@ -1,0 +1,48 @@
+// One version of a design, in 2D and 3D, to look at.
+#pragma once
+
+#include "Document.h"
+#include "ProblemSet.h"
+#include "Selection.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+
+namespace bolster {
+
+class PatternView;
+class SolverLink;
+class SurfaceView;
+struct DesignFiles;
+
+/// Pointer and keys move what is shown, but change nothing.
+class VersionPane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit VersionPane(QWidget* parent = nullptr);
+    ~VersionPane() override;
+
+    void setVersion(const QString& title, const Design& design, const DesignFiles& files);
+    const Design& design() const { return m_document.design(); }
+    Selection& selection() { return m_selection; }
+    SurfaceView& surface() { return *m_surface; }
+
+protected:
+    bool eventFilter(QObject* view, QEvent* event) override;
+
+private:
+    Document m_document;
+    Selection m_selection;
+    ProblemSet m_problems;
+    std::unique_ptr<SolverLink> m_solver;
+    QLabel* m_title;
+    PatternView* m_pattern;
+    SurfaceView* m_surface;
+    bool m_fitCover = false;
+};
+
+} // namespace bolster

@@ -1,0 +1,82 @@
+#include "FieldText.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+
+#include <map>
+
+namespace bolster {
+
+namespace {
+
+struct FieldWords {
+    Q_DECLARE_TR_FUNCTIONS(bolster::FieldText)
+};
+
+constexpr qsizetype longest = 40; // characters of a value
+
+} // namespace
+
+QString fieldText(const std::string& key)
+{
+    static const std::map<std::string, const char*> words{
+        {"a", QT_TRANSLATE_NOOP("bolster::FieldText", "First stretch")},
+        {"b", QT_TRANSLATE_NOOP("bolster::FieldText", "Second stretch")},
+        {"bending_length", QT_TRANSLATE_NOOP("bolster::FieldText", "Bending length")},
+        {"color", QT_TRANSLATE_NOOP("bolster::FieldText", "Colour")},
+        {"continuity", QT_TRANSLATE_NOOP("bolster::FieldText", "Continuity")},
+        {"curve", QT_TRANSLATE_NOOP("bolster::FieldText", "Curve")},
+        {"depth", QT_TRANSLATE_NOOP("bolster::FieldText", "Depth")},
+        {"dilation_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Thickness")},
+        {"edge_length", QT_TRANSLATE_NOOP("bolster::FieldText", "Mesh edges")},
+        {"enabled", QT_TRANSLATE_NOOP("bolster::FieldText", "Switched on")},
+        {"fabric", QT_TRANSLATE_NOOP("bolster::FieldText", "Fabric")},
+        {"file", QT_TRANSLATE_NOOP("bolster::FieldText", "File")},
+        {"from", QT_TRANSLATE_NOOP("bolster::FieldText", "Begins at")},
+        {"grain", QT_TRANSLATE_NOOP("bolster::FieldText", "Grain")},
+        {"match", QT_TRANSLATE_NOOP("bolster::FieldText", "Match")},
+        {"name", QT_TRANSLATE_NOOP("bolster::FieldText", "Name")},
+        {"outline", QT_TRANSLATE_NOOP("bolster::FieldText", "Outline")},
+        {"poisson", QT_TRANSLATE_NOOP("bolster::FieldText", "Poisson parameter")},
+        {"position", QT_TRANSLATE_NOOP("bolster::FieldText", "Position")},
+        {"pressure", QT_TRANSLATE_NOOP("bolster::FieldText", "Pressure")},
+        {"profile", QT_TRANSLATE_NOOP("bolster::FieldText", "Profile")},
+        {"reversed", QT_TRANSLATE_NOOP("bolster::FieldText", "Runs backwards")},
+        {"rotation", QT_TRANSLATE_NOOP("bolster::FieldText", "Rotation")},
+        {"scale", QT_TRANSLATE_NOOP("bolster::FieldText", "Scale")},
+        {"size", QT_TRANSLATE_NOOP("bolster::FieldText", "Size")},
+        {"stiffness", QT_TRANSLATE_NOOP("bolster::FieldText", "Stiffness")},
+        {"strength", QT_TRANSLATE_NOOP("bolster::FieldText", "Strength")},
+        {"symmetry", QT_TRANSLATE_NOOP("bolster::FieldText", "Symmetry")},
+        {"target", QT_TRANSLATE_NOOP("bolster::FieldText", "Curve in space")},
+        {"to", QT_TRANSLATE_NOOP("bolster::FieldText", "Ends at")},
+        {"twin", QT_TRANSLATE_NOOP("bolster::FieldText", "Mirror twin")},
+        {"width", QT_TRANSLATE_NOOP("bolster::FieldText", "Width")},
+        {"wrong_side_out", QT_TRANSLATE_NOOP("bolster::FieldText", "Wrong side out")},
+    };
+    const auto found = words.find(key);
+    return found != words.end() ? FieldWords::tr(found->second) : QString::fromStdString(key).replace(u'_', u' ');
+}
+
+QString fieldValueText(const std::string& json)
+{
+    if (json.empty())
+        return FieldWords::tr("usual");
+    const QJsonDocument wrapped = QJsonDocument::fromJson("[" + QByteArray::fromStdString(json) + "]");
+    const QJsonValue value = wrapped.array().at(0);
+    if (value.isDouble())
+        return QLocale().toString(value.toDouble(), 'g', 6);
+    if (value.isString())
+        return value.toString();
+    if (value.isBool())
+        return value.toBool() ? FieldWords::tr("yes") : FieldWords::tr("no");
+    if (const QJsonArray points = value[QStringLiteral("points")].toArray(); !points.isEmpty())
+        return FieldWords::tr("%n points", nullptr, static_cast<int>(points.size()));
+    const QString text = QString::fromStdString(json);
+    return text.size() > longest ? text.left(longest - 1) + u'\u2026' : text;
+}
+
+} // namespace bolster
