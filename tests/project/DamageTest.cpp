@@ -43,9 +43,8 @@ protected:
             text += name;
         for (NodeId node = 0; node < project.history.count(); ++node)
             text += writeDesign(project.history.designAt(node, project.design).value());
-        QFile::remove(path("chair.obj"));
-        EXPECT_TRUE(extractAssets(project, project.design, m_folder.path()).empty());
-        return text + read("chair.obj");
+        EXPECT_TRUE(extractAssets(project, project.design, m_quick.path()).empty());
+        return text + readWholeFile(m_quick.filePath("chair.obj"), 1'000'000).bytes;
     }
 
     /// A new file each time: one that is cut and written again some file systems write to the disk at once.
@@ -55,6 +54,7 @@ protected:
         return write(name, bytes);
     }
 
+    QTemporaryDir m_quick{quickFolder()};
     std::string m_bytes;
     std::string m_content;
 };

@@ -19,7 +19,7 @@ TEST(RandomSteps, InMemoryTheHashIsThatOfTheReplay)
     const Design start = smallDesign();
     DesignHash hash;
     int done = 0;
-    const int wanted = rounds("BOLSTER_MEMORY_STEPS", 200'000);
+    const int wanted = rounds("BOLSTER_MEMORY_STEPS", 400'000);
     for (unsigned seed = 0; done < wanted; ++seed) {
         Document document;
         document.reset(start);
@@ -31,13 +31,17 @@ TEST(RandomSteps, InMemoryTheHashIsThatOfTheReplay)
     }
 }
 
-using RandomStepsOnDisk = TestFiles;
+class RandomStepsOnDisk : public ::testing::Test {
+protected:
+    QString path(const QString& name) const { return m_folder.filePath(name); }
+    QTemporaryDir m_folder{quickFolder()};
+};
 
 TEST_F(RandomStepsOnDisk, TheHashIsThatOfTheReplayAfterReopeningToo)
 {
     const Design start = smallDesign();
     int done = 0;
-    const int wanted = rounds("BOLSTER_DISK_STEPS", 2'000);
+    const int wanted = rounds("BOLSTER_DISK_STEPS", 5'000);
     for (unsigned seed = 0; done < wanted; ++seed) {
         const QString file = path(QString::number(seed));
         Document kept; // never closed

@@ -11,7 +11,9 @@
 #include "PatchEdits.h"
 #include "WholeFile.h"
 
+#include <QDir>
 #include <QFileInfo>
+#include <QStorageInfo>
 #include <cstdlib>
 
 #include <random>
@@ -23,6 +25,14 @@ inline int rounds(const char* variable, int inCi)
 {
     const char* const text = std::getenv(variable);
     return text ? std::atoi(text) : inCi;
+}
+
+/// In memory where there is such a folder, for files that need not survive anything.
+inline QString quickFolder()
+{
+    const QStorageInfo memory("/dev/shm");
+    const bool usable = memory.isValid() && !memory.isReadOnly() && memory.bytesAvailable() > 50'000'000;
+    return (usable ? QString("/dev/shm") : QDir::tempPath()) + "/bolster-XXXXXX";
 }
 
 inline const char* const projectText =
