@@ -258,11 +258,11 @@ void PatternPainter::paintLine(const PatternLine& line)
     const QPainterPath path = inPixels(line.path);
     const bool strong = selected(line.id) || hovered(line.id) || mirrored(line.id);
     const QColor own = line.fancy() ? colors.fancySeam : colors.handle;
-    const QColor color = bad(line.id) ? colors.error
-                         : selected(line.id)             ? colors.accent
-                         : hovered(line.id)              ? mixed(own, colors.accent, 0.4)
-                         : mirrored(line.id)             ? mixed(own, colors.accent, 0.6)
-                                                         : own;
+    const QColor color = bad(line.id)        ? colors.error
+                         : selected(line.id) ? colors.accent
+                         : hovered(line.id)  ? mixed(own, colors.accent, 0.4)
+                         : mirrored(line.id) ? mixed(own, colors.accent, 0.6)
+                                             : own;
     double width = 0;
     if (const FancySeam* fancy = line.fancy()) {
         width = fancy->width * m_in.transform.scale();

@@ -342,8 +342,9 @@ void PatternView::paintEvent(QPaintEvent*)
     small.setPointSizeF(small.pointSizeF() * 0.92);
     QPainter painter(this);
     const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
-    const PatternPainter::Input input{m_scene,      m_mesh,      m_map,    m_selection, m_problems, invalid,
-                                      m_seamColors, m_transform, m_layers, colors,      small,      size(), m_mirrored};
+    const PatternPainter::Input input{m_scene, m_mesh,       m_map,       m_selection, m_problems,
+                                      invalid, m_seamColors, m_transform, m_layers,    colors,
+                                      small,   size(),       m_mirrored};
     PatternPainter(painter, input).paint();
     paintBackground(painter, m_background, m_transform, colors.dark);
     paintGuides(painter, m_snap.guides, m_transform, size(), colors);
