@@ -20,6 +20,7 @@ namespace bolster {
 namespace {
 
 constexpr int elementRole = Qt::UserRole;
+constexpr int columnGap = 32; // pixels
 
 } // namespace
 
@@ -115,6 +116,8 @@ void CompareWindow::fillList()
         new QTreeWidgetItem(m_list, {tr("Nothing differs")});
     m_list->expandAll();
     m_list->header()->resizeSections(QHeaderView::ResizeToContents);
+    for (int column = 0; column < m_list->columnCount(); ++column)
+        m_list->header()->resizeSection(column, m_list->header()->sectionSize(column) + columnGap);
 }
 
 std::set<ElementId> CompareWindow::chosen() const
