@@ -1,0 +1,140 @@
+// Importing frames and scans, exporting surfaces and pictures.
+#include "Background.h"
+#include "FileFlow.h"
+#include "FileImportDialog.h"
+#include "SurfaceExport.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPointer>
+#include <QProgressDialog>
+
+namespace bolster {
+
+namespace {
+
+QString patternsOf(FileKind kind)
+{
+    QStringList patterns;
+    for (const QString& ending : fileEndings(kind))
+        patterns << QStringLiteral("*.") + ending;
+    return patterns.join(u' ');
+}
+
+QString meshFilter()
+{
+    return FileFlow::tr("Meshes (%1)").arg(patternsOf(FileKind::Mesh));
+}
+
+QString scanFilter()
+{
+    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileKind::Cloud));
+}
+
+} // namespace
+
+void FileFlow::importFrame(const QString& path)
+{
+    import(Frame{}, tr("Import frame"), meshFilter(), path);
+}
+
+void FileFlow::importScan(const QString& path)
+{
+    import(Scan{}, tr("Import scan"), scanFilter(), path);
+}
+
+void FileFlow::replaceFile(ElementId id)
+{
+    const ElementPtr element = m_session.document().design().element(id);
+    if (!element || !elementPlacement(*element))
+        return;
+    const QString filter = fileKind(*element) == FileKind::Mesh ? meshFilter() : scanFilter();
+    const QString file = QFileDialog::getOpenFileName(m_window, tr("Choose another file"), startFolder(), filter);
+    if (!file.isEmpty())
+        importNow(file, *element, id);
+}
+
+/// A new element like `element`, named after its file.
+template <class T>
+void FileFlow::import(T element, const QString& title, const QString& filter, const QString& path)
+{
+    QString file = path;
+    if (file.isEmpty())
+        file = QFileDialog::getOpenFileName(m_window, title, startFolder(), filter);
+    if (file.isEmpty())
+        return;
+    element.name = QFileInfo(file).completeBaseName().toStdString();
+    importNow(file, std::move(element), {});
+}
+
+void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
+{
+    auto* progress =
+        new QProgressDialog(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, m_window);
+    progress->setWindowModality(Qt::WindowModal);
+    progress->setMinimumDuration(400);
+    progress->setAttribute(Qt::WA_DeleteOnClose);
+    progress->setAutoClose(false);
+    // The reader cannot be stopped, but nobody waits for it: a cancelled result is dropped.
+    inBackground<ImportedFile>([kind = fileKind(element), path] {
+        return importFile(kind, path);
+    }).then(this, [this, path, element, replaced, progress = QPointer(progress)](const ImportedFile& imported) {
+        const bool cancelled = !progress || progress->wasCanceled();
+        if (progress)
+            progress->deleteLater();
+        if (cancelled)
+            return;
+        const Message problem =
+            imported.content ? place(path, imported.content, element, replaced) : imported.problem;
+        if (!problem.empty())
+            fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), problem);
+    });
+}
+
+Message FileFlow::place(const QString& path, const FileContent& content, const Element& element,
+                        std::optional<ElementId> replaced)
+{
+    std::optional<Placement> before;
+    if (replaced)
+        before = *elementPlacement(element);
+    FileImportDialog dialog(path, content, before, m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    return m_session.addWithFile(path, content, *withPlacement(element, dialog.placement()), replaced);
+}
+
+void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
+{
+    if (!surface)
+        return;
+    const QString path =
+        chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
+                     tr("OBJ (*.obj);;PLY (*.ply)"), {QStringLiteral("obj"), QStringLiteral("ply")});
+    if (path.isEmpty())
+        return;
+    const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
+    inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
+        return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
+    }).then(this, [this, path](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+        else
+            fail(tr("The surface could not be exported."), problem);
+    });
+}
+
+void FileFlow::exportPicture(const QImage& picture)
+{
+    const QString path = chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"),
+                                      {QStringLiteral("png")});
+    if (path.isEmpty())
+        return;
+    if (picture.save(path, "PNG"))
+        emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    else
+        fail(tr("The picture could not be exported."),
+             {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {path.toStdString()}});
+}
+
+} // namespace bolster
