@@ -28,6 +28,7 @@ protected:
         window.show();
         window.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        (void)QTest::qWaitForWindowActive(&window); // else nobody has the keyboard yet
     }
 
     void TearDown() override
