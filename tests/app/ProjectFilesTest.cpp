@@ -55,17 +55,6 @@ protected:
         }
     }
 
-    bool openDialogFree(const QString& path)
-    {
-        bool opened = false;
-        const auto connection =
-            QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
-        window.open(path);
-        const bool done = QTest::qWaitFor([&] { return opened; }, 30000);
-        QObject::disconnect(connection);
-        return done;
-    }
-
     QTemporaryDir folder;
 };
 
@@ -160,7 +149,7 @@ TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
     change();
     EXPECT_EQ(journals(), 1);
     answer(QMessageBox::Discard);
-    ASSERT_TRUE(openDialogFree(sample("pillow")));
+    ASSERT_TRUE(open(sample("pillow")));
     EXPECT_EQ(journals(), 0);
     EXPECT_EQ(QDir(stateFolder("bin")).entryList({"*.bolster"}).size(), 1);
     EXPECT_TRUE(WorkJournal::left().isEmpty());
