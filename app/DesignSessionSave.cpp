@@ -7,10 +7,15 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QTimer>
+
+#include <chrono>
 
 namespace bolster {
 
 namespace {
+
+using namespace std::chrono_literals;
 
 /// Not over what somebody else has made of the project meanwhile.
 Message saveOurs(Journal& journal, const QString& file)
@@ -77,12 +82,19 @@ void DesignSession::endSaving(const QString& file, std::optional<NodeId> node, c
     emit saveEnded();
 }
 
-/// Gives the journal to `work` beside the GUI thread; edits wait meanwhile. `done` is not called when another
-/// design was opened.
+/// Gives the journal to `work` beside the GUI thread, when no other work has it; edits wait meanwhile. `done` is
+/// not called when another design was opened.
 void DesignSession::withJournal(const std::function<Message(Journal&)>& work, const Done& done)
 {
-    m_journal.suspend();
     const int generation = m_generation;
+    if (!m_journal.writable()) { // a save is on its way
+        QTimer::singleShot(20ms, this, [this, generation, work, done] {
+            if (generation == m_generation)
+                withJournal(work, done);
+        });
+        return;
+    }
+    m_journal.suspend();
     inBackground<Message>([journal = m_journal.journal(), work] {
         return work(*journal);
     }).then(this, [this, generation, done](const Message& problem) {

@@ -251,6 +251,25 @@ TEST_F(ProjectFilesTest, WhatCannotBeStoredIsNotDone)
     EXPECT_FALSE(window.document().dirty());
 }
 
+TEST_F(ProjectFilesTest, SavesThatFollowEachOtherTakeTurns)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    const QString path = folder.filePath("chair.bolster");
+    int ended = 0;
+    for (int i = 0; i < 4; ++i) {
+        change();
+        window.session().save(path, [&](const Message& why) {
+            EXPECT_EQ(why.english(), "");
+            ++ended;
+        });
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return ended == 4; }, 60000));
+    const OpenedProject saved = openProject(path, ProjectCheck::Everything);
+    EXPECT_EQ(saved.problem.english(), "");
+    EXPECT_TRUE(saved.design == window.document().design());
+    EXPECT_FALSE(window.document().dirty());
+}
+
 TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
