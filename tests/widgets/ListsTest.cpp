@@ -159,7 +159,7 @@ TEST_F(ListsTest, TrimmedEdgesAndColourwaysAreListedAndHaveTheirForms)
     EXPECT_EQ(model.indexOf(edge).parent().data().toString(), "Trimmed edges");
     EXPECT_EQ(model.indexOf(blue).data().toString(), "Blue");
     EXPECT_EQ(model.indexOf(blue).parent().data().toString(), "Colourways");
-    EXPECT_TRUE(model.setData(model.indexOf(blue), "Navy"));
+    EXPECT_TRUE(model.setData(model.indexOf(blue), "Navy", Qt::EditRole));
     EXPECT_FALSE(model.flags(model.indexOf(edge)) & Qt::ItemIsEditable);
 
     Inspector inspector(document, selection, problems);
