@@ -182,7 +182,8 @@ void DesignSession::renameFiles(const std::map<std::string, std::string>& names)
         const QString to = QString::fromStdString(name->second);
         QFile::copy(m_folder.find(QString::fromStdString(name->first)), QDir(m_folder.folder()).filePath(to));
         const ElementPtr next = withFile(*element, name->second);
-        m_known[keyOf(*next)] = m_known[keyOf(*element)];
+        if (hasShapeFile(*next))
+            m_known[keyOf(*next)] = m_known[keyOf(*element)];
         renamed = renamed.with(edits::replaceElement(renamed, id, next, {}));
     }
     m_document.commit(

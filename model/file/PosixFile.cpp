@@ -41,25 +41,6 @@ int syncFolder(const QString& folder)
     return errno;
 }
 
-Message readProblem(const QString& path, int error)
-{
-    const std::string name = path.toStdString();
-    switch (error) {
-    case ENOENT:
-    case ENOTDIR:
-        return {QT_TRANSLATE_NOOP("Message", "there is no file \"%1\""), {name}};
-    case EACCES:
-    case EPERM:
-        return {QT_TRANSLATE_NOOP("Message", "you are not allowed to read \"%1\""), {name}};
-    case EISDIR:
-        return {QT_TRANSLATE_NOOP("Message", "\"%1\" is a folder, not a file"), {name}};
-    case EINVAL:
-        return {QT_TRANSLATE_NOOP("Message", "\"%1\" is not an ordinary file"), {name}};
-    default:
-        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"), {name, std::strerror(error)}};
-    }
-}
-
 Message writeProblem(const QString& path, int error)
 {
     const std::string name = path.toStdString();

@@ -51,7 +51,6 @@ int writeAll(const Descriptor& file, std::string_view bytes);
 int syncFolder(const QString& folder);
 
 /// In the user's words.
-Message readProblem(const QString& path, int error);
 Message writeProblem(const QString& path, int error);
 /// Why a file that is there must not be replaced.
 Message protection(const QString& path, const struct stat& present);

@@ -1,9 +1,9 @@
 #include "WholeFile.h"
 
+#include "DiskFile.h"
 #include "PosixFile.h"
 #include "TemporaryFile.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <new>
 
@@ -15,34 +15,19 @@ namespace bolster {
 
 WholeFile readWholeFile(const QString& path, std::int64_t largest)
 {
-    const Descriptor file(path, O_RDONLY | O_NONBLOCK); // a pipe must not hold us up
-    const auto info = file.valid() ? statusOf(file) : std::nullopt;
-    if (!info)
-        return {{}, readProblem(path, errno)};
-    if (!S_ISREG(info->st_mode))
-        return {{}, readProblem(path, S_ISDIR(info->st_mode) ? EISDIR : EINVAL)};
-    if (info->st_size > largest)
-        return {
-            {},
-            {QT_TRANSLATE_NOOP("Message", "\"%1\" is too large: %2 MB, and at most %3 MB are read"),
-             {path.toStdString(), std::to_string(info->st_size / 1'000'000), std::to_string(largest / 1'000'000)}}};
-
     WholeFile result;
+    const auto file = DiskFile::open(path, largest, result.problem);
+    if (!file)
+        return result;
     try {
-        result.bytes.resize(static_cast<std::size_t>(info->st_size));
+        result.bytes.resize(static_cast<std::size_t>(file->size()));
     } catch (const std::bad_alloc&) {
         return {{}, readProblem(path, ENOMEM)};
     }
-    std::size_t filled = 0;
-    while (filled < result.bytes.size()) {
-        const ssize_t got = ::read(file.get(), result.bytes.data() + filled, result.bytes.size() - filled);
-        if (got < 0 && errno != EINTR)
-            return {{}, readProblem(path, errno)};
-        if (got == 0)
-            break; // shortened meanwhile
-        filled += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
-    }
-    result.bytes.resize(filled);
+    const std::int64_t got = file->read(0, result.bytes.data(), result.bytes.size());
+    if (got < 0)
+        return {{}, readProblem(path, errno)};
+    result.bytes.resize(static_cast<std::size_t>(got));
     return result;
 }
 

@@ -1,0 +1,206 @@
+// A process of its own that decodes one picture of unknown origin: the file on its standard input, an ImageHead and
+// the pixels on its standard output. It may crash, hang or run out of memory; importImage() limits it and cleans up
+// after it.
+#include "ImageStream.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace bolster;
+
+namespace {
+
+constexpr const char* input = "/proc/self/fd/0";
+constexpr std::uint64_t pixelsAtOnce = 4 << 20;
+
+struct Refused {
+    ImageHead head;
+};
+
+[[noreturn]] void refuse(ImageVerdict verdict)
+{
+    throw Refused{{verdict}};
+}
+
+void write(const void* bytes, std::size_t size)
+{
+    if (std::fwrite(bytes, 1, size, stdout) != size)
+        ::_exit(1); // nobody listens any more
+}
+
+/// The file that decoders see under the name `input`, for a look at the bytes themselves.
+class Bytes {
+public:
+    Bytes()
+    {
+        struct stat info = {};
+        if (::fstat(STDIN_FILENO, &info) != 0 || info.st_size <= 0)
+            return;
+        m_size = static_cast<std::size_t>(info.st_size);
+        m_bytes = ::mmap(nullptr, m_size, PROT_READ, MAP_PRIVATE, STDIN_FILENO, 0);
+    }
+    ~Bytes()
+    {
+        if (m_bytes != MAP_FAILED)
+            ::munmap(m_bytes, m_size);
+    }
+    Bytes(const Bytes&) = delete;
+    Bytes& operator=(const Bytes&) = delete;
+
+    std::string_view view() const
+    {
+        return m_bytes == MAP_FAILED ? std::string_view() : std::string_view(static_cast<char*>(m_bytes), m_size);
+    }
+
+private:
+    void* m_bytes = MAP_FAILED;
+    std::size_t m_size = 0;
+};
+
+ImageKind kindOfInput()
+{
+    const Bytes bytes;
+    const auto kind = imageKindOf(bytes.view());
+    if (!kind)
+        refuse(ImageVerdict::UnknownKind);
+    if (kind == ImageKind::Jpeg && !jpegIsWhole(bytes.view()))
+        refuse(ImageVerdict::Damaged);
+    return *kind;
+}
+
+/// By name: what the file is has been seen, and no other decoder of the library is tried.
+std::unique_ptr<OIIO::ImageInput> opened(ImageKind kind, OIIO::ImageSpec& spec)
+{
+    constexpr const char* names[] = {"png", "jpeg", "tiff", "openexr"};
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1); // -1: none beside this one
+    OIIO::ImageSpec wish;
+    wish["oiio:UnassociatedAlpha"] = 1;
+    auto decoder = OIIO::ImageInput::create(names[static_cast<std::size_t>(kind)], false, &wish);
+    if (!decoder || !decoder->open(input, spec, wish))
+        refuse(ImageVerdict::Damaged);
+    return decoder;
+}
+
+/// Which channels are red, green, blue and opacity; -1 for no opacity.
+std::array<int, 4> coloursOf(const OIIO::ImageSpec& spec)
+{
+    const auto named = [&](const char* name) { return spec.channelindex(name); };
+    if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0)
+        return {named("R"), named("G"), named("B"), spec.alpha_channel};
+    if (named("Y") >= 0)
+        return {named("Y"), named("Y"), named("Y"), spec.alpha_channel};
+    if (spec.nchannels == 1 || spec.nchannels == 2)
+        return {0, 0, 0, spec.alpha_channel};
+    refuse(ImageVerdict::NoColours);
+}
+
+/// How to make 8 bits per channel, not premultiplied, in sRGB of what the file holds.
+struct Conversion {
+    std::array<int, 4> channels;
+    int channelCount;
+    bool linear;        ///< light, not sRGB
+    bool premultiplied; ///< colours times opacity
+};
+
+std::uint8_t eightBits(float value)
+{
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+}
+
+float sRgbOf(float light)
+{
+    return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
+}
+
+void convert(const Conversion& how, const float* from, std::size_t pixels, std::uint8_t* to)
+{
+    for (std::size_t i = 0; i < pixels; ++i, from += how.channelCount, to += 4) {
+        const float alpha = how.channels[3] < 0 ? 1 : from[how.channels[3]];
+        for (std::size_t k = 0; k < 3; ++k) {
+            float value = from[how.channels[k]];
+            if (how.premultiplied && alpha > 0)
+                value /= alpha;
+            if (how.linear)
+                value = sRgbOf(value);
+            to[k] = std::isnan(value) ? 0 : eightBits(value);
+        }
+        to[3] = std::isnan(alpha) ? 0 : eightBits(alpha);
+    }
+}
+
+/// Strip by strip, so that only one is in memory.
+void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Conversion& how)
+{
+    const bool tiled = spec.tile_width > 0;
+    const auto width = static_cast<std::uint64_t>(spec.width);
+    int rows = static_cast<int>(std::max<std::uint64_t>(1, pixelsAtOnce / 16 / width));
+    if (tiled)
+        rows = spec.tile_height;
+    // Tiles need not be smaller than the picture, and all channels are asked for.
+    if (rows <= 0 || static_cast<std::uint64_t>(rows) * (width + static_cast<std::uint64_t>(spec.tile_width)) *
+                             static_cast<std::uint64_t>(spec.nchannels) >
+                         4 * mostImagePixels)
+        refuse(ImageVerdict::Damaged);
+    std::vector<float> strip(static_cast<std::size_t>(rows) * width * static_cast<std::size_t>(spec.nchannels));
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(rows) * width * 4);
+    for (int y = 0; y < spec.height; y += rows) {
+        const int end = std::min(y + rows, spec.height);
+        const bool read = tiled ? decoder.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, 0,
+                                                     1, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, strip.data())
+                                : decoder.read_scanlines(0, 0, spec.y + y, spec.y + end, 0, 0, spec.nchannels,
+                                                         OIIO::TypeDesc::FLOAT, strip.data());
+        if (!read || decoder.has_error())
+            ::_exit(2); // the head has been sent: that there are no more pixels says it
+        const std::size_t pixels = static_cast<std::size_t>(end - y) * width;
+        convert(how, strip.data(), pixels, row.data());
+        write(row.data(), 4 * pixels);
+    }
+}
+
+void decode()
+{
+    OIIO::ImageSpec spec;
+    const auto decoder = opened(kindOfInput(), spec);
+    const auto width = static_cast<std::uint32_t>(std::max(spec.width, 0));
+    const auto height = static_cast<std::uint32_t>(std::max(spec.height, 0));
+    if (width == 0 || height == 0 || spec.depth > 1 || spec.deep || spec.nchannels < 1 || spec.nchannels > 64)
+        refuse(ImageVerdict::NoColours);
+    if (!imageFits(width, height))
+        throw Refused{{ImageVerdict::TooLarge, width, height}};
+
+    const auto channels = coloursOf(spec);
+    const std::string space = spec.get_string_attribute("oiio:ColorSpace");
+    const Conversion how{channels, spec.nchannels, spec.format.is_floating_point() || space == "Linear",
+                         channels[3] >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0};
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    const ImageHead head{ImageVerdict::Pixels, width, height,
+                         orientation < 1 || orientation > 8 ? 1U : static_cast<std::uint32_t>(orientation)};
+    write(bytesOf(head).data(), imageHeadBytes);
+    sendPixels(*decoder, spec, how);
+}
+
+} // namespace
+
+int main()
+{
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would stop it any more
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    try {
+        decode();
+    } catch (const Refused& refused) {
+        write(bytesOf(refused.head).data(), imageHeadBytes);
+    } catch (const std::exception&) {
+        ::_exit(3);
+    }
+    std::fflush(stdout);
+    ::_exit(0); // no library tidies up
+}
