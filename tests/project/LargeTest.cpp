@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <ctime>
 #include <thread>
 
 namespace bolster::test {
@@ -54,16 +55,19 @@ TEST_F(LargeProject, OpensQuicklyAndIsHardlyLargerThanItsEdits)
 
     QElapsedTimer timer;
     timer.start();
+    const std::clock_t begin = std::clock(); // says more on a busy machine
     const OpenedProject project = openProject(path("a.bolster"));
+    const double processor = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     const double opening = static_cast<double>(timer.nsecsElapsed()) / 1e9;
     ASSERT_EQ(project.problem.english(), "");
     EXPECT_GE(project.history.count(), edits);
     double payload = 0;
     for (NodeId id = 0; id < project.history.count(); ++id)
         payload += static_cast<double>(encodeChanges(storedChanges(project, id).value()).size());
-    std::printf("%d edits: reopened in %.2f s, file %.1f MB, %.2f times its edits; a commit takes %.2f ms, "
+    std::printf("%d edits: reopened in %.2f s (%.2f s of processor time), file %.1f MB, %.2f times its edits; a "
+                "commit takes %.2f ms, "
                 "p99 %.2f ms\n",
-                project.history.count() - 1, opening,
+                project.history.count() - 1, opening, processor,
                 static_cast<double>(QFileInfo(path("a.bolster")).size()) / 1e6,
                 static_cast<double>(QFileInfo(path("a.bolster")).size()) / payload, commits[commits.size() / 2],
                 commits[commits.size() * 99 / 100]);
