@@ -140,7 +140,7 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     }
     for (const Problem& problem : m_opened)
         if (const ElementPtr element = design.element(problem.element);
-            element && problem.field == "file" && elementFile(*element))
+            element && problem.field == "file" && hasShapeFile(*element))
             m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message});
     if (const OpenedProject& project = opened.journal.project; opened.journal.journal) {
         m_document.reset(design, project.history);
@@ -193,7 +193,8 @@ Message DesignSession::addWithFile(const QString& source, FileContent content, c
     if (Message problem = m_folder.add(source, &name); !problem.empty())
         return problem;
     const ElementPtr added = withFile(element, name.toStdString());
-    m_known[keyOf(*added)] = {std::move(content), {}};
+    if (hasShapeFile(*added))
+        m_known[keyOf(*added)] = {std::move(content), {}};
     const Design& design = m_document.design();
     if (replaced && design.element(*replaced)) {
         m_document.commit(
@@ -216,7 +217,7 @@ void DesignSession::designChanged(const std::set<ElementId>& ids)
 {
     const auto concernsFiles = [this](ElementId id) {
         const ElementPtr element = m_document.design().element(id);
-        return m_files.meshes.contains(id) || m_files.clouds.contains(id) || (element && elementFile(*element));
+        return m_files.meshes.contains(id) || m_files.clouds.contains(id) || (element && hasShapeFile(*element));
     };
     if (std::ranges::any_of(ids, concernsFiles))
         updateFiles();
@@ -226,7 +227,7 @@ void DesignSession::updateFiles()
 {
     DesignFiles files;
     for (const auto& [id, element] : m_document.design().elements()) {
-        if (!elementFile(*element))
+        if (!hasShapeFile(*element))
             continue;
         const FileKey key = keyOf(*element);
         if (const auto known = m_known.find(key); known != m_known.end())
@@ -266,7 +267,7 @@ Problems DesignSession::problems() const
     for (const auto& [id, element] : design.elements()) {
         if (const auto* bad = std::get_if<Quarantined>(element.get()))
             found.insert(found.end(), bad->problems.begin(), bad->problems.end());
-        if (elementFile(*element))
+        if (hasShapeFile(*element))
             if (const auto known = m_known.find(keyOf(*element)); known != m_known.end() && !known->second.content)
                 found.push_back({id, elementLabel(id, *element), "file", known->second.problem});
     }

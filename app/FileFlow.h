@@ -64,6 +64,8 @@ private:
     void openNow(const QString& path);
     std::optional<DesignSession::Opening> howToOpen(const QString& original);
     void saveTo(const QString& path, const Then& then);
+    void saveBesideOthers(const QString& path, const Then& then);
+    void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
     QString chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                          const QStringList& endings);

@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -57,6 +59,42 @@ void FileFlow::announceRestored()
                              m_session.document().jumpTo(m_session.document().saved().value_or(0));
                              m_banner->dismiss();
                          }}});
+}
+
+void FileFlow::saveBesideOthers(const QString& path, const Then& then)
+{
+    QMessageBox box(
+        QMessageBox::Question, tr("Bolster"),
+        tr("Somebody else has changed \"%1\" since it was opened here.").arg(QFileInfo(path).fileName()),
+        QMessageBox::Save | QMessageBox::Cancel, m_window);
+    box.setInformativeText(
+        tr("Their changes can become a branch of the history here, then both are saved. Your design "
+           "stays as it is, and you can go to theirs."));
+    const QPushButton* take = box.addButton(tr("&Take their changes in as a branch"), QMessageBox::AcceptRole);
+    box.button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    const int answer = box.exec();
+    if (box.clickedButton() == take)
+        takeTheirs(path, then);
+    else if (answer == QMessageBox::Save)
+        if (const QString other = chooseSaveTarget(); !other.isEmpty())
+            saveTo(other, then);
+}
+
+void FileFlow::takeTheirs(const QString& path, const Then& then)
+{
+    const QString now = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+    m_session.takeTheirs(tr("From the file, %1").arg(now), [this, path, then](const Message& problem, NodeId tip) {
+        if (!problem.empty()) {
+            fail(tr("Their changes could not be taken in."), problem);
+            return;
+        }
+        m_banner->announce(Banner::Kind::Information,
+                           tr("The changes of somebody else are a branch of the history now."),
+                           {{tr("Show"), [this] { emit historyWanted(); }},
+                            {tr("Go there"), [this, tip] { m_session.document().jumpTo(tip); }}});
+        saveTo(path, then);
+    });
 }
 
 void FileFlow::fillUnsaved(QMenu& menu)

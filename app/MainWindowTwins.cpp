@@ -38,6 +38,8 @@ PointsByElement chosenPoints(const Design& design, const Selection& selection)
             add(seam->b);
         } else if (const FixationSeam* fixation = design.find<FixationSeam>(id)) {
             add(fixation->stretch);
+        } else if (const OutlineTrim* trimmed = design.find<OutlineTrim>(id)) {
+            add(trimmed->stretch);
         }
     }
     return points;

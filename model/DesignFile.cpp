@@ -53,11 +53,20 @@ void readFiles(OpenedDesign& opened, const QString& folder)
 {
     for (const auto& [id, element] : opened.design.elements()) {
         const bool refused =
-            std::any_of(opened.problems.begin(), opened.problems.end(), [id = id](const Problem& known) {
-                return known.element == id && known.field == "file" && known.severity == Severity::Error;
+            std::any_of(opened.problems.begin(), opened.problems.end(), [&, id = id](const Problem& known) {
+                return known.element == id && known.severity == Severity::Error &&
+                       known.field == elementFileField(*element);
             });
         if (refused || !elementFile(*element))
             continue;
+        if (!hasShapeFile(*element)) { // whoever looks at it reads it, and marks what is missing
+            Message missing;
+            fileInFolder(*elementFile(*element), folder, missing);
+            if (!missing.empty())
+                opened.problems.push_back({id, elementLabel(id, *element), elementFileField(*element),
+                                           std::move(missing), Severity::Warning});
+            continue;
+        }
         ImportedFile file = readElementFile(*element, folder);
         file.content.addTo(opened.files, id);
         if (!file.content)

@@ -91,6 +91,7 @@ SolvePlan compare(const FixationSeam& a, const FixationSeam& b)
 {
     FixationSeam held = b;
     held.orientation = a.orientation;
+    held.trim = a.trim;
     return held == a ? compare(a.orientation, b.orientation) : SolvePlan::Resew;
 }
 
@@ -132,6 +133,16 @@ SolvePlan compare(const Scan& a, const Scan& b)
     return compareButNames(a, b);
 }
 
+SolvePlan compare(const Colourway&, const Colourway&)
+{
+    return SolvePlan::Nothing;
+}
+
+SolvePlan compare(const OutlineTrim&, const OutlineTrim&)
+{
+    return SolvePlan::Nothing;
+}
+
 SolvePlan compare(const Quarantined&, const Quarantined&)
 {
     return SolvePlan::Nothing;
@@ -145,6 +156,8 @@ SolvePlan planOf(const Element& element)
     if (std::holds_alternative<Quarantined>(element) || std::holds_alternative<Fabric>(element) ||
         std::holds_alternative<FixationCurve>(element))
         return SolvePlan::Nothing; // fabrics and curves matter through what uses them
+    if (std::holds_alternative<Colourway>(element) || std::holds_alternative<OutlineTrim>(element))
+        return SolvePlan::Nothing;
     if (patchCurve(element))
         return SolvePlan::Rebuild; // a new handle begins where the surface is, so nothing is torn
     if (std::holds_alternative<Cushion>(element) || std::holds_alternative<Foam>(element) ||

@@ -40,11 +40,14 @@ constexpr KindTexts kindTexts[] = {
     {QT_TRANSLATE_NOOP("ElementText", "Handle curve"), QT_TRANSLATE_NOOP("ElementText", "Handle curves"),
      "handle-curve"},
     {QT_TRANSLATE_NOOP("ElementText", "Fancy seam"), QT_TRANSLATE_NOOP("ElementText", "Fancy seams"), "fancy-seam"},
+    {QT_TRANSLATE_NOOP("ElementText", "Trimmed edge"), QT_TRANSLATE_NOOP("ElementText", "Trimmed edges"),
+     "outline-trim"},
     {QT_TRANSLATE_NOOP("ElementText", "Frame"), QT_TRANSLATE_NOOP("ElementText", "Frames"), "frame"},
     {QT_TRANSLATE_NOOP("ElementText", "Cushion"), QT_TRANSLATE_NOOP("ElementText", "Cushions"), "cushion"},
     {QT_TRANSLATE_NOOP("ElementText", "Foam"), QT_TRANSLATE_NOOP("ElementText", "Foam"), "foam"},
     {QT_TRANSLATE_NOOP("ElementText", "Scan"), QT_TRANSLATE_NOOP("ElementText", "Scans"), "scan"},
     {QT_TRANSLATE_NOOP("ElementText", "Fabric"), QT_TRANSLATE_NOOP("ElementText", "Fabrics"), "fabric"},
+    {QT_TRANSLATE_NOOP("ElementText", "Colourway"), QT_TRANSLATE_NOOP("ElementText", "Colourways"), "colourway"},
     {QT_TRANSLATE_NOOP("ElementText", "Unusable element"), QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
      "warning"},
     {QT_TRANSLATE_NOOP("ElementText", "Design"), QT_TRANSLATE_NOOP("ElementText", "Design"), "settings"},
@@ -58,11 +61,13 @@ constexpr const char* countedTexts[] = {
     QT_TRANSLATE_NOOP("ElementText", "%1 fixations"),
     QT_TRANSLATE_NOOP("ElementText", "%1 handle curves"),
     QT_TRANSLATE_NOOP("ElementText", "%1 fancy seams"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 trimmed edges"),
     QT_TRANSLATE_NOOP("ElementText", "%1 frames"),
     QT_TRANSLATE_NOOP("ElementText", "%1 cushions"),
     QT_TRANSLATE_NOOP("ElementText", "%1 pieces of foam"),
     QT_TRANSLATE_NOOP("ElementText", "%1 scans"),
     QT_TRANSLATE_NOOP("ElementText", "%1 fabrics"),
+    QT_TRANSLATE_NOOP("ElementText", "%1 colourways"),
     QT_TRANSLATE_NOOP("ElementText", "%1 unusable elements"),
     QT_TRANSLATE_NOOP("ElementText", "%1 elements"),
 };
@@ -89,6 +94,8 @@ ElementKind kindOf(const Element& element)
         ElementKind operator()(const Cushion&) const { return ElementKind::Cushion; }
         ElementKind operator()(const Foam&) const { return ElementKind::Foam; }
         ElementKind operator()(const Scan&) const { return ElementKind::Scan; }
+        ElementKind operator()(const Colourway&) const { return ElementKind::Colourway; }
+        ElementKind operator()(const OutlineTrim&) const { return ElementKind::OutlineTrim; }
         ElementKind operator()(const Quarantined&) const { return ElementKind::Unusable; }
     };
     return std::visit(Visitor{}, element);
@@ -120,6 +127,9 @@ QString displayName(const Design& design, ElementId id)
     if (const FixationSeam* fixation = design.find<FixationSeam>(id))
         return QStringLiteral("%1 \u2192 %2")
             .arg(nameOrNumber(design, fixation->stretch.patch), nameOrNumber(design, fixation->curve));
+    if (const OutlineTrim* trimmed = design.find<OutlineTrim>(id))
+        return QCoreApplication::translate("ElementText", "Edge of %1")
+            .arg(nameOrNumber(design, trimmed->stretch.patch));
     if (const Quarantined* bad = design.find<Quarantined>(id))
         if (!bad->problems.empty() && !bad->problems.front().label.empty())
             return QString::fromStdString(bad->problems.front().label);
@@ -152,6 +162,8 @@ double sewnLength(const Design& design, ElementId id)
 {
     if (const Seam* seam = design.find<Seam>(id))
         return stretchLength(design, seam->a);
+    if (const OutlineTrim* trimmed = design.find<OutlineTrim>(id))
+        return stretchLength(design, trimmed->stretch);
     const FixationSeam* fixation = design.find<FixationSeam>(id);
     return fixation ? stretchLength(design, fixation->stretch) : 0;
 }

@@ -17,11 +17,13 @@ enum class ElementKind {
     FixationSeam,
     HandleCurve,
     FancySeam,
+    OutlineTrim,
     Frame,
     Cushion,
     Foam,
     Scan,
     Fabric,
+    Colourway,
     Unusable,
     Settings
 };
@@ -40,7 +42,7 @@ QString displayName(const Design& design, ElementId id);
 QString countedText(const Design& design, std::span<const ElementId> ids);
 /// The lengths of a seam's two stretches and its ease, or "".
 QString seamSummary(const Design& design, const Seam& seam);
-/// Arc length of a seam's first stretch or of a fixation's, mm; 0 for other elements.
+/// Arc length of a seam's first stretch, of a fixation's or a trim's, mm; 0 for other elements.
 double sewnLength(const Design& design, ElementId id);
 /// Arc length, mm; 0 when the stretch does not lie on its outline.
 double stretchLength(const Design& design, const Stretch& stretch);

@@ -22,7 +22,8 @@ constexpr quintptr kindLevel = 0;
 bool hasName(const Element& element)
 {
     return !std::holds_alternative<Settings>(element) && !std::holds_alternative<Seam>(element) &&
-           !std::holds_alternative<FixationSeam>(element) && !std::holds_alternative<Quarantined>(element);
+           !std::holds_alternative<FixationSeam>(element) && !std::holds_alternative<OutlineTrim>(element) &&
+           !std::holds_alternative<Quarantined>(element);
 }
 
 } // namespace
@@ -53,7 +54,7 @@ std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
     std::map<ElementKind, std::vector<Row>> byKind;
     for (const auto& [id, element] : design.elements())
         byKind[kindOf(*element)].push_back({id, displayName(design, id)});
-    for (const ElementKind kind : {ElementKind::Seam, ElementKind::FixationSeam})
+    for (const ElementKind kind : {ElementKind::Seam, ElementKind::FixationSeam, ElementKind::OutlineTrim})
         tellApart(design, byKind[kind]);
     std::erase_if(byKind, [](const auto& group) { return group.second.empty(); });
     std::vector<Group> groups;

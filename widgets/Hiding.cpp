@@ -35,6 +35,10 @@ std::set<ElementId> allBut(const Design& design, const std::set<ElementId>& elem
         if (kept.contains(seam.stretch.patch))
             kept.insert(seam.curve);
     });
+    design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& trimmed) {
+        if (elements.contains(id))
+            kept.insert(trimmed.stretch.patch);
+    });
     std::set<ElementId> hidden;
     for (const auto& [id, element] : design.elements()) {
         const PatchCurve* drawn = patchCurve(*element);

@@ -80,18 +80,28 @@ void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& id
         break;
     case ElementKind::Seam:
         addSeam(form, ids);
+        addTrim<Seam>(form, ids);
         break;
     case ElementKind::FixationCurve:
         addFixationCurve(form, ids);
         break;
     case ElementKind::FixationSeam:
         addFixationSeam(form, ids);
+        addTrim<FixationSeam>(form, ids);
         break;
     case ElementKind::HandleCurve:
         addHandleCurve(form, ids);
         break;
     case ElementKind::FancySeam:
         addFancySeam(form, ids);
+        addTrim<FancySeam>(form, ids);
+        break;
+    case ElementKind::OutlineTrim:
+        addOutlineTrim(form, ids);
+        addTrim<OutlineTrim>(form, ids);
+        break;
+    case ElementKind::Colourway:
+        addColourway(form, ids);
         break;
     case ElementKind::Frame:
         addFrame(form, ids);

@@ -49,6 +49,11 @@ private:
     void addFixationSeam(PropertyForm& form, const Ids& ids) const;
     void addHandleCurve(PropertyForm& form, const Ids& ids) const;
     void addFancySeam(PropertyForm& form, const Ids& ids) const;
+    void addOutlineTrim(PropertyForm& form, const Ids& ids) const;
+    /// Stitches and piping of seams of any kind.
+    template <class T>
+    void addTrim(PropertyForm& form, const Ids& ids) const;
+    void addColourway(PropertyForm& form, const Ids& ids) const;
     void addFrame(PropertyForm& form, const Ids& ids) const;
     void addCushion(PropertyForm& form, const Ids& ids) const;
     void addFoam(PropertyForm& form, const Ids& ids) const;

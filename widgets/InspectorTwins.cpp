@@ -27,6 +27,8 @@ void changePointsOn(EditChain& chain, ElementId id, const Change& change)
         stretches = {seam->a, seam->b};
     else if (const FixationSeam* fixation = chain.design().find<FixationSeam>(id))
         stretches = {fixation->stretch};
+    else if (const OutlineTrim* trimmed = chain.design().find<OutlineTrim>(id))
+        stretches = {trimmed->stretch};
     for (const Stretch& stretch : stretches)
         if (const Patch* patch = chain.design().find<Patch>(stretch.patch); patch && !patch->outline.empty())
             chain.add(change(chain.design(), stretch.patch,
@@ -53,7 +55,7 @@ Edit relinkedSewing(const Design& design, ElementId id)
 void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
 {
     const Design& design = m_document.design();
-    if (!design.find<Seam>(id) && !design.find<FixationSeam>(id))
+    if (!design.find<Seam>(id) && !design.find<FixationSeam>(id) && !design.find<OutlineTrim>(id))
         return;
     const bool released = edits::sewingReleased(design, id);
     if (!released && edits::mirroredElement(design, id) == settingsId)

@@ -37,7 +37,8 @@ Message addFiles(Journal& journal, const Design& design, const QString& folder)
             if (Message problem = journal.addAsset(name, path); !problem.empty())
                 return problem;
         if (!missing.empty())
-            printProblems({{id, elementLabel(id, *element), "file", missing, Severity::Warning}});
+            printProblems(
+                {{id, elementLabel(id, *element), elementFileField(*element), missing, Severity::Warning}});
     }
     return {};
 }

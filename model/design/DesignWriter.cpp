@@ -63,6 +63,10 @@ public:
     Line& add(std::string_view key, double value) { return raw(key, text(value)); }
     Line& add(std::string_view key, ElementId id) { return raw(key, std::to_string(number(id))); }
     Line& quoted(std::string_view key, std::string_view value) { return raw(key, json::quoted(value)); }
+    Line& unless(const std::string& fallback, std::string_view key, const std::string& value)
+    {
+        return value == fallback ? *this : quoted(key, value);
+    }
     Line& flag(std::string_view key, bool value) { return raw(key, value ? "true" : "false"); }
     Line& unless(double fallback, std::string_view key, double value)
     {
@@ -77,6 +81,7 @@ public:
     {
         return sameVector(value, fallback) ? *this : raw(key, list(value));
     }
+    bool empty() const { return m_text.empty(); }
     std::string done() const { return "{" + m_text + "}"; }
 
 private:
@@ -131,11 +136,61 @@ void addSymmetry(Line& line, const Symmetry& symmetry)
     line.raw("symmetry", both.done());
 }
 
+void addLook(Line& line, const FabricLook& look)
+{
+    static constexpr std::array<const char*, 7> kinds = {"plain", "checker", "smooth_leather", "grained_leather",
+                                                         "woven", "velvet",  "image"};
+    const FabricLook normal = usualLook(look.kind);
+    Line all;
+    if (look.kind != FabricLook::Kind::Plain)
+        all.quoted("kind", kinds[static_cast<std::size_t>(look.kind)]);
+    all.unless(normal.secondColor, "second_color", look.secondColor)
+        .unless(normal.roughness, "roughness", look.roughness)
+        .unless(normal.scale, "scale_mm", look.scale)
+        .unless(normal.rotation, "rotation", look.rotation)
+        .unless(normal.relief, "relief", look.relief)
+        .unless(normal.file, "file", look.file);
+    if (!all.empty())
+        line.raw("look", all.done());
+}
+
+void addLimits(Line& line, const StretchLimits& limits)
+{
+    const StretchLimits normal;
+    Line all;
+    all.unless(normal.along, "along", limits.along)
+        .unless(normal.across, "across", limits.across)
+        .unless(normal.shear, "shear", limits.shear);
+    if (!all.empty())
+        line.raw("limits", all.done());
+}
+
+void addTrim(Line& line, const SeamTrim& trim)
+{
+    static constexpr std::array<const char*, 3> stitches = {"none", "single", "twin"};
+    const SeamTrim normal;
+    Line all;
+    if (trim.stitch != normal.stitch)
+        all.quoted("stitch", stitches[static_cast<std::size_t>(trim.stitch)]);
+    all.unless(normal.thread, "thread", trim.thread)
+        .unless(normal.stitchLength, "stitch_length_mm", trim.stitchLength)
+        .unless(normal.stitchDistance, "stitch_distance_mm", trim.stitchDistance)
+        .unless(normal.threadWidth, "thread_width_mm", trim.threadWidth)
+        .unless(normal.pipingRadius, "piping_radius_mm", trim.pipingRadius);
+    if (trim.pipingFabric != normal.pipingFabric)
+        all.add("piping_fabric", trim.pipingFabric);
+    all.unless(normal.allowance, "allowance_mm", trim.allowance).unless(normal.valley, "valley", trim.valley);
+    if (!all.empty())
+        line.raw("trim", all.done());
+}
+
 void addFields(Line& line, const Settings& settings)
 {
     line.add("edge_length", settings.edgeLength);
     if (settings.symmetry)
         addSymmetry(line, *settings.symmetry);
+    if (settings.colourway != ElementId{})
+        line.add("colourway", settings.colourway);
 }
 
 void addTwin(Line& line, const std::optional<Twin>& twin)
@@ -157,9 +212,10 @@ void addFields(Line& line, const Fabric& fabric)
     line.quoted("name", fabric.name)
         .unless(normal.poisson, "poisson", fabric.poisson)
         .unless(normal.stiffness, "stiffness", fabric.stiffness)
-        .unless(normal.bendingLength, "bending_length", fabric.bendingLength);
-    if (fabric.color != normal.color)
-        line.quoted("color", fabric.color);
+        .unless(normal.bendingLength, "bending_length", fabric.bendingLength)
+        .unless(normal.color, "color", fabric.color);
+    addLook(line, fabric.look);
+    addLimits(line, fabric.limits);
 }
 
 void addFields(Line& line, const Patch& patch)
@@ -183,6 +239,7 @@ void addFields(Line& line, const Seam& seam)
     addMatch(line, seam.match);
     if (seam.continuity != Continuity::C0)
         line.quoted("continuity", continuities[static_cast<std::size_t>(seam.continuity)]);
+    addTrim(line, seam.trim);
 }
 
 void addFields(Line& line, const FixationCurve& fixation)
@@ -214,6 +271,23 @@ void addFields(Line& line, const FixationSeam& seam)
     line.unless(false, "reversed", seam.reversed);
     addMatch(line, seam.match);
     addOrientation(line, seam.orientation);
+    addTrim(line, seam.trim);
+}
+
+void addFields(Line& line, const OutlineTrim& trimmed)
+{
+    addStretch(line, trimmed.stretch);
+    addTrim(line, trimmed.trim);
+}
+
+void addFields(Line& line, const Colourway& colourway)
+{
+    line.quoted("name", colourway.name);
+    const auto pairText = [](const Colourway::Entry& entry) {
+        return Line().add("patch", entry.patch).add("fabric", entry.fabric).done();
+    };
+    if (!colourway.fabrics.empty())
+        line.raw("fabrics", listOf(colourway.fabrics, pairText));
 }
 
 void addPlacement(Line& line, const Placement& placement)
@@ -287,6 +361,7 @@ void addFields(Line& line, const FancySeam& seam)
     line.unless(normal.width, "width", seam.width).unless(normal.depth, "depth", seam.depth);
     if (seam.profile != normal.profile)
         line.quoted("profile", profiles[static_cast<std::size_t>(seam.profile)]);
+    addTrim(line, seam.trim);
 }
 
 std::string cutText(const ScanCut& cut)

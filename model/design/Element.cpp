@@ -8,8 +8,8 @@ namespace bolster {
 const char* kindName(const Element& element)
 {
     static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings",     "fabric",     "patch",   "seam", "fixation_curve", "fixation_seam", "frame",
-        "handle_curve", "fancy_seam", "cushion", "foam", "scan",           "unreadable"};
+        "settings",   "fabric",  "patch", "seam", "fixation_curve", "fixation_seam", "frame",     "handle_curve",
+        "fancy_seam", "cushion", "foam",  "scan", "colourway",      "outline_trim",  "unreadable"};
     return names[element.index()];
 }
 
@@ -32,6 +32,8 @@ const std::string* elementFile(const Element& element)
         [](const auto& value) -> const std::string* {
             if constexpr (requires { value.shape; })
                 return value.shape == Foam::Shape::Mesh ? &value.file : nullptr;
+            else if constexpr (requires { value.look; })
+                return value.look.kind == FabricLook::Kind::Image ? &value.look.file : nullptr;
             else if constexpr (requires { value.file; })
                 return &value.file;
             else
@@ -46,6 +48,41 @@ ElementPtr withFile(const Element& element, std::string file)
         [&](auto value) {
             if constexpr (requires { value.file; })
                 value.file = std::move(file);
+            else if constexpr (requires { value.look; })
+                value.look.file = std::move(file);
+            return makeElement(std::move(value));
+        },
+        element);
+}
+
+const char* elementFileField(const Element& element)
+{
+    return std::holds_alternative<Fabric>(element) ? "look.file" : "file";
+}
+
+bool hasShapeFile(const Element& element)
+{
+    return elementFile(element) && !std::holds_alternative<Fabric>(element);
+}
+
+const SeamTrim* seamTrim(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) -> const SeamTrim* {
+            if constexpr (requires { value.trim; })
+                return &value.trim;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+ElementPtr withTrim(const Element& element, SeamTrim trim)
+{
+    return std::visit(
+        [&](auto value) {
+            if constexpr (requires { value.trim; })
+                value.trim = std::move(trim);
             return makeElement(std::move(value));
         },
         element);

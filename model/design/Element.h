@@ -1,6 +1,7 @@
 // One thing that the user made.
 #pragma once
 
+#include "Colourway.h"
 #include "Cushion.h"
 #include "Fabric.h"
 #include "FancySeam.h"
@@ -9,6 +10,7 @@
 #include "Foam.h"
 #include "Frame.h"
 #include "HandleCurve.h"
+#include "OutlineTrim.h"
 #include "Patch.h"
 #include "Quarantined.h"
 #include "Scan.h"
@@ -23,7 +25,7 @@
 namespace bolster {
 
 using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
-                             FancySeam, Cushion, Foam, Scan, Quarantined>;
+                             FancySeam, Cushion, Foam, Scan, Colourway, OutlineTrim, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>
@@ -38,8 +40,16 @@ const char* kindName(const Element& element);
 const std::string& elementName(const Element& element);
 /// The file that the element refers to, or null for those without one.
 const std::string* elementFile(const Element& element);
+/// The field that names it, for problems: "file", or "look.file".
+const char* elementFileField(const Element& element);
+/// Whether elementFile is a mesh or a cloud, part of DesignFiles; the image of a fabric is neither.
+bool hasShapeFile(const Element& element);
 /// The same element with another file; it must be of a kind with one.
 ElementPtr withFile(const Element& element, std::string file);
+/// Stitches and piping of seams of all kinds and of outline trims, or null for other kinds.
+const SeamTrim* seamTrim(const Element& element);
+/// The same element with other ones; it must be of a kind with a trim.
+ElementPtr withTrim(const Element& element, SeamTrim trim);
 /// What a handle curve or fancy seam draws in a patch, or null for other kinds.
 const PatchCurve* patchCurve(const Element& element);
 /// The curve in outline coordinates: of a patch its outline, of handle curves and fancy seams the drawn one; or

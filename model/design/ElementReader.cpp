@@ -115,17 +115,12 @@ BSpline<Dim> readCurve(Fields& parent, std::string_view key)
     return corners.empty() ? Curve(degree, closed, points, knots) : Curve::withCorners(points, corners);
 }
 
-Fabric readFabric(Fields& fields)
+std::string readColor(Fields& fields, std::string_view key, const std::string& fallback)
 {
-    Fabric fabric;
-    fabric.name = fields.text("name");
-    fabric.poisson = fields.number("poisson", fabric.poisson);
-    fabric.stiffness = fields.number("stiffness", fabric.stiffness);
-    fabric.bendingLength = fields.number("bending_length", fabric.bendingLength);
-    fabric.color = fields.text("color", fabric.color);
-    for (char& c : fabric.color)
+    std::string color = fields.text(key, fallback);
+    for (char& c : color)
         c = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
-    return fabric;
+    return color;
 }
 
 /// The object under a key, if there is one; else, or if it is none, null.
@@ -137,6 +132,72 @@ const Value* optionalObject(Fields& fields, std::string_view key)
         return nullptr;
     }
     return object;
+}
+
+FabricLook readLook(Fields& parent)
+{
+    const Value* object = optionalObject(parent, "look");
+    if (!object)
+        return {};
+    Fields fields(*object, parent.fieldOf("look") + ".", parent.report());
+    FabricLook look = usualLook(static_cast<FabricLook::Kind>(fields.choice(
+        "kind", {"plain", "checker", "smooth_leather", "grained_leather", "woven", "velvet", "image"})));
+    look.secondColor = readColor(fields, "second_color", look.secondColor);
+    look.roughness = fields.number("roughness", look.roughness);
+    look.scale = fields.number("scale_mm", look.scale);
+    look.rotation = fields.number("rotation", look.rotation);
+    look.relief = fields.number("relief", look.relief);
+    look.file = fields.text("file", look.file);
+    fields.finish();
+    return look;
+}
+
+StretchLimits readLimits(Fields& parent)
+{
+    StretchLimits limits;
+    const Value* object = optionalObject(parent, "limits");
+    if (!object)
+        return limits;
+    Fields fields(*object, parent.fieldOf("limits") + ".", parent.report());
+    limits.along = fields.number("along", limits.along);
+    limits.across = fields.number("across", limits.across);
+    limits.shear = fields.number("shear", limits.shear);
+    fields.finish();
+    return limits;
+}
+
+SeamTrim readTrim(Fields& parent)
+{
+    SeamTrim trim;
+    const Value* object = optionalObject(parent, "trim");
+    if (!object)
+        return trim;
+    Fields fields(*object, parent.fieldOf("trim") + ".", parent.report());
+    trim.stitch = static_cast<SeamTrim::Stitch>(fields.choice("stitch", {"none", "single", "twin"}));
+    trim.thread = readColor(fields, "thread", trim.thread);
+    trim.stitchLength = fields.number("stitch_length_mm", trim.stitchLength);
+    trim.stitchDistance = fields.number("stitch_distance_mm", trim.stitchDistance);
+    trim.threadWidth = fields.number("thread_width_mm", trim.threadWidth);
+    trim.pipingRadius = fields.number("piping_radius_mm", trim.pipingRadius);
+    if (fields.has("piping_fabric"))
+        trim.pipingFabric = fields.id("piping_fabric");
+    trim.allowance = fields.number("allowance_mm", trim.allowance);
+    trim.valley = fields.flag("valley", trim.valley);
+    fields.finish();
+    return trim;
+}
+
+Fabric readFabric(Fields& fields)
+{
+    Fabric fabric;
+    fabric.name = fields.text("name");
+    fabric.poisson = fields.number("poisson", fabric.poisson);
+    fabric.stiffness = fields.number("stiffness", fabric.stiffness);
+    fabric.bendingLength = fields.number("bending_length", fabric.bendingLength);
+    fabric.color = readColor(fields, "color", fabric.color);
+    fabric.look = readLook(fields);
+    fabric.limits = readLimits(fields);
+    return fabric;
 }
 
 std::optional<Twin> readTwin(Fields& parent)
@@ -209,6 +270,7 @@ Seam readSeam(Fields& fields)
     seam.reversed = fields.flag("reversed", seam.reversed);
     seam.match = readMatch(fields);
     seam.continuity = static_cast<Continuity>(fields.choice("continuity", {"C0", "C1", "G1"}));
+    seam.trim = readTrim(fields);
     return seam;
 }
 
@@ -270,7 +332,14 @@ FixationSeam readFixationSeam(Fields& fields)
     }
     seam.reversed = fields.flag("reversed", seam.reversed);
     seam.match = readMatch(fields);
+    seam.trim = readTrim(fields);
     return seam;
+}
+
+OutlineTrim readOutlineTrim(Fields& fields)
+{
+    const Stretch stretch = readStretch(fields);
+    return {stretch, readTrim(fields)};
 }
 
 void readPlacement(Fields& fields, Placement& placement)
@@ -326,6 +395,7 @@ FancySeam readFancySeam(Fields& fields)
     seam.width = fields.number("width", seam.width);
     seam.depth = fields.number("depth", seam.depth);
     seam.profile = static_cast<Profile>(fields.choice("profile", {"round", "sharp", "welt"}));
+    seam.trim = readTrim(fields);
     return seam;
 }
 
@@ -350,6 +420,32 @@ std::vector<ElementId> patchesIn(Fields& fields)
     });
     refuseEmpty(fields, "patches");
     return patches;
+}
+
+Colourway readColourway(Fields& parent)
+{
+    Colourway colourway;
+    colourway.name = parent.text("name");
+    const Value* list = parent.optional("fabrics");
+    const std::string field = parent.fieldOf("fabrics");
+    Report& report = parent.report();
+    if (list && !list->isArray())
+        report.add(field,
+                   {QT_TRANSLATE_NOOP("Message", "must be a list of pairs in braces, with patch and fabric")});
+    else if (list)
+        list->eachItem([&](std::size_t i, const Value& item) {
+            const std::string at = field + "[" + std::to_string(i) + "]";
+            if (!item.isObject()) {
+                report.add(at, {QT_TRANSLATE_NOOP("Message", "must be a pair in braces, with patch and fabric")});
+                return;
+            }
+            Fields fields(item, at + ".", report);
+            const ElementId patch = fields.id("patch");
+            colourway.fabrics.push_back({patch, fields.id("fabric")});
+            fields.finish();
+        });
+    refuseEmpty(parent, "fabrics");
+    return colourway;
 }
 
 Cushion readCushion(Fields& fields)
@@ -511,6 +607,8 @@ Settings readSettings(const Value& object, Report& report)
     Settings read;
     read.edgeLength = fields.number("edge_length", settings.edgeLength);
     read.symmetry = readSymmetry(fields);
+    if (fields.has("colourway"))
+        read.colourway = fields.id("colourway");
     fields.finish();
     return report.clean() ? read : settings;
 }
@@ -546,10 +644,15 @@ ElementPtr readElement(const Value& object, Report& report)
         return finished(readFoam(fields), fields);
     if (kind == "scan")
         return finished(readScan(fields), fields);
+    if (kind == "colourway")
+        return finished(readColourway(fields), fields);
+    if (kind == "outline_trim")
+        return finished(readOutlineTrim(fields), fields);
     if (fields.has("kind") && fields.report().clean())
         report.add("kind", {QT_TRANSLATE_NOOP("Message", "the kind %1 is unknown; there are fabric, patch, seam, "
                                                          "fixation_curve, fixation_seam, frame, handle_curve, "
-                                                         "fancy_seam, cushion, foam and scan"),
+                                                         "fancy_seam, cushion, foam, scan, colourway "
+                                                         "and outline_trim"),
                             {quoted(kind)}});
     return nullptr;
 }

@@ -25,6 +25,8 @@ constexpr double mostDilation = 1000;  // mm
 constexpr double mostContactGap = 100; // mm
 constexpr double mostStrength = 10;
 constexpr double mostScanStrength = 100;
+constexpr double leastLimit = 0.1; // % of strain
+constexpr double mostLimit = 200;
 
 bool isColor(const std::string& text)
 {
@@ -192,6 +194,10 @@ void ElementRules::rules(const Settings& settings)
     if (settings.symmetry && !settings.symmetry->axisUsable())
         warn("symmetry.axis", {QT_TRANSLATE_NOOP("Message", "the axis needs a direction that is not 0, and numbers "
                                                             "within 1e7; x = 0 is used instead")});
+    if (settings.colourway != ElementId{} && !m_design.find<Colourway>(settings.colourway))
+        warn("colourway",
+             {QT_TRANSLATE_NOOP("Message", "there is no colourway %1; the patches show their own fabrics"),
+              {std::to_string(number(settings.colourway))}});
     const double smallest = smallestEdgeLength(m_design);
     if (!isEdgeLength(settings.edgeLength))
         error("edge_length",
@@ -204,13 +210,47 @@ void ElementRules::rules(const Settings& settings)
                {numberText(settings.edgeLength), numberText(std::ceil(smallest * 100) / 100)}});
 }
 
+void ElementRules::color(std::string field, const std::string& text)
+{
+    if (!isColor(text))
+        error(std::move(field),
+              {QT_TRANSLATE_NOOP("Message", "\"%1\" is no colour; write it like #7a4a2b"), {text}});
+}
+
+void ElementRules::look(const FabricLook& look)
+{
+    if (!look.secondColor.empty())
+        color("look.second_color", look.secondColor);
+    inRange("look.roughness", look.roughness, 0, 1);
+    inRange("look.scale_mm", look.scale, 0.1, 1e4);
+    inRange("look.rotation", look.rotation, -largestNumber, largestNumber);
+    inRange("look.relief", look.relief, 0, 2);
+    if (look.kind == FabricLook::Kind::Image)
+        if (auto problem = elementFileProblem(look.file))
+            error("look.file", std::move(*problem));
+}
+
+void ElementRules::trim(const SeamTrim& trim)
+{
+    color("trim.thread", trim.thread);
+    inRange("trim.stitch_length_mm", trim.stitchLength, 0.5, 100);
+    inRange("trim.stitch_distance_mm", trim.stitchDistance, 0, 100);
+    inRange("trim.thread_width_mm", trim.threadWidth, 0.05, 10);
+    inRange("trim.piping_radius_mm", trim.pipingRadius, 0, 50);
+    inRange("trim.allowance_mm", trim.allowance, 0, 100);
+    if (trim.pipingFabric != ElementId{})
+        reference<Fabric>("trim.piping_fabric", trim.pipingFabric);
+}
+
 void ElementRules::rules(const Fabric& fabric)
 {
     inRange("poisson", fabric.poisson, -0.5, 0.5);
     inRange("stiffness", fabric.stiffness, 1e-3, 1e3);
-    if (!isColor(fabric.color))
-        error("color",
-              {QT_TRANSLATE_NOOP("Message", "\"%1\" is no colour; write it like #7a4a2b"), {fabric.color}});
+    color("color", fabric.color);
+    look(fabric.look);
+    inRange("limits.along", fabric.limits.along, leastLimit, mostLimit);
+    inRange("limits.across", fabric.limits.across, leastLimit, mostLimit);
+    inRange("limits.shear", fabric.limits.shear, leastLimit, mostLimit);
     if (!inRange("bending_length", fabric.bendingLength, 0, largestNumber))
         return;
     const double edgeLength = m_design.settings().edgeLength;
@@ -328,6 +368,7 @@ bool ElementRules::sewsAnew(const Seam& seam)
 
 void ElementRules::rules(const Seam& seam)
 {
+    trim(seam.trim);
     const Patch* a = stretch("a.", seam.a);
     const Patch* b = stretch("b.", seam.b);
     if (!a || !b)
@@ -402,6 +443,7 @@ void ElementRules::rules(const FixationSeam& seam)
 {
     stretch("", seam.stretch);
     orientation(seam.orientation);
+    trim(seam.trim);
     if (!seam.hasCurve() && seam.curveRange)
         error("curve_from",
               {QT_TRANSLATE_NOOP("Message", "there is no curve; name one, or leave out curve_from and "
@@ -475,6 +517,7 @@ void ElementRules::rules(const FancySeam& seam)
     drawnIn(seam);
     inRange("width", seam.width, leastFancySize, mostFancySize);
     inRange("depth", seam.depth, -mostFancySize, mostFancySize);
+    trim(seam.trim);
 }
 
 void ElementRules::rules(const Scan& scan)
@@ -489,6 +532,27 @@ void ElementRules::rules(const Scan& scan)
                     "cuts[" + std::to_string(c) + "].planes[" + std::to_string(h) + "]",
                     {QT_TRANSLATE_NOOP("Message", "the first three numbers are the plane's normal; not all of them "
                                                   "may be 0")});
+}
+
+void ElementRules::rules(const Colourway& colourway)
+{
+    std::set<ElementId> known;
+    for (std::size_t i = 0; i < colourway.fabrics.size(); ++i) {
+        const auto& [patch, fabric] = colourway.fabrics[i];
+        const std::string field = "fabrics[" + std::to_string(i) + "].";
+        if (reference<Patch>(field + "patch", patch) && !known.insert(patch).second)
+            error(field + "patch",
+                  {QT_TRANSLATE_NOOP("Message", "%1 has a fabric in this colourway already; remove "
+                                                "one of the two"),
+                   {elementLabel(patch, *m_design.element(patch))}});
+        reference<Fabric>(field + "fabric", fabric);
+    }
+}
+
+void ElementRules::rules(const OutlineTrim& trimmed)
+{
+    stretch("", trimmed.stretch);
+    trim(trimmed.trim);
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

@@ -35,6 +35,8 @@ private:
     void rules(const Cushion& cushion);
     void rules(const Foam& foam);
     void rules(const Scan& scan);
+    void rules(const Colourway& colourway);
+    void rules(const OutlineTrim& trimmed);
     void rules(const Quarantined& quarantined);
 
     void twin(const Element& element);
@@ -53,6 +55,9 @@ private:
     template <int Dim>
     void needsLength(std::string field, const BSpline<Dim>& curve);
     void drawnIn(const PatchCurve& drawn);
+    void color(std::string field, const std::string& text);
+    void look(const FabricLook& look);
+    void trim(const SeamTrim& trim);
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);

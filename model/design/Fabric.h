@@ -1,7 +1,8 @@
-// The cover material.
+// The cover material: how it behaves and what it looks like.
 #pragma once
 
-#include <string>
+#include "FabricLook.h"
+#include "StretchLimits.h"
 
 namespace bolster {
 
@@ -11,6 +12,8 @@ struct Fabric {
     double stiffness = 1;          ///< relative to the other fabrics, > 0
     double bendingLength = 6;      ///< sets the size of folds, mm, >= 0
     std::string color = "#7a4a2b"; ///< "#rrggbb", lower case
+    FabricLook look = {};
+    StretchLimits limits = {};
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "PatchCurve.h"
+#include "SeamTrim.h"
 
 namespace bolster {
 
@@ -12,6 +13,7 @@ struct FancySeam : PatchCurve {
     double width = 12; ///< between the outer lines, in the pattern, mm, > 0
     double depth = 4;  ///< of the curve below the cover, mm; negative: above it
     Profile profile = Profile::Round;
+    SeamTrim trim = {};
 
     friend bool operator==(const FancySeam&, const FancySeam&) = default;
 };

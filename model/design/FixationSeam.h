@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Orientation.h"
+#include "SeamTrim.h"
 #include "Stretch.h"
 
 #include <optional>
@@ -17,6 +18,7 @@ struct FixationSeam {
     bool reversed = false;                               ///< the curve is walked backwards
     Match match = Match::Length;
     Orientation orientation = {}; ///< from the stretch's start to its end
+    SeamTrim trim = {};
 
     bool hasCurve() const { return curve != ElementId{}; }
 

@@ -1,6 +1,7 @@
 // A seam between two stretches: ((i, r, s), (j, r', s')) of the paper, section 3.1.
 #pragma once
 
+#include "SeamTrim.h"
 #include "Stretch.h"
 
 namespace bolster {
@@ -13,6 +14,7 @@ struct Seam {
     bool reversed = true; ///< b is walked backwards
     Match match = Match::Length;
     Continuity continuity = Continuity::C0;
+    SeamTrim trim = {};
 
     friend bool operator==(const Seam&, const Seam&) = default;
 };

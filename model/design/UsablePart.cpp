@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace bolster {
 
@@ -29,6 +30,9 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
         if (fixation->hasCurve() && !design.find<FixationCurve>(fixation->curve))
             return fixation->curve;
     }
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element);
+        trimmed && !design.find<Patch>(trimmed->stretch.patch))
+        return trimmed->stretch.patch;
     if (const PatchCurve* drawn = patchCurve(element); drawn && !design.find<Patch>(drawn->patch))
         return drawn->patch;
     if (const auto* cushion = std::get_if<Cushion>(&element)) {
@@ -43,6 +47,38 @@ std::optional<ElementId> missingReference(const Design& design, const Element& e
     return std::nullopt;
 }
 
+/// Looks must not cost the shape: what is wrong with them alone gives way to the usual. Null when there is more.
+ElementPtr withUsualLooks(const Element& element, const std::vector<std::string>& wrongFields)
+{
+    const auto onlyIn = [&](std::initializer_list<std::string_view> parts) {
+        return std::ranges::all_of(wrongFields, [&](const std::string& field) {
+            return std::ranges::any_of(parts, [&](std::string_view part) { return field.starts_with(part); });
+        });
+    };
+    if (seamTrim(element) && onlyIn({"trim."}))
+        return withTrim(element, {});
+    if (const auto* fabric = std::get_if<Fabric>(&element); fabric && onlyIn({"color", "look.", "limits."})) {
+        Fabric usual;
+        usual.name = fabric->name;
+        usual.poisson = fabric->poisson;
+        usual.stiffness = fabric->stiffness;
+        usual.bendingLength = fabric->bendingLength;
+        return makeElement(std::move(usual));
+    }
+    return nullptr;
+}
+
+/// Without entries that name nothing, or a patch for the second time.
+Colourway usableEntries(const Design& design, Colourway colourway)
+{
+    std::set<ElementId> known;
+    std::erase_if(colourway.fabrics, [&](const Colourway::Entry& entry) {
+        return !design.find<Patch>(entry.patch) || !design.find<Fabric>(entry.fabric) ||
+               !known.insert(entry.patch).second;
+    });
+    return colourway;
+}
+
 } // namespace
 
 Design usablePart(const Design& design, const Problems& problems, Problems* leftOut)
@@ -55,12 +91,18 @@ Design usablePart(const Design& design, const Problems& problems, Problems* left
         edit.changes.push_back({id, element, nullptr});
     };
 
-    std::set<ElementId> bad;
+    std::map<ElementId, std::vector<std::string>> bad; // the fields
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
-            bad.insert(problem.element);
+            bad[problem.element].push_back(problem.field);
     for (const auto& [id, element] : design.elements()) {
-        if (bad.contains(id) && std::holds_alternative<Fabric>(*element)) {
+        if (std::holds_alternative<Colourway>(*element))
+            continue; // its usable part follows from what it names
+        ElementPtr mended = bad.contains(id) ? withUsualLooks(*element, bad[id]) : nullptr;
+        if (mended) {
+            leave(id, {QT_TRANSLATE_NOOP("Message", "shown in the usual way instead")});
+            edit.changes.back().after = std::move(mended);
+        } else if (bad.contains(id) && std::holds_alternative<Fabric>(*element)) {
             // Without it all its patches would be lost for one wrong number.
             leave(id, {QT_TRANSLATE_NOOP("Message", "the usual values of a fabric are used instead")});
             edit.changes.back().after = makeElement(Fabric{});
@@ -84,6 +126,16 @@ Design usablePart(const Design& design, const Problems& problems, Problems* left
         }
         usable = usable.with(edit);
     }
+
+    edit.changes.clear();
+    usable.each<Colourway>([&](ElementId id, const Colourway& colourway) {
+        Colourway rest = usableEntries(usable, colourway);
+        if (rest == colourway)
+            return;
+        leave(id, {QT_TRANSLATE_NOOP("Message", "what it says of missing patches and fabrics is left out")});
+        edit.changes.back().after = makeElement(std::move(rest));
+    });
+    usable = usable.with(edit);
 
     if (std::any_of(problems.begin(), problems.end(), affectsSettings)) {
         // Twelve millimetres, unless that makes too many triangles of the patches that are left.

@@ -21,8 +21,17 @@ bool belongsTo(const Element& element, const std::set<ElementId>& ids)
         return ids.contains(seam->a.patch) && ids.contains(seam->b.patch);
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return ids.contains(fixation->stretch.patch) && (!fixation->hasCurve() || ids.contains(fixation->curve));
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
+        return ids.contains(trimmed->stretch.patch);
     const PatchCurve* drawn = patchCurve(element);
     return drawn && ids.contains(drawn->patch);
+}
+
+/// What the colourway says of these patches.
+Colourway partOf(Colourway colourway, const std::set<ElementId>& patches)
+{
+    std::erase_if(colourway.fabrics, [&](const Colourway::Entry& entry) { return !patches.contains(entry.patch); });
+    return colourway;
 }
 
 /// The part of a design that `copyText` speaks of.
@@ -38,8 +47,21 @@ Design partOf(const Design& design, std::span<const ElementId> ids)
             needed.insert(patch->fabric);
     Edit edit;
     for (const auto& [id, element] : design.elements())
-        if (needed.contains(id) || belongsTo(*element, pieces))
+        if (belongsTo(*element, pieces)) {
             edit.changes.push_back({id, nullptr, element});
+            if (const SeamTrim* trim = seamTrim(*element); trim && design.find<Fabric>(trim->pipingFabric))
+                needed.insert(trim->pipingFabric);
+        }
+    design.each<Colourway>([&](ElementId id, const Colourway& colourway) {
+        Colourway part = partOf(colourway, pieces);
+        for (const Colourway::Entry& entry : part.fabrics)
+            if (design.find<Fabric>(entry.fabric))
+                needed.insert(entry.fabric);
+        if (!part.fabrics.empty())
+            edit.changes.push_back({id, nullptr, makeElement(std::move(part))});
+    });
+    for (const ElementId id : needed)
+        edit.changes.push_back({id, nullptr, design.element(id)});
     return Design().with(edit);
 }
 
@@ -58,7 +80,8 @@ public:
             m_new[id] = m_builder.add(std::move(curve));
         });
         for (const auto& [id, element] : source.elements())
-            addDependent(*element);
+            addDependent(source, *element);
+        source.each<Colourway>([&](ElementId, const Colourway& colourway) { addColours(source, colourway); });
         return m_builder.result(std::move(verb));
     }
 
@@ -84,12 +107,38 @@ private:
 
     bool has(ElementId id) const { return m_new.contains(id); }
 
-    void addDependent(const Element& element)
+    /// The piping's fabric as the design has it.
+    SeamTrim trimLike(const Design& source, SeamTrim trim)
+    {
+        const Fabric* fabric = source.find<Fabric>(trim.pipingFabric);
+        trim.pipingFabric = fabric ? fabricLike(*fabric) : ElementId{};
+        return trim;
+    }
+
+    /// Under a colourway of the same name, if there is one.
+    void addColours(const Design& source, const Colourway& colourway)
+    {
+        std::optional<ElementId> same;
+        m_builder.now().each<Colourway>([&](ElementId id, const Colourway& other) {
+            if (!same && other.name == colourway.name)
+                same = id;
+        });
+        if (!same)
+            return;
+        Colourway wider = *m_builder.now().find<Colourway>(*same);
+        for (const Colourway::Entry& entry : colourway.fabrics)
+            if (const Fabric* fabric = source.find<Fabric>(entry.fabric); fabric && has(entry.patch))
+                wider.fabrics.push_back({m_new.at(entry.patch), fabricLike(*fabric)});
+        m_builder.replace(*same, std::move(wider));
+    }
+
+    void addDependent(const Design& source, const Element& element)
     {
         if (const auto* seam = std::get_if<Seam>(&element); seam && has(seam->a.patch) && has(seam->b.patch)) {
             Seam copy = *seam;
             copy.a.patch = m_new.at(seam->a.patch);
             copy.b.patch = m_new.at(seam->b.patch);
+            copy.trim = trimLike(source, seam->trim);
             m_builder.add(copy);
         } else if (const auto* held = std::get_if<FixationSeam>(&element);
                    held && has(held->stretch.patch) && (!held->hasCurve() || has(held->curve))) {
@@ -97,11 +146,19 @@ private:
             copy.stretch.patch = m_new.at(held->stretch.patch);
             if (copy.hasCurve())
                 copy.curve = m_new.at(held->curve);
+            copy.trim = trimLike(source, held->trim);
             m_builder.add(std::move(copy));
         } else if (const auto* handle = std::get_if<HandleCurve>(&element); handle && has(handle->patch)) {
             addDrawn(*handle);
+        } else if (const auto* trimmed = std::get_if<OutlineTrim>(&element);
+                   trimmed && has(trimmed->stretch.patch)) {
+            OutlineTrim copy{trimmed->stretch, trimLike(source, trimmed->trim)};
+            copy.stretch.patch = m_new.at(trimmed->stretch.patch);
+            m_builder.add(std::move(copy));
         } else if (const auto* fancy = std::get_if<FancySeam>(&element); fancy && has(fancy->patch)) {
-            addDrawn(*fancy);
+            FancySeam copy = *fancy;
+            copy.trim = trimLike(source, fancy->trim);
+            addDrawn(std::move(copy));
         }
     }
 

@@ -28,6 +28,7 @@ public:
     }
     void set(ElementId id, ElementPtr element) { m_now = m_now.with({{}, {{id, nullptr, std::move(element)}}}); }
     void remove(ElementId id) { set(id, nullptr); }
+    void apply(const Edit& edit) { m_now = m_now.with(edit); }
 
     /// From the start to what it has become; empty when nothing has changed.
     Edit result(Message verb) const

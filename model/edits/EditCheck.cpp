@@ -136,6 +136,8 @@ std::vector<Stretch> stretchesOf(const Element& element)
         return {seam->a, seam->b};
     if (const auto* seam = std::get_if<FixationSeam>(&element))
         return {seam->stretch};
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
+        return {trimmed->stretch};
     return {};
 }
 
@@ -181,8 +183,8 @@ std::optional<Message> lengthBreaks(const Design& design, const Element& element
 {
     for (const Stretch& stretch : stretchesOf(element))
         if (vanishes(design, stretch))
-            return Message{QT_TRANSLATE_NOOP("Message", "A stretch of %1 that is sewn or fixed would have no "
-                                                        "length."),
+            return Message{QT_TRANSLATE_NOOP("Message", "A stretch of %1 that is sewn, fixed or trimmed would "
+                                                        "have no length."),
                            {displayName(design, stretch.patch)}};
     return std::nullopt;
 }
@@ -196,6 +198,11 @@ std::optional<Message> overlapBreaks(const Design& design, ElementId id, const E
                 return Message{QT_TRANSLATE_NOOP("Message", "The stretch would overlap another one of %1 that is "
                                                             "fixed to %2."),
                                {displayName(design, stretch.patch), displayName(design, fixation->curve)}};
+            if (design.find<OutlineTrim>(other))
+                return Message{QT_TRANSLATE_NOOP("Message",
+                                                 "The stretch would overlap another one of %1 that has a "
+                                                 "trim."),
+                               {displayName(design, stretch.patch)}};
             const auto& seam = *design.find<Seam>(other);
             return Message{QT_TRANSLATE_NOOP("Message", "The stretch would overlap the seam of %1 and %2."),
                            {displayName(design, seam.a.patch), displayName(design, seam.b.patch)}};

@@ -13,9 +13,9 @@ struct Breakage {
 };
 
 /// Outlines that would cross themselves or enclose nothing, curves that would leave their patches, stretches that
-/// would lose their length or overlap other seams or fixations. Only what the edit changes is looked at, with the
-/// seams and curves of changed outlines; and what was broken before the edit may stay so, or nobody could mend it
-/// step by step. Fast enough for every step of a drag.
+/// would lose their length or overlap other seams, fixations or trims. Only what the edit changes is looked at,
+/// with the seams and curves of changed outlines; and what was broken before the edit may stay so, or nobody could
+/// mend it step by step. Fast enough for every step of a drag.
 std::optional<Breakage> brokenBy(const Design& before, const Edit& edit);
 
 } // namespace bolster::edits

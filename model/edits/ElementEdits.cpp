@@ -23,6 +23,8 @@ Message addVerb(const Element& element)
         QT_TRANSLATE_NOOP("Message", "Add cushion %1"),
         QT_TRANSLATE_NOOP("Message", "Add foam %1"),
         QT_TRANSLATE_NOOP("Message", "Add scan %1"),
+        QT_TRANSLATE_NOOP("Message", "Add colourway %1"),
+        QT_TRANSLATE_NOOP("Message", "Add a trim"),
         QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
     };
     return {keys[element.index()], {elementName(element)}};
@@ -34,6 +36,8 @@ bool refersTo(const Element& element, const std::set<ElementId>& ids)
         return ids.contains(seam->a.patch) || ids.contains(seam->b.patch);
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return ids.contains(fixation->stretch.patch) || ids.contains(fixation->curve);
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
+        return ids.contains(trimmed->stretch.patch);
     if (const PatchCurve* drawn = patchCurve(element))
         return ids.contains(drawn->patch);
     if (const auto* cushion = std::get_if<Cushion>(&element)) {
@@ -50,12 +54,21 @@ bool refersTo(const Element& element, const std::set<ElementId>& ids)
 /// What is left of an element when it does without the removed ones; null if it does not refer to them.
 ElementPtr without(const Element& element, const std::set<ElementId>& removed)
 {
-    const auto* cushion = std::get_if<Cushion>(&element);
-    if (!cushion)
-        return nullptr;
-    Cushion rest = *cushion;
-    std::erase_if(rest.patches, [&](ElementId patch) { return removed.contains(patch); });
-    return rest == *cushion ? nullptr : makeElement(std::move(rest));
+    Element rest = element;
+    if (auto* cushion = std::get_if<Cushion>(&rest))
+        std::erase_if(cushion->patches, [&](ElementId patch) { return removed.contains(patch); });
+    if (auto* colourway = std::get_if<Colourway>(&rest))
+        std::erase_if(colourway->fabrics, [&](const Colourway::Entry& entry) {
+            return removed.contains(entry.patch) || removed.contains(entry.fabric);
+        });
+    if (auto* settings = std::get_if<Settings>(&rest); settings && removed.contains(settings->colourway))
+        settings->colourway = {};
+    if (const SeamTrim* trim = seamTrim(rest); trim && removed.contains(trim->pipingFabric)) {
+        SeamTrim plain = *trim;
+        plain.pipingFabric = {};
+        rest = *withTrim(rest, std::move(plain));
+    }
+    return rest == element ? nullptr : makeElement(std::move(rest));
 }
 
 /// Names what goes along: seams and fixations that need the removed elements.
@@ -129,13 +142,18 @@ Edit removeElements(const Design& design, std::span<const ElementId> ids)
                 gone.insert(id);
     }
     Edit edit;
+    const auto leave = [&](ElementId id, const ElementPtr& element) {
+        if (ElementPtr rest = without(*element, gone))
+            edit.changes.push_back({id, element, std::move(rest)});
+    };
+    leave(settingsId, design.element(settingsId));
     for (const auto& [id, element] : design.elements()) {
         if (gone.contains(id))
             edit.changes.push_back({id, element, nullptr});
-        else if (ElementPtr rest = without(*element, gone))
-            edit.changes.push_back({id, element, std::move(rest)});
+        else
+            leave(id, element);
     }
-    edit.verb = removeVerb(design, removed, edit.changes.size());
+    edit.verb = removeVerb(design, removed, gone.size());
     return edit;
 }
 

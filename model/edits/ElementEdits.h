@@ -13,7 +13,8 @@ Edit addElement(const Design& design, ElementPtr element);
 Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb);
 Edit renameElement(const Design& design, ElementId id, const std::string& name);
 /// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve, cushions of a
-/// frame and their foam). Patches of a removed fabric are kept: fabrics in use are not removed.
+/// frame and their foam). Patches of a removed fabric are kept: fabrics in use are not removed. Colourways lose
+/// what they say of removed patches and fabrics, piping of a removed fabric takes that of its patch.
 Edit removeElements(const Design& design, std::span<const ElementId> ids);
 Edit changeSettings(const Design& design, const Settings& settings);
 

@@ -1,10 +1,11 @@
-// What an edit of seams and fixations means on the other side of the mirror.
+// What an edit of seams, fixations and trims means on the other side of the mirror.
 #include "SewingLead.h"
 
 #include "EditBuilder.h"
 #include "ElementRules.h"
 #include "SeamStretches.h"
 #include "SeamsOfTwins.h"
+#include "TrimEdits.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 
@@ -23,6 +24,8 @@ bool isTaken(const Design& design, ElementId id)
         const Design without = design.with({{}, {{id, element, nullptr}}});
         return sewingProblem(without, seam->a, std::array{seam->b}).has_value();
     }
+    if (const auto* trimmed = std::get_if<OutlineTrim>(element.get()))
+        return trimProblem(design, trimmed->stretch, id).has_value();
     const auto& fixation = std::get<FixationSeam>(*element);
     const BSpline2& outline = design.find<Patch>(fixation.stretch.patch)->outline;
     bool taken = false;
@@ -74,15 +77,18 @@ public:
         for (const ElementId id : touched) {
             removeLike<Seam>(id);
             removeLike<FixationSeam>(id);
+            removeLike<OutlineTrim>(id);
         }
         for (const ElementId id : touched) {
             change<Seam>(id);
             change<FixationSeam>(id);
+            change<OutlineTrim>(id);
         }
         takeBackWhatIsInTheWay();
         for (const ElementId id : touched) {
             addLike<Seam>(id);
             addLike<FixationSeam>(id);
+            addLike<OutlineTrim>(id);
         }
         return m_builder.now();
     }
@@ -178,6 +184,7 @@ private:
         }
     }
     void changeOwnMirror(ElementId, const Lead<FixationSeam>&) {}
+    void changeOwnMirror(ElementId, const Lead<OutlineTrim>&) {}
 
     void takeBackWhatIsInTheWay()
     {
@@ -190,6 +197,7 @@ private:
     bool hasNewCurve(const FixationSeam& fixation) const { return fixation.hasCurve() && isNew(fixation.curve); }
 
     std::optional<Seam> imageOf(const Seam& seam) { return m_new.of(seam); }
+    std::optional<OutlineTrim> imageOf(const OutlineTrim& trimmed) { return m_new.of(trimmed); }
     /// Also of one with a curve that is new: this one gets a twin.
     std::optional<FixationSeam> imageOf(const FixationSeam& fixation)
     {

@@ -89,6 +89,7 @@ void followValues(Twins& twins, const Symmetry& symmetry)
         fancy.follow(&FancySeam::width);
         fancy.follow(&FancySeam::depth);
         fancy.follow(&FancySeam::profile);
+        fancy.follow(&FancySeam::trim);
     }
 }
 

@@ -219,6 +219,12 @@ private:
                 std::reverse(seam.orientation.directions.begin(), seam.orientation.directions.end());
             put(id, seam);
         });
+        m_design.each<OutlineTrim>([&](ElementId id, OutlineTrim trimmed) {
+            if (trimmed.stretch.patch != m_follower)
+                return;
+            trimmed.stretch = stretch(trimmed.stretch);
+            put(id, trimmed);
+        });
     }
 
     std::optional<Message> linkCurve(const FixationCurve& original, const FixationCurve& before)

@@ -1,6 +1,7 @@
 // The mirrored copies of patches and curves, with what belongs to them.
 #include "TwinEdits.h"
 
+#include "ColourwayEdits.h"
 #include "EditHelpers.h"
 #include "SewnMirror.h"
 #include "Twins.h"
@@ -129,6 +130,7 @@ private:
             wider.patches.push_back(twin);
             put(cushion, makeElement(std::move(wider)));
         });
+        m_now = m_now.with(withColourOf(m_now, id, twin));
     }
 
     /// Out of the way of the patches that are there.
@@ -181,6 +183,12 @@ private:
         m_start.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
             if (seam.stretch.patch == patch)
                 addFixation(seam);
+        });
+        m_start.each<OutlineTrim>([&](ElementId, const OutlineTrim& trimmed) {
+            if (trimmed.stretch.patch != patch)
+                return;
+            if (const auto image = SewnMirror(m_now, twinPairs(m_now)).of(trimmed))
+                put(makeElement(*image));
         });
     }
 

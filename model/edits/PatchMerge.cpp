@@ -240,6 +240,10 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
             cushion.patches.push_back(to);
         builder.replace(id, std::move(cushion));
     });
+    design.each<Colourway>([&](ElementId id, Colourway colourway) {
+        if (std::erase_if(colourway.fabrics, [from](const auto& entry) { return entry.patch == from; }) > 0)
+            builder.replace(id, std::move(colourway));
+    });
 }
 
 Outcome mergeOne(const Design& design, ElementId seamId)

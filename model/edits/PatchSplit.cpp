@@ -1,6 +1,7 @@
 #include "PatchSplit.h"
 
 #include "ArcLength.h"
+#include "ColourwayEdits.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
 #include "OutlineCrossings.h"
@@ -72,6 +73,7 @@ public:
             cushion.patches.push_back(m_small.id);
             m_builder.replace(id, std::move(cushion));
         });
+        m_builder.apply(withColourOf(m_builder.now(), m_id, m_small.id));
         outcome.edit = m_builder.result({QT_TRANSLATE_NOOP("Message", "Split %1"), {displayName(m_design, m_id)}});
         return outcome;
     }

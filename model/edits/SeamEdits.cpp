@@ -143,9 +143,13 @@ Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, Stretc
     Element moved = *element;
     auto* seam = std::get_if<Seam>(&moved);
     auto* fixation = std::get_if<FixationSeam>(&moved);
-    if (!seam && !fixation)
+    auto* trimmed = std::get_if<OutlineTrim>(&moved);
+    if (!seam && !fixation && !trimmed)
         return {};
-    Stretch& stretch = fixation ? fixation->stretch : side == SeamSide::A ? seam->a : seam->b;
+    Stretch& stretch = fixation              ? fixation->stretch
+                       : trimmed             ? trimmed->stretch
+                       : side == SeamSide::A ? seam->a
+                                             : seam->b;
     const auto* patch = design.find<Patch>(stretch.patch);
     if (!patch || patch->outline.empty())
         return {};
@@ -153,8 +157,9 @@ Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, Stretc
     stretch = stretchBetween(stretch.patch, patch->outline, stretch.from, stretch.to);
     const std::string name = seam ? seamName(design, *seam) : displayName(design, stretch.patch);
     return replaceElement(design, owner, makeElement(std::move(moved)),
-                          {seam ? QT_TRANSLATE_NOOP("Message", "Move an end of %1")
-                                : QT_TRANSLATE_NOOP("Message", "Move an end of a fixation of %1"),
+                          {seam       ? QT_TRANSLATE_NOOP("Message", "Move an end of %1")
+                           : fixation ? QT_TRANSLATE_NOOP("Message", "Move an end of a fixation of %1")
+                                      : QT_TRANSLATE_NOOP("Message", "Move an end of a trim of %1"),
                            {name}});
 }
 

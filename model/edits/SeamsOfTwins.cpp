@@ -15,6 +15,8 @@ ElementPtr withStretches(const Element& element, const std::vector<Stretch>& str
         seam->b = stretches[1];
     } else if (auto* fixation = std::get_if<FixationSeam>(&result)) {
         fixation->stretch = stretches[0];
+    } else if (auto* trimmed = std::get_if<OutlineTrim>(&result)) {
+        trimmed->stretch = stretches[0];
     }
     return std::make_shared<const Element>(std::move(result));
 }

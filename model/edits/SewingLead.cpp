@@ -32,6 +32,8 @@ std::optional<Seam> followed(const Lead<Seam>& lead, bool swapped, const SewnMir
         seam.match = lead.now.match;
     if (lead.before.continuity != lead.now.continuity)
         seam.continuity = lead.now.continuity;
+    if (!(lead.before.trim == lead.now.trim))
+        seam.trim = lead.now.trim;
     return seam;
 }
 
@@ -53,7 +55,22 @@ std::optional<FixationSeam> followed(const Lead<FixationSeam>& lead, bool, const
         fixation.match = lead.now.match;
     if (!(lead.before.orientation == lead.now.orientation))
         fixation.orientation = image->orientation;
+    if (!(lead.before.trim == lead.now.trim))
+        fixation.trim = lead.now.trim;
     return fixation;
+}
+
+std::optional<OutlineTrim> followed(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror,
+                                    OutlineTrim trimmed)
+{
+    const auto image = mirror.of(lead.now);
+    if (!image)
+        return std::nullopt;
+    if (!(lead.before.stretch == lead.now.stretch) && !mirror.same(trimmed.stretch, image->stretch))
+        trimmed.stretch = image->stretch;
+    if (!(lead.before.trim == lead.now.trim))
+        trimmed.trim = lead.now.trim;
+    return trimmed;
 }
 
 bool alike(const Lead<Seam>& lead, bool swapped, const SewnMirror& mirror, const Seam& other)
@@ -61,10 +78,16 @@ bool alike(const Lead<Seam>& lead, bool swapped, const SewnMirror& mirror, const
     const auto image = mirror.of(lead.now);
     return image && mirror.same(swapped ? image->b : image->a, other.a) &&
            mirror.same(swapped ? image->a : image->b, other.b) && image->match == other.match &&
-           image->continuity == other.continuity;
+           image->continuity == other.continuity && image->trim == other.trim;
 }
 
 bool alike(const Lead<FixationSeam>& lead, bool, const SewnMirror& mirror, const FixationSeam& other)
+{
+    const auto image = mirror.of(lead.now);
+    return image && *image == other;
+}
+
+bool alike(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror, const OutlineTrim& other)
 {
     const auto image = mirror.of(lead.now);
     return image && *image == other;

@@ -125,6 +125,12 @@ std::optional<FixationSeam> SewnMirror::of(const FixationSeam& fixation) const
     return result;
 }
 
+std::optional<OutlineTrim> SewnMirror::of(const OutlineTrim& trimmed) const
+{
+    const auto stretch = twin(trimmed.stretch.patch) == settingsId ? std::nullopt : of(trimmed.stretch);
+    return stretch ? std::optional(OutlineTrim{stretch->stretch, trimmed.trim}) : std::nullopt;
+}
+
 bool SewnMirror::same(const Stretch& a, const Stretch& b) const
 {
     const auto* patch = m_design.find<Patch>(a.patch);
@@ -172,6 +178,19 @@ SewnMirror::Counterpart SewnMirror::counterpart(const FixationSeam& fixation) co
     return result;
 }
 
+SewnMirror::Counterpart SewnMirror::counterpart(const OutlineTrim& trimmed) const
+{
+    Counterpart result;
+    const auto image = of(trimmed);
+    if (!image)
+        return result;
+    m_design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& other) {
+        if (result.id == settingsId && same(other.stretch, image->stretch))
+            result.id = id;
+    });
+    return result;
+}
+
 bool SewnMirror::released(const Element& sewn) const
 {
     bool onTwin = false;
@@ -206,6 +225,8 @@ std::vector<Stretch> stretchesOf(const Element& element)
         return {seam->a, seam->b};
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return {fixation->stretch};
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
+        return {trimmed->stretch};
     return {};
 }
 

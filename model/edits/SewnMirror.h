@@ -1,4 +1,4 @@
-// What the mirror shows of seams, fixations, and what is drawn in patches. Private to the library.
+// What the mirror shows of seams, fixations, trims, and what is drawn in patches. Private to the library.
 #pragma once
 
 #include "Design.h"
@@ -26,6 +26,7 @@ public:
     /// At least one of the patches must have a twin; also the fixed one, while a curve may be its own mirror image.
     std::optional<Seam> of(const Seam& seam) const;
     std::optional<FixationSeam> of(const FixationSeam& fixation) const;
+    std::optional<OutlineTrim> of(const OutlineTrim& trimmed) const;
 
     /// Whether two stretches are the same place. On patches without twins, ends may differ by 2 mm.
     bool same(const Stretch& a, const Stretch& b) const;
@@ -37,6 +38,7 @@ public:
     /// The seam where the mirror shows this one; itself when it is its own mirror image.
     Counterpart counterpart(const Seam& seam) const;
     Counterpart counterpart(const FixationSeam& fixation) const;
+    Counterpart counterpart(const OutlineTrim& trimmed) const;
 
     /// Whether all points on those stretches that lie on twins go their own ways: then the seam does, too.
     bool released(const Element& sewn) const;
@@ -51,7 +53,7 @@ private:
 /// need new ones.
 SewnMirror::Pairs heldPairs(const Design& design, const Design& other);
 
-/// No stretches for other kinds than seams and fixations.
+/// No stretches for other kinds than seams, fixations and outline trims.
 std::vector<Stretch> stretchesOf(const Element& element);
 
 /// The curve drawn in another patch, as the mirror shows it, without a link; null when it would be too large.

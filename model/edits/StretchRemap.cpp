@@ -170,6 +170,14 @@ std::vector<double> pieces(std::vector<double> cuts, double length)
     return result;
 }
 
+std::vector<double> piecesOf(const Side& side)
+{
+    std::vector<double> cuts;
+    for (const auto& cut : side.cuts())
+        cuts.push_back(cut.first);
+    return pieces(std::move(cuts), side.length());
+}
+
 class Remap {
 public:
     Remap(const Design& before, const OutlineArcs& arcs, EditBuilder& builder, std::vector<ElementId>& dropped)
@@ -201,7 +209,7 @@ public:
                 const auto onB = b.placed(b0, b1);
                 if (onA && onB)
                     kept.push_back({onA->stretch, onB->stretch, (seam.reversed != onA->backwards) != onB->backwards,
-                                    seam.match, seam.continuity});
+                                    seam.match, seam.continuity, seam.trim});
             }
         }
         put(id, std::move(kept));
@@ -215,13 +223,25 @@ public:
         const auto* curve = m_before.find<FixationCurve>(held.curve);
         if (usable(held.stretch) && (curve || !held.hasCurve())) {
             const Side side(m_before, m_after, m_arcs, held.stretch, held.match);
-            std::vector<double> cuts;
-            for (const auto& cut : side.cuts())
-                cuts.push_back(cut.first);
-            const std::vector<double> ends = pieces(std::move(cuts), side.length());
+            const std::vector<double> ends = piecesOf(side);
             for (std::size_t k = 0; k + 1 < ends.size(); ++k)
                 if (const auto placed = side.placed(ends[k], ends[k + 1]))
                     kept.push_back(partOfFixation(held, curve, side, *placed, ends[k], ends[k + 1]));
+        }
+        put(id, std::move(kept));
+    }
+
+    void trim(ElementId id, const OutlineTrim& trimmed)
+    {
+        if (!concerns(trimmed.stretch))
+            return;
+        std::vector<OutlineTrim> kept;
+        if (usable(trimmed.stretch)) {
+            const Side side(m_before, m_after, m_arcs, trimmed.stretch, Match::Length);
+            const std::vector<double> ends = piecesOf(side);
+            for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+                if (const auto placed = side.placed(ends[k], ends[k + 1]))
+                    kept.push_back({placed->stretch, trimmed.trim});
         }
         put(id, std::move(kept));
     }
@@ -289,6 +309,10 @@ void remapStretches(const Design& before, const OutlineArcs& arcs, const std::se
     before.each<FixationSeam>([&](ElementId id, const FixationSeam& held) {
         if (!except.contains(id))
             remap.fixation(id, held);
+    });
+    before.each<OutlineTrim>([&](ElementId id, const OutlineTrim& trimmed) {
+        if (!except.contains(id))
+            remap.trim(id, trimmed);
     });
 }
 

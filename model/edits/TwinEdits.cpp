@@ -106,6 +106,18 @@ std::optional<FixationSeam> imageThere(const Design& design, const SewnMirror& m
     return result;
 }
 
+std::optional<OutlineTrim> imageThere(const Design& design, const SewnMirror& mirror, ElementId id,
+                                      const OutlineTrim& trimmed)
+{
+    const auto place = mirror.of(trimmed);
+    std::optional<OutlineTrim> result;
+    design.each<OutlineTrim>([&](ElementId other, const OutlineTrim& there) {
+        if (place && other != id && !result && meet(design, place->stretch, there.stretch))
+            result = mirror.of(there);
+    });
+    return result;
+}
+
 ElementId mirrored(const Design& design, const SewnMirror& mirror, ElementId id)
 {
     const ElementPtr element = design.element(id);
@@ -113,6 +125,8 @@ ElementId mirrored(const Design& design, const SewnMirror& mirror, ElementId id)
         return mirror.counterpart(*seam).id;
     if (const auto* fixation = std::get_if<FixationSeam>(element.get()))
         return mirror.counterpart(*fixation).id;
+    if (const auto* trimmed = std::get_if<OutlineTrim>(element.get()))
+        return mirror.counterpart(*trimmed).id;
     return mirror.twin(id);
 }
 
@@ -209,6 +223,9 @@ Edit relinkSewing(const Design& design, ElementId id)
             return replaceWith(design, id, *there, verb);
     if (const auto* fixation = design.find<FixationSeam>(id))
         if (const auto there = imageThere(design, mirror, id, *fixation))
+            return replaceWith(design, id, *there, verb);
+    if (const auto* trimmed = design.find<OutlineTrim>(id))
+        if (const auto there = imageThere(design, mirror, id, *trimmed))
             return replaceWith(design, id, *there, verb);
     return {};
 }

@@ -42,13 +42,39 @@ std::set<ElementId> neededBy(const Element& element)
         return {cushion->frame};
     if (const auto* foam = std::get_if<Foam>(&element))
         return {foam->cushion};
+    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
+        return {trimmed->stretch.patch};
     return {};
+}
+
+/// Fabrics that are only seen: without them there is less to see, no more.
+std::set<ElementId> fabricsSeenIn(const Element& element)
+{
+    std::set<ElementId> fabrics;
+    if (const SeamTrim* trim = seamTrim(element); trim && trim->pipingFabric != ElementId{})
+        fabrics.insert(trim->pipingFabric);
+    if (const auto* colourway = std::get_if<Colourway>(&element))
+        for (const Colourway::Entry& entry : colourway->fabrics)
+            fabrics.insert(entry.fabric);
+    return fabrics;
+}
+
+/// A colourway without what it says of patches that are not there, and the like.
+ElementPtr withoutMissing(const Design& design, const ElementPtr& element)
+{
+    Element rest = *element;
+    if (auto* colourway = std::get_if<Colourway>(&rest))
+        std::erase_if(colourway->fabrics, [&](const Colourway::Entry& entry) {
+            return !design.find<Patch>(entry.patch) || !design.find<Fabric>(entry.fabric);
+        });
+    if (auto* settings = std::get_if<Settings>(&rest); settings && !design.find<Colourway>(settings->colourway))
+        settings->colourway = {};
+    return rest == *element ? element : makeElement(std::move(rest));
 }
 
 bool liesOnPatch(const Element& element)
 {
-    return std::holds_alternative<Seam>(element) || std::holds_alternative<FixationSeam>(element) ||
-           patchCurve(element);
+    return seamTrim(element) || patchCurve(element); // all that can be trimmed does
 }
 
 /// All that comes along when elements are taken from another version.
@@ -67,6 +93,16 @@ public:
         for (const ElementId needed : neededBy(*element))
             if (!m_design.element(needed))
                 take(needed);
+    }
+
+    void takeFabricsSeen()
+    {
+        const std::set<ElementId> asked = m_taken;
+        for (const ElementId id : asked)
+            if (const ElementPtr element = m_other.element(id))
+                for (const ElementId fabric : fabricsSeenIn(*element))
+                    if (!m_design.element(fabric))
+                        take(fabric);
     }
 
     /// What lies on the outlines of the patches, as far as everything else that it needs is there.
@@ -94,6 +130,9 @@ public:
         for (const ElementId id : m_taken)
             if (const ElementPtr wanted = m_other.element(id))
                 builder.set(id, wanted);
+        for (const ElementId id : m_taken)
+            if (const ElementPtr element = builder.now().element(id))
+                builder.set(id, withoutMissing(builder.now(), element));
         return builder.now();
     }
 
@@ -130,6 +169,7 @@ Edit takeFrom(const Design& design, const Design& other, const std::set<ElementI
     for (const ElementId id : ids)
         taking.take(id);
     taking.takeWhatLiesOnPatches();
+    taking.takeFabricsSeen();
     const Design& named = !ids.empty() && other.element(*ids.begin()) ? other : design;
     Message verb{QT_TRANSLATE_NOOP("Message", "Take %1 elements from another version"),
                  {std::to_string(ids.size())}};

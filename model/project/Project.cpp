@@ -151,7 +151,8 @@ Problems extractAssets(const OpenedProject& project, const Design& design, const
             found->second = error.message;
         }
         if (!found->second.empty())
-            problems.push_back({id, elementLabel(id, *element), "file", found->second});
+            problems.push_back({id, elementLabel(id, *element), elementFileField(*element), found->second,
+                                hasShapeFile(*element) ? Severity::Error : Severity::Warning});
     }
     return problems;
 }

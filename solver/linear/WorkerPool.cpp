@@ -7,8 +7,11 @@ namespace bolster {
 
 namespace {
 
-// Some ten microseconds: regions follow each other within that, and sleeping costs as much.
+// Some ten microseconds: regions mostly follow each other within that.
 constexpr int spins = 300;
+// Some hundred more, in which other programs may have the core: to be woken takes about as long, and on a virtual
+// machine longer than the work of a region.
+constexpr int yields = 1000;
 
 void pause()
 {
@@ -42,6 +45,11 @@ void waitForChange(const std::atomic<T>& value, T old)
         if (value.load(std::memory_order_acquire) != old)
             return;
         pause();
+    }
+    for (int i = 0; i < yields; ++i) {
+        if (value.load(std::memory_order_acquire) != old)
+            return;
+        std::this_thread::yield();
     }
     value.wait(old, std::memory_order_acquire);
 }

@@ -58,17 +58,18 @@ std::string damaged(std::string text, test::Random& random)
 TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
 {
     test::Random random(2024);
-    const std::string small =
-        writeDesign(readDesign(R"({"format": "bolster-design", "version": 1, "settings": {"symmetry": {"plane":
+    const std::string small = writeDesign(
+        readDesign(R"({"format": "bolster-design", "version": 1, "settings": {"colourway": 15, "symmetry": {"plane":
       {"normal": [1, 0, 1]}, "axis": {"point": [5, 0]}}}, "elements": [
-      {"id": 1, "kind": "fabric", "name": "Leather", "poisson": 0.2, "color": "#123456"},
+      {"id": 1, "kind": "fabric", "name": "Leather", "poisson": 0.2, "color": "#123456",
+       "look": {"kind": "image", "scale_mm": 90, "relief": 0, "file": "w.png"}, "limits": {"shear": 3}},
       {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1, "position": [10, 20], "grain": 45,
        "outline": {"degree": 3, "closed": true, "corners": [0, 3], "points": [[0,0],[50,-9],[99,0],[99,60],[50,70],[0,60]]}},
       {"id": 3, "kind": "fixation_curve", "name": "Rail", "curve": {"degree": 2, "closed": false,
        "knots": [0, 0, 0, 1.5, 3, 3, 3], "points": [[0,0,0],[50,0,20],[80,0,20],[99,0,0]]}},
       {"id": 4, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 3, "curve": 3, "curve_from": 0.5, "curve_to": 2},
       {"id": 5, "kind": "seam", "a": {"patch": 2, "from": 3, "to": 4}, "b": {"patch": 2, "from": 5, "to": 0},
-       "continuity": "G1", "reversed": false},
+       "continuity": "G1", "reversed": false, "trim": {"stitch": "twin", "piping_radius_mm": 3, "piping_fabric": 1}},
       {"id": 7, "kind": "frame", "name": "F", "file": "f.obj", "rotation": [0.6, 0.8, 0, 0], "contact": true},
       {"id": 8, "kind": "handle_curve", "name": "H", "patch": 2, "match": "parameter", "curve": {"degree": 1,
        "closed": false, "points": [[20,20],[60,20]]}, "target": {"degree": 1, "closed": false, "points": [[20,20,9],[60,20,9]]}},
@@ -82,8 +83,10 @@ TEST(DesignFuzz, DamagedDesignsAreReadWrittenAndCheckedWithoutHarm)
        "outline": {"degree": 3, "closed": true, "corners": [0, 3],
         "points": [[0,0],[-50,-9],[-99,0],[-99,60],[-50,75],[0,60]]}},
       {"id": 14, "kind": "fixation_curve", "name": "Twin", "twin": {"of": 3}, "curve": {"degree": 2, "closed": false,
-       "knots": [0, 0, 0, 1.5, 3, 3, 3], "points": [[0,0,0],[-50,0,20],[-80,0,20],[-99,0,0]]}}]})")
-                        .design);
+       "knots": [0, 0, 0, 1.5, 3, 3, 3], "points": [[0,0,0],[-50,0,20],[-80,0,20],[-99,0,0]]}},
+      {"id": 15, "kind": "colourway", "name": "W", "fabrics": [{"patch": 2, "fabric": 1}, {"patch": 13, "fabric": 1}]},
+      {"id": 16, "kind": "outline_trim", "patch": 13, "from": 0, "to": 1, "trim": {"thread": "#123456", "valley": false}}]})")
+            .design);
     const std::string large = test::designText("car-seat-tied");
     int readable = 0;
     for (int i = 0; i < 4000; ++i) {

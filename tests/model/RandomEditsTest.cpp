@@ -1,4 +1,5 @@
 // The editing rules on a real design: whatever the user does, and undoes, the design equals its replay.
+#include "ColourwayEdits.h"
 #include "CurveEdits.h"
 #include "DesignFile.h"
 #include "DesignJson.h"
@@ -9,6 +10,7 @@
 #include "PatchEdits.h"
 #include "SeamEdits.h"
 #include "SeamStretches.h"
+#include "TrimEdits.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 
@@ -42,7 +44,17 @@ public:
         const ElementPtr element = design.element(id);
         if (element && patchCurve(*element))
             return drawnEdit(design, id, *element);
-        switch (pick(4)) {
+        if (design.find<Colourway>(id))
+            return colourEdit(design, id);
+        if (design.find<OutlineTrim>(id))
+            return trimEdit(design, id);
+        switch (pick(7)) {
+        case 3:
+            return edits::addColourway(design, "Blue");
+        case 4:
+            return trimEdit(design, id);
+        case 5:
+            return edits::assignFabric(design, std::vector{anyElement(design)}, id);
         case 0:
             return edits::changeSettings(design, {10.0 + pick(5)});
         case 1:
@@ -68,7 +80,11 @@ private:
     {
         const std::vector point = {pick(patch.outline.pointCount())};
         const std::vector ids = {id};
-        switch (pick(13)) {
+        switch (pick(15)) {
+        case 13:
+            return edits::addOutlineTrim(design, {id, 0.5 * pick(8), 0.5 * pick(8)}, anyTrim(design));
+        case 14:
+            return edits::assignFabric(design, ids, anyElement(design));
         case 9:
             return edits::makeTwins(design, ids, [](const std::string& name) { return name + "'"; });
         case 10:
@@ -107,7 +123,9 @@ private:
         const auto end = static_cast<edits::StretchEnd>(pick(2));
         const std::optional<Stretch> whole = edits::freeStretchAt(design, seam.a.patch, somewhere(10));
         const std::optional<Stretch> other = edits::freeStretchAt(design, seam.b.patch, somewhere(10));
-        switch (pick(8)) {
+        switch (pick(9)) {
+        case 8:
+            return trimEdit(design, id);
         case 0:
             return edits::flipSeams(design, ids);
         case 1:
@@ -123,6 +141,43 @@ private:
             return whole && other ? edits::sewInRow(design, *whole, std::vector{*other}, pick(2) == 0) : Edit{};
         default:
             return pick(5) == 0 ? edits::removeElements(design, ids) : Edit{};
+        }
+    }
+
+    SeamTrim anyTrim(const Design& design)
+    {
+        SeamTrim trim;
+        trim.stitch = static_cast<SeamTrim::Stitch>(pick(3));
+        trim.pipingRadius = pick(4);
+        if (const ElementId fabric = anyElement(design); design.find<Fabric>(fabric))
+            trim.pipingFabric = fabric;
+        return trim;
+    }
+
+    Edit trimEdit(const Design& design, ElementId id)
+    {
+        switch (pick(3)) {
+        case 0:
+            return edits::dragStretchEnd(design, id, edits::SeamSide::A, static_cast<edits::StretchEnd>(pick(2)),
+                                         0.25 * pick(16));
+        case 1:
+            return edits::setTrim(design, std::vector{id}, anyTrim(design));
+        default:
+            return pick(5) == 0 ? edits::removeElements(design, std::vector{id}) : Edit{};
+        }
+    }
+
+    Edit colourEdit(const Design& design, ElementId id)
+    {
+        const std::vector patches = {anyElement(design), anyElement(design)};
+        switch (pick(4)) {
+        case 0:
+            return edits::showColourway(design, pick(3) == 0 ? settingsId : id);
+        case 1:
+        case 2:
+            return edits::setColourwayFabric(design, id, patches, pick(4) == 0 ? settingsId : anyElement(design));
+        default:
+            return pick(5) == 0 ? edits::removeElements(design, std::vector{id}) : Edit{};
         }
     }
 
@@ -143,7 +198,9 @@ private:
     Edit drawnEdit(const Design& design, ElementId id, const Element& element)
     {
         const std::vector point = {pick(planeCurve(element)->pointCount())};
-        switch (pick(6)) {
+        switch (pick(7)) {
+        case 6:
+            return trimEdit(design, id);
         case 0:
             return edits::movePatchPoints(design, id, point, {somewhere(20), somewhere(20)});
         case 1:

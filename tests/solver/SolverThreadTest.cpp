@@ -157,6 +157,37 @@ TEST(SolvePlan, AsksForAsLittleAsPossible)
     EXPECT_EQ(planSolve(design, design.with({{}, {{seam, design.element(seam), nullptr}}})), SolvePlan::Resew);
 }
 
+TEST(SolvePlan, LooksAskForNothing)
+{
+    const Design design = box(200, 60, 20, 10, 0.3);
+    const auto first = [&]<class T>(const T&) {
+        ElementId found{};
+        design.each<T>([&](ElementId id, const T&) { found = id; });
+        return found;
+    };
+    const ElementId fabric = first(Fabric()), seam = first(Seam()), held = first(FixationSeam());
+    SeamTrim trim;
+    trim.stitch = SeamTrim::Stitch::Twin;
+    trim.pipingRadius = 3;
+    const auto withNew = [&](ElementPtr element) {
+        return design.with({{}, {{design.nextId(), nullptr, std::move(element)}}});
+    };
+    for (const Design& other :
+         {changed<Fabric>(design, fabric, [](Fabric& f) { f.look = usualLook(FabricLook::Kind::Velvet); }),
+          changed<Fabric>(design, fabric, [](Fabric& f) { f.limits.shear = 1; }),
+          changed<Seam>(design, seam, [&](Seam& s) { s.trim = trim; }),
+          changed<FixationSeam>(design, held, [&](FixationSeam& f) { f.trim = trim; }),
+          withNew(makeElement(OutlineTrim{{firstPatch(design), 0, 1}, trim})),
+          withNew(makeElement(Colourway{"Blue", {{firstPatch(design), fabric}}}))}) {
+        EXPECT_FALSE(design == other);
+        EXPECT_EQ(planSolve(design, other), SolvePlan::Nothing);
+        EXPECT_EQ(planSolve(other, design), SolvePlan::Nothing);
+    }
+    EXPECT_EQ(
+        planSolve(design, changed<Settings>(design, settingsId, [](Settings& s) { s.colourway = ElementId{9}; })),
+        SolvePlan::Nothing);
+}
+
 TEST(StateTransfer, KeepsTheSurface)
 {
     const Design design = tube(400, 200, 14, 8);

@@ -2,6 +2,7 @@
 #include "ElementEdits.h"
 #include "ElementsModel.h"
 #include "ElementsView.h"
+#include "FieldText.h"
 #include "HistoryModel.h"
 #include "HistoryView.h"
 #include "Inspector.h"
@@ -13,6 +14,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QSlider>
 #include <QTest>
@@ -142,6 +144,49 @@ TEST_F(ListsTest, EachChangeInTheInspectorIsOneEdit)
     document.undo();
     EXPECT_FALSE(inspector.findChild<QCheckBox*>()->isChecked());
     keepPicture(inspector, "inspector");
+}
+
+TEST_F(ListsTest, TrimmedEdgesAndColourwaysAreListedAndHaveTheirForms)
+{
+    const ElementId edge = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(OutlineTrim{{firstSquare, 2, 3}})));
+    const ElementId blue = document.design().nextId();
+    document.commit(
+        edits::addElement(document.design(), makeElement(Colourway{"Blue", {{firstSquare, testFabric}}})));
+    ElementsModel model(document, problems);
+    const QAbstractItemModelTester tester(&model);
+    EXPECT_EQ(model.indexOf(edge).data().toString(), "Edge of First");
+    EXPECT_EQ(model.indexOf(edge).parent().data().toString(), "Trimmed edges");
+    EXPECT_EQ(model.indexOf(blue).data().toString(), "Blue");
+    EXPECT_EQ(model.indexOf(blue).parent().data().toString(), "Colourways");
+    EXPECT_TRUE(model.setData(model.indexOf(blue), "Navy", Qt::EditRole));
+    EXPECT_FALSE(model.flags(model.indexOf(edge)) & Qt::ItemIsEditable);
+
+    Inspector inspector(document, selection, problems);
+    inspector.resize(280, 700);
+    inspector.show();
+    selection.set({blue});
+    EXPECT_EQ(inspector.findChild<QLineEdit*>()->text(), "Navy");
+    for (const ElementId id : {squareSeam, squareFixation, edge}) {
+        selection.set({id});
+        QComboBox* stitches = nullptr;
+        for (QComboBox* box : inspector.findChildren<QComboBox*>())
+            stitches = box->findText("Twin rows") >= 0 ? box : stitches;
+        ASSERT_TRUE(stitches);
+        const int before = document.history().count();
+        stitches->setCurrentIndex(stitches->findText("Twin rows"));
+        emit stitches->activated(stitches->currentIndex());
+        EXPECT_EQ(seamTrim(*document.design().element(id))->stitch, SeamTrim::Stitch::Twin);
+        EXPECT_EQ(document.history().count(), before + 1);
+    }
+    keepPicture(inspector, "inspector-trim");
+}
+
+TEST(FieldText, SaysAPartOfAnElementInWords)
+{
+    EXPECT_EQ(fieldText("trim"), "Trim");
+    EXPECT_EQ(fieldValueText(R"({"stitch": "twin", "valley": false})"), "Stitching: twin, Valley: no");
+    EXPECT_EQ(fieldValueText(R"({"patch": 2, "from": 0, "to": 1})"), "Begins at: 0, patch: 2, Ends at: 1");
 }
 
 TEST_F(ListsTest, ASliderChangesTheDesignWhileItIsDraggedAsOneEdit)

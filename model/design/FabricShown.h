@@ -1,0 +1,13 @@
+// Which fabric a patch shows: the colourway decides what is seen, Patch::fabric how the cover behaves.
+#pragma once
+
+#include "Design.h"
+
+namespace bolster {
+
+/// Under the design's own colourway, or a given one (settingsId: none). Settings and colourways that refer to
+/// nothing leave the patch its own fabric; settingsId when there is no such patch.
+ElementId fabricShown(const Design& design, ElementId patch);
+ElementId fabricShown(const Design& design, ElementId patch, ElementId colourway);
+
+} // namespace bolster

@@ -1,0 +1,26 @@
+// Which fabrics patches are made of, and which ones they show.
+#pragma once
+
+#include "Design.h"
+
+#include <span>
+
+namespace bolster::edits {
+
+/// Makes patches of another fabric: this changes the shape, too. What a colourway says of them stays. Empty when
+/// there is no such fabric.
+Edit assignFabric(const Design& design, std::span<const ElementId> patches, ElementId fabric);
+
+/// Adds a colourway under the id design.nextId(), and shows it. It begins as a copy of the one that is shown. The
+/// name gets a number if another one has it.
+Edit addColourway(const Design& design, const std::string& name);
+/// What patches and their twins show under a colourway; with settingsId for the fabric each shows its own again.
+Edit setColourwayFabric(const Design& design, ElementId colourway, std::span<const ElementId> patches,
+                        ElementId fabric);
+/// settingsId: none, each patch shows its own fabric.
+Edit showColourway(const Design& design, ElementId colourway);
+
+/// A copy of a patch shows what the patch shows, under every colourway. Without a verb.
+Edit withColourOf(const Design& design, ElementId patch, ElementId copy);
+
+} // namespace bolster::edits
