@@ -135,7 +135,7 @@ void FileFlow::openNow(const QString& path)
     const auto replace = [this](const Then& then) { keepWork(then); };
     m_session.open(path, *opening, replace, [this, path](const Message& problem) {
         if (!problem.empty()) {
-            fail(tr("\"%1\" could not be opened.").arg(QFileInfo(path).fileName()), problem);
+            offerSalvage(path, problem);
             return;
         }
         if (!isSample(path))

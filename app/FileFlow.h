@@ -62,6 +62,9 @@ private:
     void announceRestored();
     QString chooseSaveTarget();
     void openNow(const QString& path);
+    void offerSalvage(const QString& path, const Message& problem);
+    void salvage(const QString& path);
+    void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
     std::optional<DesignSession::Opening> howToOpen(const QString& original);
     void saveTo(const QString& path, const Then& then);
     void saveBesideOthers(const QString& path, const Then& then);

@@ -1,6 +1,9 @@
 // Unsaved work: what a crash has left, and what was kept for later.
+#include "Background.h"
 #include "Banner.h"
 #include "FileFlow.h"
+#include "Salvage.h"
+#include "Translated.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -8,6 +11,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -21,6 +25,20 @@ int unsavedSteps(const Document& document)
     const std::vector<NodeId> way = document.history().pathTo(document.history().current());
     const auto saved = std::ranges::find(way, document.saved().value_or(0));
     return static_cast<int>(saved == way.end() ? way.size() - 1 : way.end() - saved - 1);
+}
+
+/// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
+QString freePathBeside(const QString& path)
+{
+    const QFileInfo file(path);
+    const QDir folder(QFileInfo(file.absolutePath()).isWritable()
+                          ? file.absolutePath()
+                          : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    const QString name = FileFlow::tr("%1 (recovered)").arg(file.completeBaseName());
+    QString free = folder.filePath(name + QLatin1String(".bolster"));
+    for (int n = 2; QFileInfo::exists(free); ++n)
+        free = folder.filePath(QStringLiteral("%1 %2.bolster").arg(name).arg(n));
+    return free;
 }
 
 } // namespace
@@ -59,6 +77,55 @@ void FileFlow::announceRestored()
                              m_session.document().jumpTo(m_session.document().saved().value_or(0));
                              m_banner->dismiss();
                          }}});
+}
+
+/// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
+void FileFlow::offerSalvage(const QString& path, const Message& problem)
+{
+    const QFileInfo file(path);
+    QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
+                    QMessageBox::Ok, m_window);
+    box.setInformativeText(translated(problem));
+    const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
+    const QPushButton* rescue =
+        project ? box.addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole) : nullptr;
+    box.setDefaultButton(QMessageBox::Ok);
+    box.exec();
+    if (rescue && box.clickedButton() == rescue)
+        salvage(path);
+}
+
+/// Into a new project beside it; the damaged file stays as it is.
+void FileFlow::salvage(const QString& path)
+{
+    const QString to = freePathBeside(path);
+    emit done(tr("Recovering \"%1\" \u2026").arg(QFileInfo(path).fileName()));
+    inBackground<Salvaged>([path, to] {
+        return salvageProject(path, to);
+    }).then(this, [this, to](const Salvaged& salvaged) {
+        if (!salvaged.problem.empty())
+            fail(tr("Nothing could be recovered."), salvaged.problem);
+        else
+            keepWork([this, to, salvaged] {
+                openNow(to);
+                sayWhatIsLeft(to, salvaged.notes);
+            });
+    });
+}
+
+void FileFlow::sayWhatIsLeft(const QString& path, const std::vector<Message>& notes)
+{
+    constexpr qsizetype shown = 12;
+    QStringList lines;
+    for (const Message& note : notes)
+        lines << translated(note);
+    QMessageBox box(QMessageBox::Information, tr("Bolster"),
+                    tr("What could be read is in \"%1\" now.").arg(QFileInfo(path).fileName()), QMessageBox::Ok,
+                    m_window);
+    box.setInformativeText(lines.mid(0, shown).join(QLatin1Char('\n')));
+    if (lines.size() > shown)
+        box.setDetailedText(lines.join(QLatin1Char('\n')));
+    box.exec();
 }
 
 void FileFlow::saveBesideOthers(const QString& path, const Then& then)

@@ -376,6 +376,44 @@ TEST_F(ProjectFilesTest, SavesThatFollowEachOtherTakeTurns)
     EXPECT_FALSE(window.document().dirty());
 }
 
+TEST_F(ProjectFilesTest, WhatCanBeReadOfADamagedOneIsRecovered)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    change(40);
+    const Design design = window.document().design();
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QFile::ReadWrite));
+    const QByteArray whole = file.readAll();
+    const qsizetype place =
+        whole.lastIndexOf("edgeLength") > 0 ? whole.lastIndexOf("edgeLength") : whole.size() / 2;
+    file.seek(place);
+    file.write(QByteArray(1, static_cast<char>(whole[place] ^ 4)));
+    file.close();
+    const QByteArray damaged = [&] {
+        QFile now(path);
+        return now.open(QFile::ReadOnly) ? now.readAll() : QByteArray();
+    }();
+    ASSERT_NE(openProject(path, ProjectCheck::ToWork).problem.english(), "");
+
+    bool opened = false;
+    const auto connection =
+        QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
+    pressInBox("Recover");
+    window.open(path);
+    answer(QMessageBox::Ok);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened && answered == 2; }, 30000));
+    QObject::disconnect(connection);
+    EXPECT_EQ(window.session().path(), folder.filePath("box (recovered).bolster"));
+    EXPECT_GT(window.document().history().count(), 1);
+    EXPECT_EQ(openProject(window.session().path(), ProjectCheck::Everything).problem.english(), "");
+    QFile after(path);
+    ASSERT_TRUE(after.open(QFile::ReadOnly));
+    EXPECT_EQ(after.readAll(), damaged) << "the damaged file stays as it is";
+}
+
 TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
