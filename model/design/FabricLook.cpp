@@ -19,7 +19,7 @@ FabricLook usualLook(FabricLook::Kind kind)
         break;
     case Kind::GrainedLeather:
         look.roughness = 0.5;
-        look.scale = 4;
+        look.scale = 2.8;
         break;
     case Kind::Woven:
         look.roughness = 0.85;

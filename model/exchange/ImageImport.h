@@ -2,30 +2,20 @@
 // on memory and time, so that whatever a broken or malicious file does to a decoder, it does it there.
 #pragma once
 
+#include "ImagePixels.h"
 #include "Message.h"
 
 #include <QString>
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <stop_token>
-#include <vector>
 
 namespace bolster {
 
-/// Rows from the top, pixels from the left, each red, green, blue, opacity: 8 bits, sRGB, not premultiplied.
-struct ImagePixels {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba; ///< width x height x 4
-
-    friend bool operator==(const ImagePixels&, const ImagePixels&) = default;
-};
-
 struct ImageOutcome {
-    std::shared_ptr<const ImagePixels> pixels; ///< null when refused or stopped
-    Message problem;                           ///< why; empty when stopped
+    ImagePixelsPtr pixels; ///< null when refused or stopped
+    Message problem;       ///< why; empty when stopped
 };
 
 /// The process that decodes, and how far it may go before it is killed.
