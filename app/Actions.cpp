@@ -233,6 +233,8 @@ void Actions::addPattern()
     sew = addTool(Kind::Sew, tr("Se&w"), QStringLiteral("sew"), QKeySequence(Qt::Key_W));
     addTool(Kind::Attach, tr("&Attach to fixation curve"), QStringLiteral("attach"),
             QKeySequence(Qt::SHIFT | Qt::Key_A));
+    addTool(Kind::Trim, tr("S&titch or pipe a seam"), QStringLiteral("outline-trim"),
+            QKeySequence(Qt::SHIFT | Qt::Key_T));
     addTool(Kind::Measure, tr("&Measure"), QStringLiteral("measure"), QKeySequence(Qt::SHIFT | Qt::Key_M));
 }
 

@@ -2,10 +2,13 @@
 
 #include "ElementText.h"
 #include "FieldText.h"
+#include "PatternView.h"
+#include "SurfaceView.h"
 #include "Translated.h"
 #include "VersionEdits.h"
 #include "VersionPane.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -32,6 +35,7 @@ CompareWindow::CompareWindow(Document& document, const DesignFiles& files, QWidg
     , m_right(new VersionPane)
     , m_list(new QTreeWidget)
     , m_take(new QPushButton(tr("&Take from there")))
+    , m_together(new QCheckBox(tr("&Move both together")))
 {
     setWindowTitle(tr("Compare versions"));
     m_list->setHeaderLabels({tr("What differs"), tr("There"), tr("Now")});
@@ -45,6 +49,9 @@ CompareWindow::CompareWindow(Document& document, const DesignFiles& files, QWidg
     auto* below = new QWidget;
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(8, 6, 8, 8);
+    m_together->setChecked(true);
+    m_together->setToolTip(tr("Turning, moving or zooming one version does the same to the other"));
+    buttons->addWidget(m_together);
     buttons->addStretch();
     buttons->addWidget(m_take);
     auto* lower = new QVBoxLayout(below);
@@ -59,12 +66,31 @@ CompareWindow::CompareWindow(Document& document, const DesignFiles& files, QWidg
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(parts);
     resize(1200, 860);
+    tieViews(*m_left, *m_right);
+    tieViews(*m_right, *m_left);
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &CompareWindow::selectionChanged);
     connect(m_take, &QPushButton::clicked, this, &CompareWindow::takeChosen);
     connect(&document, &Document::historyChanged, this, [this] {
         if (isVisible())
             refresh();
     });
+}
+
+void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)
+{
+    const auto follow = [this](const auto& move) {
+        if (m_following || !m_together->isChecked())
+            return;
+        m_following = true;
+        move();
+        m_following = false;
+    };
+    connect(&moved.surface(), &SurfaceView::cameraMoved, this,
+            [follow, &other](const Camera& camera) { follow([&] { other.surface().setCamera(camera); }); });
+    connect(&moved.pattern(), &PatternView::transformChanged, this,
+            [follow, &other](const PatternTransform& transform) {
+                follow([&] { other.pattern().setTransform(transform); });
+            });
 }
 
 bool CompareWindow::compareWith(NodeId node)

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QPushButton;
 class QTreeWidget;
 
@@ -24,8 +25,12 @@ public:
     bool compareWith(NodeId node);
     QTreeWidget& differences() { return *m_list; }
     QPushButton& take() { return *m_take; }
+    QCheckBox& together() { return *m_together; }
+    VersionPane& left() { return *m_left; }
+    VersionPane& right() { return *m_right; }
 
 private:
+    void tieViews(VersionPane& moved, VersionPane& other);
     void refresh();
     void fillList();
     void selectionChanged();
@@ -40,6 +45,8 @@ private:
     VersionPane* m_right;
     QTreeWidget* m_list;
     QPushButton* m_take;
+    QCheckBox* m_together;
+    bool m_following = false; ///< a view is being moved because the other one was
 };
 
 } // namespace bolster

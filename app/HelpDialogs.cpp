@@ -78,6 +78,8 @@ Rows mouseInPattern()
                                                  "Ctrl+click several in a row, Enter sews them; F: flip")},
         {HelpDialogs::tr("Attach to the selected fixation curve"),
          HelpDialogs::tr("click an edge; Shift+click collects several")},
+        {HelpDialogs::tr("Stitch or pipe a seam or an edge"),
+         HelpDialogs::tr("click it; stitches and piping are in the inspector")},
         {HelpDialogs::tr("Draw an outline"),
          HelpDialogs::tr(
              "click corners, drag smooth points, or type 500, 500<30 or 120, 40; Enter or a click on the "

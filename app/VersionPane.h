@@ -30,6 +30,7 @@ public:
     const Design& design() const { return m_document.design(); }
     Selection& selection() { return m_selection; }
     SurfaceView& surface() { return *m_surface; }
+    PatternView& pattern() { return *m_pattern; }
 
 protected:
     bool eventFilter(QObject* view, QEvent* event) override;

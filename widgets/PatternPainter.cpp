@@ -116,8 +116,10 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     if (m_in.layers.seams)
         paintSeamBands(patch, outline);
 
-    if (m_in.layers.seams)
+    if (m_in.layers.seams) {
+        paintTrims(patch);
         paintFixations(patch);
+    }
     const QColor line = isBad               ? colors.error
                         : isSelected        ? colors.accent
                         : hovered(patch.id) ? colors.hover
@@ -180,6 +182,27 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
         m_painter.strokePath(inPixels(stretch.path), pen);
     }
     m_painter.restore();
+}
+
+void PatternPainter::paintTrims(const PatternPatch& patch)
+{
+    constexpr double leastStitch = 4; // pixels: shorter ones are drawn as a line
+    for (const auto& [owner, trim] : m_in.scene.trims().marks()) {
+        if (trim.patch != patch.id)
+            continue;
+        const bool strong = selected(owner) || hovered(owner) || mirrored(owner);
+        const double scale = m_in.transform.scale(), width = std::max(strong ? 2.4 : 1.6, trim.width * scale);
+        const QColor color = bad(owner) ? m_in.colors.error : selected(owner) ? m_in.colors.accent : trim.color;
+        const QPainterPath path = inPixels(trim.path);
+        const auto stroke = [&](const QColor& with, double wide) {
+            QPen pen(with, wide, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+            if (const double stitch = trim.stitch * scale; stitch >= leastStitch)
+                pen.setDashPattern({0.75 * stitch / wide, 0.25 * stitch / wide});
+            m_painter.strokePath(path, pen);
+        };
+        stroke(m_in.colors.outline, width + 1.2); // thread and piping may have the colour of the cloth
+        stroke(color, width);
+    }
 }
 
 void PatternPainter::paintFixations(const PatternPatch& patch)

@@ -71,6 +71,7 @@ private:
     void paintMap(const PatternPatch& patch, const QPainterPath& outline);
     void paintMesh(const PatternPatch& patch);
     void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);
+    void paintTrims(const PatternPatch& patch);
     void paintFixations(const PatternPatch& patch);
     void paintInside(const PatternPatch& patch);
     void paintSeamArrows(const PatternPatch& patch, const QRectF& written);

@@ -70,6 +70,7 @@ void PatternScene::reset(const Design& design)
     m_patches.clear();
     m_stretches.clear();
     m_lines.clear();
+    m_trims = {};
     std::set<ElementId> all;
     for (const auto& [id, element] : design.elements())
         all.insert(id);
@@ -97,6 +98,10 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         if (changed.contains(seam.stretch.patch))
             owners.insert(id);
     });
+    design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& border) {
+        if (changed.contains(border.stretch.patch))
+            owners.insert(id);
+    });
     for (const auto& [id, element] : design.elements())
         if (const PatchCurve* drawn = patchCurve(*element); drawn && changed.contains(drawn->patch))
             owners.insert(id);
@@ -106,6 +111,7 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         updateLine(design, id);
     for (const ElementId id : owners)
         updateStretches(design, id);
+    m_trims.update(design, owners, changed);
     m_twins = PatternTwins::of(design);
 }
 
@@ -170,6 +176,8 @@ void PatternScene::updateStretches(const Design& design, ElementId owner)
         side.fixation = true;
         side.curve = fixation->curve;
         addStretch(side, fixation->stretch);
+    } else if (const OutlineTrim* border = design.find<OutlineTrim>(owner)) {
+        addStretch(side, border->stretch);
     }
 }
 

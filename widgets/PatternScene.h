@@ -4,6 +4,7 @@
 
 #include "Design.h"
 #include "LabelPlace.h"
+#include "PatternTrims.h"
 #include "PatternTwins.h"
 
 #include <QColor>
@@ -41,7 +42,7 @@ struct PatternPatch {
 
 /// One side of a seam, or a stretch that is fixed.
 struct PatternStretch {
-    ElementId owner{}; ///< Seam or FixationSeam
+    ElementId owner{}; ///< Seam, FixationSeam or OutlineTrim
     ElementId patch{};
     double from = 0;
     double to = 0;                ///< unwrapped: larger than `from`
@@ -94,6 +95,7 @@ public:
 
     const std::map<ElementId, PatternLine>& lines() const { return m_lines; }
     const PatternTwins& twins() const { return m_twins; }
+    const PatternTrims& trims() const { return m_trims; }
 
     Box2 boundingBox() const;
     /// Of patches, of lines in them, and of the patches at seams; empty when none of the ids lies in the layout.
@@ -120,6 +122,7 @@ private:
     std::multimap<ElementId, PatternStretch> m_stretches;
     std::map<ElementId, PatternLine> m_lines;
     PatternTwins m_twins;
+    PatternTrims m_trims;
 };
 
 } // namespace bolster

@@ -149,6 +149,7 @@ void PatternView::setTransform(const PatternTransform& transform)
 {
     m_fitted.setEmpty();
     apply(transform);
+    emit transformChanged(m_transform);
 }
 
 void PatternView::apply(const PatternTransform& transform)

@@ -70,6 +70,8 @@ signals:
     void promptChanged(const QString& prompt);
     void toolChanged(bolster::PatternToolKind kind);
     void pointerMoved(const std::optional<bolster::Vec2>& layout);
+    /// Moved or zoomed.
+    void transformChanged(const bolster::PatternTransform& transform);
     /// The point of a patch under the pointer; nothing beside them.
     void patchPointed(const std::optional<bolster::CoverPoint>& point);
     /// Clicked with the tool that selects.

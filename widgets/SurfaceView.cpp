@@ -446,6 +446,7 @@ void SurfaceView::apply(const Camera& camera)
         updateMarks(); // handles keep their size in the picture
     placeCrosshair();
     draw(true);
+    emit cameraMoved(m_camera);
 }
 
 void SurfaceView::setCamera(const Camera& camera)

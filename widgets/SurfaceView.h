@@ -146,6 +146,8 @@ signals:
     /// "No OpenGL: drawn in software", or "".
     void rendererNote(const QString& note);
     void perspectiveChanged(bool perspective);
+    /// Turned, moved or zoomed.
+    void cameraMoved(const bolster::Camera& camera);
     void toolChanged(bolster::SurfaceToolKind kind);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);

@@ -8,7 +8,10 @@
 #include "HistoryModel.h"
 #include "HistoryView.h"
 #include "Project.h"
+#include "SurfaceView.h"
+#include "VersionPane.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QPushButton>
@@ -213,6 +216,18 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     EXPECT_EQ(*window.document().design().element(top), *first.element(top));
     EXPECT_EQ(window.document().design().settings().edgeLength, first.settings().edgeLength + 1);
     EXPECT_EQ(list.topLevelItemCount(), 1);
+
+    SurfaceView& left = compare->left().surface();
+    SurfaceView& right = compare->right().surface();
+    const auto turn = [&left] { // as with the wheel: at once
+        Camera camera = left.camera();
+        camera.azimuth += 0.4;
+        left.setCamera(camera);
+        return camera.azimuth;
+    };
+    EXPECT_EQ(turn(), right.camera().azimuth);
+    compare->together().click();
+    EXPECT_NE(turn(), right.camera().azimuth);
 
     auto* pattern = compare->findChild<PatternView*>(); // looked at, not edited
     const std::uint64_t revision = window.document().revision();

@@ -1,11 +1,11 @@
 #include "AttachTool.h"
 
-#include "CurvePath.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "FixationEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchPick.h"
 #include "StretchToFix.h"
 #include "Translated.h"
 #include "Units.h"
@@ -23,24 +23,6 @@ std::vector<ElementId> AttachTool::curves() const
     return selectedOf<FixationCurve>(design(), m_context.selection().elements());
 }
 
-std::optional<Stretch> AttachTool::stretchAt(QPointF pixel) const
-{
-    const PatternHit hit = m_context.hit(pixel);
-    const PatternPatch* patch = m_context.scene().patch(hit.patch);
-    if (!patch || (hit.kind != PatternHit::Kind::Outline && hit.kind != PatternHit::Kind::Point))
-        return std::nullopt;
-    const BSpline2& outline = patch->patch().outline;
-    const double t = hit.kind == PatternHit::Kind::Point ? outline.parameterOfPoint(hit.point) : hit.parameter;
-    if (const auto selected = stretchThroughPoints(design(), m_context.selection(), hit.patch);
-        selected && stretchContains(*selected, outline, t))
-        return selected;
-    const auto [first, last] = m_context.scene().stretches().equal_range(hit.seam);
-    for (auto found = first; found != last; ++found)
-        if (found->second.patch == hit.patch && found->second.contains(outline, t))
-            return Stretch{hit.patch, found->second.from, outline.wrapped(found->second.to)};
-    return outlineEdgeAt(hit.patch, outline, t);
-}
-
 QString AttachTool::problemOf(const Stretch& stretch) const
 {
     const auto problem = edits::fixationProblem(design(), stretch);
@@ -49,7 +31,7 @@ QString AttachTool::problemOf(const Stretch& stretch) const
 
 void AttachTool::press(const PatternPointer& pointer)
 {
-    const std::optional<Stretch> stretch = stretchAt(pointer.pixel);
+    const std::optional<Stretch> stretch = stretchUnder(m_context, pointer.pixel);
     if (!stretch) {
         m_context.report(tr("Click an edge of an outline."));
         return;
@@ -72,7 +54,7 @@ void AttachTool::press(const PatternPointer& pointer)
 
 void AttachTool::move(const PatternPointer& pointer)
 {
-    m_hover = stretchAt(pointer.pixel);
+    m_hover = stretchUnder(m_context, pointer.pixel);
     m_context.refresh();
 }
 
@@ -176,32 +158,15 @@ QCursor AttachTool::cursor() const
     return m_hover ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
-void AttachTool::paint(QPainter& painter, const Stretch& stretch, const QColor& color) const
-{
-    const PatternPatch* patch = m_context.scene().patch(stretch.patch);
-    if (!patch)
-        return;
-    const Patch& on = patch->patch();
-    const double end = unwrappedEnd(stretch.from, stretch.to, on.outline.domainStart(), on.outline.domainEnd());
-    const QPainterPath path =
-        curvePath(on.outline, stretch.from, end, [&on](const Vec2& p) { return toLayout(on, p); });
-    const QPainterPath drawn = m_context.transform().matrix().map(path);
-    painter.strokePath(drawn, QPen(color, 4.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.setPen(QPen(color, 1.6));
-    painter.setBrush(painter.background().color());
-    for (const double share : {0.0, 1.0})
-        painter.drawEllipse(drawn.pointAtPercent(share), 3.5, 3.5);
-}
-
 void AttachTool::paint(QPainter& painter, const ViewColors& colors) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const Stretch& stretch : m_collected)
-        paint(painter, stretch, colors.accent);
+        paintStretch(painter, m_context, stretch, colors.accent);
     if (m_hover)
-        paint(painter, *m_hover, problemOf(*m_hover).isEmpty() ? colors.accent : colors.error);
+        paintStretch(painter, m_context, *m_hover, problemOf(*m_hover).isEmpty() ? colors.accent : colors.error);
     else if (const auto selected = stretchToFix(design(), m_context.selection()); selected && m_collected.empty())
-        paint(painter, *selected, colors.accent);
+        paintStretch(painter, m_context, *selected, colors.accent);
 }
 
 } // namespace bolster

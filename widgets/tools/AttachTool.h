@@ -31,12 +31,10 @@ public:
 
 private:
     const Design& design() const { return m_context.document().design(); }
-    std::optional<Stretch> stretchAt(QPointF pixel) const;
     std::vector<ElementId> curves() const;
     QString problemOf(const Stretch& stretch) const;
     void attach(const std::vector<Stretch>& stretches);
     Edit edit(const std::vector<Stretch>& stretches) const;
-    void paint(QPainter& painter, const Stretch& stretch, const QColor& color) const;
 
     std::optional<Stretch> m_hover;
     std::vector<Stretch> m_collected;

@@ -9,6 +9,7 @@
 #include "PatternSelectTool.h"
 #include "PatternSplitTool.h"
 #include "SewTool.h"
+#include "TrimTool.h"
 
 namespace bolster {
 
@@ -29,6 +30,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<SewTool>(context);
     case PatternToolKind::Attach:
         return std::make_unique<AttachTool>(context);
+    case PatternToolKind::Trim:
+        return std::make_unique<TrimTool>(context);
     case PatternToolKind::Split:
         return std::make_unique<PatternSplitTool>(context);
     case PatternToolKind::Measure:

@@ -17,6 +17,7 @@ enum class PatternToolKind {
     FancySeam,
     Sew,
     Attach,
+    Trim,
     Measure,
     BackgroundScale,
     BackgroundMove

@@ -1,0 +1,37 @@
+// Stitches and piping as triangles, to be drawn over the cover.
+#pragma once
+
+#include "ElementId.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bolster {
+
+struct TrimMesh {
+    /// What looks the same.
+    struct Part {
+        ElementId element{};  ///< whose trim it is
+        std::string thread{}; ///< colour of stitches, "#rrggbb"
+        bool pipe = false;
+        ElementId fabric{}; ///< of a pipe; none: that of the patch
+        ElementId patch{};  ///< that the pipe lies beside
+        std::uint32_t firstTriangle = 0;
+        std::uint32_t triangleCount = 0;
+    };
+
+    std::vector<Eigen::Vector3f> points;                 ///< mm
+    std::vector<Eigen::Vector3f> normals;                ///< unit, outwards
+    std::vector<Eigen::Vector2f> cloth;                  ///< along and around, mm: where piping's fabric lies
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
+    std::vector<Part> parts;                             ///< one after the other
+};
+
+using TrimMeshPtr = std::shared_ptr<const TrimMesh>;
+
+} // namespace bolster

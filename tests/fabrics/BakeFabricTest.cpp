@@ -1,0 +1,334 @@
+#include "BakeFabric.h"
+#include "FabricCache.h"
+#include "FabricPreview.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+namespace bolster {
+namespace {
+
+using Kind = FabricLook::Kind;
+
+Fabric fabricOf(Kind kind, const std::string& color = "#7a4a2b")
+{
+    Fabric fabric;
+    fabric.color = color;
+    fabric.look = usualLook(kind);
+    return fabric;
+}
+
+/// Nothing fits at its borders: brighter to the right and to the top, with a fine pattern.
+ImagePixels slantedImage(int width, int height)
+{
+    ImagePixels image{width, height, {}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int light = 60 + 120 * x / width + 50 * (height - y) / height + ((x + y) % 3) * 6;
+            for (int c = 0; c < 3; ++c)
+                image.rgba.push_back(static_cast<std::uint8_t>(light));
+            image.rgba.push_back(255);
+        }
+    return image;
+}
+
+struct Steps {
+    double inside = 0;
+    double border = 0;
+};
+
+/// Root mean square of the steps from pixel to pixel over the borders, and the largest of any row or column inside.
+Steps stepsOf(const std::vector<std::uint8_t>& bytes, int width, int height, int channels)
+{
+    const auto at = [&](int x, int y, int c) {
+        return static_cast<double>(bytes[static_cast<std::size_t>((y * width + x) * channels + c)]);
+    };
+    const auto column = [&](int x) {
+        double sum = 0;
+        for (int y = 0; y < height; ++y)
+            for (int c = 0; c < std::min(3, channels); ++c)
+                sum += std::pow(at((x + 1) % width, y, c) - at(x, y, c), 2);
+        return std::sqrt(sum / height);
+    };
+    const auto row = [&](int y) {
+        double sum = 0;
+        for (int x = 0; x < width; ++x)
+            for (int c = 0; c < std::min(3, channels); ++c)
+                sum += std::pow(at(x, (y + 1) % height, c) - at(x, y, c), 2);
+        return std::sqrt(sum / width);
+    };
+    Steps steps;
+    for (int x = 0; x + 1 < width; ++x)
+        steps.inside = std::max(steps.inside, column(x));
+    for (int y = 0; y + 1 < height; ++y)
+        steps.inside = std::max(steps.inside, row(y));
+    steps.border = std::max(column(width - 1), row(height - 1));
+    return steps;
+}
+
+class EveryKind : public testing::TestWithParam<Kind> {
+protected:
+    FabricMapsPtr baked(const Fabric& fabric, int pixels = 512, int threads = 0)
+    {
+        static const ImagePixels image = slantedImage(300, 200);
+        return bakeFabric(fabric, fabric.look.kind == Kind::Image ? &image : nullptr, {pixels, threads});
+    }
+};
+
+TEST_P(EveryKind, HasNoVisibleBorder)
+{
+    const FabricMapsPtr maps = baked(fabricOf(GetParam()));
+    ASSERT_TRUE(maps->complete());
+    for (const auto& [bytes, channels] : {std::pair{&maps->albedo, 4}, {&maps->normal, 3}, {&maps->roughness, 1}}) {
+        const Steps steps = stepsOf(*bytes, maps->width, maps->height, channels);
+        EXPECT_LE(steps.border, steps.inside + 1e-9) << channels << " channels";
+    }
+}
+
+TEST_P(EveryKind, IsTheSameOnEveryRunAndNumberOfThreads)
+{
+    const FabricMapsPtr one = baked(fabricOf(GetParam()), 256, 1), two = baked(fabricOf(GetParam()), 256, 3);
+    EXPECT_EQ(one->albedo, two->albedo);
+    EXPECT_EQ(one->normal, two->normal);
+    EXPECT_EQ(one->roughness, two->roughness);
+}
+
+TEST_P(EveryKind, IsFlatWithoutRelief)
+{
+    Fabric fabric = fabricOf(GetParam());
+    fabric.look.relief = 0;
+    const FabricMapsPtr maps = baked(fabric, 128);
+    for (std::size_t i = 0; i < maps->normal.size(); i += 3) {
+        ASSERT_EQ(maps->normal[i], 128);
+        ASSERT_EQ(maps->normal[i + 1], 128);
+        ASSERT_EQ(maps->normal[i + 2], 255);
+    }
+}
+
+TEST_P(EveryKind, BakesNonsenseIntoSomethingUsable)
+{
+    Fabric fabric = fabricOf(GetParam(), "no colour");
+    fabric.look.secondColor = "#12";
+    for (const double scale : {0.0, -3.0, 1e300, 1e-300, std::nan("")}) {
+        fabric.look.scale = scale;
+        fabric.look.roughness = scale;
+        fabric.look.relief = 50;
+        EXPECT_TRUE(baked(fabric, 64)->complete()) << scale;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
+                         testing::Values(Kind::Plain, Kind::Checker, Kind::SmoothLeather, Kind::GrainedLeather,
+                                         Kind::Woven, Kind::Velvet, Kind::Image));
+
+TEST(BakeFabric, CheckerSquaresAreAsLargeAsTheirScale)
+{
+    Fabric fabric = fabricOf(Kind::Checker, "#000000");
+    fabric.look.secondColor = "#ffffff";
+    fabric.look.scale = 25;
+    const FabricMapsPtr maps = bakeFabric(fabric);
+    EXPECT_DOUBLE_EQ(maps->widthMm, 50);
+    EXPECT_DOUBLE_EQ(maps->heightMm, 50);
+    int white = 0, changes = 0;
+    for (int x = 0; x < maps->width; ++x) {
+        const auto here = maps->albedo[static_cast<std::size_t>(4 * x)];
+        const auto next = maps->albedo[static_cast<std::size_t>(4 * ((x + 1) % maps->width))];
+        white += here == 255;
+        changes += here != next;
+    }
+    EXPECT_EQ(2 * white, maps->width);
+    EXPECT_EQ(changes, 2);
+}
+
+TEST(BakeFabric, WeaveRepeatsAsOftenAsItsScaleSays)
+{
+    Fabric fabric = fabricOf(Kind::Woven, "#000000");
+    fabric.look.secondColor = "#ffffff";
+    const FabricMapsPtr maps = bakeFabric(fabric);
+    // Along a row warp and weft, black and white, alternate once a repeat.
+    int best = 0;
+    double most = 0;
+    for (int waves = 4; waves < maps->width / 4; ++waves) {
+        double strength = 0;
+        for (int y = 0; y < maps->height; y += 64) {
+            double re = 0, im = 0;
+            for (int x = 0; x < maps->width; ++x) {
+                const double value = maps->albedo[static_cast<std::size_t>(4 * (y * maps->width + x))];
+                const double angle = 2 * 3.14159265358979 * waves * x / maps->width;
+                re += value * std::cos(angle);
+                im += value * std::sin(angle);
+            }
+            strength += re * re + im * im;
+        }
+        if (strength > most) {
+            most = strength;
+            best = waves;
+        }
+    }
+    EXPECT_NEAR(maps->widthMm / best, fabric.look.scale, 0.01);
+}
+
+TEST(BakeFabric, ShowsTheColourOfTheFabric)
+{
+    for (const Kind kind : {Kind::Plain, Kind::SmoothLeather, Kind::GrainedLeather, Kind::Woven, Kind::Velvet}) {
+        const std::string mean = meanColor(*bakeFabric(fabricOf(kind, "#9c5a2c"), nullptr, {256, 0}));
+        const auto byte = [&](std::size_t i) { return std::stoi(mean.substr(i, 2), nullptr, 16); };
+        EXPECT_NEAR(byte(1), 0x9c, 30) << mean;
+        EXPECT_NEAR(byte(3), 0x5a, 22) << mean;
+        EXPECT_NEAR(byte(5), 0x2c, 18) << mean;
+    }
+}
+
+TEST(BakeFabric, LeatherHasCreasesDarkerThanItsGrain)
+{
+    Fabric fabric = fabricOf(Kind::GrainedLeather, "#c0c0c0");
+    fabric.look.secondColor = "#000000";
+    const FabricMapsPtr maps = bakeFabric(fabric, nullptr, {512, 0});
+    int dark = 0, bright = 0;
+    for (std::size_t i = 0; i < maps->albedo.size(); i += 4) {
+        dark += maps->albedo[i] < 0x70;
+        bright += maps->albedo[i] > 0xa8;
+    }
+    EXPECT_GT(dark, maps->width * maps->height / 100);
+    EXPECT_GT(bright, maps->width * maps->height / 3);
+}
+
+TEST(BakeFabric, ImageKeepsItsShapeAndColours)
+{
+    // Wider than high, the same left and right, top and bottom: nothing has to be taken out of its borders.
+    ImagePixels image{400, 200, {}};
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 400; ++x) {
+            const bool red = x >= 100 && x < 300;
+            for (const int value : {red ? 200 : 20, 40, red ? 10 : 160, 255})
+                image.rgba.push_back(static_cast<std::uint8_t>(value));
+        }
+    Fabric fabric = fabricOf(Kind::Image);
+    fabric.look.scale = 300;
+    const FabricMapsPtr maps = bakeFabric(fabric, &image);
+    EXPECT_EQ(maps->width, 400);
+    EXPECT_EQ(maps->height, 200);
+    EXPECT_DOUBLE_EQ(maps->widthMm, 300);
+    EXPECT_DOUBLE_EQ(maps->heightMm, 150);
+    const auto* middle = &maps->albedo[static_cast<std::size_t>(4 * (100 * 400 + 200))];
+    EXPECT_NEAR(middle[0], 200, 1);
+    EXPECT_NEAR(middle[1], 40, 1);
+    EXPECT_NEAR(middle[2], 10, 1);
+}
+
+TEST(BakeFabric, ColourShowsThroughAnImage)
+{
+    ImagePixels image{64, 64, std::vector<std::uint8_t>(std::size_t{4} * 64 * 64, 0)};
+    const FabricMapsPtr maps = bakeFabric(fabricOf(Kind::Image, "#3c78a0"), &image);
+    EXPECT_EQ(meanColor(*maps), "#3c78a0");
+}
+
+TEST(BakeFabric, LargeImagesAreMadeSmaller)
+{
+    const ImagePixels image = slantedImage(3000, 1500);
+    const FabricMapsPtr maps = bakeFabric(fabricOf(Kind::Image), &image);
+    EXPECT_EQ(maps->width, 1024);
+    EXPECT_EQ(maps->height, 512);
+}
+
+TEST(BakeFabric, MissingImageIsMarkedAndNeverBlack)
+{
+    const ImagePixels broken{10, 10, {1, 2, 3}};
+    for (const ImagePixels* image : {static_cast<const ImagePixels*>(nullptr), &broken}) {
+        const FabricMapsPtr maps = bakeFabric(fabricOf(Kind::Image), image);
+        int magenta = 0;
+        for (std::size_t i = 0; i < maps->albedo.size(); i += 4) {
+            ASSERT_GT(std::max({maps->albedo[i], maps->albedo[i + 1], maps->albedo[i + 2]}), 100);
+            magenta += maps->albedo[i] > 2 * maps->albedo[i + 1];
+        }
+        EXPECT_EQ(2 * magenta, maps->width * maps->height);
+    }
+}
+
+TEST(FabricCache, BakesOnceWhateverTheNameAndTheRotation)
+{
+    FabricCache cache;
+    Fabric fabric = fabricOf(Kind::Plain);
+    EXPECT_EQ(cache.find(fabric, nullptr), nullptr);
+    const FabricMapsPtr first = cache.get(fabric, nullptr);
+    fabric.name = "Another";
+    fabric.look.rotation = 45;
+    fabric.stiffness = 3;
+    EXPECT_EQ(cache.get(fabric, nullptr), first);
+    fabric.color = "#ffffff";
+    EXPECT_NE(cache.get(fabric, nullptr), first);
+}
+
+TEST(FabricCache, ForgetsWhatWasNotAskedForTheLongest)
+{
+    FabricCache cache(3 * 64 * 64 * 8);
+    const BakeOptions options{64, 1};
+    const auto colored = [](const char* color) { return fabricOf(Kind::Velvet, color); };
+    for (const char* color : {"#000001", "#000002", "#000003"})
+        cache.get(colored(color), nullptr, options);
+    EXPECT_TRUE(cache.find(colored("#000001"), nullptr, options));
+    cache.get(colored("#000004"), nullptr, options);
+    EXPECT_TRUE(cache.find(colored("#000001"), nullptr, options));
+    EXPECT_FALSE(cache.find(colored("#000002"), nullptr, options));
+}
+
+TEST(FabricPreview, ShowsTheFabricOnSomethingRound)
+{
+    const FabricMapsPtr maps = bakeFabric(fabricOf(Kind::Plain, "#2050c0"));
+    for (const auto shape : {FabricPreviewOptions::Shape::Ball, FabricPreviewOptions::Shape::Cushion}) {
+        const ImagePixelsPtr picture = fabricPreview(*maps, {shape, 64, 60, 0});
+        ASSERT_TRUE(picture->complete());
+        const auto* middle = &picture->rgba[static_cast<std::size_t>(4 * (32 * 64 + 32))];
+        EXPECT_GT(middle[2], middle[0]);
+        EXPECT_EQ(middle[3], 255);
+        EXPECT_EQ(picture->rgba[3], 0); // beside it nothing
+    }
+}
+
+/// Pictures to look at, with BOLSTER_TILES=folder; times are printed for the record.
+TEST(BakeFabric, SaysHowLongItTakes)
+{
+    const char* folder = std::getenv("BOLSTER_TILES");
+    const ImagePixels image = slantedImage(1500, 1000);
+    const std::pair<const char*, Fabric> all[] = {{"plain", fabricOf(Kind::Plain, "#6d7178")},
+                                                  {"checker", fabricOf(Kind::Checker)},
+                                                  {"smooth", fabricOf(Kind::SmoothLeather, "#8a4f2a")},
+                                                  {"grained", fabricOf(Kind::GrainedLeather, "#8a4f2a")},
+                                                  {"woven", fabricOf(Kind::Woven, "#6d7178")},
+                                                  {"velvet", fabricOf(Kind::Velvet, "#1f5b43")},
+                                                  {"image", fabricOf(Kind::Image)}};
+    for (const auto& [name, fabric] : all) {
+        const auto start = std::chrono::steady_clock::now();
+        const FabricMapsPtr maps = bakeFabric(fabric, fabric.look.kind == Kind::Image ? &image : nullptr);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        EXPECT_TRUE(maps->complete());
+        std::cout << name << ": " << maps->width << " x " << maps->height << " pixels, " << maps->widthMm << " mm, "
+                  << std::lround(took.count()) << " ms\n";
+        if (!folder)
+            continue;
+        const auto write = [&](const std::string& what, int width, int height, int channels, const void* bytes) {
+            const std::string path = std::string(folder) + "/" + name + "-" + what + ".png";
+            const auto output = OIIO::ImageOutput::create(path);
+            ASSERT_TRUE(output &&
+                        output->open(path, OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::UINT8)) &&
+                        output->write_image(OIIO::TypeDesc::UINT8, bytes) && output->close());
+        };
+        write("albedo", maps->width, maps->height, 4, maps->albedo.data());
+        write("normal", maps->width, maps->height, 3, maps->normal.data());
+        const auto preview = [&](const char* what, FabricPreviewOptions::Shape shape, int pixels, double mm) {
+            const ImagePixelsPtr picture = fabricPreview(*maps, {shape, pixels, mm, 0});
+            write(what, pixels, pixels, 4, picture->rgba.data());
+        };
+        preview("flat", FabricPreviewOptions::Shape::Flat, 400, 60);
+        preview("ball", FabricPreviewOptions::Shape::Ball, 200, 70);
+        preview("cushion", FabricPreviewOptions::Shape::Cushion, 200, 120);
+    }
+}
+
+} // namespace
+} // namespace bolster

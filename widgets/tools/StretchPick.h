@@ -1,0 +1,21 @@
+// A stretch of an outline under the pointer, for tools that work on one.
+#pragma once
+
+#include "PatternTool.h"
+#include "Stretch.h"
+
+#include <optional>
+
+class QColor;
+class QPainter;
+
+namespace bolster {
+
+/// What is selected if the pointer is on it, else the seam or fixed stretch there, else the edge between two
+/// corners.
+std::optional<Stretch> stretchUnder(PatternToolContext& context, QPointF pixel);
+/// A bold line with its ends.
+void paintStretch(QPainter& painter, const PatternToolContext& context, const Stretch& stretch,
+                  const QColor& color);
+
+} // namespace bolster
