@@ -71,7 +71,8 @@ std::string written(const PreviewImage& image, PictureFormat format, const std::
 
 std::optional<PictureFormat> pictureFormat(std::string_view path)
 {
-    std::string ending(path.substr(std::min(path.size(), path.rfind('.') + 1)));
+    const std::size_t dot = path.rfind('.');
+    std::string ending(dot == std::string_view::npos ? "" : path.substr(dot + 1));
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == "png")
         return PictureFormat::Png;

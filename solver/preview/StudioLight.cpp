@@ -13,8 +13,9 @@ const Vec3f keyColor(1.02f, 0.98f, 0.92f);
 const Vec3f skyColor(0.50f, 0.52f, 0.56f);
 const Vec3f floorColor(0.25f, 0.235f, 0.22f);
 const Vec3f rimColor(0.30f, 0.32f, 0.37f);
-constexpr float keySize = 0.22f; ///< what the soft box adds to a highlight's width (alpha of GGX)
-constexpr float rimSize = 0.15f;
+const Vec3f lampColor(1.3f, 1.28f, 1.24f); ///< what hangs above shines in what is smooth
+constexpr float keySize = 0.14f;           ///< what the soft box adds to a highlight's width (alpha of GGX)
+constexpr float rimSize = 0.12f;
 
 Vec3f horizontalDirection(double azimuth, double elevation)
 {
@@ -52,7 +53,8 @@ Vec3f mirrored(const SurfacePoint& point, const Vec3f& toEye, float facing)
 {
     const float rough = point.roughness, blur = 0.15f + 0.85f * rough;
     const float up = 2 * point.normal.dot(toEye) * point.normal.z() - toEye.z();
-    const Vec3f room = floorColor + smoothstep(-blur, blur, up) * (1.15f * skyColor - floorColor);
+    const Vec3f room = floorColor + smoothstep(-blur, blur, up) * (skyColor - floorColor) +
+                       smoothstep(0.6f - blur, 0.6f + blur, up) * lampColor;
     const Eigen::Vector4f r =
         rough * Eigen::Vector4f(-1, -0.0275f, -0.572f, 0.022f) + Eigen::Vector4f(1, 0.0425f, 1.04f, -0.04f);
     const float a = std::min(r.x() * r.x(), std::exp2(-9.28f * facing)) * r.x() + r.y();
@@ -83,7 +85,7 @@ Shade StudioLight::shade(const SurfacePoint& point, const Vec3f& toEye) const
                        .cwiseProduct(keyColor);
     shade.ambient = (point.color + fuzz).cwiseProduct(sky) + mirrored(point, toEye, facing) +
                     (point.color * wrapped(rim, 0.1f) + fuzz * wrapped(rim, 0.5f) +
-                     Vec3f::Constant(2.f * highlight(point, m_rim, toEye, rimSize)))
+                     Vec3f::Constant(6.f * highlight(point, m_rim, toEye, rimSize)))
                         .cwiseProduct(rimColor);
     return shade;
 }

@@ -229,7 +229,8 @@ TEST(Preview, SeamsAreDarkLines)
     scene.checker = false;
     const PreviewImage image = renderPreview(scene, fromAbove({150, 290, 0}, 0.5, 120), small());
     // The seam runs along y = 300, 20 pixels above the middle.
-    EXPECT_LT(brightness(image, 80, 41), brightness(image, 80, 100) - 25);
+    const int darkest = std::min({brightness(image, 80, 39), brightness(image, 80, 40), brightness(image, 80, 41)});
+    EXPECT_LT(darkest, brightness(image, 80, 100) - 25);
 }
 
 TEST(Preview, GivesDepths)
