@@ -8,6 +8,7 @@
 #include "HistoryPanel.h"
 #include "Inspector.h"
 #include "MainMenu.h"
+#include "MapLink.h"
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
+    , m_maps(std::make_unique<MapLink>(*m_session))
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_surfaceSelection))
@@ -66,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectDocument();
     connectViews();
     connectScans();
+    connectMaps();
     connectSewing();
     connectFixing();
     connect3D();
@@ -156,9 +159,11 @@ void MainWindow::connectDocument()
         m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
         m_scans->setSurface(surface);
+        m_maps->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
+        m_actions->renderPicture->setEnabled(surface != nullptr);
     });
     connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
