@@ -26,6 +26,13 @@ if(NOT BOLSTER_HEADLESS)
     find_package(embree 3 REQUIRED CONFIG)
     find_package(OpenImageIO 2.4 REQUIRED CONFIG)
 
+    # OpenSubdiv's own config wants a static library that Debian does not ship.
+    find_path(OSD_INCLUDE_DIR opensubdiv/version.h REQUIRED)
+    find_library(OSD_CPU_LIBRARY osdCPU REQUIRED)
+    add_library(bolster_opensubdiv INTERFACE)
+    target_include_directories(bolster_opensubdiv SYSTEM INTERFACE "${OSD_INCLUDE_DIR}")
+    target_link_libraries(bolster_opensubdiv INTERFACE "${OSD_CPU_LIBRARY}")
+
     # Debian's OpenImageIO target names a folder of OpenCV headers that its package does not bring.
     get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
     set(oiio_present "")

@@ -3,6 +3,7 @@
 
 #include "ElementId.h"
 #include "Geometry.h"
+#include "Seam.h"
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,7 @@ struct SurfaceTopology {
         ElementId seam{}; ///< of a Seam or FixationSeam
         std::vector<std::uint32_t> a;
         std::vector<std::uint32_t> b;
+        Continuity continuity = Continuity::C0; ///< of the seam: where it is not C0 the surface has no crease
     };
 
     /// The vertices along a handle curve or one of the parallel lines of a fancy seam. A closed one ends where it
@@ -36,10 +38,12 @@ struct SurfaceTopology {
     struct Line {
         ElementId element{};
         std::vector<std::uint32_t> vertices;
-        double across = 0; ///< of a fancy seam: -1 and 1 are the outer lines, 0 the middle
+        double across = 0;   ///< of a fancy seam: -1 and 1 are the outer lines, 0 the middle
+        bool crease = false; ///< the surface is folded along it
     };
 
-    std::uint64_t serial = 0; ///< within one run of the program; the same for those that differ in `pattern` alone
+    std::uint64_t serial =
+        0; ///< within one run of the program; the same for those that differ in `pattern` and creases alone
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
     std::vector<Vec2> pattern;          ///< outline coordinates of each vertex, mm: the texture coordinates
     std::vector<std::uint32_t> unknown; ///< merged vertex of each vertex: equal for sewn ones
