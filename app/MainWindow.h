@@ -25,6 +25,7 @@ class HistoryPanel;
 class Inspector;
 class PatternView;
 class ProblemsView;
+class CoverLink;
 class ScanLink;
 class Thumbnails;
 class SeamsView;
@@ -119,6 +120,7 @@ private:
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
+    std::unique_ptr<CoverLink> m_covers;
     std::unique_ptr<Thumbnails> m_thumbnails;
     Actions* m_actions;
     PatternView* m_pattern;

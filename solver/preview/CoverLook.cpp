@@ -36,30 +36,6 @@ Vec3f nearestOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
     return a + t * along;
 }
 
-void link(std::vector<std::array<std::uint32_t, 2>>& neighbours, std::uint32_t from, std::uint32_t to)
-{
-    for (std::uint32_t& slot : neighbours[from])
-        if (slot == none || slot == to) {
-            slot = to;
-            return;
-        }
-}
-
-std::vector<std::array<std::uint32_t, 2>> seamNeighbours(const SurfaceTopology& topology)
-{
-    std::vector<std::array<std::uint32_t, 2>> neighbours(topology.vertexCount(), {none, none});
-    for (const SurfaceTopology::Chain& chain : topology.seams)
-        for (const auto* side : {&chain.a, &chain.b})
-            for (std::size_t i = 1; i < side->size(); ++i) {
-                const std::uint32_t p = (*side)[i - 1], q = (*side)[i];
-                if (p >= neighbours.size() || q >= neighbours.size())
-                    continue;
-                link(neighbours, p, q);
-                link(neighbours, q, p);
-            }
-    return neighbours;
-}
-
 template <class T>
 T mixed(const std::vector<T>& values, const std::array<std::uint32_t, 3>& corners, const RayHit& hit)
 {
@@ -102,31 +78,99 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
     if (!scene.surface || !scene.surface->topology)
         return;
     const SurfaceMesh& mesh = *scene.surface;
-    const SurfaceTopology& topology = *mesh.topology;
-    if (mesh.positions.size() != topology.pattern.size() || mesh.normals.size() != topology.pattern.size())
+    const std::size_t count = mesh.topology->pattern.size();
+    if (mesh.positions.size() != count || mesh.normals.size() != count)
         return;
-
-    m_triangles = topology.triangles;
-    m_normals = mesh.normals;
-    m_seamNeighbours = seamNeighbours(topology);
-    for (const Vec3& p : mesh.positions)
-        m_points.push_back((p - origin).cast<float>());
-    const double square = scene.checkerSize > 0 ? scene.checkerSize : 20;
-    for (const Vec2& p : topology.pattern)
-        m_pattern.push_back((p / square).cast<float>());
-
-    if (scene.vertexColors.size() == topology.pattern.size())
+    if (scene.cover)
+        takeCover(*scene.cover, *mesh.topology, origin);
+    else
+        takeSurface(mesh, origin);
+    for (Eigen::Vector2f& p : m_pattern)
+        p /= static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20);
+    if (scene.vertexColors.size() == count) {
         for (const auto& [r, g, b, a] : scene.vertexColors)
             m_mapColors.push_back(Eigen::Vector4f(r, g, b, a) / 255);
+        if (scene.cover)
+            m_mapColors = scene.cover->topology->carriedOver(m_mapColors);
+    }
+    takeLooks(scene, scene.cover ? scene.cover->topology->trianglesPerCoarse() : 1);
+}
 
+void CoverLook::takeSurface(const SurfaceMesh& mesh, const Vec3& origin)
+{
+    const SurfaceTopology& topology = *mesh.topology;
+    m_triangles = topology.triangles;
+    m_normals = mesh.normals;
+    for (const Vec3& p : mesh.positions)
+        m_points.push_back((p - origin).cast<float>());
+    for (const Vec2& p : topology.pattern)
+        m_pattern.push_back(p.cast<float>());
+    std::vector<std::vector<std::uint32_t>> seams;
+    for (const SurfaceTopology::Chain& chain : topology.seams) {
+        seams.push_back(chain.a);
+        seams.push_back(chain.b);
+    }
+    takeSeams(seams);
+}
+
+void CoverLook::takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin)
+{
+    const CoverTopology& topology = *cover.topology;
+    const std::size_t each = topology.trianglesPerCoarse();
+    for (const SurfaceTopology::PatchRange& range : shown.patches) {
+        const auto whole =
+            std::ranges::find(topology.coarse->patches, range.patch, &SurfaceTopology::PatchRange::patch);
+        if (whole == topology.coarse->patches.end())
+            continue;
+        const auto first = topology.triangles.begin() + static_cast<std::ptrdiff_t>(each * whole->firstTriangle);
+        m_triangles.insert(m_triangles.end(), first,
+                           first + static_cast<std::ptrdiff_t>(each * whole->triangleCount));
+    }
+    m_normals = cover.normals;
+    m_pattern = topology.pattern;
+    const Vec3f shift = origin.cast<float>();
+    for (const Vec3f& p : cover.points)
+        m_points.push_back(p - shift);
+    std::vector<std::vector<std::uint32_t>> seams;
+    for (const SurfaceTopology::Chain& chain : shown.seams) {
+        seams.push_back(topology.along(chain.a));
+        seams.push_back(topology.along(chain.b));
+    }
+    takeSeams(seams);
+}
+
+/// Each vertex of a seam knows its parts of it, and so do those around it: small triangles within the seam's reach
+/// do not touch it.
+void CoverLook::takeSeams(const std::vector<std::vector<std::uint32_t>>& seams)
+{
+    m_seamParts.assign(m_points.size(), {SeamPart{none, none}, SeamPart{none, none}});
+    for (const std::vector<std::uint32_t>& seam : seams)
+        for (std::size_t i = 1; i < seam.size(); ++i)
+            for (const std::uint32_t v : {seam[i - 1], seam[i]})
+                if (v < m_seamParts.size())
+                    m_seamParts[v][m_seamParts[v][0][0] == none ? 0 : 1] = {seam[i - 1], seam[i]};
+    const auto parts = [&](std::uint32_t v) { return m_seamParts[v][0][0] != none; };
+    for (int ring = 0; ring < 4; ++ring) {
+        const auto before = m_seamParts;
+        for (const auto& triangle : m_triangles)
+            for (const std::uint32_t v : triangle)
+                for (const std::uint32_t from : triangle)
+                    if (!parts(v) && before[from][0][0] != none &&
+                        (m_points[v] - m_points[before[from][0][0]]).norm() < 2 * seamReach)
+                        m_seamParts[v] = before[from];
+    }
+}
+
+void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse)
+{
     m_patchOfTriangle.assign(m_triangles.size(), 0);
-    for (const SurfaceTopology::PatchRange& range : topology.patches) {
+    for (const SurfaceTopology::PatchRange& range : scene.surface->topology->patches) {
         const auto look = std::find_if(scene.looks.begin(), scene.looks.end(),
                                        [&](const auto& one) { return one.patch == range.patch; });
         const Vec3f color = linearColor(look != scene.looks.end() ? look->color : PreviewScene::PatchLook{}.color);
-        const std::size_t end =
-            std::min<std::size_t>(m_triangles.size(), range.firstTriangle + range.triangleCount);
-        for (std::size_t t = range.firstTriangle; t < end; ++t)
+        const std::size_t first = trianglesPerCoarse * range.firstTriangle;
+        const std::size_t end = std::min(m_triangles.size(), first + trianglesPerCoarse * range.triangleCount);
+        for (std::size_t t = first; t < end; ++t)
             m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_tones.size());
         m_tones.push_back({(1.6f * color.array() + 0.03f).min(1.f), 0.85f * color});
     }
@@ -209,11 +253,10 @@ void CoverLook::pressSeam(const RayHit& hit, float pixelSize, SurfacePoint& poin
     float nearest2 = seamReach * seamReach;
     Vec3f towards = Vec3f::Zero();
     for (const std::uint32_t corner : m_triangles[hit.triangle])
-        for (const std::uint32_t neighbour : m_seamNeighbours[corner]) {
-            if (neighbour == none)
+        for (const auto& [from, to] : m_seamParts[corner]) {
+            if (from == none)
                 continue;
-            const Vec3f away =
-                nearestOnSegment(point.position, m_points[corner], m_points[neighbour]) - point.position;
+            const Vec3f away = nearestOnSegment(point.position, m_points[from], m_points[to]) - point.position;
             if (away.squaredNorm() < nearest2) {
                 nearest2 = away.squaredNorm();
                 towards = away;

@@ -37,6 +37,12 @@ private:
     struct Tone {
         Vec3f light, dark;
     };
+    using SeamPart = std::array<std::uint32_t, 2>; ///< two vertices; both `none`: no part
+
+    void takeSurface(const SurfaceMesh& mesh, const Vec3& origin);
+    void takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin);
+    void takeSeams(const std::vector<std::vector<std::uint32_t>>& seams);
+    void takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse);
 
     Vec3f outsideColor(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
     float checker(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
@@ -46,7 +52,7 @@ private:
     std::vector<Vec3f> m_normals;
     std::vector<Eigen::Vector2f> m_pattern; ///< in checker squares
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
-    std::vector<std::array<std::uint32_t, 2>> m_seamNeighbours; ///< per vertex, along seams
+    std::vector<std::array<SeamPart, 2>> m_seamParts; ///< per vertex, of seams through it or near it
     std::vector<std::uint16_t> m_patchOfTriangle;
     std::vector<Tone> m_tones;                ///< per patch
     std::vector<Eigen::Vector4f> m_mapColors; ///< per vertex: as displayed, and opacity; may be empty

@@ -1,6 +1,7 @@
 // Pictures of a cover without a display: Embree rays, OpenImageIO output. The same picture on every run.
 #pragma once
 
+#include "CoverMesh.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 
@@ -31,6 +32,7 @@ struct PreviewView {
 
 struct PreviewScene {
     SurfaceMeshPtr surface; ///< may be null
+    CoverMeshPtr cover;     ///< the same refined, drawn in its place with the same patches; may be null
     struct PatchLook {
         ElementId patch{};
         std::string color = "#7a4a2b"; ///< "#rrggbb"
@@ -49,7 +51,7 @@ struct PreviewScene {
         double offset = 0; ///< mm
     };
     std::optional<Section> section; ///< what lies beyond normal . p = offset is cut away
-    /// Red, green, blue and opacity over the cloth, per vertex; empty for plain cloth.
+    /// Red, green, blue and opacity over the cloth, per vertex of `surface`; empty for plain cloth.
     std::vector<std::array<std::uint8_t, 4>> vertexColors;
     bool checker = true;
     double checkerSize = 20; ///< mm

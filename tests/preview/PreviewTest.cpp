@@ -1,5 +1,7 @@
 #include "PreviewMeshes.h"
 
+#include "SurfaceRefiner.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,6 +56,30 @@ TEST(Preview, IsTheSameOnAnyNumberOfThreads)
         EXPECT_EQ(one.rgba, other.rgba);
         EXPECT_EQ(one.depth, other.depth);
     }
+}
+
+TEST(Preview, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
+{
+    PreviewScene scene = sceneOf(corner(300));
+    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    PreviewOptions options = small();
+    options.depth = true;
+    const PreviewImage coarse = renderPreview(scene, view, options);
+    scene.cover = SurfaceRefiner().refine(scene.surface, 2);
+    const PreviewImage fine = renderPreview(scene, view, options);
+    int different = 0;
+    for (std::size_t i = 0; i < coarse.rgba.size(); i += 4)
+        different += std::abs(coarse.rgba[i] - fine.rgba[i]) > 12;
+    EXPECT_LT(different, 160 * 120 / 50) << "flat walls with a checker look the same";
+    auto raised = std::make_shared<CoverMesh>(*scene.cover);
+    for (Eigen::Vector3f& p : raised->points)
+        p.z() += 10;
+    scene.cover = raised;
+    const PreviewView above = fromAbove({150, 150, 0}, 1, options.height);
+    const auto middle = static_cast<std::size_t>(options.height / 2 * options.width + options.width / 2);
+    const float near = renderPreview(scene, above, options).depth[middle];
+    scene.cover.reset();
+    EXPECT_NEAR(renderPreview(scene, above, options).depth[middle] - near, 10, 0.01);
 }
 
 TEST(Preview, ASectionShowsWhatLiesBehindIt)
