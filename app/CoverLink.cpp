@@ -1,5 +1,6 @@
 #include "CoverLink.h"
 
+#include "SeamTrims.h"
 #include "SurfaceRefiner.h"
 
 #include <QDebug>
@@ -16,30 +17,47 @@ using namespace std::chrono_literals;
 constexpr auto restAfter = 120ms;
 constexpr std::uint32_t mostForTwoLevels = 25000; ///< vertices: more give more triangles than pixels
 
-CoverMeshPtr refine(SurfaceRefiner& refiner, const SurfaceMeshPtr& surface)
-{
-    try {
-        return refiner.refine(surface, surface->topology->vertexCount() <= mostForTwoLevels ? 2 : 1);
-    } catch (const std::exception& problem) {
-        qWarning("The cover is shown as it is solved: %s", problem.what());
-        return nullptr;
-    }
-}
-
 } // namespace
+
+/// Keeps what belongs to the topology.
+class CoverLink::Maker {
+public:
+    Made operator()(const Wanted& wanted)
+    {
+        try {
+            Made made;
+            const SurfaceTopology& topology = *wanted.surface->topology;
+            if (m_last.cover && m_last.cover->surface == wanted.surface)
+                made.cover = m_last.cover;
+            else
+                made.cover = m_refiner.refine(wanted.surface, topology.vertexCount() <= mostForTwoLevels ? 2 : 1);
+            made.trims = m_trims.make(wanted.design, *made.cover);
+            m_last = made;
+            return made;
+        } catch (const std::exception& problem) {
+            qWarning("The cover is shown as it is solved: %s", problem.what());
+            return {};
+        }
+    }
+
+private:
+    SurfaceRefiner m_refiner;
+    SeamTrims m_trims;
+    Made m_last;
+};
 
 CoverLink::CoverLink(QObject* parent)
     : QObject(parent)
-    , m_job([refiner = std::make_shared<SurfaceRefiner>()](
-                const SurfaceMeshPtr& surface, const std::stop_token&) { return refine(*refiner, surface); },
-            [this](CoverMeshPtr cover) {
-                if (cover)
-                    emit refined(cover);
+    , m_job([maker = std::make_shared<Maker>()](const Wanted& wanted,
+                                                const std::stop_token&) { return (*maker)(wanted); },
+            [this](const Made& made) {
+                if (made.cover)
+                    emit refined(made.cover, made.trims);
             })
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(restAfter);
-    connect(&m_rest, &QTimer::timeout, this, [this] { m_job.request(m_surface, true); });
+    connect(&m_rest, &QTimer::timeout, this, &CoverLink::ask);
 }
 
 CoverLink::~CoverLink() = default;
@@ -52,6 +70,18 @@ void CoverLink::setSurface(const SurfaceMeshPtr& surface)
         m_rest.start();
     else
         m_rest.stop();
+}
+
+void CoverLink::setDesign(const Design& design)
+{
+    m_design = design;
+    if (m_surface)
+        m_rest.start();
+}
+
+void CoverLink::ask()
+{
+    m_job.request({m_surface, m_design}, true);
 }
 
 } // namespace bolster

@@ -1,14 +1,14 @@
-// Refines the solver's surface for display, beside the GUI thread.
+// Refines the solver's surface for display and trims its seams, beside the GUI thread.
 #pragma once
 
 #include "CoverMesh.h"
+#include "Design.h"
 #include "SurfaceJob.h"
+#include "TrimMesh.h"
 
 #include <QTimer>
 
 namespace bolster {
-
-class SurfaceRefiner;
 
 /// While surfaces follow each other quickly none is refined: the coarse one is quicker to draw, and nobody sees the
 /// difference.
@@ -21,14 +21,30 @@ public:
 
 public slots:
     void setSurface(const bolster::SurfaceMeshPtr& surface);
+    /// Whose seams are trimmed.
+    void setDesign(const bolster::Design& design);
 
 signals:
-    void refined(const bolster::CoverMeshPtr& cover);
+    /// `trims` is null when there are none.
+    void refined(const bolster::CoverMeshPtr& cover, const bolster::TrimMeshPtr& trims);
 
 private:
+    struct Wanted {
+        SurfaceMeshPtr surface;
+        Design design;
+    };
+    struct Made {
+        CoverMeshPtr cover;
+        TrimMeshPtr trims;
+    };
+    class Maker;
+
+    void ask();
+
     SurfaceMeshPtr m_surface;
+    Design m_design;
     QTimer m_rest;
-    SurfaceJob<SurfaceMeshPtr, CoverMeshPtr> m_job; ///< last: it uses the others
+    SurfaceJob<Wanted, Made> m_job; ///< last: it uses the others
 };
 
 } // namespace bolster

@@ -153,6 +153,7 @@ void MainWindow::connectDocument()
     connect(&document(), &Document::changed, this, [this] {
         pruneSelection(m_selection, document().design());
         pruneSelection(m_surfaceSelection, document().design());
+        m_covers->setDesign(document().design());
         m_actions->undo->setEnabled(document().history().canUndo() || document().gestureRunning());
     });
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);

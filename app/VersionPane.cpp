@@ -57,6 +57,7 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_title->setText(title);
     m_selection.clear();
     m_document.reset(design);
+    m_covers->setDesign(design);
     m_solver->forget(files);
     m_surface->setFiles(files);
     m_pattern->fitAll();

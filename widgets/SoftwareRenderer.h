@@ -8,6 +8,7 @@
 #include "SurfaceMap.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
+#include "TrimMesh.h"
 
 #include <QColor>
 #include <QImage>
@@ -36,6 +37,7 @@ public:
         };
 
         SurfaceMeshPtr surface; ///< may be null
+        TrimMeshPtr trims;      ///< stitches and piping on it; may be null
         CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
         std::vector<PatchLook> looks;
         SurfaceMapPtr map;             ///< null, or of another topology: plain cloth

@@ -16,6 +16,7 @@ SurfaceRenderer::SurfaceRenderer()
     : m_gl(functions())
     , m_ground(m_gl)
     , m_cover(m_gl)
+    , m_trims(m_gl)
     , m_frames(m_gl)
     , m_points(m_gl)
     , m_marks(m_gl)
@@ -25,6 +26,7 @@ void SurfaceRenderer::update(const SurfaceScene& scene)
 {
     m_ground.update(scene);
     m_cover.update(scene);
+    m_trims.update(scene);
     m_frames.update(scene);
     m_points.update(scene);
     m_marks.update(scene);
@@ -47,6 +49,7 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
     if (scene.section)
         m_gl.glEnable(GL_CLIP_DISTANCE0);
     m_cover.draw(scene, view, quick);
+    m_trims.draw(scene, view);
     if (scene.meshEdges) {
         m_gl.glEnable(GL_BLEND);
         m_cover.drawEdges(scene, view, QColor(10, 10, 10, 90));

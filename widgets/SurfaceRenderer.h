@@ -6,6 +6,7 @@
 #include "GlGround.h"
 #include "GlMarks.h"
 #include "GlPoints.h"
+#include "GlTrims.h"
 
 namespace bolster {
 
@@ -27,6 +28,7 @@ private:
     GlFunctions& m_gl;
     GlGround m_ground;
     GlCover m_cover;
+    GlTrims m_trims;
     GlFrames m_frames;
     GlPoints m_points;
     GlMarks m_marks;

@@ -7,6 +7,7 @@
 #include "SoftwareRenderer.h"
 #include "SurfaceMap.h"
 #include "SurfaceOcclusion.h"
+#include "TrimMesh.h"
 #include "ViewColors.h"
 
 #include <memory>
@@ -55,6 +56,7 @@ struct SurfaceScene {
 
     SurfaceMeshPtr surface; ///< null: no cover
     CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
+    TrimMeshPtr trims;      ///< stitches and piping on it; may be null
     std::vector<PatchLook> patches;
     std::vector<FrameLook> frames;
     std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it

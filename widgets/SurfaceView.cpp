@@ -163,9 +163,10 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
     draw(moving);
 }
 
-void SurfaceView::setCover(CoverMeshPtr cover)
+void SurfaceView::setCover(CoverMeshPtr cover, TrimMeshPtr trims)
 {
     m_cover = std::move(cover);
+    m_trims = std::move(trims);
     if (!m_cover || m_cover->surface != m_surface)
         return;
     updateCover();

@@ -81,7 +81,8 @@ public:
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
     /// The same refined, to be drawn in its place; not taken when another surface is shown meanwhile.
-    void setCover(bolster::CoverMeshPtr cover);
+    /// `trims`: stitches and piping on it; may be null.
+    void setCover(bolster::CoverMeshPtr cover, bolster::TrimMeshPtr trims = {});
     /// What fabrics look like; those that are not listed are plain.
     void setFabricMaps(std::map<bolster::ElementId, bolster::FabricMapsPtr> maps);
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
@@ -235,6 +236,7 @@ private:
 
     SurfaceMeshPtr m_surface;
     CoverMeshPtr m_cover; ///< of another surface: not drawn
+    TrimMeshPtr m_trims;  ///< on m_cover
     std::map<ElementId, FabricMapsPtr> m_fabricMaps;
     FieldPicturePtr m_field;
     DesignFiles m_files;

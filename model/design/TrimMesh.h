@@ -16,11 +16,9 @@ namespace bolster {
 struct TrimMesh {
     /// What looks the same.
     struct Part {
-        ElementId element{};  ///< whose trim it is
-        std::string thread{}; ///< colour of stitches, "#rrggbb"
-        bool pipe = false;
-        ElementId fabric{}; ///< of a pipe; none: that of the patch
-        ElementId patch{};  ///< that the pipe lies beside
+        ElementId element{}; ///< whose trim it is
+        std::string color{}; ///< of the thread, or of the pipe's fabric, "#rrggbb"
+        ElementId fabric{};  ///< of a pipe; none: thread
         std::uint32_t firstTriangle = 0;
         std::uint32_t triangleCount = 0;
     };

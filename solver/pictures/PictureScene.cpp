@@ -1,6 +1,8 @@
 #include "PictureScene.h"
 
+#include "ColourwayEdits.h"
 #include "FabricShown.h"
+#include "SeamTrims.h"
 #include "SurfaceRefiner.h"
 
 #include <map>
@@ -29,6 +31,8 @@ PreviewScene sceneInColors(const SurfaceMeshPtr& surface, CoverMeshPtr cover, co
         const Fabric* fabric = design.find<Fabric>(fabricShown(design, id, colourway));
         scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
     });
+    if (scene.cover)
+        scene.trims = SeamTrims().make(design.with(edits::showColourway(design, colourway)), *scene.cover);
     return scene;
 }
 

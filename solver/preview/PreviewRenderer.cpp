@@ -8,6 +8,7 @@
 #include "PictureTones.h"
 #include "RayScene.h"
 #include "StudioLight.h"
+#include "TrimLook.h"
 
 #include <algorithm>
 #include <atomic>
@@ -111,8 +112,9 @@ private:
     Box3 m_box;
     Vec3 m_origin;
     CoverLook m_cover;
+    TrimLook m_trims;
     std::vector<FrameLook> m_frames;
-    RayScene m_rays;   ///< the cover; without one, the frames after it
+    RayScene m_rays;   ///< the cover and its trims; without one, the frames after them
     RayScene m_ghosts; ///< the frames beside a cover
     float m_frameOpacity;
     bool m_ground;
@@ -125,6 +127,7 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     : m_box(scene.boundingBox())
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
+    , m_trims(scene.trims, m_origin)
     , m_frameOpacity(static_cast<float>(scene.frameOpacity))
     , m_ground(scene.ground && !m_box.isEmpty())
     , m_top(lightDisplayedAs(scene.backgroundTop))
@@ -135,6 +138,7 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
             rays->cutOpen(scene.section->normal.cast<float>(),
                           static_cast<float>(scene.section->offset - scene.section->normal.dot(m_origin)));
     m_rays.add(m_cover.points(), m_cover.triangles());
+    m_rays.add(m_trims.points(), m_trims.triangles());
     RayScene& frameRays = m_cover.triangles().empty() ? m_rays : m_ghosts;
     for (const PreviewScene::FrameLook& frame : scene.frames) {
         m_frames.emplace_back(frame, m_origin);
@@ -159,7 +163,9 @@ SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& 
 {
     if (hit.mesh == 0)
         return m_cover.at(hit, direction, pixel);
-    return m_frames[hit.mesh - 1].at(hit, direction);
+    if (hit.mesh == 1)
+        return m_trims.at(hit, direction);
+    return m_frames[hit.mesh - 2].at(hit, direction);
 }
 
 /// The floor has the colour of the background and no border: only shadows show that it is there.

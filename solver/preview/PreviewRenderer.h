@@ -5,6 +5,7 @@
 #include "FabricMaps.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
+#include "TrimMesh.h"
 
 #include <array>
 #include <cstdint>
@@ -36,6 +37,7 @@ struct PreviewView {
 
 struct PreviewScene {
     SurfaceMeshPtr surface; ///< may be null
+    TrimMeshPtr trims;      ///< stitches and piping on it; may be null
     CoverMeshPtr cover;     ///< the same refined, drawn in its place with the same patches; may be null
     struct PatchLook {
         ElementId patch{};
