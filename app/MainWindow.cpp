@@ -2,6 +2,7 @@
 
 #include "Actions.h"
 #include "Banner.h"
+#include "CoverLink.h"
 #include "Docks.h"
 #include "ElementsView.h"
 #include "FileFlow.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_maps(std::make_unique<MapLink>(*m_session))
+    , m_covers(std::make_unique<CoverLink>())
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_surfaceSelection))
@@ -160,11 +162,13 @@ void MainWindow::connectDocument()
         m_pattern->setSurface(surface);
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
+        m_covers->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
         m_actions->renderPicture->setEnabled(surface != nullptr);
     });
+    connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
     connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
     connect(&m_problems, &ProblemSet::changed, this, [this] {

@@ -26,6 +26,7 @@ class Inspector;
 class MapLink;
 class PatternView;
 class ProblemsView;
+class CoverLink;
 class ScanLink;
 class Thumbnails;
 class SeamsView;
@@ -126,6 +127,7 @@ private:
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
     std::unique_ptr<MapLink> m_maps;
+    std::unique_ptr<CoverLink> m_covers;
     std::unique_ptr<Thumbnails> m_thumbnails;
     Actions* m_actions;
     PatternView* m_pattern;

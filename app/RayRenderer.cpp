@@ -11,6 +11,7 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
 {
     PreviewScene scene;
     scene.surface = request.surface;
+    scene.cover = request.cover;
     for (const auto& look : request.looks)
         scene.looks.push_back({look.patch, look.color.name().toStdString()});
     for (const auto& look : request.frames)
@@ -49,10 +50,11 @@ bool RayRenderer::prepared(const Request& request) const
     const auto sameFrame = [](const Request::FrameLook& a, const Request::FrameLook& b) {
         return a.mesh == b.mesh && a.placement == b.placement;
     };
-    return m_last && m_renderer && m_last->surface == request.surface && m_last->map == request.map &&
-           m_last->frameOpacity == request.frameOpacity && m_last->section == request.section &&
-           m_last->checker == request.checker && m_last->ground == request.ground &&
-           m_last->backgroundTop == request.backgroundTop && m_last->backgroundBottom == request.backgroundBottom &&
+    return m_last && m_renderer && m_last->surface == request.surface && m_last->cover == request.cover &&
+           m_last->map == request.map && m_last->frameOpacity == request.frameOpacity &&
+           m_last->section == request.section && m_last->checker == request.checker &&
+           m_last->ground == request.ground && m_last->backgroundTop == request.backgroundTop &&
+           m_last->backgroundBottom == request.backgroundBottom &&
            std::ranges::equal(m_last->looks, request.looks, sameLook) &&
            std::ranges::equal(m_last->frames, request.frames, sameFrame);
 }

@@ -1,5 +1,6 @@
 #include "VersionPane.h"
 
+#include "CoverLink.h"
 #include "DesignFiles.h"
 #include "PatternView.h"
 #include "RayRenderer.h"
@@ -17,6 +18,7 @@ namespace bolster {
 VersionPane::VersionPane(QWidget* parent)
     : QWidget(parent)
     , m_solver(std::make_unique<SolverLink>(m_document))
+    , m_covers(std::make_unique<CoverLink>())
     , m_title(new QLabel)
     , m_pattern(new PatternView(m_document, m_selection, m_problems))
     , m_surface(new SurfaceView(m_document, m_selection))
@@ -38,9 +40,11 @@ VersionPane::VersionPane(QWidget* parent)
     layout->addWidget(views, 1);
     m_pattern->installEventFilter(this);
     m_surface->installEventFilter(this);
+    connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
         m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
+        m_covers->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
     });

@@ -14,6 +14,7 @@ class QLabel;
 namespace bolster {
 
 class PatternView;
+class CoverLink;
 class SolverLink;
 class SurfaceView;
 struct DesignFiles;
@@ -40,6 +41,7 @@ private:
     Selection m_selection;
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
+    std::unique_ptr<CoverLink> m_covers;
     QLabel* m_title;
     PatternView* m_pattern;
     SurfaceView* m_surface;

@@ -1,7 +1,8 @@
-// The cover on the graphics card.
+// The cover on the graphics card: refined where that is known, else as the solver has it.
 #pragma once
 
-#include "GlBuffer.h"
+#include "GlCoverMesh.h"
+#include "GlFabrics.h"
 #include "GlView.h"
 
 namespace bolster {
@@ -12,33 +13,20 @@ public:
 
     /// Uploads what has changed: positions and normals only, while the topology stays.
     void update(const SurfaceScene& scene);
-    void draw(const SurfaceScene& scene, const GlView& view);
-    void drawEdges(const GlView& view, const QColor& color);
+    /// `quick`: something moves; fewer triangles, and plainer cloth.
+    void draw(const SurfaceScene& scene, const GlView& view, bool quick);
+    void drawEdges(const SurfaceScene& scene, const GlView& view, const QColor& color);
 
 private:
-    void putTopology(const SurfaceTopology& topology);
-    void putEdges();
-    void putPositions(const SurfaceMesh& mesh);
-    void putOpenness(const SurfaceScene& scene);
-    void putMap();
+    GlCoverMesh& shown(const SurfaceScene& scene) { return scene.cover ? m_refined : m_solved; }
+    void setCloth(const SurfaceScene& scene, ElementId patch, bool quick);
 
     GlFunctions& m_gl;
     GlProgram m_program;
     GlProgram m_plain;
-    QOpenGLVertexArrayObject m_array;
-    GlBuffer m_positions;
-    GlBuffer m_normals;
-    GlBuffer m_cloth;
-    GlBuffer m_openness;
-    GlBuffer m_mapColors;
-    GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
-    GlBuffer m_edges{QOpenGLBuffer::IndexBuffer};
-    GLsizei m_edgeCount = 0;
-
-    SurfaceMeshPtr m_surface;
-    std::shared_ptr<const SurfaceTopology> m_topology;
-    std::shared_ptr<const SurfaceOcclusion> m_occlusion;
-    SurfaceMapPtr m_map;
+    GlCoverMesh m_solved;
+    GlCoverMesh m_refined;
+    GlFabrics m_fabrics;
 };
 
 } // namespace bolster

@@ -54,14 +54,16 @@ GlPainter::Picture GlPainter::paint(const Request& request, const std::stop_toke
 
 void GlPainter::paintMoving(const Request& request)
 {
+    const bool quick = m_fineTime > timeForMoving;
     // The time goes with the number of pixels.
     const double wanted = std::sqrt(timeForMoving / std::max(m_frameTime, 1e-4));
     const double scale = std::clamp(std::floor(4 * wanted) / 4, 0.5, 1.0);
     const QSize reduced = (QSizeF(request.size) * scale).toSize().expandedTo({1, 1});
     QElapsedTimer clock;
     clock.start();
-    m_picture->replace(
-        reduced, [&](const Vec2& jitter) { m_renderer->draw(request.scene, request.camera, reduced, jitter); });
+    m_picture->replace(reduced, [&](const Vec2& jitter) {
+        m_renderer->draw(request.scene, request.camera, reduced, jitter, quick);
+    });
     glFunctions()->glFinish();
     m_frameTime += 0.35 * (seconds(clock) / (scale * scale) - m_frameTime);
 }
@@ -71,10 +73,12 @@ void GlPainter::refine(const Request& request, const std::stop_token& stop)
     QElapsedTimer clock;
     clock.start();
     while (m_picture->count() < GlPicture::finest && !stop.stop_requested()) {
+        const double begin = seconds(clock);
         m_picture->add(request.size, [&](const Vec2& jitter) {
-            m_renderer->draw(request.scene, request.camera, request.size, jitter);
+            m_renderer->draw(request.scene, request.camera, request.size, jitter, false);
         });
         glFunctions()->glFinish();
+        m_fineTime = seconds(clock) - begin;
         if (!request.finest && seconds(clock) > timeForResting)
             break;
     }

@@ -49,7 +49,8 @@ private:
     std::unique_ptr<SurfaceRenderer> m_renderer;
     std::unique_ptr<GlPicture> m_picture;
     std::uint64_t m_version = 0;
-    double m_frameTime = 0.01; ///< of one frame of the whole size, seconds
+    double m_frameTime = 0.01; ///< of one quick frame of the whole size, seconds
+    double m_fineTime = 1;     ///< of a fine one; slow until it is known
 };
 
 } // namespace bolster

@@ -34,6 +34,7 @@ GlView::GlView(const SurfaceScene& scene, const Camera& camera, const QSize& siz
     , perspective(camera.perspective)
     , key(lightDirection(camera, 0.55, 0.8))
     , rim(lightDirection(camera, -2.2, 0.5))
+    , up(camera.viewMatrix().topLeftCorner<3, 3>().col(2).cast<float>())
 {
     Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
     shift(0, 3) = 2 * jitter.x() / size.width();
@@ -58,6 +59,7 @@ void GlView::setLights(GlProgram& program) const
 {
     program.set("keyDirection", key);
     program.set("rimDirection", rim);
+    program.set("upDirection", up);
     program.set("perspectiveView", perspective);
 }
 

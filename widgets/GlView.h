@@ -16,7 +16,7 @@ struct GlView {
     float pixelAtOne = 1;     ///< mm per pixel at depth 1, or everywhere without perspective
     bool perspective = true;
     Eigen::Vector4f section = {0, 0, 0, 1}; ///< normal and offset of the plane beyond which nothing is shown
-    Eigen::Vector3f key, rim;               ///< directions to the lights, eye coordinates
+    Eigen::Vector3f key, rim, up;           ///< directions to the lights and upwards, eye coordinates
 
     /// `jitter`: by how much the picture is moved, pixels.
     GlView(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);

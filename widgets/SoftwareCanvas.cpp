@@ -43,6 +43,7 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
 {
     SoftwareRenderer::Request request;
     request.surface = m_scene.surface;
+    request.cover = m_scene.cover;
     const QColor veil = mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5);
     for (const SurfaceScene::PatchLook& look : m_scene.patches) {
         // Only outlines show what is selected: they need no new picture.

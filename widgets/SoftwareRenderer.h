@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Camera.h"
+#include "CoverMesh.h"
 #include "Frame.h"
 #include "SectionPlane.h"
 #include "SurfaceMap.h"
@@ -35,6 +36,7 @@ public:
         };
 
         SurfaceMeshPtr surface; ///< may be null
+        CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
         std::vector<PatchLook> looks;
         SurfaceMapPtr map;             ///< null, or of another topology: plain cloth
         std::vector<FrameLook> frames; ///< see-through where there is a cover

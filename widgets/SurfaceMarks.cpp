@@ -12,9 +12,17 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-Points pointsOf(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& vertices)
+/// Along the cover as it is drawn.
+Points pointsOf(const SurfaceScene& scene, const std::vector<std::uint32_t>& vertices)
 {
     Points points;
+    if (scene.cover) {
+        for (const std::uint32_t v : scene.cover->topology->along(vertices))
+            if (scene.cover->points[v].allFinite())
+                points.push_back(scene.cover->points[v]);
+        return points;
+    }
+    const SurfaceMesh& mesh = *scene.surface;
     points.reserve(vertices.size());
     for (const std::uint32_t v : vertices)
         if (mesh.positions[v].allFinite())
@@ -95,7 +103,7 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
     for (const SurfaceTopology::Chain& chain : mesh.topology->seams) {
-        SurfaceLine line{pointsOf(mesh, chain.a), QColor(18, 14, 12, 190), 1.3F};
+        SurfaceLine line{pointsOf(scene, chain.a), QColor(18, 14, 12, 190), 1.3F};
         if (m_selection.contains(chain.seam))
             line = {line.points, scene.colors.accent, 3, 0.35F, 1};
         else if (m_selection.hovered() == chain.seam)
@@ -119,9 +127,9 @@ void SurfaceMarks::addFancySeams(SurfaceScene& scene) const
                               : hovered ? scene.colors.hover
                                         : mirroredColor(scene.colors);
         if (selected || hovered || mirrored(line.element))
-            scene.lines.push_back({pointsOf(mesh, line.vertices), marked, middle ? 2.4F : 1.2F, 0.3F});
+            scene.lines.push_back({pointsOf(scene, line.vertices), marked, middle ? 2.4F : 1.2F, 0.3F});
         else
-            scene.lines.push_back({pointsOf(mesh, line.vertices),
+            scene.lines.push_back({pointsOf(scene, line.vertices),
                                    withAlpha(scene.colors.fancySeam, middle ? 0.7F : 0.4F), middle ? 1.2F : 0.8F,
                                    0});
     }
@@ -131,7 +139,7 @@ void SurfaceMarks::addOutlines(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
     const auto add = [&](const SurfaceRun& run, const QColor& color, float width, float hidden) {
-        scene.lines.push_back({pointsOf(mesh, run), color, width, hidden});
+        scene.lines.push_back({pointsOf(scene, run), color, width, hidden});
     };
     if (m_shown.seams)
         for (const SurfaceRun& run : unsewnOutlines(*mesh.topology))

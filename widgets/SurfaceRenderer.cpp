@@ -30,7 +30,8 @@ void SurfaceRenderer::update(const SurfaceScene& scene)
     m_marks.update(scene);
 }
 
-void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter)
+void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter,
+                           bool quick)
 {
     const GlView view(scene, camera, size, jitter);
     m_gl.glViewport(0, 0, size.width(), size.height());
@@ -45,10 +46,10 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
     m_ground.draw(scene, camera, view);
     if (scene.section)
         m_gl.glEnable(GL_CLIP_DISTANCE0);
-    m_cover.draw(scene, view);
+    m_cover.draw(scene, view, quick);
     if (scene.meshEdges) {
         m_gl.glEnable(GL_BLEND);
-        m_cover.drawEdges(view, QColor(10, 10, 10, 90));
+        m_cover.drawEdges(scene, view, QColor(10, 10, 10, 90));
         m_gl.glDisable(GL_BLEND);
     }
     m_frames.draw(scene, view);

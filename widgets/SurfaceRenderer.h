@@ -17,8 +17,9 @@ public:
 
     /// Brings the graphics card up to date.
     void update(const SurfaceScene& scene);
-    /// Into the framebuffer that is bound, of the given size in pixels, moved by `jitter` pixels.
-    void draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);
+    /// Into the framebuffer that is bound, of the given size in pixels, moved by `jitter` pixels. `quick`: rather
+    /// than beautiful, since something moves.
+    void draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter, bool quick);
 
 private:
     static GlFunctions& functions();

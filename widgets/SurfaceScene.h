@@ -1,6 +1,8 @@
 // What the 3D view shows, as a value that both of its canvases draw.
 #pragma once
 
+#include "CoverMesh.h"
+#include "FabricMaps.h"
 #include "SectionPlane.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceMap.h"
@@ -37,7 +39,9 @@ struct SurfaceScene {
     struct PatchLook {
         ElementId patch{};
         QColor fabric;
-        QColor tint; ///< with its opacity: hovered, selected
+        QColor tint;         ///< with its opacity: hovered, selected
+        FabricMapsPtr maps;  ///< instead of the plain colour, unless null
+        double rotation = 0; ///< of the maps against the grain line, counter-clockwise, radians
     };
     /// Dots of constant size in the picture.
     struct PointsLook {
@@ -50,6 +54,7 @@ struct SurfaceScene {
     using FrameLook = SoftwareRenderer::Request::FrameLook;
 
     SurfaceMeshPtr surface; ///< null: no cover
+    CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
     std::vector<PatchLook> patches;
     std::vector<FrameLook> frames;
     std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it

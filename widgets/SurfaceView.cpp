@@ -2,6 +2,7 @@
 
 #include "Crosshair.h"
 #include "Document.h"
+#include "FabricShown.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
 #include "PointerNote.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 #include <utility>
 
 namespace bolster {
@@ -159,6 +161,23 @@ void SurfaceView::setSurface(SurfaceMeshPtr surface)
     updateMarks();
     m_occlusionDelay.start();
     draw(moving);
+}
+
+void SurfaceView::setCover(CoverMeshPtr cover)
+{
+    m_cover = std::move(cover);
+    if (!m_cover || m_cover->surface != m_surface)
+        return;
+    updateCover();
+    updateMarks(); // they lie on what is drawn
+    draw(false);
+}
+
+void SurfaceView::setFabricMaps(std::map<ElementId, FabricMapsPtr> maps)
+{
+    m_fabricMaps = std::move(maps);
+    updateLooks();
+    draw(false);
 }
 
 void SurfaceView::setFiles(const DesignFiles& files)
@@ -332,13 +351,16 @@ void SurfaceView::updateLooks()
     if (!m_scene.surface)
         return;
     for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
-        const Fabric* fabric = m_document.design().find<Fabric>(range.fabric);
+        const ElementId shown = fabricShown(m_document.design(), range.patch);
+        const Fabric* fabric = m_document.design().find<Fabric>(shown);
         QColor tint = m_scene.colors.accent;
         tint.setAlphaF(m_selection.contains(range.patch)                                          ? 0.14F
                        : m_selection.hovered() == range.patch || m_mirrored.contains(range.patch) ? 0.07F
                                                                                                   : 0);
         const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
-        m_scene.patches.push_back({range.patch, color, tint});
+        const auto maps = m_fabricMaps.find(shown);
+        m_scene.patches.push_back({range.patch, color, tint, maps != m_fabricMaps.end() ? maps->second : nullptr,
+                                   fabric ? fabric->look.rotation * std::numbers::pi / 180 : 0});
     }
 }
 

@@ -23,6 +23,7 @@
 #include <QWidget>
 
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -79,6 +80,10 @@ public:
     /// The cover to show; null for none. Cheap while the topology stays.
     void setSurface(SurfaceMeshPtr surface);
     SurfaceMeshPtr surface() const { return m_surface; }
+    /// The same refined, to be drawn in its place; not taken when another surface is shown meanwhile.
+    void setCover(bolster::CoverMeshPtr cover);
+    /// What fabrics look like; those that are not listed are plain.
+    void setFabricMaps(std::map<bolster::ElementId, bolster::FabricMapsPtr> maps);
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
     SurfaceMeshPtr shownSurface() const { return m_canvas ? m_canvas->shown() : nullptr; }
     /// What the design's files hold: frames, foam and scans; their placement is taken from the design.
@@ -229,6 +234,8 @@ private:
     std::set<Layer> m_layers;
 
     SurfaceMeshPtr m_surface;
+    CoverMeshPtr m_cover; ///< of another surface: not drawn
+    std::map<ElementId, FabricMapsPtr> m_fabricMaps;
     FieldPicturePtr m_field;
     DesignFiles m_files;
     SurfaceScene m_scene;

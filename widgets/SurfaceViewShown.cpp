@@ -57,6 +57,7 @@ void SurfaceView::updateMirrored()
 void SurfaceView::updateCover()
 {
     m_scene.surface = layerVisible(Layer::Cover) ? m_visibleCover.of(m_surface, unseen()) : nullptr;
+    m_scene.cover = m_scene.surface && m_cover && m_cover->surface == m_surface ? m_cover : nullptr;
     m_hitTest.setSurface(m_scene.surface);
     m_places.setSurface(m_scene.surface);
 }

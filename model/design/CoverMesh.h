@@ -31,7 +31,6 @@ struct CoverTopology {
     int levels = 0; ///< each makes four triangles of one: 1 or 2
     /// Four or sixteen for each of the solver's, in their order.
     std::vector<Triangle> triangles;
-    std::vector<Triangle> fewer; ///< the same of one level less, on the same vertices: for pictures in a hurry
     std::vector<Eigen::Vector2f> pattern; ///< outline coordinates of each vertex, mm
     std::vector<Parents> parents;
     std::vector<Edge> edges;           ///< by increasing a, then b

@@ -9,7 +9,6 @@ uniform vec4 section; // what lies beyond normal . p = w is cut away
 uniform mat4 projection;
 out vec3 eyePosition;
 out vec3 eyeNormal;
-out vec3 worldNormal;
 out vec3 cloth;
 out vec2 open;
 out vec4 map;
@@ -21,7 +20,6 @@ void main()
     vec4 p = view * vec4(position, 1.0);
     eyePosition = p.xyz;
     eyeNormal = mat3(view) * normal;
-    worldNormal = normal;
     cloth = pattern;
     open = openness;
     map = mapColor;

@@ -8,7 +8,6 @@ uniform bool perspectiveView;
 uniform float push; // mm away from the eye
 out vec3 eyePosition;
 out vec3 eyeNormal;
-out vec3 worldNormal;
 out float gl_ClipDistance[1];
 
 void main()
@@ -17,7 +16,6 @@ void main()
     vec4 p = view * vec4(position, 1.0);
     eyePosition = p.xyz;
     eyeNormal = mat3(view) * normal;
-    worldNormal = normal;
     p.xyz -= push * (perspectiveView ? normalize(-p.xyz) : vec3(0.0, 0.0, 1.0));
     gl_Position = projection * p;
 }

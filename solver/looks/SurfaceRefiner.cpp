@@ -85,8 +85,6 @@ void SurfaceRefiner::prepare(const std::shared_ptr<const SurfaceTopology>& topol
             m_heldMerged[m_unknown[v]] |= m_heldPatches[v];
         cover->levels = levels;
         cover->triangles = m_patches.triangles().back();
-        cover->fewer =
-            levels > 1 ? m_patches.triangles()[static_cast<std::size_t>(levels) - 2] : topology->triangles;
         cover->parents = m_patches.parents;
         cover->edges = m_patches.edges;
         cover->merged.assign(m_patches.count(), 0);

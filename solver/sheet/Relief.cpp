@@ -115,6 +115,7 @@ void updateReliefs(SewnMesh& mesh, const Design& design)
         relief.depth = seam.depth;
         relief.profile = seam.profile;
     }
+    updateCreases(mesh, design);
 }
 
 std::vector<Eigen::Vector3f> smoothNormals(const SurfaceTopology& topology, const std::vector<Vec3>& positions)

@@ -9,6 +9,7 @@
 #include <map>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace bolster {
 
@@ -321,8 +322,37 @@ Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t
     return (rest[chain[after]] - rest[chain[before]]).normalized();
 }
 
+namespace {
+
+/// A sharp seam folds the cover in its middle, a welt along its sides.
+bool isCrease(const Design& design, const SurfaceTopology::Line& line)
+{
+    const FancySeam* seam = design.find<FancySeam>(line.element);
+    return seam && ((seam->profile == Profile::Sharp && line.across == 0) ||
+                    (seam->profile == Profile::Welt && std::abs(line.across) == 1));
+}
+
+} // namespace
+
+void updateCreases(SewnMesh& mesh, const Design& design)
+{
+    auto topology = std::make_shared<SurfaceTopology>(*mesh.topology);
+    bool changed = false;
+    for (SurfaceTopology::Chain& chain : topology->seams) {
+        const Continuity continuity = design.find<Seam>(chain.seam)->continuity;
+        changed |= std::exchange(chain.continuity, continuity) != continuity;
+    }
+    for (SurfaceTopology::Line& line : topology->lines) {
+        const bool crease = isCrease(design, line);
+        changed |= std::exchange(line.crease, crease) != crease;
+    }
+    if (changed)
+        mesh.topology = std::move(topology);
+}
+
 void updateMaterials(SewnMesh& mesh, const Design& design)
 {
+    updateCreases(mesh, design);
     mesh.continuity.clear();
     for (const SurfaceTopology::Chain& chain : mesh.topology->seams)
         mesh.continuity.push_back(design.find<Seam>(chain.seam)->continuity);

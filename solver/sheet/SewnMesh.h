@@ -91,6 +91,9 @@ void reshape(SewnMesh& mesh, std::vector<Vec2> pattern);
 /// Direction in which a chain of vertices runs at its k-th one, in the pattern plane.
 Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k);
 
+/// Which seams and lines the topology calls creases. It becomes another one only where something has changed: views
+/// keep what they have made of it.
+void updateCreases(SewnMesh& mesh, const Design& design);
 /// Fabric, pressure and continuity values again, when only these have changed.
 void updateMaterials(SewnMesh& mesh, const Design& design);
 /// Fixation targets and held normals again, when only these have changed.

@@ -143,7 +143,7 @@ TEST(SurfaceRefiner, BordersAndLinesStayWhereTheSolverPutsThem)
         coarse = std::max(coarse, off((surface->positions[a] + surface->positions[b] + surface->positions[c]) / 3));
     for (const auto& [a, b, c] : cover->topology->triangles)
         fine = std::max(fine, off((cover->points[a] + cover->points[b] + cover->points[c]).cast<double>() / 3));
-    EXPECT_LT(fine, 0.5 * coarse) << "nothing shrinks";
+    EXPECT_LT(fine, 0.7 * coarse) << "nothing shrinks";
 }
 
 TEST(SurfaceRefiner, AFlatPatchStaysFlatAndKeepsItsPattern)
@@ -300,7 +300,7 @@ TEST(SurfaceRefiner, PrintsHowLongItTakes)
     }
     std::printf("%zu vertices to %zu: topology %.1f ms, each mesh %.1f ms\n", surface->positions.size(),
                 cover->points.size(), topology, least);
-    EXPECT_EQ(cover->topology->fewer.size(), 4 * surface->topology->triangles.size());
+    EXPECT_EQ(cover->topology->triangles.size(), 16 * surface->topology->triangles.size());
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QWheelEvent>
 
+#include <map>
+
 namespace bolster::test {
 
 namespace {
@@ -89,6 +91,45 @@ SurfaceMeshPtr twoSquaresCover()
     topology->seams.push_back(seam);
     mesh->topology = topology;
     return mesh;
+}
+
+CoverMeshPtr raisedCover(const SurfaceMeshPtr& surface, float height)
+{
+    auto topology = std::make_shared<CoverTopology>();
+    auto cover = std::make_shared<CoverMesh>();
+    topology->coarse = surface->topology;
+    topology->levels = 1;
+    for (std::uint32_t v = 0; v < surface->positions.size(); ++v)
+        topology->parents.push_back({{v, v, v}, {1, 0, 0}});
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    for (const auto& [a, b, c] : surface->topology->triangles) {
+        const auto middle = [&](std::uint32_t from, std::uint32_t to) {
+            const auto [known, added] =
+                middles.try_emplace(std::minmax(from, to), static_cast<std::uint32_t>(topology->parents.size()));
+            if (added)
+                topology->parents.push_back({{from, to, 0}, {0.5F, 0.5F, 0}});
+            return known->second;
+        };
+        const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        topology->triangles.insert(topology->triangles.end(),
+                                   {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    for (const auto& [ends, middle] : middles)
+        topology->edges.push_back({ends.first, ends.second, {middle, middle, middle}});
+    topology->pattern = topology->carriedOver([&] {
+        std::vector<Eigen::Vector2f> pattern;
+        for (const Vec2& p : surface->topology->pattern)
+            pattern.emplace_back(p.cast<float>());
+        return pattern;
+    }());
+    std::vector<Eigen::Vector3f> points;
+    for (const Vec3& p : surface->positions)
+        points.emplace_back(p.cast<float>() + Eigen::Vector3f(0, 0, height));
+    cover->points = topology->carriedOver(points);
+    cover->normals.assign(cover->points.size(), Eigen::Vector3f::UnitZ());
+    cover->topology = std::move(topology);
+    cover->surface = surface;
+    return cover;
 }
 
 SoftwareRenderer::Picture StubRenderer::render(const Request& request, std::stop_token)

@@ -1,6 +1,7 @@
 // A 3D view without a graphics card, with a cover made by hand.
 #pragma once
 
+#include "CoverMesh.h"
 #include "Design.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceMesh.h"
@@ -24,6 +25,9 @@ inline constexpr ElementId seamId{5};
 Design twoSquares();
 /// Their cover: flat in z = 0, the left one from x = 0 to 200, sewn at x = 200.
 SurfaceMeshPtr twoSquaresCover();
+
+/// Four triangles for each of a cover, its points raised by `height`.
+CoverMeshPtr raisedCover(const SurfaceMeshPtr& surface, float height);
 
 /// Fills the picture with one colour and remembers what it was asked for.
 class StubRenderer : public SoftwareRenderer {

@@ -90,6 +90,49 @@ TEST_F(SurfaceShown, TheVisibleCoverKeepsItsVertices)
     EXPECT_EQ(visible.of(whole, {leftPatch})->topology, rest->topology) << "made once";
 }
 
+TEST_F(SurfaceShown, TheRefinedCoverIsDrawnWhileItsSurfaceIsShown)
+{
+    const CoverMeshPtr cover = raisedCover(view.surface(), 5);
+    const auto drawn = [&](const CoverMeshPtr& wanted) {
+        return QTest::qWaitFor([&] { return log->count() > 0 && log->last().cover == wanted; });
+    };
+    view.setCover(cover);
+    EXPECT_TRUE(drawn(cover));
+    view.setHidden({rightPatch});
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        return log->last().cover == cover && log->last().surface->topology->patches.size() == 1;
+    })) << "its patches are those of the surface";
+    view.setHidden({});
+    EXPECT_NEAR(view.hit(pixel({80, 50, 0})).position.z(), 0, 0.01) << "hits are the solver's";
+    auto moved = std::make_shared<SurfaceMesh>(*view.surface());
+    view.setSurface(moved);
+    EXPECT_TRUE(drawn(nullptr));
+    view.setCover(cover);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->last().surface == moved; }));
+    EXPECT_FALSE(log->last().cover) << "too late: the surface has moved meanwhile";
+    view.setLayerVisible(SurfaceView::Layer::Cover, false);
+    view.setCover(raisedCover(moved, 5));
+    EXPECT_TRUE(drawn(nullptr));
+}
+
+TEST_F(SurfaceShown, SeamsLieOnTheCoverThatIsDrawn)
+{
+    SurfaceScene scene;
+    scene.surface = view.surface();
+    SurfaceCurves curves;
+    const auto seam = [&] {
+        SurfaceMarks(document.design(), curves, selection, {}).fill(scene, std::nullopt);
+        return scene.lines.front().points;
+    };
+    const auto coarse = seam();
+    scene.cover = raisedCover(view.surface(), 5);
+    const auto fine = seam();
+    ASSERT_EQ(fine.size(), 2 * coarse.size() - 1);
+    for (std::size_t k = 0; k < coarse.size(); ++k)
+        EXPECT_LT((fine[2 * k] - coarse[k] - Eigen::Vector3f(0, 0, 5)).norm(), 1e-4F);
+    EXPECT_LT((fine[1] - 0.5F * (fine[0] + fine[2])).norm(), 1e-4F);
+}
+
 TEST_F(SurfaceShown, IsolatingKeepsWhatBelongsToThePatch)
 {
     const Design design = document.design();

@@ -1,0 +1,219 @@
+#include "GlPainter.h"
+#include "TestFabric.h"
+
+#include <QOffscreenSurface>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+constexpr ElementId patchId{2};
+
+/// 200 mm x 200 mm in z = 0, two triangles.
+SurfaceMeshPtr flatSquare()
+{
+    auto topology = std::make_shared<SurfaceTopology>();
+    auto mesh = std::make_shared<SurfaceMesh>();
+    topology->serial = 5;
+    topology->pattern = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+    topology->unknown = {0, 1, 2, 3};
+    topology->unknownCount = 4;
+    topology->triangles = {{0, 1, 2}, {0, 2, 3}};
+    topology->patches = {{patchId, ElementId{1}, 0, 4, 0, 2, 4}};
+    for (const Vec2& p : topology->pattern)
+        mesh->positions.push_back({p.x(), p.y(), 0});
+    mesh->normals.assign(4, Eigen::Vector3f::UnitZ());
+    mesh->topology = std::move(topology);
+    return mesh;
+}
+
+/// The same with one more vertex, `height` above its middle.
+CoverMeshPtr pyramid(const SurfaceMeshPtr& surface, float height)
+{
+    auto topology = std::make_shared<CoverTopology>();
+    auto cover = std::make_shared<CoverMesh>();
+    topology->coarse = surface->topology;
+    topology->levels = 1;
+    for (const std::uint32_t k : {0U, 1U, 2U, 3U})
+        topology->triangles.push_back({k, (k + 1) % 4, 4});
+    topology->triangles.resize(8, {0, 0, 0}); // four for each of the two
+    for (std::uint32_t v = 0; v < 4; ++v) {
+        topology->pattern.push_back(surface->topology->pattern[v].cast<float>());
+        topology->parents.push_back({{v, v, v}, {1, 0, 0}});
+        cover->points.push_back(surface->positions[v].cast<float>());
+    }
+    topology->pattern.push_back({100, 100});
+    topology->parents.push_back({{0, 2, 0}, {0.5F, 0.5F, 0}});
+    topology->merged = {0, 1, 2, 3, 4};
+    cover->points.push_back({100, 100, height});
+    cover->normals.assign(5, Eigen::Vector3f::UnitZ());
+    cover->topology = std::move(topology);
+    cover->surface = surface;
+    return cover;
+}
+
+/// One colour and one normal.
+FabricMapsPtr even(const Eigen::Vector3f& normal, std::uint8_t level = 128)
+{
+    auto maps = std::make_shared<FabricMaps>();
+    maps->width = maps->height = 4;
+    maps->widthMm = maps->heightMm = 10;
+    for (int i = 0; i < 16; ++i) {
+        for (int c = 0; c < 3; ++c)
+            maps->albedo.push_back(level);
+        maps->albedo.push_back(255);
+        for (int c = 0; c < 3; ++c)
+            maps->normal.push_back(static_cast<std::uint8_t>(std::lround(127.5F + 127.5F * normal[c])));
+        maps->roughness.push_back(200);
+    }
+    return maps;
+}
+
+/// Light and dark halves, side by side.
+FabricMapsPtr striped(double widthMm)
+{
+    auto maps = std::make_shared<FabricMaps>(*even(Eigen::Vector3f::UnitZ()));
+    maps->widthMm = widthMm;
+    for (std::size_t i = 0; i < 16; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            maps->albedo[4 * i + c] = i % 4 < 2 ? 230 : 20;
+    return maps;
+}
+
+class GlCover : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        const QString problem = glProblem();
+        if (!problem.isEmpty())
+            GTEST_SKIP() << problem.toStdString();
+        surface.setFormat(glFormat());
+        surface.create();
+        painter = std::make_unique<GlPainter>(surface);
+        request.scene.surface = flatSquare();
+        SurfaceScene::PatchLook look;
+        look.patch = patchId;
+        look.fabric = QColor(120, 120, 120);
+        look.tint = QColor(0, 0, 0, 0);
+        request.scene.patches = {look};
+        request.scene.checker = false;
+        request.scene.ground = false;
+        request.scene.box = Box3(Vec3(0, 0, -1), Vec3(200, 200, 1));
+        request.size = {400, 400};
+        request.camera.size = {400, 400};
+        request.camera.target = {100, 100, 0};
+        request.camera.azimuth = 0;
+        request.camera.elevation = std::numbers::pi / 2;
+        request.camera.perspective = false;
+        request.camera.distance = 200 / (2 * std::tan(request.camera.fieldOfView / 2)); // half a mm a pixel
+    }
+
+    QImage picture()
+    {
+        ++request.version;
+        request.finest = std::make_shared<std::promise<QImage>>();
+        return painter->paint(request, {}).image;
+    }
+    void setMaps(FabricMapsPtr maps, double rotation = 0)
+    {
+        request.scene.patches[0].maps = std::move(maps);
+        request.scene.patches[0].rotation = rotation;
+    }
+    int brightness(const Eigen::Vector3f& normal, double rotation = 0)
+    {
+        setMaps(even(normal.normalized()), rotation);
+        return qGray(picture().pixel(200, 200));
+    }
+
+    QOffscreenSurface surface;
+    std::unique_ptr<GlPainter> painter;
+    GlPainter::Request request;
+};
+
+/// Where a row or a column of pixels gets lighter, pixels.
+std::vector<double> changes(const QImage& image, bool upright)
+{
+    std::vector<double> places;
+    for (int i = 1; i < 400; ++i) {
+        const auto level = [&](int at) { return qGray(upright ? image.pixel(203, at) : image.pixel(at, 203)); };
+        const int before = level(i - 1), after = level(i);
+        if (before < 128 && after >= 128)
+            places.push_back(i - 0.5 + (128.0 - before) / (after - before));
+    }
+    return places;
+}
+
+TEST_F(GlCover, MapsHaveTheirRealSize)
+{
+    setMaps(striped(25));
+    const std::vector<double> across = changes(picture(), false);
+    ASSERT_GT(across.size(), 6U);
+    EXPECT_TRUE(changes(picture(), true).empty());
+    const double period = (across.back() - across.front()) / static_cast<double>(across.size() - 1);
+    EXPECT_NEAR(0.5 * period, 25, 0.005 * 25);
+    setMaps(striped(25), std::numbers::pi / 2);
+    EXPECT_GT(changes(picture(), true).size(), 6U) << "turned against the grain";
+    EXPECT_TRUE(changes(picture(), false).empty());
+}
+
+TEST_F(GlCover, ReliefLeansWhereItsNormalPoints)
+{
+    // The key light comes from the front and a little from the right; the rim light is weaker and opposite.
+    EXPECT_GT(brightness({0.5F, 0, 1}), brightness({-0.5F, 0, 1}));
+    EXPECT_GT(brightness({0, -0.5F, 1}), brightness({0, 0.5F, 1}) + 8);
+    EXPECT_NEAR(brightness({0, -0.5F, 1}, std::numbers::pi / 2), brightness({0.5F, 0, 1}), 2)
+        << "turned, what points down the tile points right";
+}
+
+TEST_F(GlCover, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
+{
+    request.camera.elevation = 0;
+    const auto filled = [&] {
+        request.camera.target = {100, 100, 30};
+        return qGray(picture().pixel(200, 200)) < 200;
+    };
+    setMaps(even(Eigen::Vector3f::UnitZ()));
+    request.scene.colors.dark = false;
+    EXPECT_FALSE(filled()) << "a flat cover from the side";
+    request.scene.cover = pyramid(request.scene.surface, 80);
+    EXPECT_TRUE(filled());
+    request.scene.cover.reset();
+    EXPECT_FALSE(filled());
+}
+
+TEST_F(GlCover, MapsOfTheSolversMeshLieOnTheRefinedCover)
+{
+    auto map = std::make_shared<SurfaceMap>();
+    map->topology = request.scene.surface->topology;
+    map->values = {2, -2, 2, -2}; // the middle is between two that are red
+    map->limit = 2;
+    request.scene.map = map;
+    request.scene.cover = pyramid(request.scene.surface, 0);
+    const QRgb middle = picture().pixel(200, 200);
+    EXPECT_GT(qRed(middle), qBlue(middle) + 40);
+    request.scene.map.reset();
+    const QRgb plain = picture().pixel(200, 200);
+    EXPECT_LT(std::abs(qRed(plain) - qBlue(plain)), 25);
+}
+
+TEST_F(GlCover, AWovenFabricIsNeitherBlackNorWhite)
+{
+    setMaps(wovenFabric());
+    request.camera.distance /= 4;
+    const QImage image = picture();
+    int least = 255, most = 0;
+    for (int y = 50; y < 350; y += 3)
+        for (int x = 50; x < 350; x += 3) {
+            least = std::min(least, qGray(image.pixel(x, y)));
+            most = std::max(most, qGray(image.pixel(x, y)));
+        }
+    EXPECT_GT(least, 8);
+    EXPECT_LT(most, 250);
+    EXPECT_GT(most, least + 40) << "the yarns are seen";
+}
+
+} // namespace
+} // namespace bolster::test

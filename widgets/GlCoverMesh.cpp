@@ -1,0 +1,192 @@
+#include "GlCoverMesh.h"
+
+#include "SurfaceEdges.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace bolster {
+
+namespace {
+
+/// Pattern coordinates, and 0 on a seam, 1 beside it.
+std::vector<Eigen::Vector3f> clothOf(const SurfaceTopology& topology)
+{
+    std::vector<Eigen::Vector3f> cloth;
+    for (const Vec2& p : topology.pattern)
+        cloth.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 1.F});
+    for (const SurfaceTopology::Chain& chain : topology.seams)
+        for (const auto* side : {&chain.a, &chain.b})
+            for (const std::uint32_t v : *side)
+                cloth[v].z() = 0;
+    return cloth;
+}
+
+} // namespace
+
+GlCoverMesh::GlCoverMesh(GlFunctions& gl)
+    : m_gl(gl)
+{
+    m_array.create();
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    bindColumns(gl, m_positions, 3 * sizeof(float), {{0, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_normals, 3 * sizeof(float), {{1, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_cloth, 3 * sizeof(float), {{2, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_openness, 2 * sizeof(float), {{3, 2, GL_FLOAT, 0}});
+    bindColumns(gl, m_mapColors, sizeof(SurfaceMap::Rgba), {{4, 4, GL_UNSIGNED_BYTE, 0}});
+}
+
+template <class T>
+std::vector<T> GlCoverMesh::ofVertices(std::vector<T> ofCoarse) const
+{
+    return m_fine ? m_fine->carriedOver(ofCoarse) : std::move(ofCoarse);
+}
+
+void GlCoverMesh::forget()
+{
+    m_surface.reset();
+    m_cover.reset();
+    m_coarse.reset();
+    m_fine.reset();
+}
+
+void GlCoverMesh::put(const SurfaceMeshPtr& surface)
+{
+    if (surface == m_surface)
+        return;
+    if (!surface) {
+        forget();
+        return;
+    }
+    if (surface->topology != m_coarse) {
+        m_coarse = surface->topology;
+        putTopology(clothOf(*m_coarse), m_coarse->triangles);
+    }
+    m_surface = surface;
+    std::vector<Eigen::Vector3f> positions;
+    positions.reserve(surface->positions.size());
+    for (const Vec3& p : surface->positions)
+        positions.push_back(p.cast<float>());
+    m_positions.put(positions, QOpenGLBuffer::StreamDraw);
+    m_normals.put(surface->normals, QOpenGLBuffer::StreamDraw);
+}
+
+void GlCoverMesh::put(const CoverMeshPtr& cover)
+{
+    if (cover == m_cover)
+        return;
+    if (!cover) {
+        forget();
+        return;
+    }
+    if (cover->topology != m_fine) {
+        m_fine = cover->topology;
+        m_coarse = m_fine->coarse;
+        std::vector<Eigen::Vector3f> cloth = m_fine->carriedOver(clothOf(*m_coarse));
+        for (std::size_t v = 0; v < cloth.size(); ++v)
+            cloth[v].head<2>() = m_fine->pattern[v];
+        putTopology(cloth, m_fine->triangles);
+    }
+    m_cover = cover;
+    m_positions.put(cover->points, QOpenGLBuffer::StreamDraw);
+    m_normals.put(cover->normals, QOpenGLBuffer::StreamDraw);
+}
+
+void GlCoverMesh::putTopology(const std::vector<Eigen::Vector3f>& cloth,
+                              const std::vector<CoverTopology::Triangle>& all)
+{
+    m_cloth.put(cloth, QOpenGLBuffer::StaticDraw);
+    m_openness.put(std::vector<Eigen::Vector2f>(cloth.size(), {1, 1}), QOpenGLBuffer::DynamicDraw);
+    m_mapColors.put(std::vector<SurfaceMap::Rgba>(cloth.size()), QOpenGLBuffer::DynamicDraw);
+    m_map.reset();
+    m_occlusion.reset();
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    m_triangles.put(all, QOpenGLBuffer::StaticDraw);
+    m_coarseTriangles.put(m_coarse->triangles, QOpenGLBuffer::StaticDraw);
+    m_edgeCount = 0;
+}
+
+void GlCoverMesh::putMap(const SurfaceMapPtr& map)
+{
+    if (!m_coarse || map == m_map)
+        return;
+    m_map = map;
+    const bool fits = map && map->fits(*m_coarse) && map->values.size() == m_coarse->vertexCount();
+    std::vector<SurfaceMap::Rgba> colors(m_fine ? m_fine->vertexCount() : m_coarse->vertexCount());
+    if (fits)
+        std::ranges::transform(ofVertices(map->values), colors.begin(), [&](float v) { return map->color(v); });
+    m_mapColors.put(colors, QOpenGLBuffer::DynamicDraw);
+}
+
+void GlCoverMesh::putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion)
+{
+    if (!m_coarse || occlusion == m_occlusion)
+        return;
+    m_occlusion = occlusion;
+    if (!occlusion || occlusion->topology != m_coarse->serial ||
+        occlusion->outside.size() != m_coarse->vertexCount())
+        return;
+    std::vector<Eigen::Vector2f> openness;
+    openness.reserve(occlusion->outside.size());
+    for (std::size_t i = 0; i < occlusion->outside.size(); ++i)
+        openness.push_back({occlusion->outside[i], occlusion->inside[i]});
+    m_openness.put(ofVertices(std::move(openness)), QOpenGLBuffer::DynamicDraw);
+}
+
+GlCoverMesh::Ranges GlCoverMesh::patches(const SurfaceTopology& shown) const
+{
+    if (!m_fine)
+        return shown.patches; // its triangles are those of the patches that are shown
+    Ranges ranges;
+    for (const SurfaceTopology::PatchRange& range : m_coarse->patches)
+        if (std::ranges::find(shown.patches, range.patch, &SurfaceTopology::PatchRange::patch) !=
+            shown.patches.end())
+            ranges.push_back(range);
+    return ranges;
+}
+
+void GlCoverMesh::draw(const Ranges& patches, const std::function<void(const SurfaceTopology::PatchRange&)>& begin,
+                       bool coarsely)
+{
+    const std::size_t each = m_fine && !coarsely ? m_fine->trianglesPerCoarse() : 1;
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    (coarsely ? m_coarseTriangles : m_triangles).bind();
+    for (const SurfaceTopology::PatchRange& range : patches) {
+        begin(range);
+        m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * each * range.triangleCount), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(3 * sizeof(std::uint32_t) * each * range.firstTriangle));
+    }
+}
+
+void GlCoverMesh::putEdges(const Ranges& patches)
+{
+    std::vector<SurfaceEdge> edges;
+    for (const SurfaceTopology::PatchRange& patch : patches)
+        std::ranges::copy(edgesOf(*m_coarse, patch), std::back_inserter(edges));
+    if (m_fine) {
+        std::vector<SurfaceEdge> parts;
+        for (const SurfaceEdge& edge : edges) {
+            const std::vector<std::uint32_t> along = m_fine->along(edge);
+            for (std::size_t i = 1; i < along.size(); ++i)
+                parts.push_back({along[i - 1], along[i]});
+        }
+        edges = std::move(parts);
+    }
+    m_edges.put(edges, QOpenGLBuffer::StaticDraw);
+    m_edgeCount = static_cast<GLsizei>(2 * edges.size());
+}
+
+void GlCoverMesh::drawEdges(const Ranges& patches)
+{
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    std::vector<ElementId> ids;
+    for (const SurfaceTopology::PatchRange& patch : patches)
+        ids.push_back(patch.patch);
+    if (m_edgeCount == 0 || ids != m_edgesOf)
+        putEdges(patches);
+    m_edgesOf = std::move(ids);
+    m_edges.bind();
+    m_gl.glDrawElements(GL_LINES, m_edgeCount, GL_UNSIGNED_INT, nullptr);
+}
+
+} // namespace bolster

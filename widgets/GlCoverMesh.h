@@ -1,0 +1,63 @@
+// One mesh of the cover on the graphics card: the solver's, or the refined one.
+#pragma once
+
+#include "CoverMesh.h"
+#include "GlBuffer.h"
+#include "SurfaceMap.h"
+#include "SurfaceOcclusion.h"
+
+#include <functional>
+
+namespace bolster {
+
+/// Uploads what has changed only. A context must be current whenever it is used or destroyed.
+class GlCoverMesh {
+public:
+    explicit GlCoverMesh(GlFunctions& gl);
+
+    /// The solver's mesh as it is.
+    void put(const SurfaceMeshPtr& surface);
+    void put(const CoverMeshPtr& cover);
+    void forget();
+    /// Nothing where the map is of another topology.
+    void putMap(const SurfaceMapPtr& map);
+    /// Keeps what there is where it is of an older topology: the next one is on its way.
+    void putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion);
+
+    bool empty() const { return !m_coarse; }
+    using Ranges = std::vector<SurfaceTopology::PatchRange>;
+    /// Of those patches of the mesh that `shown` has.
+    Ranges patches(const SurfaceTopology& shown) const;
+    /// Calls `begin` before each patch. `coarsely`: the solver's triangles on the refined vertices.
+    void draw(const Ranges& patches, const std::function<void(const SurfaceTopology::PatchRange&)>& begin,
+              bool coarsely);
+    void drawEdges(const Ranges& patches);
+
+private:
+    void putTopology(const std::vector<Eigen::Vector3f>& cloth, const std::vector<CoverTopology::Triangle>& all);
+    void putEdges(const Ranges& patches);
+    template <class T>
+    std::vector<T> ofVertices(std::vector<T> ofCoarse) const;
+
+    GlFunctions& m_gl;
+    QOpenGLVertexArrayObject m_array;
+    GlBuffer m_positions;
+    GlBuffer m_normals;
+    GlBuffer m_cloth;
+    GlBuffer m_openness;
+    GlBuffer m_mapColors;
+    GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
+    GlBuffer m_coarseTriangles{QOpenGLBuffer::IndexBuffer};
+    GlBuffer m_edges{QOpenGLBuffer::IndexBuffer};
+    GLsizei m_edgeCount = 0;
+    std::vector<ElementId> m_edgesOf;
+
+    std::shared_ptr<const SurfaceTopology> m_coarse; ///< null: nothing to draw
+    std::shared_ptr<const CoverTopology> m_fine;     ///< null: the solver's mesh
+    SurfaceMeshPtr m_surface;
+    CoverMeshPtr m_cover;
+    std::shared_ptr<const SurfaceOcclusion> m_occlusion;
+    SurfaceMapPtr m_map;
+};
+
+} // namespace bolster
