@@ -1,5 +1,6 @@
 #include "Actions.h"
 
+#include "CoverMap.h"
 #include "Icons.h"
 #include "Seam.h"
 #include "SurfaceView.h"
@@ -124,6 +125,7 @@ void Actions::addFile()
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
+    renderPicture = add(tr("&Render \u2026"), QStringLiteral("picture"), QKeySequence(Qt::Key_F12));
     quit = add(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
 
@@ -177,6 +179,26 @@ void Actions::addView()
     showScanPairs = addToggle(tr("Pairs of co&ver and scan"), {}, false);
     showDeviation =
         addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
+    const struct {
+        CoverMap::Kind kind;
+        QString name;
+    } coverMaps[] = {
+        {CoverMap::Kind::Strain, tr("&Largest strain")},
+        {CoverMap::Kind::Along, tr("Strain al&ong the grain")},
+        {CoverMap::Kind::Across, tr("Strain a&cross the grain")},
+        {CoverMap::Kind::Shear, tr("&Shear")},
+        {CoverMap::Kind::Curvature, tr("&Mean curvature")},
+        {CoverMap::Kind::Thickness, tr("Distance to the &frame")},
+    };
+    auto* mapGroup = new QActionGroup(this); // one at a time, or none
+    mapGroup->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    mapGroup->addAction(showDeviation);
+    for (const auto& [kind, name] : coverMaps) {
+        QAction* action = addToggle(name, {}, false);
+        action->setData(static_cast<int>(kind));
+        mapGroup->addAction(action);
+        maps.append(action);
+    }
     showGround = addToggle(tr("Gr&ound"), {}, true);
     showField = addToggle(tr("Cushionin&g"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 

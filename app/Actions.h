@@ -32,6 +32,7 @@ public:
     QAction* importScan;
     QAction* exportSurface;
     QAction* exportPicture;
+    QAction* renderPicture;
     QAction* quit;
     // Edit
     QAction* undo;
@@ -60,6 +61,7 @@ public:
     QAction* showScans;
     QAction* showScanPairs;
     QAction* showDeviation;
+    QList<QAction*> maps; ///< data: CoverMap::Kind
     QAction* showGround;
     QAction* showField;
     QAction* showHandles;

@@ -50,6 +50,11 @@ public:
     void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done);
     /// As a project, with its whole history, or as a text (".json"): the design alone, with its files beside it.
     void save(const QString& path, const Done& done);
+    /// The last save has written nothing, because somebody else has changed the file since it was opened.
+    bool changedByOthers() const { return m_changedByOthers; }
+    /// Their versions become a branch, whose last one is called `name`: `tip`, when it worked. Save works again
+    /// then.
+    void takeTheirs(const QString& name, const std::function<void(const Message& problem, NodeId tip)>& done);
     /// Writes a project that somebody else is to have; the work stays where it is.
     void saveCopy(const QString& path, const SaveOptions& options, const Done& done);
     static bool isProject(const QString& path) { return path.endsWith(u".bolster", Qt::CaseInsensitive); }
@@ -91,7 +96,7 @@ private:
     void saveProject(const QString& file, const Done& done);
     void saveText(const QString& file, const Done& done);
     void endSaving(const QString& file, std::optional<NodeId> node, const Message& problem, const Done& done);
-    void withJournal(const std::function<Message(Journal&)>& work, const Done& done);
+    void besideEdits(const std::function<Message(Journal&)>& work, const Done& done);
     void addFiles(const Done& done);
     void renameFiles(const std::map<std::string, std::string>& names);
     void designChanged(const std::set<ElementId>& ids);
@@ -108,7 +113,8 @@ private:
     std::set<FileKey> m_reading;
     DesignFiles m_files;
     std::optional<NodeId> m_saving; ///< what is being written
-    int m_generation = 0;           ///< counts designs, so that late results of an earlier one are dropped
+    bool m_changedByOthers = false;
+    int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
 };
 
 } // namespace bolster

@@ -7,28 +7,46 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QTimer>
-
-#include <chrono>
 
 namespace bolster {
 
 namespace {
 
-using namespace std::chrono_literals;
+struct Saving {
+    NodeId version = 0; // that was written: edits may have come before the journal was read
+    bool changedByOthers = false;
+};
 
-/// Not over what somebody else has made of the project meanwhile.
-Message saveOurs(Journal& journal, const QString& file)
+/// Not over what somebody else has made of the project meanwhile. What we have all of may go: it is our own, though
+/// the program may have died before it could tell.
+Message saveOurs(Journal& journal, const QString& file, Saving& saving)
 {
-    if (QFileInfo::exists(file)) {
-        const OpenedProject there = openProject(file);
-        if (there.problem.empty() && journal.base() && there.seal != *journal.base())
-            return {QT_TRANSLATE_NOOP("Message",
-                                      "somebody else has changed it since it was opened here; save under "
-                                      "another name, or open it to see the changes"),
-                    {}};
-    }
-    return journal.save(file);
+    const OpenedProject there = QFileInfo::exists(file) ? openProject(file) : OpenedProject();
+    if (QFileInfo::exists(file) && there.problem.empty() && journal.base() && there.seal != *journal.base())
+        switch (journal.compare(there)) {
+        case Journal::Theirs::NothingNew:
+            break;
+        case Journal::Theirs::MoreVersions:
+            saving.changedByOthers = true;
+            return {QT_TRANSLATE_NOOP("Message", "somebody else has changed it since it was opened here"), {}};
+        case Journal::Theirs::AnotherProject:
+            return {
+                QT_TRANSLATE_NOOP("Message", "there is another project in the file now; save under another name"),
+                {}};
+        }
+    return journal.save(file, &saving.version);
+}
+
+/// The files of their design that are not here yet.
+Message extractMissing(const OpenedProject& theirs, const DesignFolder& folder)
+{
+    Edit without;
+    for (const auto& [id, element] : theirs.design.elements())
+        if (const std::string* file = elementFile(*element);
+            file && !folder.find(QString::fromStdString(*file)).isEmpty())
+            without.changes.push_back({id, element, nullptr});
+    const Problems lacking = extractAssets(theirs, theirs.design.with(without), folder.folder());
+    return lacking.empty() ? Message{} : lacking.front().message;
 }
 
 } // namespace
@@ -37,6 +55,7 @@ void DesignSession::save(const QString& path, const Done& done)
 {
     const QString file = QFileInfo(path).absoluteFilePath();
     m_saving = m_document.history().current();
+    m_changedByOthers = false;
     if (isProject(file))
         saveProject(file, done);
     else
@@ -50,11 +69,40 @@ void DesignSession::saveProject(const QString& file, const Done& done)
             endSaving(file, {}, problem, done);
             return;
         }
-        const NodeId node = m_document.history().current();
-        m_saving = node;
+        m_saving = m_document.history().current();
         const bool ours = file == m_path;
-        withJournal([file, ours](Journal& journal) { return ours ? saveOurs(journal, file) : journal.save(file); },
-                    [this, file, node, done](const Message& why) { endSaving(file, node, why, done); });
+        auto saving = std::make_shared<Saving>();
+        besideEdits(
+            [=](Journal& journal) {
+                return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->version);
+            },
+            [=, this](const Message& why) {
+                m_changedByOthers = saving->changedByOthers;
+                endSaving(file, saving->version, why, done);
+            });
+    });
+}
+
+void DesignSession::takeTheirs(const QString& name,
+                               const std::function<void(const Message& problem, NodeId tip)>& done)
+{
+    using Theirs = std::shared_ptr<const OpenedProject>;
+    inBackground<Theirs>([file = m_path] {
+        return std::make_shared<const OpenedProject>(openProject(file));
+    }).then(this, [this, name, done, generation = m_generation](const Theirs& theirs) {
+        if (generation != m_generation)
+            return;
+        NodeId tip = 0;
+        Message problem = theirs->problem;
+        if (problem.empty())
+            problem = m_journal.takeIn(*theirs, name.toStdString(), tip);
+        if (!problem.empty()) {
+            done(problem, tip);
+            return;
+        }
+        m_changedByOthers = false;
+        besideEdits([theirs, folder = m_folder](Journal&) { return extractMissing(*theirs, folder); },
+                    [done, tip](const Message& lacking) { done(lacking, tip); });
     });
 }
 
@@ -62,7 +110,7 @@ void DesignSession::saveCopy(const QString& path, const SaveOptions& options, co
 {
     addFiles([this, path, options, done](const Message& problem) {
         if (problem.empty())
-            withJournal([path, options](Journal& journal) { return journal.saveCopy(path, options); }, done);
+            besideEdits([path, options](Journal& journal) { return journal.saveCopy(path, options); }, done);
         else
             done(problem);
     });
@@ -82,26 +130,14 @@ void DesignSession::endSaving(const QString& file, std::optional<NodeId> node, c
     emit saveEnded();
 }
 
-/// Gives the journal to `work` beside the GUI thread, when no other work has it; edits wait meanwhile. `done` is
-/// not called when another design was opened.
-void DesignSession::withJournal(const std::function<Message(Journal&)>& work, const Done& done)
+/// Edits go on meanwhile, and are in the journal at once. `done` is not called when another design was opened.
+void DesignSession::besideEdits(const std::function<Message(Journal&)>& work, const Done& done)
 {
-    const int generation = m_generation;
-    if (!m_journal.writable()) { // a save is on its way
-        QTimer::singleShot(20ms, this, [this, generation, work, done] {
-            if (generation == m_generation)
-                withJournal(work, done);
-        });
-        return;
-    }
-    m_journal.suspend();
     inBackground<Message>([journal = m_journal.journal(), work] {
         return work(*journal);
-    }).then(this, [this, generation, done](const Message& problem) {
-        if (generation != m_generation)
-            return;
-        m_journal.resume();
-        done(problem);
+    }).then(this, [this, generation = m_generation, done](const Message& problem) {
+        if (generation == m_generation)
+            done(problem);
     });
 }
 
@@ -117,7 +153,7 @@ void DesignSession::addFiles(const Done& done)
         if (const QString file = m_folder.find(key.second); !file.isEmpty())
             files[key.second.toStdString()] = file;
     auto names = std::make_shared<std::map<std::string, std::string>>(); // as the project has them
-    withJournal(
+    besideEdits(
         [files, names](Journal& journal) {
             for (const auto& [name, file] : files) {
                 std::string kept = name;

@@ -125,18 +125,17 @@ void FileFlow::open(const QString& path)
 void FileFlow::openNow(const QString& path)
 {
     const QString original = QFileInfo(path).absoluteFilePath();
-    for (const WorkJournal::Left& left : WorkJournal::left())
-        if (left.place.original == original) { // what was not saved to it is newer
-            restore(left);
-            return;
-        }
+    if (const auto left = WorkJournal::leftOf(original)) { // what was not saved to it is newer
+        restore(*left);
+        return;
+    }
     const auto opening = howToOpen(original);
     if (!opening)
         return;
     const auto replace = [this](const Then& then) { keepWork(then); };
     m_session.open(path, *opening, replace, [this, path](const Message& problem) {
         if (!problem.empty()) {
-            fail(tr("\"%1\" could not be opened.").arg(QFileInfo(path).fileName()), problem);
+            offerSalvage(path, problem);
             return;
         }
         if (!isSample(path))
@@ -244,6 +243,10 @@ QString FileFlow::chooseTarget(const QString& title, const QString& proposal, co
 void FileFlow::saveTo(const QString& path, const Then& then)
 {
     m_session.save(path, [this, path, then](const Message& problem) {
+        if (m_session.changedByOthers()) {
+            saveBesideOthers(path, then);
+            return;
+        }
         if (!problem.empty()) {
             fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
             return;

@@ -62,8 +62,13 @@ private:
     void announceRestored();
     QString chooseSaveTarget();
     void openNow(const QString& path);
+    void offerSalvage(const QString& path, const Message& problem);
+    void salvage(const QString& path);
+    void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
     std::optional<DesignSession::Opening> howToOpen(const QString& original);
     void saveTo(const QString& path, const Then& then);
+    void saveBesideOthers(const QString& path, const Then& then);
+    void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
     QString chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                          const QStringList& endings);

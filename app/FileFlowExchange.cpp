@@ -70,15 +70,23 @@ void FileFlow::import(T element, const QString& title, const QString& filter, co
 
 void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
 {
-    auto* progress =
-        new QProgressDialog(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 0, m_window);
+    constexpr int steps = 100;
+    auto* progress = new QProgressDialog(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), tr("Cancel"), 0,
+                                         steps, m_window);
     progress->setWindowModality(Qt::WindowModal);
     progress->setMinimumDuration(400);
     progress->setAttribute(Qt::WA_DeleteOnClose);
     progress->setAutoClose(false);
-    // The reader cannot be stopped, but nobody waits for it: a cancelled result is dropped.
-    inBackground<ImportedFile>([kind = fileKind(element), path] {
-        return importFile(kind, path);
+    progress->setAutoReset(false);
+    std::stop_source stop;
+    connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
+    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(progress)](double done) {
+        const int step = static_cast<int>(done * steps);
+        if (step > std::exchange(*shown, step))
+            QMetaObject::invokeMethod(this, [bar, step] { return bar ? bar->setValue(step) : void(); });
+    };
+    inBackground<ImportedFile>([kind = fileKind(element), path, watch = ImportWatch{stop.get_token(), report}] {
+        return importFile(kind, path, watch);
     }).then(this, [this, path, element, replaced, progress = QPointer(progress)](const ImportedFile& imported) {
         const bool cancelled = !progress || progress->wasCanceled();
         if (progress)

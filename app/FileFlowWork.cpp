@@ -1,11 +1,17 @@
 // Unsaved work: what a crash has left, and what was kept for later.
+#include "Background.h"
 #include "Banner.h"
 #include "FileFlow.h"
+#include "Salvage.h"
+#include "Translated.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -19,6 +25,20 @@ int unsavedSteps(const Document& document)
     const std::vector<NodeId> way = document.history().pathTo(document.history().current());
     const auto saved = std::ranges::find(way, document.saved().value_or(0));
     return static_cast<int>(saved == way.end() ? way.size() - 1 : way.end() - saved - 1);
+}
+
+/// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
+QString freePathBeside(const QString& path)
+{
+    const QFileInfo file(path);
+    const QDir folder(QFileInfo(file.absolutePath()).isWritable()
+                          ? file.absolutePath()
+                          : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    const QString name = FileFlow::tr("%1 (recovered)").arg(file.completeBaseName());
+    QString free = folder.filePath(name + QLatin1String(".bolster"));
+    for (int n = 2; QFileInfo::exists(free); ++n)
+        free = folder.filePath(QStringLiteral("%1 %2.bolster").arg(name).arg(n));
+    return free;
 }
 
 } // namespace
@@ -57,6 +77,91 @@ void FileFlow::announceRestored()
                              m_session.document().jumpTo(m_session.document().saved().value_or(0));
                              m_banner->dismiss();
                          }}});
+}
+
+/// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
+void FileFlow::offerSalvage(const QString& path, const Message& problem)
+{
+    const QFileInfo file(path);
+    QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
+                    QMessageBox::Ok, m_window);
+    box.setInformativeText(translated(problem));
+    const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
+    const QPushButton* rescue =
+        project ? box.addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole) : nullptr;
+    box.setDefaultButton(QMessageBox::Ok);
+    box.exec();
+    if (rescue && box.clickedButton() == rescue)
+        salvage(path);
+}
+
+/// Into a new project beside it; the damaged file stays as it is.
+void FileFlow::salvage(const QString& path)
+{
+    const QString to = freePathBeside(path);
+    emit done(tr("Recovering \"%1\" \u2026").arg(QFileInfo(path).fileName()));
+    inBackground<Salvaged>([path, to] {
+        return salvageProject(path, to);
+    }).then(this, [this, to](const Salvaged& salvaged) {
+        if (!salvaged.problem.empty())
+            fail(tr("Nothing could be recovered."), salvaged.problem);
+        else
+            keepWork([this, to, salvaged] {
+                openNow(to);
+                sayWhatIsLeft(to, salvaged.notes);
+            });
+    });
+}
+
+void FileFlow::sayWhatIsLeft(const QString& path, const std::vector<Message>& notes)
+{
+    constexpr qsizetype shown = 12;
+    QStringList lines;
+    for (const Message& note : notes)
+        lines << translated(note);
+    QMessageBox box(QMessageBox::Information, tr("Bolster"),
+                    tr("What could be read is in \"%1\" now.").arg(QFileInfo(path).fileName()), QMessageBox::Ok,
+                    m_window);
+    box.setInformativeText(lines.mid(0, shown).join(QLatin1Char('\n')));
+    if (lines.size() > shown)
+        box.setDetailedText(lines.join(QLatin1Char('\n')));
+    box.exec();
+}
+
+void FileFlow::saveBesideOthers(const QString& path, const Then& then)
+{
+    QMessageBox box(
+        QMessageBox::Question, tr("Bolster"),
+        tr("Somebody else has changed \"%1\" since it was opened here.").arg(QFileInfo(path).fileName()),
+        QMessageBox::Save | QMessageBox::Cancel, m_window);
+    box.setInformativeText(
+        tr("Their changes can become a branch of the history here, then both are saved. Your design "
+           "stays as it is, and you can go to theirs."));
+    const QPushButton* take = box.addButton(tr("&Take their changes in as a branch"), QMessageBox::AcceptRole);
+    box.button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    const int answer = box.exec();
+    if (box.clickedButton() == take)
+        takeTheirs(path, then);
+    else if (answer == QMessageBox::Save)
+        if (const QString other = chooseSaveTarget(); !other.isEmpty())
+            saveTo(other, then);
+}
+
+void FileFlow::takeTheirs(const QString& path, const Then& then)
+{
+    const QString now = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+    m_session.takeTheirs(tr("From the file, %1").arg(now), [this, path, then](const Message& problem, NodeId tip) {
+        if (!problem.empty()) {
+            fail(tr("Their changes could not be taken in."), problem);
+            return;
+        }
+        m_banner->announce(Banner::Kind::Information,
+                           tr("The changes of somebody else are a branch of the history now."),
+                           {{tr("Show"), [this] { emit historyWanted(); }},
+                            {tr("Go there"), [this, tip] { m_session.document().jumpTo(tip); }}});
+        saveTo(path, then);
+    });
 }
 
 void FileFlow::fillUnsaved(QMenu& menu)

@@ -28,6 +28,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_onFloor(new QCheckBox(tr("Place it on the floor, in the middle"), this))
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
+    , m_thinned(new QLabel(this))
 {
     setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
     m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Another factor")});
@@ -47,6 +48,8 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     large.setWeight(QFont::DemiBold);
     m_size->setFont(large);
     m_hint->setWordWrap(true);
+    m_thinned->setWordWrap(true);
+    m_thinned->setVisible(m_content.cloud && m_content.cloud->thinnedFrom > 0);
 
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
@@ -69,6 +72,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     layout->setContentsMargins(18, 18, 18, 14);
     layout->setSpacing(14);
     layout->addWidget(about);
+    layout->addWidget(m_thinned);
     layout->addLayout(form);
     layout->addWidget(m_hint);
     layout->addStretch();
@@ -109,6 +113,17 @@ Placement FileImportDialog::placement() const
     return placement;
 }
 
+void FileImportDialog::showThinning()
+{
+    if (!m_content.cloud || m_content.cloud->thinnedFrom == 0)
+        return;
+    m_thinned->setText(
+        tr("The file has %1 points. That is more than are needed to fit a cover, so they were thinned "
+           "out to one every %2 mm.")
+            .arg(QLocale().toString(static_cast<qulonglong>(m_content.cloud->thinnedFrom)),
+                 decimalText(m_content.cloud->spacing * placement().scale, 2, false)));
+}
+
 double FileImportDialog::largestSize() const
 {
     return m_content.cloud ? largestScan : largestFurniture;
@@ -127,6 +142,7 @@ void FileImportDialog::updateSize()
     m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm")
                         .arg(decimalText(size.x(), 0, false), decimalText(size.y(), 0, false),
                              decimalText(size.z(), 0, false)));
+    showThinning();
     const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();
     m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());
     QPalette colors = palette();

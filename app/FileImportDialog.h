@@ -31,6 +31,7 @@ public:
 
 private:
     void updateSize();
+    void showThinning();
     double largestSize() const; ///< mm: what is usual
 
     FileContent m_content;
@@ -42,6 +43,7 @@ private:
     QCheckBox* m_onFloor;
     QLabel* m_size;
     QLabel* m_hint;
+    QLabel* m_thinned; ///< why there are fewer points than in the file
 };
 
 } // namespace bolster

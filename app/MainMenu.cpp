@@ -62,7 +62,7 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.importFrame, m_actions.importScan});
         menu->addSeparator();
-        menu->addActions({m_actions.exportSurface, m_actions.exportPicture});
+        menu->addActions({m_actions.exportSurface, m_actions.exportPicture, m_actions.renderPicture});
         menu->addSeparator();
         menu->addAction(m_actions.quit);
     }
@@ -97,7 +97,12 @@ private:
         layers->addSeparator();
         layers->addActions({m_actions.showTwins, m_actions.showSymmetry});
         layers->addSeparator();
-        layers->addActions({m_actions.showDeviation, m_actions.showScanPairs});
+        layers->addAction(m_actions.showScanPairs);
+        QMenu* map = menu->addMenu(tr("&Map"));
+        map->addActions(m_actions.maps);
+        map->addAction(m_actions.showDeviation);
+        map->addSeparator();
+        map->addMenu(tr("&Worst spots"))->setObjectName(QStringLiteral("worst-spots")); // filled by the window
         QMenu* grid = menu->addMenu(tr("&Grid and snapping"));
         grid->addActions({m_actions.showGrid, m_actions.snapping, m_actions.showRulers, m_actions.showGuides,
                           m_actions.removeGuides});

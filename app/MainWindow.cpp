@@ -9,6 +9,7 @@
 #include "HistoryPanel.h"
 #include "Inspector.h"
 #include "MainMenu.h"
+#include "MapLink.h"
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
@@ -45,6 +46,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_session(std::make_unique<DesignSession>())
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
+    , m_maps(std::make_unique<MapLink>(*m_session))
     , m_covers(std::make_unique<CoverLink>())
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
@@ -68,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectDocument();
     connectViews();
     connectScans();
+    connectMaps();
     connectSewing();
     connectFixing();
     connect3D();
@@ -158,10 +161,12 @@ void MainWindow::connectDocument()
         m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
         m_scans->setSurface(surface);
+        m_maps->setSurface(surface);
         m_covers->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
+        m_actions->renderPicture->setEnabled(surface != nullptr);
     });
     connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
     connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);

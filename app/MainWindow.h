@@ -23,6 +23,7 @@ class ElementsView;
 class FileFlow;
 class HistoryPanel;
 class Inspector;
+class MapLink;
 class PatternView;
 class ProblemsView;
 class CoverLink;
@@ -49,6 +50,7 @@ public:
     Selection& selection() { return m_selection; }
     SolverLink& solver() { return *m_solver; }
     ScanLink& scans() { return *m_scans; }
+    MapLink& maps() { return *m_maps; }
     Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
@@ -104,6 +106,10 @@ private:
     void linkSelectedTwins();
     void commitOrTell(const Edit& edit, const QString& problem);
     void fitScanPlacement(ElementId scan);
+    void connectMaps();
+    void fillWorstSpots(QMenu& menu);
+    void readMap(const std::optional<CoverPoint>& place);
+    void renderPicture();
     void connectPattern();
     void applyLayers();
     void insert(const Edit& edit, const QString& problem);
@@ -120,6 +126,7 @@ private:
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
+    std::unique_ptr<MapLink> m_maps;
     std::unique_ptr<CoverLink> m_covers;
     std::unique_ptr<Thumbnails> m_thumbnails;
     Actions* m_actions;

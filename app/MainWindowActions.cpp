@@ -34,6 +34,7 @@ void MainWindow::connectActions()
     on(m_actions->importFrame, [this] { m_files->importFrame(); });
     on(m_actions->importScan, [this] { m_files->importScan(); });
     on(m_actions->exportSurface, [this] { m_files->exportSurface(m_solver->surface()); });
+    on(m_actions->renderPicture, [this] { renderPicture(); });
     on(m_actions->exportPicture, [this] { m_files->exportPicture(m_surface->grabPicture()); });
     on(m_actions->quit, [this] { close(); });
 

@@ -3,6 +3,7 @@
 
 #include "Actions.h"
 #include "Inspector.h"
+#include "MapLink.h"
 #include "PatternView.h"
 #include "ScanEdits.h"
 #include "ScanLink.h"
@@ -39,7 +40,7 @@ void MainWindow::connectScans()
 
 void MainWindow::showMeasured()
 {
-    const SurfaceMapPtr map = m_actions->showDeviation->isChecked() ? m_scans->map() : nullptr;
+    const SurfaceMapPtr map = m_actions->showDeviation->isChecked() ? m_scans->map() : m_maps->map();
     m_surface->setMap(map);
     m_pattern->setMap(map);
     m_surface->setScanPairs(m_scans->pairs());

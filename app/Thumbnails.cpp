@@ -82,7 +82,7 @@ void Thumbnails::keep(NodeId node, const QByteArray& png)
     if (m_pictures.size() >= mostInMemory)
         m_pictures.erase(m_pictures.begin());
     m_pictures[node] = png;
-    if (Journal* journal = m_session.journal().writable())
+    if (const auto& journal = m_session.journal().journal())
         (void)journal->setThumbnail(node, png.toStdString()); // without it there is only a picture less
 }
 
@@ -90,7 +90,7 @@ QByteArray Thumbnails::picture(NodeId node)
 {
     if (const auto found = m_pictures.find(node); found != m_pictures.end())
         return found->second;
-    Journal* journal = m_session.journal().writable();
+    const auto& journal = m_session.journal().journal();
     return journal ? QByteArray::fromStdString(journal->thumbnail(node)) : QByteArray();
 }
 

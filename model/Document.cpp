@@ -24,6 +24,7 @@ void Document::reset(Design design, History history)
     m_saved = m_history.current();
     m_base = std::move(design);
     show(m_base);
+    emit historyReplaced();
     emit historyChanged();
     announceDirty();
 }
@@ -81,11 +82,18 @@ void Document::jumpTo(NodeId node)
     announceDirty();
 }
 
+void Document::takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits)
+{
+    m_history.takeIn(std::move(nodes), std::move(edits));
+    emit historyChanged();
+}
+
 void Document::nameVersion(NodeId node, std::string name)
 {
     if (node < 0 || node >= m_history.count() || m_history.node(node).name == name)
         return;
     m_history.setName(node, std::move(name));
+    emit versionNamed(node);
     emit historyChanged();
 }
 

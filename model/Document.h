@@ -45,6 +45,8 @@ public:
     void redo();
     /// Does nothing when the way there cannot be read any more.
     void jumpTo(NodeId node);
+    /// Versions that somebody else has made: History::takeIn. Whoever stores the history has them already.
+    void takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits);
     /// A label in the history, "" for none. The design stays as it is.
     void nameVersion(NodeId node, std::string name);
 
@@ -70,6 +72,10 @@ signals:
     void changed(const bolster::ChangeSet& ids);
     /// Nodes were added or named, or the current node moved.
     void historyChanged();
+    /// Comes before historyChanged.
+    void versionNamed(bolster::NodeId node);
+    /// The history is another one now. Comes before historyChanged.
+    void historyReplaced();
     void dirtyChanged(bool dirty);
     /// An edit was not made: a gesture that would have broken something, or what cannot be stored.
     void refused(const bolster::Message& why);

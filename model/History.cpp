@@ -38,6 +38,22 @@ NodeId History::append(Edit edit)
     return id;
 }
 
+void History::takeIn(std::vector<Node> nodes, std::shared_ptr<StoredEdits> edits)
+{
+    const NodeId before = count();
+    for (Node& each : nodes) {
+        const NodeId id = count();
+        each.stored = true;
+        m_nodes.push_back(std::move(each));
+        Node& parent = m_nodes[static_cast<std::size_t>(node(id).parent)];
+        parent.children.push_back(id);
+        if (parent.lastVisitedChild < 0 || parent.lastVisitedChild >= before)
+            parent.lastVisitedChild = id;
+    }
+    if (!m_stored)
+        m_stored = std::move(edits);
+}
+
 std::optional<Design> History::moveTo(NodeId id, const Design& design)
 {
     std::optional<Design> there = designAt(id, design);

@@ -52,6 +52,9 @@ public:
 
     /// Appends an edit below the current node and makes it current.
     NodeId append(Edit edit);
+    /// Appends nodes that are stored, children of any before them; ids, fields and `edits` as for an opened
+    /// project. The current node and the ways for redo stay as they are.
+    void takeIn(std::vector<Node> nodes, std::shared_ptr<StoredEdits> edits);
     /// Makes `id` current and remembers the way for redo. `design` is that of the current node; returns that of
     /// `id`, or nothing when a stored edit on the way cannot be read: then nothing has changed.
     std::optional<Design> moveTo(NodeId id, const Design& design);

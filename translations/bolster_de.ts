@@ -309,6 +309,34 @@
         <source>%1 elements</source>
         <translation>%1 Elemente</translation>
     </message>
+    <message>
+        <source>Trimmed edge</source>
+        <translation>Verzierte Kante</translation>
+    </message>
+    <message>
+        <source>Trimmed edges</source>
+        <translation>Verzierte Kanten</translation>
+    </message>
+    <message>
+        <source>Colourway</source>
+        <translation>Farbvariante</translation>
+    </message>
+    <message>
+        <source>Colourways</source>
+        <translation>Farbvarianten</translation>
+    </message>
+    <message>
+        <source>%1 trimmed edges</source>
+        <translation>%1 verzierte Kanten</translation>
+    </message>
+    <message>
+        <source>%1 colourways</source>
+        <translation>%1 Farbvarianten</translation>
+    </message>
+    <message>
+        <source>Edge of %1</source>
+        <translation>Kante von %1</translation>
+    </message>
 </context>
 <context>
     <name>FixationDrawTool</name>
@@ -626,6 +654,14 @@
     <message>
         <source>select it and drag the round handles at its ends</source>
         <translation>auswählen und die runden Griffe an ihren Enden ziehen</translation>
+    </message>
+    <message>
+        <source>Stitch or pipe a seam or an edge</source>
+        <translation>Naht oder Kante absteppen oder mit Keder versehen</translation>
+    </message>
+    <message>
+        <source>click it; stitches and piping are in the inspector</source>
+        <translation>anklicken; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
 </context>
 <context>
@@ -1091,6 +1127,18 @@
         <source>Release from its mirror image</source>
         <translation>Vom Spiegelbild lösen</translation>
     </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>those of the patches</source>
+        <translation>die der Schnittteile</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -1371,10 +1419,6 @@
     <message>
         <source>%1 holds points only; a frame needs faces between them</source>
         <translation>%1 enthält nur Punkte; ein Gestell braucht Flächen dazwischen</translation>
-    </message>
-    <message>
-        <source>%1: there is not enough memory for this mesh</source>
-        <translation>%1: für dieses Netz reicht der Speicher nicht</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a mesh that can be read; OBJ, PLY, STL and OFF can</source>
@@ -2193,10 +2237,6 @@
         <translation>muss ein Schnitt in geschweiften Klammern sein, mit planes</translation>
     </message>
     <message>
-        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam and scan</source>
-        <translation>Die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam und scan</translation>
-    </message>
-    <message>
         <source>the first three numbers are the plane&apos;s normal; not all of them may be 0</source>
         <translation>die ersten drei Zahlen sind die Normale der Ebene; sie dürfen nicht alle 0 sein</translation>
     </message>
@@ -2577,10 +2617,6 @@
         <translation>%1 läge nicht mehr innerhalb von %2.</translation>
     </message>
     <message>
-        <source>A stretch of %1 that is sewn or fixed would have no length.</source>
-        <translation>Ein Abschnitt von %1, der vernäht oder fixiert ist, hätte keine Länge.</translation>
-    </message>
-    <message>
         <source>The stretch would overlap another one of %1 that is fixed to %2.</source>
         <translation>Der Abschnitt würde sich mit einem anderen von %1 überschneiden, der an %2 fixiert ist.</translation>
     </message>
@@ -2607,10 +2643,6 @@
     <message>
         <source>Release a seam from its mirror image</source>
         <translation>Naht von ihrem Spiegelbild lösen</translation>
-    </message>
-    <message>
-        <source>somebody else has changed it since it was opened here; save under another name, or open it to see the changes</source>
-        <translation>jemand anders hat es geändert, seit es hier geöffnet wurde; unter einem anderen Namen speichern, oder es öffnen, um die Änderungen zu sehen</translation>
     </message>
     <message>
         <source>another element had the same number; give this one a number of its own</source>
@@ -2775,6 +2807,174 @@
     <message>
         <source>another window has it</source>
         <translation>ein anderes Fenster hat es</translation>
+    </message>
+    <message>
+        <source>somebody else has changed it since it was opened here</source>
+        <translation>jemand anders hat sie geändert, seit sie hier geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>there is another project in the file now; save under another name</source>
+        <translation>in der Datei ist jetzt ein anderes Projekt; unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>must be a list of pairs in braces, with patch and fabric</source>
+        <translation>muss eine Liste von Paaren in geschweiften Klammern sein, mit patch und fabric</translation>
+    </message>
+    <message>
+        <source>must be a pair in braces, with patch and fabric</source>
+        <translation>muss ein Paar in geschweiften Klammern sein, mit patch und fabric</translation>
+    </message>
+    <message>
+        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam, scan, colourway and outline_trim</source>
+        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam, scan, colourway und outline_trim</translation>
+    </message>
+    <message>
+        <source>there is no colourway %1; the patches show their own fabrics</source>
+        <translation>es gibt keine Farbvariante %1; die Schnittteile zeigen ihre eigenen Stoffe</translation>
+    </message>
+    <message>
+        <source>%1 has a fabric in this colourway already; remove one of the two</source>
+        <translation>%1 hat in dieser Farbvariante schon einen Stoff; einen der beiden entfernen</translation>
+    </message>
+    <message>
+        <source>shown in the usual way instead</source>
+        <translation>wird stattdessen auf die übliche Art gezeigt</translation>
+    </message>
+    <message>
+        <source>what it says of missing patches and fabrics is left out</source>
+        <translation>was sie über fehlende Schnittteile und Stoffe sagt, wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>Make %1 of %2</source>
+        <translation>%1 aus %2 machen</translation>
+    </message>
+    <message>
+        <source>Make %1 patches of %2</source>
+        <translation>%1 Schnittteile aus %2 machen</translation>
+    </message>
+    <message>
+        <source>Add colourway %1</source>
+        <translation>Farbvariante %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change what %1 shows</source>
+        <translation>Ändern, was %1 zeigt</translation>
+    </message>
+    <message>
+        <source>Change what %1 patches show</source>
+        <translation>Ändern, was %1 Schnittteile zeigen</translation>
+    </message>
+    <message>
+        <source>Show no colourway</source>
+        <translation>Keine Farbvariante zeigen</translation>
+    </message>
+    <message>
+        <source>Show colourway %1</source>
+        <translation>Farbvariante %1 zeigen</translation>
+    </message>
+    <message>
+        <source>A stretch of %1 that is sewn, fixed or trimmed would have no length.</source>
+        <translation>Ein vernähter, fixierter oder verzierter Abschnitt von %1 hätte keine Länge.</translation>
+    </message>
+    <message>
+        <source>The stretch would overlap another one of %1 that has a trim.</source>
+        <translation>Der Abschnitt würde sich mit einem anderen von %1 überschneiden, der verziert ist.</translation>
+    </message>
+    <message>
+        <source>Add a trim</source>
+        <translation>Verzierung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Move an end of a trim of %1</source>
+        <translation>Ein Ende einer Verzierung von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Change the trim of %1 seams</source>
+        <translation>Verzierung von %1 Nähten ändern</translation>
+    </message>
+    <message>
+        <source>Change the trim of %1</source>
+        <translation>Verzierung von %1 ändern</translation>
+    </message>
+    <message>
+        <source>A part of this stretch of %1 has a trim already: change that one, or choose another stretch.</source>
+        <translation>Ein Teil dieses Abschnitts von %1 ist schon verziert: diese Verzierung ändern oder einen anderen Abschnitt wählen.</translation>
+    </message>
+    <message>
+        <source>Trim the edge of %1</source>
+        <translation>Kante von %1 verzieren</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read any further; it has changed, or its disk is gone</source>
+        <translation>%1: die Datei lässt sich nicht weiter lesen; sie hat sich geändert, oder ihr Datenträger ist fort</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a picture that can be read; PNG, JPEG, TIFF and OpenEXR can</source>
+        <translation>„%1“ ist kein Bild, das gelesen werden kann; PNG, JPEG, TIFF und OpenEXR können es</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 by %3 pixels, and at most 64 million are read; make the picture smaller in a picture editor</source>
+        <translation>„%1“ hat %2 mal %3 Pixel, und höchstens 64 Millionen werden gelesen; das Bild in einem Bildprogramm verkleinern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a kind of picture whose colours cannot be read; save it as PNG in a picture editor</source>
+        <translation>„%1“ ist eine Art von Bild, deren Farben nicht gelesen werden können; in einem Bildprogramm als PNG speichern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged or incomplete; copy it again from where it came from, or save it again in a picture editor</source>
+        <translation>„%1“ ist beschädigt oder unvollständig; noch einmal von seinem Ursprung kopieren oder in einem Bildprogramm neu speichern</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot;, which reads pictures for Bolster, cannot be started; install Bolster again</source>
+        <translation>das Programm „%1“, das für Bolster Bilder liest, kann nicht gestartet werden; Bolster neu installieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes too long to read; save it as PNG in a picture editor</source>
+        <translation>das Lesen von „%1“ dauert zu lange; in einem Bildprogramm als PNG speichern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be decoded: it is damaged or incomplete, or needs too much memory; save it again as PNG in a picture editor</source>
+        <translation>„%1“ kann nicht entschlüsselt werden: es ist beschädigt oder unvollständig oder braucht zu viel Speicher; in einem Bildprogramm neu als PNG speichern</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this picture</source>
+        <translation>%1: für dieses Bild ist nicht genug Speicher da</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this file</source>
+        <translation>%1: für diese Datei ist nicht genug Speicher da</translation>
+    </message>
+    <message>
+        <source>%1: the line is too long</source>
+        <translation>%1: die Zeile ist zu lang</translation>
+    </message>
+    <message>
+        <source>both have a file &quot;%1&quot;, and they are different: save under another name</source>
+        <translation>beide haben eine Datei „%1“, und sie sind verschieden: unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>there is another project in the file now</source>
+        <translation>in der Datei ist jetzt ein anderes Projekt</translation>
+    </message>
+    <message>
+        <source>the last edits are not on the disk yet</source>
+        <translation>die letzten Schritte sind noch nicht auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Change the stitching of %1</source>
+        <translation>Stiche von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the piping of %1</source>
+        <translation>Keder von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the seam allowance of %1</source>
+        <translation>Nahtzugabe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the valley of %1</source>
+        <translation>Mulde von %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -3730,6 +3930,10 @@
         <source>Re&amp;vert to saved</source>
         <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
     </message>
+    <message>
+        <source>S&amp;titch or pipe a seam</source>
+        <translation>Naht abs&amp;teppen oder mit Keder versehen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -3794,6 +3998,14 @@
     <message>
         <source>Nothing differs</source>
         <translation>Nichts unterscheidet sich</translation>
+    </message>
+    <message>
+        <source>&amp;Move both together</source>
+        <translation>Beide &amp;zusammen bewegen</translation>
+    </message>
+    <message>
+        <source>Turning, moving or zooming one version does the same to the other</source>
+        <translation>Drehen, Verschieben und Zoomen der einen Version wirkt auch auf die andere</translation>
     </message>
 </context>
 <context>
@@ -3981,6 +4193,94 @@
             <numerusform>%n Punkt</numerusform>
             <numerusform>%n Punkte</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Across the grain</source>
+        <translation>Quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Along the grain</source>
+        <translation>Längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Colourway shown</source>
+        <translation>Gezeigte Farbvariante</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Strain limits</source>
+        <translation>Dehnungsgrenzen</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Piping fabric</source>
+        <translation>Stoff des Keders</translation>
+    </message>
+    <message>
+        <source>Piping radius</source>
+        <translation>Radius des Keders</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scherung</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Stitch distance</source>
+        <translation>Abstand der Stiche</translation>
+    </message>
+    <message>
+        <source>Stitch length</source>
+        <translation>Stichlänge</translation>
+    </message>
+    <message>
+        <source>Thread colour</source>
+        <translation>Garnfarbe</translation>
+    </message>
+    <message>
+        <source>Thread width</source>
+        <translation>Garnstärke</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <translation>Verzierung</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Mulde</translation>
     </message>
 </context>
 <context>
@@ -4171,6 +4471,58 @@
         <source>Nothing</source>
         <translation>Nichts</translation>
     </message>
+    <message>
+        <source>%1 (recovered)</source>
+        <translation>%1 (gerettet)</translation>
+    </message>
+    <message>
+        <source>&amp;Recover what can be read</source>
+        <translation>&amp;Retten, was lesbar ist</translation>
+    </message>
+    <message>
+        <source>Recovering &quot;%1&quot; …</source>
+        <translation>„%1“ wird gerettet …</translation>
+    </message>
+    <message>
+        <source>Nothing could be recovered.</source>
+        <translation>Es konnte nichts gerettet werden.</translation>
+    </message>
+    <message>
+        <source>What could be read is in &quot;%1&quot; now.</source>
+        <translation>Was lesbar war, ist jetzt in „%1“.</translation>
+    </message>
+    <message>
+        <source>Somebody else has changed &quot;%1&quot; since it was opened here.</source>
+        <translation>Jemand anders hat „%1“ geändert, seit die Datei hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Their changes can become a branch of the history here, then both are saved. Your design stays as it is, and you can go to theirs.</source>
+        <translation>Die anderen Änderungen können hier ein Zweig des Verlaufs werden, dann wird beides gespeichert. Der eigene Entwurf bleibt, wie er ist, und der andere ist erreichbar.</translation>
+    </message>
+    <message>
+        <source>&amp;Take their changes in as a branch</source>
+        <translation>Änderungen als Zweig &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Speichern Sichern &amp;unterunter …</translation>
+    </message>
+    <message>
+        <source>From the file, %1</source>
+        <translation>Aus der Datei, %1</translation>
+    </message>
+    <message>
+        <source>Their changes could not be taken in.</source>
+        <translation>Die anderen Änderungen konnten nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>The changes of somebody else are a branch of the history now.</source>
+        <translation>Die Änderungen von jemand anderem sind jetzt ein Zweig des Verlaufs.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin gehen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -4257,6 +4609,10 @@
     <message>
         <source>That is unusual for a piece of furniture: check the unit.</source>
         <translation>Das ist ungewöhnlich für ein Möbelstück: prüfen Sie die Einheit.</translation>
+    </message>
+    <message>
+        <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
+        <translation>Die Datei hat %1 Punkte. Das sind mehr, als das Anpassen eines Bezugs braucht; sie wurden deshalb auf einen alle %2 mm ausgedünnt.</translation>
     </message>
 </context>
 <context>
@@ -4874,6 +5230,88 @@
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
         <translation>Klick auf eine Fläche, Kante oder Ecke blickt von dort; Ziehen dreht</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::T</name>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Stitches</source>
+        <translation>Stiche</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Single row</source>
+        <translation>Eine Reihe</translation>
+    </message>
+    <message>
+        <source>Twin rows</source>
+        <translation>Zwei Reihen</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Garn</translation>
+    </message>
+    <message>
+        <source>Stitch length</source>
+        <translation>Stichlänge</translation>
+    </message>
+    <message>
+        <source>Distance from the seam</source>
+        <translation>Abstand von der Naht</translation>
+    </message>
+    <message>
+        <source>Thread width</source>
+        <translation>Garnstärke</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>The cover dips into the seam</source>
+        <translation>Der Bezug senkt sich in die Naht</translation>
+    </message>
+    <message>
+        <source>As the patch</source>
+        <translation>Wie das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Piping</source>
+        <translation>Keder</translation>
+    </message>
+    <message>
+        <source>Radius (0: none)</source>
+        <translation>Radius (0: keiner)</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TrimTool</name>
+    <message>
+        <source>Click a seam or an edge of an outline.</source>
+        <translation>Eine Naht oder die Kante eines Umrisses anklicken.</translation>
+    </message>
+    <message>
+        <source>Click to stitch this seam; stitches and piping are in the inspector</source>
+        <translation>Klick steppt diese Naht ab; Stiche und Keder stehen bei den Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Click to stitch this edge; stitches and piping are in the inspector</source>
+        <translation>Klick steppt diese Kante ab; Stiche und Keder stehen bei den Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Click a seam or an edge of an outline to stitch it – Esc ends the tool</source>
+        <translation>Eine Naht oder Kante anklicken, um sie abzusteppen – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 </TS>

@@ -5,7 +5,6 @@
 
 #include <QLocale>
 
-#include <algorithm>
 #include <set>
 
 namespace bolster {
@@ -14,22 +13,76 @@ HistoryModel::HistoryModel(Document& document, QObject* parent)
     : QAbstractListModel(parent)
     , m_document(document)
 {
-    connect(&document, &Document::historyChanged, this, &HistoryModel::rebuild);
+    connect(&document, &Document::historyReplaced, this, &HistoryModel::rebuild);
+    connect(&document, &Document::historyChanged, this, &HistoryModel::follow);
+    connect(&document, &Document::versionNamed, this, [this](NodeId node) {
+        if (const QModelIndex named = indexOf(node); named.isValid())
+            emit dataChanged(named, named);
+    });
     rebuild();
 }
 
-/// A list that only looks different is not made anew: a double click would lose its line between its clicks.
 void HistoryModel::rebuild()
 {
-    std::vector<Row> rows = rowsNow();
-    if (std::ranges::equal(rows, m_rows, [](const Row& a, const Row& b) { return a.standsLike(b); })) {
-        m_rows = std::move(rows);
-        emit dataChanged(index(0), index(rowCount() - 1));
-        return;
-    }
     beginResetModel();
-    m_rows = std::move(rows);
+    m_rows = rowsNow();
+    m_current = m_document.history().current();
+    m_places.resize(m_rows.size());
+    for (std::size_t row = 0; row < m_rows.size(); ++row)
+        m_places[static_cast<std::size_t>(m_rows[row].node)] = static_cast<int>(row);
     endResetModel();
+}
+
+/// An edit costs one line, a move in the history the lines on the way. A list that only looks different is not made
+/// anew: a double click would lose its line between its clicks.
+void HistoryModel::follow()
+{
+    const NodeId count = m_document.history().count();
+    const auto known = static_cast<NodeId>(m_rows.size());
+    if (count == known || (count == known + 1 && appendLine(known)))
+        markDone();
+    else
+        rebuild();
+}
+
+/// False when it begins a branch: then others are indented.
+bool HistoryModel::appendLine(NodeId node)
+{
+    const NodeId parent = m_document.history().node(node).parent;
+    if (m_document.history().node(parent).children.size() != 1)
+        return false;
+    const int above = m_places[static_cast<std::size_t>(parent)];
+    beginInsertRows({}, above + 1, above + 1);
+    Row row = m_rows[static_cast<std::size_t>(above)];
+    row.node = node;
+    row.firstOfBranch = row.done = false;
+    m_rows.insert(m_rows.begin() + above + 1, row);
+    rowOf(parent).lanes |= row.lane();
+    m_places.push_back(above + 1);
+    for (auto below = m_rows.begin() + above + 2; below != m_rows.end(); ++below)
+        ++m_places[static_cast<std::size_t>(below->node)];
+    endInsertRows();
+    emit dataChanged(index(above), index(above));
+    return true;
+}
+
+/// Along the way from where the document was to where it is.
+void HistoryModel::markDone()
+{
+    const History& history = m_document.history();
+    NodeId from = m_current;
+    NodeId to = history.current();
+    int first = std::min(m_places[static_cast<std::size_t>(from)], m_places[static_cast<std::size_t>(to)]);
+    int last = std::max(m_places[static_cast<std::size_t>(from)], m_places[static_cast<std::size_t>(to)]);
+    m_current = to;
+    while (from != to) { // a parent has the lower number
+        NodeId& leaving = from > to ? from : to;
+        rowOf(leaving).done = from < to;
+        first = std::min(first, m_places[static_cast<std::size_t>(leaving)]);
+        last = std::max(last, m_places[static_cast<std::size_t>(leaving)]);
+        leaving = history.node(leaving).parent;
+    }
+    emit dataChanged(index(first), index(last));
 }
 
 std::vector<HistoryModel::Row> HistoryModel::rowsNow() const
@@ -60,8 +113,7 @@ std::vector<HistoryModel::Row> HistoryModel::rowsNow() const
     quint32 lanes = 0;
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
         row->lanes = lanes;
-        const quint32 own = 1U << std::min(row->depth, 31);
-        lanes = row->firstOfBranch ? lanes & ~own : lanes | own;
+        lanes = row->firstOfBranch ? lanes & ~row->lane() : lanes | row->lane();
     }
     return rows;
 }
@@ -137,8 +189,8 @@ Qt::ItemFlags HistoryModel::flags(const QModelIndex& index) const
 
 QModelIndex HistoryModel::indexOf(NodeId node) const
 {
-    const auto found = std::ranges::find(m_rows, node, &Row::node);
-    return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
+    const bool known = node >= 0 && node < static_cast<NodeId>(m_places.size());
+    return known ? index(m_places[static_cast<std::size_t>(node)]) : QModelIndex();
 }
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 
 #include <QAbstractListModel>
 
+#include <algorithm>
 #include <functional>
 
 namespace bolster {
@@ -47,21 +48,23 @@ private:
         bool done = false;
         quint32 lanes = 0;
 
-        bool standsLike(const Row& other) const
-        {
-            return node == other.node && depth == other.depth && firstOfBranch == other.firstOfBranch &&
-                   lanes == other.lanes;
-        }
+        quint32 lane() const { return 1U << std::min(depth, 31); }
     };
 
     void rebuild();
+    void follow();
+    bool appendLine(NodeId node);
+    void markDone();
     std::vector<Row> rowsNow() const;
+    Row& rowOf(NodeId node) { return m_rows[static_cast<std::size_t>(m_places[static_cast<std::size_t>(node)])]; }
     QString text(NodeId node) const;
     QString toolTip(NodeId node) const;
 
     Document& m_document;
     Pictures m_pictures;
     std::vector<Row> m_rows;
+    std::vector<int> m_places; // rows by node
+    NodeId m_current = 0;      // up to there rows are marked as done
 };
 
 } // namespace bolster

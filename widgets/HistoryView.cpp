@@ -139,7 +139,7 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
 {
     setModel(m_model);
     setItemDelegate(new HistoryDelegate(this));
-    setUniformItemSizes(false);
+    setUniformItemSizes(true); // all are equally high, so adding one asks for no other
     setMouseTracking(true);
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(NoSelection);
@@ -151,13 +151,16 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
             [this](const QModelIndex& index) { m_document.jumpTo(index.data(HistoryModel::NodeRole).toInt()); });
     setEditTriggers(DoubleClicked | EditKeyPressed);
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
-        applyFilter();
+        applyFilter(0, m_model->rowCount() - 1);
         showCurrent();
     });
-    connect(m_model, &QAbstractItemModel::dataChanged, this, [this] {
-        applyFilter();
-        showCurrent();
-    });
+    connect(m_model, &QAbstractItemModel::rowsInserted, this,
+            [this](const QModelIndex&, int first, int last) { applyFilter(first, last); });
+    connect(m_model, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex& first, const QModelIndex& last) {
+                applyFilter(first.row(), last.row());
+                showCurrent();
+            });
     showCurrent();
 }
 
@@ -165,13 +168,13 @@ void HistoryView::setFilter(const QString& words)
 {
     m_filter = words.split(u' ', Qt::SkipEmptyParts);
     static_cast<HistoryDelegate*>(itemDelegate())->setFiltered(!m_filter.isEmpty());
-    applyFilter();
+    applyFilter(0, m_model->rowCount() - 1);
     viewport()->update();
 }
 
-void HistoryView::applyFilter()
+void HistoryView::applyFilter(int first, int last)
 {
-    for (int row = 0; row < m_model->rowCount(); ++row) {
+    for (int row = first; row <= last; ++row) {
         const QModelIndex index = m_model->index(row);
         const QString text = index.data().toString() + u' ' + index.data(HistoryModel::NameRole).toString();
         const bool found = std::ranges::all_of(

@@ -31,7 +31,7 @@ protected:
 
 private:
     void showCurrent();
-    void applyFilter();
+    void applyFilter(int first, int last);
 
     Document& m_document;
     HistoryModel* m_model;

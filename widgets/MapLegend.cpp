@@ -31,6 +31,14 @@ void MapLegend::setMap(SurfaceMapPtr map)
     update();
 }
 
+void MapLegend::setReading(const QString& reading)
+{
+    if (reading == m_reading)
+        return;
+    m_reading = reading;
+    update();
+}
+
 void MapLegend::place()
 {
     resize(sizeHint());
@@ -41,13 +49,14 @@ void MapLegend::place()
 QSize MapLegend::sizeHint() const
 {
     const int line = fontMetrics().height();
-    return {barWidth + 2 * padding, 2 * line + barHeight + 2 * padding + 6};
+    return {barWidth + 2 * padding, (hasLimits() ? 4 : 3) * line + barHeight + 2 * padding + 6};
 }
 
 QString MapLegend::number(double value) const
 {
     const int digits = m_map->limit >= 10 ? 0 : m_map->limit >= 1 ? 1 : 2;
-    return (value > 0 ? QStringLiteral("+") : QString()) + decimalText(value, digits, true);
+    const bool sign = value > 0 && m_map->kind == MapScale::Kind::Diverging;
+    return (sign ? QStringLiteral("+") : QString()) + decimalText(value, digits, true);
 }
 
 void MapLegend::paintEvent(QPaintEvent*)
@@ -69,15 +78,29 @@ void MapLegend::paintEvent(QPaintEvent*)
     painter.drawText(QRect(inside.topLeft(), QSize(inside.width(), line)), Qt::AlignLeft | Qt::AlignVCenter, title);
 
     const QRect bar(inside.left(), inside.top() + line + 3, barWidth, barHeight);
+    const bool both = m_map->kind == MapScale::Kind::Diverging;
     for (int x = 0; x < barWidth; ++x) {
-        const auto [r, g, b, a] =
-            m_map->color(m_map->limit * (2 * (static_cast<float>(x) + 0.5F) / static_cast<float>(barWidth) - 1));
+        const float share = (static_cast<float>(x) + 0.5F) / static_cast<float>(barWidth);
+        const auto [r, g, b, a] = m_map->color(m_map->limit * (both ? 2 * share - 1 : share));
         painter.fillRect(bar.left() + x, bar.top(), 1, barHeight, QColor(r, g, b));
     }
-    const QRect numbers(bar.left(), bar.bottom() + 3, barWidth, line);
-    painter.drawText(numbers, Qt::AlignLeft, number(static_cast<double>(-m_map->limit)) + u' ' + m_map->below);
-    painter.drawText(numbers, Qt::AlignHCenter, QStringLiteral("0") + m_map->unit);
-    painter.drawText(numbers, Qt::AlignRight, number(static_cast<double>(m_map->limit)) + u' ' + m_map->above);
+    QRect text(bar.left(), bar.bottom() + 3, barWidth, line);
+    const auto limit = static_cast<double>(m_map->limit);
+    painter.drawText(text, Qt::AlignRight, number(limit) + (both ? QString() : m_map->unit) + u' ' + m_map->above);
+    if (both) {
+        painter.drawText(text, Qt::AlignLeft, number(-limit) + u' ' + m_map->below);
+        painter.drawText(text, Qt::AlignHCenter, QStringLiteral("0") + m_map->unit);
+    } else {
+        painter.drawText(text, Qt::AlignLeft, QStringLiteral("0") + m_map->unit);
+    }
+    if (hasLimits()) {
+        text.translate(0, line);
+        const auto [r, g, b, a] = MapScale::over;
+        painter.fillRect(text.left(), text.top() + (line - barHeight) / 2, barHeight, barHeight, QColor(r, g, b));
+        painter.drawText(text.adjusted(barHeight + 6, 0, 0, 0), Qt::AlignLeft, tr("over the fabric's limit"));
+    }
+    text.translate(0, line);
+    painter.drawText(text, Qt::AlignLeft, m_reading);
 }
 
 } // namespace bolster

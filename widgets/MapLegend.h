@@ -15,6 +15,8 @@ public:
     explicit MapLegend(QWidget* parent);
 
     void setMap(SurfaceMapPtr map);
+    /// What the map says under the pointer, in words; "" when the pointer is elsewhere.
+    void setReading(const QString& reading);
     /// To the lower right corner of the parent.
     void place();
     QSize sizeHint() const override;
@@ -25,7 +27,10 @@ protected:
 private:
     QString number(double value) const;
 
+    bool hasLimits() const { return m_map && !m_map->allowed.empty(); }
+
     SurfaceMapPtr m_map;
+    QString m_reading;
 };
 
 } // namespace bolster

@@ -91,6 +91,11 @@ void PatternView::setMap(const SurfaceMapPtr& map)
     update();
 }
 
+void PatternView::setMapReading(const QString& reading)
+{
+    m_legend->setReading(reading);
+}
+
 void PatternView::setLayers(const PatternLayers& layers)
 {
     m_layers = layers;

@@ -31,6 +31,8 @@ public:
     void setSurface(const SurfaceMeshPtr& surface);
     /// Colours on the patches; null for none.
     void setMap(const SurfaceMapPtr& map);
+    /// What the map says under the pointer.
+    void setMapReading(const QString& reading);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
 

@@ -205,6 +205,11 @@ void SurfaceView::setMap(SurfaceMapPtr map)
     draw(false);
 }
 
+void SurfaceView::setMapReading(const QString& reading)
+{
+    m_legend->setReading(reading);
+}
+
 void SurfaceView::setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs)
 {
     m_scanPairs = std::move(pairs);

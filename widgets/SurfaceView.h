@@ -90,6 +90,8 @@ public:
     void setFiles(const DesignFiles& files);
     /// Colours on the cover; null for none.
     void setMap(SurfaceMapPtr map);
+    /// What the map says under the pointer.
+    void setMapReading(const QString& reading);
     /// Which points of a scan belong to which places of the cover, mm: shown as lines.
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
     void setTool(bolster::SurfaceToolKind kind);

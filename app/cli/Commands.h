@@ -10,6 +10,7 @@ enum ExitCode { done = 0, otherFailure = 1, badInput = 2, notConverged = 3 };
 /// `words` is what follows the name of the subcommand. They throw UsageError.
 int check(std::span<const std::string> words);
 int solve(std::span<const std::string> words);
+int render(std::span<const std::string> words);
 int bench(std::span<const std::string> words);
 int dump(std::span<const std::string> words);
 int importDesign(std::span<const std::string> words);
@@ -19,6 +20,7 @@ int salvage(std::span<const std::string> words);
 
 extern const char* const checkHelp;
 extern const char* const solveHelp;
+extern const char* const renderHelp;
 extern const char* const benchHelp;
 extern const char* const dumpHelp;
 extern const char* const importHelp;

@@ -1,7 +1,7 @@
 #include "SolveOutputs.h"
 
 #include "Output.h"
-#include "PreviewRenderer.h"
+#include "PictureFile.h"
 #include "ReportJson.h"
 #include "SurfaceExport.h"
 #include "WholeFile.h"
@@ -53,7 +53,8 @@ Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const Pr
         return {"\"%1\" was not drawn: interrupted", {path.toStdString()}};
     const QTemporaryDir folder;
     const QString temporary = folder.filePath("cover.png");
-    if (const std::string problem = writePng(image, temporary.toStdString()); !problem.empty())
+    if (const std::string problem = writePicture(image, PictureFormat::Png, temporary.toStdString());
+        !problem.empty())
         return {"\"%1\" cannot be written: %2", {path.toStdString(), problem}};
     const WholeFile png = readWholeFile(temporary, std::numeric_limits<int>::max());
     return png.problem.empty() ? replaceWholeFile(path, png.bytes) : png.problem;

@@ -21,8 +21,8 @@ struct FabricMaps {
 
     bool complete() const
     {
-        const std::size_t pixels = static_cast<std::size_t>(width > 0 ? width : 0) *
-                                   static_cast<std::size_t>(height > 0 ? height : 0);
+        const std::size_t pixels =
+            static_cast<std::size_t>(width > 0 ? width : 0) * static_cast<std::size_t>(height > 0 ? height : 0);
         return pixels > 0 && widthMm > 0 && heightMm > 0 && albedo.size() == 4 * pixels &&
                normal.size() == 3 * pixels && roughness.size() == pixels;
     }

@@ -237,7 +237,8 @@ Edit addFixationFromSurface(const Design& design, const SurfaceMesh& surface, co
             matched.match = Match::Parameter;
             change.after = makeElement(std::move(matched));
         }
-    std::ranges::stable_partition(edit.changes, [id](const Change& change) { return change.id == id; });
+    std::stable_partition(edit.changes.begin(), edit.changes.end(),
+                          [id](const Change& change) { return change.id == id; });
     return edit;
 }
 

@@ -81,7 +81,7 @@ void sortAlong(const BSpline2& outline, std::vector<Stretch>& row)
             first = i;
         }
     }
-    std::ranges::rotate(row, row.begin() + static_cast<std::ptrdiff_t>(first));
+    std::rotate(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(first), row.end());
 }
 
 Vec2 middleInLayout(const Design& design, const Stretch& stretch)

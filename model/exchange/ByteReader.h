@@ -1,7 +1,7 @@
 // Numbers of a binary file, in either byte order, with every access checked.
 #pragma once
 
-#include "FileRefused.h"
+#include "FileBytes.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,14 @@ namespace bolster {
 
 class ByteReader {
 public:
-    ByteReader(std::string_view bytes, bool bigEndian, std::uint64_t start = 0)
-        : m_bytes(bytes)
+    ByteReader(FileBytes bytes, bool bigEndian, std::uint64_t start = 0)
+        : m_window(std::move(bytes))
         , m_at(start)
         , m_swapped(bigEndian != (std::endian::native == std::endian::big))
     {}
 
     FilePlace place() const { return {FilePlace::Unit::Byte, m_at}; }
-    std::uint64_t bytesLeft() const { return m_bytes.size() - m_at; }
+    std::uint64_t bytesLeft() const { return m_window.size() - m_at; }
 
     /// Refuses when fewer than `count` rows of this size are left; the sum cannot overflow.
     void require(std::uint64_t count, std::uint64_t bytesPerRow) const
@@ -39,7 +39,7 @@ public:
     {
         require(1, sizeof(Number));
         std::array<char, sizeof(Number)> raw;
-        std::memcpy(raw.data(), m_bytes.data() + m_at, raw.size());
+        std::memcpy(raw.data(), next(raw.size()), raw.size());
         m_at += raw.size();
         if (m_swapped)
             std::reverse(raw.begin(), raw.end());
@@ -47,7 +47,18 @@ public:
     }
 
 private:
-    std::string_view m_bytes;
+    const char* next(std::size_t count)
+    {
+        if (m_at + count > m_start + m_view.size()) {
+            m_view = m_window.view(m_at, count);
+            m_start = m_at;
+        }
+        return m_view.data() + (m_at - m_start);
+    }
+
+    FileWindow m_window;
+    std::string_view m_view;
+    std::uint64_t m_start = 0; // of the view
     std::uint64_t m_at;
     bool m_swapped;
 };

@@ -1,19 +1,26 @@
-// What all readers of scans share: limits and checks.
+// What all readers of scans share: limits and checks, and no more points than fit into memory.
 #pragma once
 
-#include "FileRefused.h"
+#include "CloudThinner.h"
+#include "FileBytes.h"
 #include "MeshBuilder.h"
-#include "PointCloud.h"
 
 namespace bolster {
 
+inline constexpr std::uint64_t largestCloudCount = 2'000'000'000; ///< points in a file
+inline constexpr std::size_t mostCloudPoints = 5'000'000;         ///< that are kept of them
+
 class CloudBuilder {
 public:
+    explicit CloudBuilder(const FileBytes& bytes)
+        : m_thinner(mostCloudPoints, bytes.watch())
+    {}
+
     /// Makes room for points that a header promises and the file has the bytes for.
     void reservePoints(std::uint64_t count, FilePlace place)
     {
         requireRoom(count, place);
-        m_cloud.points.reserve(static_cast<std::size_t>(count));
+        m_thinner.reserve(count);
     }
 
     /// Leaves out what is not finite; refuses what is too large, and more points than the limit.
@@ -23,27 +30,27 @@ public:
             return;
         if (!(point.array().abs() <= largestMeshCoordinate).all())
             refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
-        requireRoom(m_cloud.points.size() + 1, place);
-        m_cloud.points.push_back(point);
+        requireRoom(m_thinner.count() + 1, place);
+        m_thinner.add(point);
     }
 
     /// Refuses an empty one.
     PointCloud finish()
     {
-        if (m_cloud.points.empty())
+        if (m_thinner.count() == 0)
             refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 holds no points"));
-        return std::move(m_cloud);
+        return m_thinner.take();
     }
 
 private:
     static void requireRoom(std::uint64_t count, FilePlace place)
     {
-        if (count > largestMeshCount)
+        if (count > largestCloudCount)
             refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the scan is too large, the limit is %2 points"),
-                       {std::to_string(largestMeshCount)});
+                       {std::to_string(largestCloudCount)});
     }
 
-    PointCloud m_cloud;
+    CloudThinner m_thinner;
 };
 
 } // namespace bolster

@@ -10,20 +10,22 @@ namespace {
 
 struct Format {
     const char* ending;
-    PointCloud (*read)(std::string_view bytes);
+    PointCloud (*read)(const FileBytes& bytes);
 };
+
+constexpr std::int64_t largestFile = 1'000'000'000'000; // only pieces of it are in memory
 
 constexpr Format formats[] = {{"ply", readPlyCloud}, {"xyz", readXyz}, {"pcd", readPcd}};
 
 } // namespace
 
-ImportedCloud importCloud(const QString& path)
+ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
 {
     for (const Format& format : formats) {
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedCloud imported;
-        imported.problem = readGuarded(path, [&](std::string_view bytes) {
+        imported.problem = readGuarded(path, largestFile, watch, [&](const FileBytes& bytes) {
             imported.cloud = std::make_shared<const PointCloud>(format.read(bytes));
         });
         return imported;

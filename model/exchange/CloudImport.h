@@ -1,6 +1,7 @@
 // Scans from PLY, XYZ and PCD files. Untrusted input: see the limits in CloudBuilder.
 #pragma once
 
+#include "ImportWatch.h"
 #include "Message.h"
 #include "PointCloud.h"
 
@@ -11,13 +12,14 @@
 namespace bolster {
 
 struct ImportedCloud {
-    std::shared_ptr<const PointCloud> cloud; ///< null when refused
-    Message problem;                         ///< why, with file and line or offset
+    std::shared_ptr<const PointCloud> cloud; ///< null when refused or stopped
+    Message problem;                         ///< why, with file and line or offset; empty when stopped
 };
 
 /// The format is that of the file's ending. Points that are not finite, as scanners write them where they saw
-/// nothing, are left out.
-ImportedCloud importCloud(const QString& path);
+/// nothing, are left out. The file is read a piece at a time; of more than 5 million points only one in each cube
+/// of a grid is kept (PointCloud::spacing).
+ImportedCloud importCloud(const QString& path, const ImportWatch& watch = {});
 
 /// Endings without the dot: "ply", "xyz", "pcd".
 QStringList cloudFileEndings();

@@ -37,13 +37,13 @@ void FileContent::addTo(DesignFiles& files, ElementId element) const
         files.clouds.emplace(element, cloud);
 }
 
-ImportedFile importFile(FileKind kind, const QString& path)
+ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch)
 {
     if (kind == FileKind::Cloud) {
-        ImportedCloud imported = importCloud(path);
+        ImportedCloud imported = importCloud(path, watch);
         return {{nullptr, std::move(imported.cloud)}, std::move(imported.problem)};
     }
-    ImportedMesh imported = importMesh(path);
+    ImportedMesh imported = importMesh(path, watch);
     return {{std::move(imported.mesh), nullptr}, std::move(imported.problem)};
 }
 

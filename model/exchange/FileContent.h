@@ -3,6 +3,7 @@
 
 #include "DesignFiles.h"
 #include "Element.h"
+#include "ImportWatch.h"
 
 #include <QString>
 #include <QStringList>
@@ -29,10 +30,10 @@ struct FileContent {
 };
 
 struct ImportedFile {
-    FileContent content; ///< nothing when refused
-    Message problem;     ///< why, with file and line or offset
+    FileContent content; ///< nothing when refused or stopped
+    Message problem;     ///< why, with file and line or offset; empty when stopped
 };
 
-ImportedFile importFile(FileKind kind, const QString& path);
+ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch = {});
 
 } // namespace bolster

@@ -1,39 +1,68 @@
 #include "Lzf.h"
 
 namespace bolster {
+namespace {
 
-std::optional<std::string> unpackLzf(std::string_view packed, std::uint64_t size)
+constexpr std::uint64_t largestRatio = 264 / 2; // the longest copy from the fewest bytes
+
+} // namespace
+
+bool lzfMayHold(std::uint64_t packedSize, std::uint64_t size)
 {
-    constexpr std::uint64_t largestRatio = 264 / 2; // the longest copy from the fewest bytes
-    if (size > packed.size() * largestRatio)
-        return std::nullopt;
-    std::string result;
-    result.reserve(static_cast<std::size_t>(size));
-    std::size_t at = 0;
-    const auto next = [&]() -> std::size_t { return static_cast<unsigned char>(packed[at++]); };
-    while (at < packed.size()) {
-        const std::size_t control = next();
-        if (control < 32) { // bytes as they are
-            const std::size_t count = control + 1;
-            if (count > packed.size() - at || count > size - result.size())
-                return std::nullopt;
-            result.append(packed.substr(at, count));
-            at += count;
-            continue;
-        }
-        std::size_t count = (control >> 5) + 2; // a copy of what was there before
-        const std::size_t operands = control >> 5 == 7 ? 2 : 1;
-        if (operands > packed.size() - at)
-            return std::nullopt;
-        if (operands == 2)
-            count += next();
-        const std::size_t back = ((control & 31) << 8) + next() + 1;
-        if (back > result.size() || count > size - result.size())
-            return std::nullopt;
-        for (std::size_t i = 0; i < count; ++i) // may overlap itself
-            result.push_back(result[result.size() - back]);
+    return size / largestRatio <= packedSize;
+}
+
+LzfReader::LzfReader(FileBytes bytes, std::uint64_t start, std::uint64_t packedSize)
+    : m_packed(std::move(bytes), false, start)
+    , m_start(m_packed.place())
+    , m_left(packedSize)
+{
+    m_packed.require(packedSize, 1);
+}
+
+void LzfReader::requireEnd() const
+{
+    if (m_left > 0 || m_given != m_made)
+        refuse();
+}
+
+void LzfReader::refuse() const
+{
+    refuseFile(m_start, QT_TRANSLATE_NOOP("Message", "%1: the compressed points are damaged"));
+}
+
+void LzfReader::take(char* to, std::uint64_t count)
+{
+    while (count > 0) {
+        if (m_given == m_made)
+            unpackMore();
+        for (; count > 0 && m_given < m_made; --count, ++m_given)
+            if (to)
+                *to++ = m_recent[m_given % m_recent.size()];
     }
-    return result.size() == size ? std::optional(std::move(result)) : std::nullopt;
+}
+
+void LzfReader::unpackMore()
+{
+    const auto next = [this] {
+        if (m_left-- == 0)
+            refuse();
+        return std::uint64_t{m_packed.read<std::uint8_t>()};
+    };
+    const std::uint64_t control = next();
+    if (control < 32) { // bytes as they are
+        for (std::uint64_t i = 0; i <= control; ++i)
+            put(static_cast<char>(next()));
+        return;
+    }
+    std::uint64_t count = (control >> 5) + 2; // a copy of what was there before
+    if (control >> 5 == 7)
+        count += next();
+    const std::uint64_t back = ((control & 31) << 8) + next() + 1;
+    if (back > m_made)
+        refuse();
+    for (std::uint64_t i = 0; i < count; ++i) // may overlap itself
+        put(m_recent[(m_made - back) % m_recent.size()]);
 }
 
 } // namespace bolster

@@ -11,8 +11,10 @@ namespace {
 
 struct Format {
     const char* ending;
-    TriangleMesh (*read)(std::string_view bytes);
+    TriangleMesh (*read)(const FileBytes& bytes);
 };
+
+constexpr std::int64_t largestFile = 2'000'000'000;
 
 constexpr Format formats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
 
@@ -27,13 +29,13 @@ std::string cleanName(const std::string& name)
 
 } // namespace
 
-ImportedMesh importMesh(const QString& path)
+ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
 {
     for (const Format& format : formats) {
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedMesh imported;
-        imported.problem = readGuarded(path, [&](std::string_view bytes) {
+        imported.problem = readGuarded(path, largestFile, watch, [&](const FileBytes& bytes) {
             TriangleMesh mesh = format.read(bytes);
             for (TriangleMesh::Part& part : mesh.parts)
                 part.name = cleanName(part.name);

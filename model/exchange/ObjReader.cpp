@@ -16,7 +16,7 @@ std::int64_t pointIndex(const TextScanner& text, std::string_view corner, std::u
 
 } // namespace
 
-TriangleMesh readObj(std::string_view bytes)
+TriangleMesh readObj(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     MeshBuilder mesh;

@@ -28,7 +28,7 @@ void requireLine(TextScanner& text)
 
 } // namespace
 
-TriangleMesh readOff(std::string_view bytes)
+TriangleMesh readOff(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     if (!text.nextLine() || !isHeader(text.word()))

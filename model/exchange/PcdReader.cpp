@@ -87,7 +87,7 @@ PcdHeader readHeader(TextScanner& text)
             points = text.count();
         } else if (key == "DATA") {
             header.data = text.word();
-            if (!points && width && height && *width <= largestMeshCount && *height <= largestMeshCount)
+            if (!points && width && height && *width <= largestCloudCount && *height <= largestCloudCount)
                 points = *width * *height;
             header.points = points.value_or(0);
             return header;
@@ -98,23 +98,24 @@ PcdHeader readHeader(TextScanner& text)
     refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file ends too early"));
 }
 
-double binaryNumber(ByteReader& bytes, const PcdField& field)
+template <class Reader>
+double binaryNumber(Reader& bytes, const PcdField& field)
 {
     if (field.type == 'F')
-        return field.size == 8 ? bytes.read<double>() : static_cast<double>(bytes.read<float>());
+        return field.size == 8 ? bytes.template read<double>() : static_cast<double>(bytes.template read<float>());
     const bool isSigned = field.type == 'I';
     switch (field.size) {
     case 1:
-        return isSigned ? bytes.read<std::int8_t>() : bytes.read<std::uint8_t>();
+        return isSigned ? bytes.template read<std::int8_t>() : bytes.template read<std::uint8_t>();
     case 2:
-        return isSigned ? bytes.read<std::int16_t>() : bytes.read<std::uint16_t>();
+        return isSigned ? bytes.template read<std::int16_t>() : bytes.template read<std::uint16_t>();
     case 4:
-        return isSigned ? bytes.read<std::int32_t>() : bytes.read<std::uint32_t>();
+        return isSigned ? bytes.template read<std::int32_t>() : bytes.template read<std::uint32_t>();
     default:
         break;
     }
-    return isSigned ? static_cast<double>(bytes.read<std::int64_t>())
-                    : static_cast<double>(bytes.read<std::uint64_t>());
+    return isSigned ? static_cast<double>(bytes.template read<std::int64_t>())
+                    : static_cast<double>(bytes.template read<std::uint64_t>());
 }
 
 /// Where x, y and z are among the fields.
@@ -171,16 +172,16 @@ void readBinary(ByteReader bytes, const PcdHeader& header, CloudBuilder& cloud)
     }
 }
 
-/// Column by column.
-void readColumns(std::string_view columns, const PcdHeader& header, CloudBuilder& cloud)
+/// Column by column, so each coordinate is unpacked on its own from where its column begins: nothing is kept.
+void readColumns(const FileBytes& file, std::uint64_t start, std::uint64_t packedSize, const PcdHeader& header,
+                 CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
-    std::vector<ByteReader> readers;
+    std::vector<LzfReader> readers;
     for (const std::size_t wanted : axes) {
-        std::uint64_t start = 0;
+        readers.emplace_back(file, start, packedSize);
         for (std::size_t k = 0; k < wanted; ++k)
-            start += header.points * header.fields[k].size * header.fields[k].count;
-        readers.emplace_back(columns, false, start);
+            readers.back().skip(header.points * header.fields[k].size * header.fields[k].count);
     }
     cloud.reservePoints(header.points, {});
     for (std::uint64_t i = 0; i < header.points; ++i) {
@@ -189,30 +190,31 @@ void readColumns(std::string_view columns, const PcdHeader& header, CloudBuilder
             point[static_cast<Eigen::Index>(axis)] = binaryNumber(readers[axis], header.fields[axes[axis]]);
         cloud.addPoint(point, {});
     }
+    LzfReader& last = *std::ranges::max_element(readers, {}, &LzfReader::unpacked);
+    last.skip(header.points * header.bytesPerPoint() - last.unpacked());
+    last.requireEnd();
 }
 
-void readCompressed(ByteReader bytes, std::string_view file, const PcdHeader& header, CloudBuilder& cloud)
+void readCompressed(ByteReader bytes, const FileBytes& file, const PcdHeader& header, CloudBuilder& cloud)
 {
     const std::uint64_t packedSize = bytes.read<std::uint32_t>();
     const std::uint64_t size = bytes.read<std::uint32_t>();
     bytes.require(packedSize, 1);
     const FilePlace place = bytes.place();
     const std::uint64_t perPoint = header.bytesPerPoint();
-    if (perPoint == 0 || header.points > size / perPoint || size != header.points * perPoint)
+    if (perPoint == 0 || header.points > size / perPoint || size != header.points * perPoint ||
+        !lzfMayHold(packedSize, size))
         refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
-    const auto columns = unpackLzf(file.substr(static_cast<std::size_t>(place.number), packedSize), size);
-    if (!columns)
-        refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the compressed points are damaged"));
-    readColumns(*columns, header, cloud);
+    readColumns(file, place.number, packedSize, header, cloud);
 }
 
 } // namespace
 
-PointCloud readPcd(std::string_view bytes)
+PointCloud readPcd(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     const PcdHeader header = readHeader(text);
-    CloudBuilder cloud;
+    CloudBuilder cloud(bytes);
     if (header.data == "ascii")
         readText(text, header, cloud);
     else if (header.data == "binary")

@@ -2,7 +2,7 @@
 
 namespace bolster {
 
-PlyBody::PlyBody(PlyHeader::Format format, std::string_view bytes, TextScanner& header)
+PlyBody::PlyBody(PlyHeader::Format format, const FileBytes& bytes, TextScanner& header)
     : m_isText(format == PlyHeader::Format::Text)
     , m_text(header)
     , m_binary(bytes, format == PlyHeader::Format::BigEndian, m_isText ? 0 : header.offsetOfNextLine())

@@ -11,7 +11,7 @@ namespace bolster {
 class PlyBody {
 public:
     /// `header` stands where readPlyHeader() has left it; both must outlive the body.
-    PlyBody(PlyHeader::Format format, std::string_view bytes, TextScanner& header);
+    PlyBody(PlyHeader::Format format, const FileBytes& bytes, TextScanner& header);
 
     FilePlace place() const { return m_isText ? m_text.place() : m_binary.place(); }
 

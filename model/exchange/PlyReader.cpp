@@ -38,7 +38,7 @@ void readVertices(PlyBody& body, const PlyElement& element, Builder& builder)
 
 } // namespace
 
-TriangleMesh readPly(std::string_view bytes)
+TriangleMesh readPly(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     const PlyHeader header = readPlyHeader(text);
@@ -62,12 +62,12 @@ TriangleMesh readPly(std::string_view bytes)
     return mesh.finish();
 }
 
-PointCloud readPlyCloud(std::string_view bytes)
+PointCloud readPlyCloud(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     const PlyHeader header = readPlyHeader(text);
     PlyBody body(header.format, bytes, text);
-    CloudBuilder cloud;
+    CloudBuilder cloud(bytes);
     for (const PlyElement& element : header.elements) {
         body.requireRows(element);
         if (element.name == "vertex") {

@@ -1,7 +1,6 @@
 #include "ReadGuarded.h"
 
-#include "FileRefused.h"
-#include "WholeFile.h"
+#include "DiskFile.h"
 
 #include <QFileInfo>
 
@@ -9,8 +8,6 @@
 
 namespace bolster {
 namespace {
-
-constexpr std::int64_t largestFile = 2'000'000'000;
 
 /// "armchair.obj:17", "seat.stl (byte 84)"
 std::string placeText(const std::string& file, const FilePlace& place)
@@ -28,21 +25,28 @@ std::string placeText(const std::string& file, const FilePlace& place)
 
 } // namespace
 
-Message readGuarded(const QString& path, const std::function<void(std::string_view bytes)>& read)
+Message readGuarded(const QString& path, std::int64_t largest, const ImportWatch& watch,
+                    const std::function<void(const FileBytes& bytes)>& read)
 {
-    const WholeFile file = readWholeFile(path, largestFile);
-    if (!file.problem.empty())
-        return file.problem;
+    Message problem;
+    const auto file = DiskFile::open(path, largest, problem);
+    if (!file)
+        return problem;
+    const auto readDisk = [&file](std::uint64_t at, char* to, std::size_t count) {
+        return file->read(at, to, count) == static_cast<std::int64_t>(count);
+    };
     const std::string name = QFileInfo(path).fileName().toStdString();
     try {
-        read(file.bytes);
+        read(FileBytes(readDisk, file->size(), watch));
         return {};
     } catch (const FileRefused& refused) {
         std::vector<std::string> args = {placeText(name, refused.place)};
         args.insert(args.end(), refused.args.begin(), refused.args.end());
         return {refused.sentence, std::move(args)};
+    } catch (const ImportStopped&) {
+        return {};
     } catch (const std::bad_alloc&) {
-        return {QT_TRANSLATE_NOOP("Message", "%1: there is not enough memory for this mesh"), {name}};
+        return {QT_TRANSLATE_NOOP("Message", "%1: there is not enough memory for this file"), {name}};
     }
 }
 

@@ -18,7 +18,7 @@ bool isWord(std::string_view word, std::string_view lowerCase)
                       [](unsigned char a, char b) { return std::tolower(a) == b; });
 }
 
-TriangleMesh readBinary(std::string_view bytes)
+TriangleMesh readBinary(const FileBytes& bytes)
 {
     ByteReader reader(bytes, false);
     reader.skip(headerBytes);
@@ -40,7 +40,7 @@ TriangleMesh readBinary(std::string_view bytes)
     return mesh.finish();
 }
 
-TriangleMesh readText(std::string_view bytes)
+TriangleMesh readText(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     MeshBuilder mesh;
@@ -63,7 +63,7 @@ TriangleMesh readText(std::string_view bytes)
 }
 
 /// Some programs begin binary files with "solid" too, so the size decides first.
-bool isBinary(std::string_view bytes)
+bool isBinary(const FileBytes& bytes)
 {
     if (bytes.size() < headerBytes + sizeof(std::uint32_t))
         return false;
@@ -72,13 +72,14 @@ bool isBinary(std::string_view bytes)
     const std::uint64_t count = reader.read<std::uint32_t>();
     if (reader.bytesLeft() == count * triangleBytes)
         return true;
-    TextScanner text(bytes);
+    const std::string beginning(FileWindow(bytes).view(0, 512).substr(0, 512));
+    TextScanner text{FileBytes(beginning)};
     return !(text.nextLine() && isWord(text.word(), "solid"));
 }
 
 } // namespace
 
-TriangleMesh readStl(std::string_view bytes)
+TriangleMesh readStl(const FileBytes& bytes)
 {
     return isBinary(bytes) ? readBinary(bytes) : readText(bytes);
 }

@@ -11,6 +11,20 @@ bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+constexpr std::size_t longestLine = 16 << 20; // of a file that is not in memory as a whole
+
+/// How many bytes there are up to the last end of a line that does not go on in the next one.
+std::size_t completeLines(std::string_view text)
+{
+    for (std::size_t end = text.size(); end > 0; --end) {
+        const std::string_view before = text.substr(0, end - 1);
+        const bool lone = text[end - 1] == '\r' && end < text.size() && text[end] != '\n';
+        if (lone || (text[end - 1] == '\n' && !before.ends_with('\\') && !before.ends_with("\\\r")))
+            return end;
+    }
+    return 0;
+}
+
 template <class Number>
 bool parse(std::string_view word, Number& value)
 {
@@ -31,12 +45,11 @@ std::string excerpt(std::string_view word)
     return word.size() > longest ? result + "..." : result;
 }
 
-TextScanner::TextScanner(std::string_view text)
-    : m_begin(text.data())
-    , m_at(text.data())
-    , m_end(text.data() + text.size())
+TextScanner::TextScanner(FileBytes text)
+    : m_window(std::move(text))
 {
-    if (text.starts_with("\xEF\xBB\xBF")) // a byte order mark
+    fetchLines();
+    if (std::string_view(m_begin, m_end).starts_with("\xEF\xBB\xBF")) // a byte order mark
         m_at += 3;
 }
 
@@ -45,7 +58,7 @@ bool TextScanner::nextLine()
     while (true) {
         if (m_line > 0)
             leaveLine();
-        if (m_at == m_end)
+        if (m_at == m_end && !fetchLines())
             return false;
         ++m_line;
         while (m_at != m_end && isBlank(*m_at))
@@ -118,7 +131,27 @@ std::uint64_t TextScanner::count(std::string_view word) const
 std::uint64_t TextScanner::offsetOfNextLine()
 {
     leaveLine();
-    return static_cast<std::uint64_t>(m_at - m_begin);
+    return offset();
+}
+
+bool TextScanner::fetchLines()
+{
+    m_start = offset();
+    m_begin = m_at = m_end = nullptr;
+    for (std::size_t least = 1; m_start < m_window.size();) {
+        const std::string_view view = m_window.view(m_start, least);
+        const bool all = m_start + view.size() == m_window.size();
+        if (const std::size_t length = all ? view.size() : completeLines(view); length > 0) {
+            m_begin = m_at = view.data();
+            m_end = m_begin + length;
+            return true;
+        }
+        if (view.size() >= longestLine)
+            refuseFile({FilePlace::Unit::Line, m_line + 1},
+                       QT_TRANSLATE_NOOP("Message", "%1: the line is too long"));
+        least = 2 * view.size();
+    }
+    return false;
 }
 
 std::ptrdiff_t TextScanner::continuation() const

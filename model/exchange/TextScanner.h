@@ -1,15 +1,16 @@
 // Words and numbers of a text, line by line, as OBJ, OFF, and the text forms of PLY and STL have them.
 #pragma once
 
-#include "FileRefused.h"
+#include "FileBytes.h"
 
 namespace bolster {
 
 /// Comments (a word that begins with '#') end a line; LF, CRLF and CR end it too. A backslash at the end of a line
-/// joins it to the next one while words are read. Independent of the locale.
+/// joins it to the next one while words are read. Independent of the locale. Words are views that end with their
+/// line.
 class TextScanner {
 public:
-    explicit TextScanner(std::string_view text);
+    explicit TextScanner(FileBytes text);
 
     /// Moves to the next line that holds something. False at the end.
     bool nextLine();
@@ -30,7 +31,7 @@ public:
     std::uint64_t count(std::string_view word) const;
 
     FilePlace place() const { return {FilePlace::Unit::Line, m_line}; }
-    std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(m_end - m_at); }
+    std::uint64_t bytesLeft() const { return m_window.size() - offset(); }
     /// Leaves this line; the byte that follows it.
     std::uint64_t offsetOfNextLine();
 
@@ -40,10 +41,15 @@ private:
     std::ptrdiff_t continuation() const;
     void skipBlanks();
     void leaveLine();
+    /// Reads the next lines; false when there are none.
+    bool fetchLines();
+    std::uint64_t offset() const { return m_start + static_cast<std::uint64_t>(m_at - m_begin); }
 
-    const char* m_begin;
-    const char* m_at;
-    const char* m_end;
+    FileWindow m_window;
+    std::uint64_t m_start = 0; // of the lines that are there
+    const char* m_begin = nullptr;
+    const char* m_at = nullptr;
+    const char* m_end = nullptr;
     std::uint64_t m_line = 0;
 };
 

@@ -4,10 +4,10 @@
 
 namespace bolster {
 
-PointCloud readXyz(std::string_view bytes)
+PointCloud readXyz(const FileBytes& bytes)
 {
     TextScanner text(bytes);
-    CloudBuilder cloud;
+    CloudBuilder cloud(bytes);
     bool first = true;
     while (text.nextLine()) {
         const double x = text.number();

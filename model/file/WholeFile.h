@@ -25,11 +25,4 @@ WholeFile readWholeFile(const QString& path, std::int64_t largest);
 /// file is untouched then.
 Message replaceWholeFile(const QString& path, std::string_view bytes);
 
-/// The name for a temporary file in the folder of `path`; nothing is made.
-QString temporaryFileFor(const QString& path);
-/// The second half of replaceWholeFile, for a file that something else has written: syncs it, gives it the
-/// permissions of the file at `path`, if there is one, renames it over that and syncs the folder. Removes the
-/// temporary file if it fails.
-Message moveIntoPlace(const QString& temporary, const QString& path);
-
 } // namespace bolster

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace bolster {
 namespace {
@@ -47,32 +48,107 @@ Hash resultOf(const QCryptographicHash& hash)
     return hashFrom({bytes.data(), static_cast<std::size_t>(bytes.size())});
 }
 
+[[noreturn]] void refuseSource(const QIODevice& source)
+{
+    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a file that the design uses cannot be read (%1)"),
+                         {source.errorString().toStdString()}});
+}
+
+Hash hashOf(QIODevice& source, std::int64_t& size)
+{
+    QCryptographicHash hash(QCryptographicHash::Blake2b_256);
+    size = source.size();
+    if (!hash.addData(&source))
+        refuseSource(source);
+    return resultOf(hash);
+}
+
+std::optional<std::int64_t> numberOf(Database& database, const Hash& content)
+{
+    Query same(database, "SELECT id FROM blob WHERE hash = ?", {Value::blob(bytesOf(content))});
+    return same.next() ? std::optional(same.integer(0)) : std::nullopt;
+}
+
+/// -1 when there is none.
+std::int64_t firstChunkFrom(Database& database, std::int64_t id)
+{
+    Query query(database, "SELECT id FROM chunk WHERE id >= ? ORDER BY id LIMIT 1", {Value::integer(id)});
+    return query.next() ? query.integer(0) : -1;
+}
+
+/// One that nobody has, not even a content that is on its way.
+std::int64_t nextNumber(Database& database)
+{
+    return 1 + std::max(database.number("SELECT coalesce(max(id), 0) FROM blob"),
+                        database.number("SELECT coalesce(max(id), 0) FROM chunk") / mostChunks);
+}
+
+void removeUnlessKnown(Database& database, std::int64_t blob)
+{
+    database.run("DELETE FROM chunk WHERE id >= ? AND id < ? AND NOT EXISTS (SELECT 1 FROM blob WHERE id = ?)",
+                 {Value::integer(chunkId(blob, 0)), Value::integer(chunkId(blob + 1, 0)), Value::integer(blob)});
+}
+
 } // namespace
 
-std::int64_t addBlob(Database& database, SealedRows& rows, QIODevice& source)
+NewBlob::NewBlob(Database& database, QIODevice& source)
+    : m_database(database)
 {
-    const std::int64_t blob = database.number("SELECT coalesce(max(id), 0) + 1 FROM blob");
+    m_hash = hashOf(source, m_size); // most files are there already: nothing is written then
+    if (!numberOf(database, m_hash))
+        store(source);
+}
+
+NewBlob::~NewBlob()
+{
+    try {
+        if (m_number > 0)
+            removeUnlessKnown(m_database, m_number);
+    } catch (const DatabaseError&) { // the next save does it
+    }
+}
+
+void NewBlob::store(QIODevice& source)
+{
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
-    std::int64_t size = 0;
+    m_size = 0;
+    std::unique_lock turn(m_database); // until a piece keeps the number
+    m_number = nextNumber(m_database);
+    source.seek(0);
     for (std::int64_t index = 0; !source.atEnd(); ++index) {
         const QByteArray bytes = source.read(chunkSize);
         if (bytes.isEmpty() || index == mostChunks)
-            throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a file that the design uses cannot be read (%1)"),
-                                 {source.errorString().toStdString()}});
+            refuseSource(source);
         const std::string_view view(bytes.data(), static_cast<std::size_t>(bytes.size()));
-        database.run("INSERT INTO chunk VALUES(?, ?, ?)",
-                     {Value::integer(chunkId(blob, index)), Value::blob(view), Value::integer(crcOf(view))});
+        m_database.run("INSERT INTO chunk VALUES(?, ?, ?)",
+                       {Value::integer(chunkId(m_number, index)), Value::blob(view), Value::integer(crcOf(view))});
+        if (turn)
+            turn.unlock();
         hash.addData(bytes);
-        size += bytes.size();
+        m_size += bytes.size();
     }
-    const Hash content = resultOf(hash);
-    Query same(database, "SELECT id FROM blob WHERE hash = ?", {Value::blob(bytesOf(content))});
-    if (same.next()) {
-        database.run("DELETE FROM chunk WHERE id >= ?", {Value::integer(chunkId(blob, 0))});
-        return same.integer(0);
+    m_hash = resultOf(hash);
+}
+
+std::int64_t NewBlob::finish(SealedRows& rows)
+{
+    if (const auto same = numberOf(m_database, m_hash))
+        return *same;
+    if (m_size == 0) // no piece has kept the number
+        m_number = nextNumber(m_database);
+    rows.put("blob", {Value::integer(m_number), Value::blob(bytesOf(m_hash)), Value::integer(m_size)});
+    return m_number;
+}
+
+void removeUnfinishedBlobs(Database& database)
+{
+    for (std::int64_t next = 0;;) {
+        const std::int64_t chunk = firstChunkFrom(database, chunkId(next, 0));
+        if (chunk < 0)
+            return;
+        removeUnlessKnown(database, chunk / mostChunks);
+        next = chunk / mostChunks + 1;
     }
-    rows.put("blob", {Value::integer(blob), Value::blob(bytesOf(content)), Value::integer(size)});
-    return blob;
 }
 
 void readBlob(Database& database, std::int64_t blob, QIODevice* target)

@@ -7,8 +7,32 @@
 
 namespace bolster {
 
-/// Adds the content, unless it is there already. Returns its number.
-std::int64_t addBlob(Database& database, SealedRows& rows, QIODevice& source);
+/// A content on its way into a project. What is large comes in pieces of their own, so that other threads can use
+/// the database in between; it counts only with finish().
+class NewBlob {
+public:
+    /// Stores the content of `source`, from its beginning, unless it is there already.
+    NewBlob(Database& database, QIODevice& source);
+    /// Takes the pieces back without finish().
+    ~NewBlob();
+    NewBlob(const NewBlob&) = delete;
+    NewBlob& operator=(const NewBlob&) = delete;
+
+    /// Within a transaction, the last thing done with it. Returns the number of the content.
+    std::int64_t finish(SealedRows& rows);
+
+private:
+    void store(QIODevice& source);
+
+    Database& m_database;
+    std::int64_t m_number = 0; // of its pieces, if there are any
+    std::int64_t m_size = 0;
+    Hash m_hash{};
+};
+
+/// Takes back pieces that a crash has left without their content. Nobody may be adding one.
+void removeUnfinishedBlobs(Database& database);
+
 /// Writes a content to the device, or only checks it without one. Throws when it is not whole.
 void readBlob(Database& database, std::int64_t blob, QIODevice* target);
 

@@ -14,6 +14,7 @@ constexpr int largestValue = 256 << 20; // bytes of a column
 constexpr std::int64_t stepsPerByte = 10;
 constexpr std::int64_t stepsAtLeast = 10'000'000;
 constexpr int stepsAtOnce = 10'000;
+constexpr int pagesInLog = 1'000; // before what is in it goes to the file
 
 Message sentence(int code, const std::string& path, const char* words)
 {
@@ -38,6 +39,12 @@ Message sentence(int code, const std::string& path, const char* words)
     default:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read or written (%2)"), {path, words}};
     }
+}
+
+/// Only in an address can it be said that a journal beside the file is none of SQLite's business, and which disk.
+QByteArray addressOf(const QString& path)
+{
+    return "file:" + QUrl::toPercentEncoding(path, "/");
 }
 
 [[noreturn]] void wrongKind()
@@ -65,6 +72,7 @@ Value::Type typeOf(int sqlType)
 
 Query::Query(Database& database, const char* sql, std::initializer_list<Value> values)
     : m_database(database)
+    , m_turn(database)
     , m_statement(database.prepared(sql))
 {
     for (const Value& value : values)
@@ -73,6 +81,7 @@ Query::Query(Database& database, const char* sql, std::initializer_list<Value> v
 
 Query::Query(Database& database, const char* sql, std::span<const Value> values, const Value& last)
     : m_database(database)
+    , m_turn(database)
     , m_statement(database.prepared(sql))
 {
     for (const Value& value : values)
@@ -165,9 +174,9 @@ std::string_view Query::blob(int column) const
 
 Database::Database(const QString& path, Access access, const char* vfs)
     : m_path(path)
+    , m_vfs(vfs)
 {
-    // As an address, because only there it can be said that a journal beside the file is none of its business.
-    QByteArray address = "file:" + QUrl::toPercentEncoding(path, "/");
+    QByteArray address = addressOf(path);
     int flags = SQLITE_OPEN_URI | SQLITE_OPEN_EXRESCODE;
     if (access == Access::AtRest) {
         address += "?immutable=1";
@@ -194,6 +203,7 @@ Database::~Database()
 
 void Database::close()
 {
+    const std::scoped_lock turn(*this);
     for (const auto& [sql, statement] : m_statements)
         sqlite3_finalize(statement);
     m_statements.clear();
@@ -230,10 +240,30 @@ std::int64_t Database::number(const char* sql)
     return query.next() ? query.integer(0) : 0;
 }
 
+std::unique_ptr<Database> Database::freeze()
+{
+    const std::scoped_lock turn(*this);
+    sqlite3_wal_autocheckpoint(m_handle, 0);
+    try {
+        Query checkpoint(*this, "PRAGMA wal_checkpoint(TRUNCATE)");
+        if (!checkpoint.next() || checkpoint.integer(0) != 0)
+            fail(SQLITE_BUSY);
+        return std::make_unique<Database>(m_path, Access::AtRest, m_vfs);
+    } catch (...) {
+        thaw();
+        throw;
+    }
+}
+
+void Database::thaw()
+{
+    sqlite3_wal_autocheckpoint(m_handle, pagesInLog);
+}
+
 void Database::vacuumInto(const QString& path)
 {
-    const std::string name = path.toStdString();
-    runVacuum("VACUUM INTO ?", {Value::text(name)});
+    const QByteArray address = addressOf(path) + "?vfs=" + sqlite3_vfs_find(nullptr)->zName;
+    runVacuum("VACUUM INTO ?", {Value::text({address.constData(), static_cast<std::size_t>(address.size())})});
 }
 
 void Database::vacuum()
@@ -277,6 +307,7 @@ void Database::fail(int code) const
 
 Transaction::Transaction(Database& database)
     : m_database(database)
+    , m_turn(database)
 {
     m_database.run("BEGIN IMMEDIATE");
 }

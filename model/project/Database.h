@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -42,7 +44,8 @@ struct Value {
 
 class Database;
 
-/// A statement of a database, made once and used again. It is reset when the use ends.
+/// A statement of a database, made once and used again. It is reset when the use ends; until then other threads
+/// wait for the database.
 class Query {
 public:
     /// Takes the values in the order of the question marks.
@@ -68,11 +71,12 @@ private:
     void bind(const Value& value);
 
     Database& m_database;
+    std::unique_lock<Database> m_turn;
     sqlite3_stmt* m_statement;
     int m_bound = 0;
 };
 
-/// Everything here throws DatabaseError.
+/// Everything here throws DatabaseError. Threads take turns.
 class Database {
 public:
     enum class Access {
@@ -86,12 +90,20 @@ public:
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
 
+    /// For what belongs together: other threads wait between them. The one that has it may lock it again.
+    void lock() { m_turn.lock(); }
+    void unlock() { m_turn.unlock(); }
     /// Lets go of the file; whatever is asked for afterwards throws.
     void close();
     const QString& path() const { return m_path; }
     void run(const char* sql, std::initializer_list<Value> values = {}) { Query(*this, sql, values).run(); }
     std::int64_t number(const char* sql);
-    /// Writes all that is in here, without gaps, to a new file.
+    /// Of one with a write-ahead log: brings all that was done into the file itself, which is left alone then until
+    /// thaw(): what comes goes to the log. Returns a connection that sees the file as it is now, for another
+    /// thread. There may be one at a time.
+    std::unique_ptr<Database> freeze();
+    void thaw();
+    /// Writes all that is in here, without gaps, to a new file of the real disk; an empty one may be there.
     void vacuumInto(const QString& path);
     /// Gives back what was removed.
     void vacuum();
@@ -103,13 +115,15 @@ private:
     void runVacuum(const char* sql, std::initializer_list<Value> values);
     [[noreturn]] void fail(int code) const;
 
+    std::recursive_mutex m_turn;
     QString m_path;
+    const char* m_vfs;
     sqlite3* m_handle = nullptr;
     std::map<std::string, sqlite3_stmt*, std::less<>> m_statements;
     std::int64_t m_stepsLeft = 0; // of the virtual machine, for files at rest: no file keeps us busy for ever
 };
 
-/// All or nothing: what is not committed is undone.
+/// All or nothing: what is not committed is undone. Other threads wait until it ends.
 class Transaction {
 public:
     explicit Transaction(Database& database);
@@ -121,6 +135,7 @@ public:
 
 private:
     Database& m_database;
+    std::unique_lock<Database> m_turn;
     bool m_open = true;
 };
 

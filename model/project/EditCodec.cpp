@@ -121,6 +121,25 @@ ElementPtr elementBehind(const FieldChange* begin, const FieldChange* end, Eleme
     return elementFromFields((end - 1)->element, fields);
 }
 
+std::string pack(std::string_view bytes)
+{
+    return qCompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
+        .toStdString();
+}
+
+std::optional<std::string> unpack(std::string_view bytes)
+{
+    if (bytes.size() < 4)
+        return std::nullopt;
+    qsizetype size = 0; // that the packed bytes claim
+    for (std::size_t i = 0; i < 4; ++i)
+        size = size << 8 | static_cast<uchar>(bytes[i]);
+    if (size > largestPacked || size > 1100 * static_cast<qsizetype>(bytes.size())) // deflate reaches 1032
+        return std::nullopt;
+    return qUncompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
+        .toStdString();
+}
+
 } // namespace
 
 FieldChanges fieldChanges(const Edit& edit)
@@ -231,25 +250,32 @@ std::optional<std::vector<std::string>> decodeTexts(std::string_view bytes)
     return read && reader.atEnd() ? std::optional(std::move(texts)) : std::nullopt;
 }
 
+std::string packChanges(const FieldChanges& changes)
+{
+    std::string plain = encodeChanges(changes);
+    std::string packed = pack(plain);
+    return packed.size() < plain.size() ? packed : plain;
+}
+
+/// The first byte of an array in CBOR is 0x80 or more; packed bytes begin with their length, which is far from
+/// that.
+std::optional<FieldChanges> unpackChanges(std::string_view bytes)
+{
+    if (bytes.empty() || static_cast<std::uint8_t>(bytes.front()) >= 0x80)
+        return decodeChanges(bytes);
+    const auto plain = unpack(bytes);
+    return plain ? decodeChanges(*plain) : std::nullopt;
+}
+
 std::string encodeDesign(const Design& design)
 {
-    const std::string bytes = encodeChanges(fieldChanges(editBetween(Design(), design, {})));
-    return qCompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-        .toStdString();
+    return pack(encodeChanges(fieldChanges(editBetween(Design(), design, {}))));
 }
 
 std::optional<Design> decodeDesign(std::string_view bytes)
 {
-    if (bytes.size() < 4)
-        return std::nullopt;
-    qsizetype size = 0; // that the packed bytes claim
-    for (int i = 0; i < 4; ++i)
-        size = size << 8 | static_cast<uchar>(bytes[static_cast<std::size_t>(i)]);
-    if (size > largestPacked || size > 1100 * static_cast<qsizetype>(bytes.size())) // deflate reaches 1032
-        return std::nullopt;
-    const QByteArray unpacked =
-        qUncompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
-    const auto changes = decodeChanges({unpacked.data(), static_cast<std::size_t>(unpacked.size())});
+    const auto plain = unpack(bytes);
+    const auto changes = plain ? decodeChanges(*plain) : std::nullopt;
     const auto edit = changes ? editOf(*changes, Design(), StoredEdits::Known::Parent) : std::nullopt;
     return edit ? std::optional(Design().with(*edit)) : std::nullopt;
 }

@@ -33,6 +33,11 @@ std::string encodeChanges(const FieldChanges& changes);
 /// Nothing for bytes of any other form; they may come from anybody.
 std::optional<FieldChanges> decodeChanges(std::string_view bytes);
 
+/// As they lie in a project: packed (deflate) where that is shorter.
+std::string packChanges(const FieldChanges& changes);
+/// Of both forms.
+std::optional<FieldChanges> unpackChanges(std::string_view bytes);
+
 /// The arguments of a verb: a list of texts.
 std::string encodeTexts(const std::vector<std::string>& texts);
 std::optional<std::vector<std::string>> decodeTexts(std::string_view bytes);

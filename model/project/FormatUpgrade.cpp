@@ -2,9 +2,8 @@
 
 #include "ProjectRows.h"
 #include "Schema.h"
-#include "WholeFile.h"
+#include "TemporaryFile.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -55,22 +54,17 @@ Message upgradeProject(const QString& project, const QString& out, std::int64_t 
     const std::int64_t from = formatVersionOf(project);
     if (from < 0)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is no Bolster project"), {project.toStdString()}};
-    const QString temporary = temporaryFileFor(out);
+    TemporaryFile temporary(out);
+    if (Message problem = temporary.copyFrom(project); !problem.empty())
+        return problem;
     try {
-        if (!QFile::copy(project, temporary) ||
-            !QFile::setPermissions(temporary, QFile::ReadOwner | QFile::WriteOwner))
-            throw DatabaseError(
-                {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be opened or made"), {out.toStdString()}});
-        {
-            Database database(temporary, Database::Access::Working);
-            prepareUnshared(database);
-            upgrade(database, from, to, steps);
-        }
-        return moveIntoPlace(temporary, out);
+        Database database(temporary.path(), Database::Access::Working);
+        prepareUnshared(database);
+        upgrade(database, from, to, steps);
     } catch (const DatabaseError& error) {
-        QFile::remove(temporary);
         return error.message;
     }
+    return temporary.moveIntoPlace();
 }
 
 } // namespace bolster

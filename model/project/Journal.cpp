@@ -5,7 +5,7 @@
 #include "ProjectContents.h"
 #include "ProjectRows.h"
 #include "Schema.h"
-#include "WholeFile.h"
+#include "TemporaryFile.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -50,6 +50,14 @@ Journal::Opened guardedOpen(Work work)
     } catch (const std::bad_alloc&) {
         return failed({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this project"), {}});
     }
+}
+
+/// Grows by more than is asked for: an edit must not cost what all before it do.
+template <class T>
+void makeRoom(std::vector<T>& list, std::size_t more)
+{
+    if (list.capacity() < list.size() + more)
+        list.reserve(std::max(list.size() + more, 2 * list.capacity()));
 }
 
 /// "frames/chair.obj" becomes "frames/chair-2.obj".
@@ -102,13 +110,12 @@ Journal::Opened Journal::begin(const QString& project, const QString& path)
     OpenedProject checked = openProject(project);
     if (!checked.problem.empty())
         return failed(std::move(checked.problem));
-    const QString temporary = temporaryFileFor(path);
-    if (!QFile::copy(project, temporary)) {
-        QFile::remove(temporary);
-        return failed(path, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be opened or made"));
-    }
-    QFile::setPermissions(temporary, QFile::ReadOwner | QFile::WriteOwner); // the project may be write-protected
-    if (Message problem = moveIntoPlace(temporary, path); !problem.empty())
+    removeLeftTemporaryFiles(QFileInfo(project).absolutePath());
+    TemporaryFile copy(path);
+    if (Message problem = copy.copyFrom(project); !problem.empty())
+        return failed(std::move(problem));
+    QFile::setPermissions(copy.path(), QFile::ReadOwner | QFile::WriteOwner);
+    if (Message problem = copy.moveIntoPlace(); !problem.empty())
         return failed(std::move(problem));
     Opened result = open(path);
     if (result.journal) {
@@ -165,6 +172,14 @@ Journal::Opened Journal::opened(std::shared_ptr<Database> database)
 
 Message Journal::guarded(const std::function<void()>& work)
 {
+    return caught([&] {
+        const std::scoped_lock turn(*m_database);
+        work();
+    });
+}
+
+Message Journal::caught(const std::function<void()>& work)
+{
     try {
         work();
         return {};
@@ -206,7 +221,7 @@ void Journal::store(Step& step, const History& history, NodeId id, const Design&
     step.rowHashes.push_back(
         putNode(step.rows,
                 {id, newUid(), node.parent, node.time.toMSecsSinceEpoch(), m_run, node.edit.verb,
-                 encodeChanges(fieldChanges(node.edit)), m_designHash.follow(design)},
+                 packChanges(fieldChanges(node.edit)), m_designHash.follow(design)},
                 chain));
     const bool snapshot = since >= editsPerSnapshot;
     step.sinceSnapshot.push_back(snapshot ? 0 : since);
@@ -241,8 +256,8 @@ void Journal::storeRedo(Step& step, const History& history)
 void Journal::accept(Step& step, NodeId current)
 {
     step.rows.close(current);
-    m_rowHashes.reserve(m_rowHashes.size() + step.rowHashes.size());
-    m_sinceSnapshot.reserve(m_sinceSnapshot.size() + step.sinceSnapshot.size());
+    makeRoom(m_rowHashes, step.rowHashes.size()); // nothing may fail after the commit
+    makeRoom(m_sinceSnapshot, step.sinceSnapshot.size());
     step.transaction.commit();
     m_seal = step.rows.seal();
     m_rowHashes.insert(m_rowHashes.end(), step.rowHashes.begin(), step.rowHashes.end());
@@ -272,9 +287,12 @@ Message Journal::addAsset(std::string& name, const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
                 {path.toStdString(), file.errorString().toStdString()}};
-    return guarded([&] {
+    return caught([&] {
+        const std::scoped_lock one(m_longWork);
+        NewBlob content(*m_database, file); // edits go on between its pieces
+        const std::scoped_lock turn(*m_database);
         Step step(*m_database, m_seal);
-        const std::int64_t blob = addBlob(*m_database, step.rows, file);
+        const std::int64_t blob = content.finish(step.rows);
         std::string free = name;
         for (int number = 2;; ++number) {
             Query known(*m_database, "SELECT blob FROM asset WHERE name = ?", {Value::text(free)});
@@ -295,6 +313,12 @@ Message Journal::setThumbnail(NodeId node, const std::string& png)
     return guarded([&] {
         m_database->run("INSERT OR REPLACE INTO thumbnail VALUES(?, ?)", {Value::integer(node), Value::blob(png)});
     });
+}
+
+std::optional<Hash> Journal::base() const
+{
+    const std::scoped_lock turn(*m_database);
+    return m_base;
 }
 
 std::string Journal::thumbnail(NodeId node)

@@ -5,6 +5,7 @@
 #include "Project.h"
 
 #include <functional>
+#include <mutex>
 
 namespace bolster {
 
@@ -17,7 +18,8 @@ struct SaveOptions {
 };
 
 /// Lies in the user's own folder, never where sync clients are. Nobody else can open it meanwhile. No function
-/// throws; each one returns what went wrong, or an empty message, and then has changed nothing.
+/// throws; each one returns what went wrong, or an empty message, and then has changed nothing. Any thread may call
+/// any function: what takes long (saving, adding files) lets edits of other threads in between.
 class Journal {
 public:
     struct Opened {
@@ -48,27 +50,51 @@ public:
     /// "" when there is none. It comes from the file: nobody has looked into it.
     std::string thumbnail(NodeId node);
 
-    /// Writes the project to a file beside `path`, checks it, and puts it in the place of `path`, which holds the
-    /// old bytes or the new ones at any moment.
-    Message save(const QString& path);
+    /// Writes the project, as it is when this begins, to a file beside `path`, checks it, and puts it in the place
+    /// of `path`, which holds the old bytes or the new ones at any moment. `version` is told which node was
+    /// current.
+    Message save(const QString& path, NodeId* version = nullptr);
     /// The same for a copy: what is saved elsewhere does not count as saved.
     Message saveCopy(const QString& path, const SaveOptions& options);
     /// The seal that the project file had when it was last saved or opened: another one means that somebody else
     /// has changed it.
-    const std::optional<Hash>& base() const { return m_base; }
+    std::optional<Hash> base() const;
+
+    /// What the file of this project has that is not here.
+    enum class Theirs { NothingNew, MoreVersions, AnotherProject };
+    Theirs compare(const OpenedProject& theirs);
+    /// Versions of somebody else that are stored here now.
+    struct TakenIn {
+        std::vector<History::Node> nodes;    ///< for the history, after all that it has
+        std::map<NodeId, std::string> names; ///< of versions that were here, and had none
+        NodeId tip = 0;                      ///< where they were
+        std::shared_ptr<StoredEdits> edits;
+    };
+    /// Takes in all of their versions, names and files that are not here; they hang where they were made. Where
+    /// they were is called `name`, if they have not named it. What is here stays as it is, and the file counts as
+    /// known then. `history` is all that was recorded.
+    Message takeIn(const OpenedProject& theirs, const std::string& name, const History& history, TakenIn& taken);
 
 private:
     struct Step; // one that is being stored
+    class Moment;
 
     Journal(std::shared_ptr<Database> database, std::string uuid);
     static Opened opened(std::shared_ptr<Database> database);
-    static Message guarded(const std::function<void()>& work);
+    Message guarded(const std::function<void()>& work);
+    static Message caught(const std::function<void()>& work);
     void store(Step& step, const History& history, NodeId id, const Design& design);
     void storeRedo(Step& step, const History& history);
     void accept(Step& step, NodeId current);
     void snapshotBeforeSave();
+    void takeNode(Step& step, const OpenedProject& theirs, NodeId node, std::vector<NodeId>& places,
+                  TakenIn& taken);
+    static void takeNames(Step& step, const OpenedProject& theirs, const std::vector<NodeId>& places,
+                          const History& history, const std::string& name, TakenIn& taken);
+    static void keepRedo(Step& step, const History& history, const TakenIn& taken);
 
-    std::shared_ptr<Database> m_database;
+    std::mutex m_longWork;                // one thread at a time saves or adds files
+    std::shared_ptr<Database> m_database; // who has locked it has all below
     std::string m_uuid;
     std::optional<Hash> m_base;
     HashSum m_seal;

@@ -98,22 +98,63 @@ void writeCurrent(Database& from, const ProjectContents& contents, const Design&
 
 } // namespace
 
-Message Journal::save(const QString& path)
+/// All rows as they are now, for one thread, while others go on working with the journal. When its disk does not
+/// even take what was done out of the log, there is no work that could go on: then they wait.
+class Journal::Moment {
+public:
+    explicit Moment(Database& journal)
+        : m_journal(journal)
+        , m_turn(journal)
+    {}
+    ~Moment()
+    {
+        m_frozen.reset();
+        m_journal.thaw();
+    }
+    Moment(const Moment&) = delete;
+    Moment& operator=(const Moment&) = delete;
+
+    /// Until then all others wait.
+    void freeze()
+    {
+        try {
+            m_frozen = m_journal.freeze();
+            m_turn.unlock();
+        } catch (const DatabaseError&) {
+        }
+    }
+    Database& rows() { return m_frozen ? *m_frozen : m_journal; }
+
+private:
+    Database& m_journal;
+    std::unique_lock<Database> m_turn;
+    std::unique_ptr<Database> m_frozen;
+};
+
+Message Journal::save(const QString& path, NodeId* version)
 {
-    return guarded([&] {
+    return caught([&] {
+        const std::scoped_lock one(m_longWork);
+        Moment moment(*m_database);
+        removeUnfinishedBlobs(*m_database);
         snapshotBeforeSave();
         ProjectContents contents;
         contents.uuid = m_uuid;
         contents.seal = m_seal;
         contents.current = m_current;
+        moment.freeze();
         const Hash seal = replaceProject(path, [&](const QString& file) {
-            m_database->vacuumInto(file);
-            finishFile(file, contents,
-                       [&](Database& database, SealedRows& rows) { putSavePoint(database, rows, m_current); });
+            moment.rows().vacuumInto(file);
+            finishFile(file, contents, [&](Database& database, SealedRows& rows) {
+                putSavePoint(database, rows, contents.current);
+            });
         });
+        if (version)
+            *version = contents.current;
+        const std::scoped_lock turn(*m_database);
         Step step(*m_database, m_seal);
         putProject(step.rows, m_uuid, seal);
-        putSavePoint(*m_database, step.rows, m_current);
+        putSavePoint(*m_database, step.rows, contents.current);
         accept(step, m_current);
         m_base = seal;
     });
@@ -121,15 +162,21 @@ Message Journal::save(const QString& path)
 
 Message Journal::saveCopy(const QString& path, const SaveOptions& options)
 {
-    return guarded([&] {
-        const ProjectContents contents = readContents(*m_database);
+    return caught([&] {
+        const std::scoped_lock one(m_longWork);
+        Moment moment(*m_database);
+        removeUnfinishedBlobs(*m_database);
+        const Design design = m_design;
+        moment.freeze();
+        Database& now = moment.rows();
+        const ProjectContents contents = readContents(now);
         replaceProject(path, [&](const QString& file) {
             if (!options.withHistory) {
-                writeCurrent(*m_database, contents, m_design, options.withScans, file);
+                writeCurrent(now, contents, design, options.withScans, file);
                 return;
             }
-            const auto scans = options.withScans ? std::set<std::string>() : scanFiles(*m_database, contents);
-            m_database->vacuumInto(file);
+            const auto scans = options.withScans ? std::set<std::string>() : scanFiles(now, contents);
+            now.vacuumInto(file);
             finishFile(file, contents,
                        [&](Database& database, SealedRows& rows) { removeAssets(database, rows, scans); });
             if (!scans.empty())

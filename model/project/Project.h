@@ -26,8 +26,9 @@ struct ProjectNode {
 };
 
 struct OpenedProject {
-    Message problem; ///< why it could not be opened; the rest is empty then
-    Design design;   ///< of the current node
+    Message problem;  ///< why it could not be opened; the rest is empty then
+    std::string uuid; ///< the same in all copies of the project
+    Design design;    ///< of the current node
     History history;
     std::vector<ProjectNode> nodes;             ///< by NodeId
     std::optional<NodeId> saved;                ///< the node that was saved last

@@ -211,7 +211,7 @@ ProjectContents readContents(Database& database)
 std::optional<FieldChanges> changesOf(Database& database, NodeId node)
 {
     Query query(database, "SELECT patch FROM node WHERE id = ?", {Value::integer(node)});
-    return query.next() ? decodeChanges(query.blob(0)) : std::nullopt;
+    return query.next() ? unpackChanges(query.blob(0)) : std::nullopt;
 }
 
 std::optional<Design> snapshotOf(Database& database, NodeId node)
@@ -257,6 +257,7 @@ std::shared_ptr<StoredEdits> storedEdits(std::shared_ptr<Database> database)
 OpenedProject opened(ProjectContents contents, Design design, std::shared_ptr<Database> database)
 {
     OpenedProject project;
+    project.uuid = std::move(contents.uuid);
     project.design = std::move(design);
     project.history = History(std::move(contents.nodes), contents.current, storedEdits(database));
     project.nodes = std::move(contents.facts);

@@ -16,7 +16,7 @@ NewNode firstNode(const Design& design)
             QDateTime::currentMSecsSinceEpoch(),
             0,
             {},
-            encodeChanges(fieldChanges(editBetween(Design(), design, {}))),
+            packChanges(fieldChanges(editBetween(Design(), design, {}))),
             hashOf(design)};
 }
 

@@ -17,7 +17,7 @@ struct NewNode {
     std::int64_t at = 0; ///< ms since 1970, UTC
     std::int64_t run = 0;
     Message verb;
-    std::string patch; ///< encodeChanges
+    std::string patch; ///< packChanges
     Hash designHash{};
 };
 

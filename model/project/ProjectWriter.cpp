@@ -2,9 +2,9 @@
 
 #include "BlobStore.h"
 #include "ProjectRows.h"
-#include "WholeFile.h"
+#include "TemporaryFile.h"
 
-#include <QFile>
+#include <QFileInfo>
 #include <QTemporaryFile>
 
 namespace bolster {
@@ -20,19 +20,16 @@ void throwUnless(const Message& problem)
 
 Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write, ProjectCheck check)
 {
-    const QString temporary = temporaryFileFor(path);
-    try {
-        write(temporary);
-        const OpenedProject written = openProject(temporary, check);
-        throwUnless(written.problem);
-        for (const auto& [name, blob] : written.assets)
-            readBlob(*written.database, blob, nullptr);
-        throwUnless(moveIntoPlace(temporary, path));
-        return written.seal;
-    } catch (...) {
-        QFile::remove(temporary);
-        throw;
-    }
+    removeLeftTemporaryFiles(QFileInfo(path).absolutePath());
+    TemporaryFile temporary(path);
+    throwUnless(temporary.problem());
+    write(temporary.path());
+    OpenedProject written = openProject(temporary.path(), check);
+    throwUnless(written.problem);
+    for (const auto& [name, blob] : written.assets)
+        readBlob(*written.database, blob, nullptr);
+    throwUnless(temporary.moveIntoPlace());
+    return written.seal;
 }
 
 void copyAsset(Database& from, std::int64_t blob, const std::string& name, Database& to, SealedRows& rows)
@@ -43,7 +40,7 @@ void copyAsset(Database& from, std::int64_t blob, const std::string& name, Datab
                              {content.errorString().toStdString()}});
     readBlob(from, blob, &content);
     content.seek(0);
-    putAsset(to, rows, name, addBlob(to, rows, content));
+    putAsset(to, rows, name, NewBlob(to, content).finish(rows));
 }
 
 } // namespace bolster

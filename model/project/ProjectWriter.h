@@ -8,8 +8,9 @@
 
 namespace bolster {
 
-/// Lets `write` make a file beside `path`, checks it with all its assets, and moves it into the place of `path`:
-/// that holds the old bytes or the new ones at any moment. Returns the seal of the file. Throws DatabaseError.
+/// Lets `write` fill an empty file beside `path`, checks it with all its assets, and moves it into the place of
+/// `path`: that holds the old bytes or the new ones at any moment. Returns the seal of the file. Throws
+/// DatabaseError.
 Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write,
                     ProjectCheck check = ProjectCheck::ToWork);
 

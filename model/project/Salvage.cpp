@@ -172,7 +172,7 @@ private:
                          std::string(row.columns[7].bytes),
                          hashFrom(row.columns[8].bytes)};
             if (isRoot)
-                if (const auto changes = decodeChanges(node.patch))
+                if (const auto changes = unpackChanges(node.patch))
                     if (const auto edit = editOf(*changes, Design(), StoredEdits::Known::Parent))
                         m_first = Design().with(*edit);
             keep(id, node);
@@ -196,7 +196,7 @@ private:
                 node.id = newId();
                 node.parent = 0;
                 node.verb = {QT_TRANSLATE_NOOP("Message", "Saved version")};
-                node.patch = encodeChanges(fieldChanges(editBetween(m_first, *design, {})));
+                node.patch = packChanges(fieldChanges(editBetween(m_first, *design, {})));
             }
             keep(id, node);
             m_notes.push_back({QT_TRANSLATE_NOOP("Message", "version %1 was saved without the edits before it"),

@@ -1,6 +1,7 @@
 #include "WorkJournal.h"
 
 #include "EditCodec.h"
+#include "TemporaryFile.h"
 #include "WholeFile.h"
 
 #include <QDir>
@@ -113,7 +114,7 @@ WorkJournal::Taken taken(const QString& base, std::shared_ptr<QLockFile> lock, J
     return result;
 }
 
-/// The journal of a program that has ended, if there is unsaved work in it.
+/// Whether there is unsaved work in the journal of a program that has ended.
 bool hasUnsavedWork(const QString& base)
 {
     const auto opened = Journal::open(base + journalEnding);
@@ -124,22 +125,22 @@ bool hasUnsavedWork(const QString& base)
     return opened.project.history.current() != saved;
 }
 
-} // namespace
-
-QList<WorkJournal::Left> WorkJournal::left()
+/// Those with unsaved work among the journals of which `wanted` likes what stands about them.
+template <class Wanted>
+QList<WorkJournal::Left> leftWhere(Wanted wanted)
 {
-    QList<Left> found;
+    QList<WorkJournal::Left> found;
     for (const QFileInfo& file : QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files, QDir::Time)) {
-        Left left{{}, file.lastModified(), file.absoluteFilePath()};
+        WorkJournal::Left left{{}, file.lastModified(), file.absoluteFilePath()};
         const QString base = baseOf(left);
-        const auto lock = lockOf(base);
+        const About about = readAbout(base);
+        const auto lock = wanted(about) ? lockOf(base) : nullptr;
         if (!lock)
             continue;
         if (!hasUnsavedWork(base)) {
             removeJournal(base);
             continue;
         }
-        const About about = readAbout(base);
         left.place = about.place;
         left.kept = about.kept;
         if (const QFileInfo wal(left.journal + "-wal"); wal.exists() && wal.lastModified() > left.when)
@@ -147,6 +148,20 @@ QList<WorkJournal::Left> WorkJournal::left()
         found.append(left);
     }
     return found;
+}
+
+} // namespace
+
+QList<WorkJournal::Left> WorkJournal::left()
+{
+    removeLeftTemporaryFiles(journals());
+    return leftWhere([](const About&) { return true; });
+}
+
+std::optional<WorkJournal::Left> WorkJournal::leftOf(const QString& original)
+{
+    const QList<Left> found = leftWhere([&](const About& about) { return about.place.original == original; });
+    return found.isEmpty() ? std::nullopt : std::optional(found.front());
 }
 
 bool WorkJournal::isWorkedOn(const QString& original)
@@ -200,6 +215,7 @@ WorkJournal::WorkJournal(Document& document, QObject* parent)
     , m_document(document)
 {
     connect(&document, &Document::historyChanged, this, &WorkJournal::follow);
+    connect(&document, &Document::versionNamed, this, [this](NodeId node) { m_renamed.insert(node); });
 }
 
 WorkJournal::~WorkJournal()
@@ -214,12 +230,10 @@ void WorkJournal::start(const Place& place, const Taken& taken)
     m_base = taken.base;
     m_lock = taken.lock;
     m_journal = taken.journal;
-    m_names.clear();
-    for (NodeId node = 0; node < m_document.history().count(); ++node)
-        m_names.push_back(m_document.history().node(node).name);
+    m_renamed.clear();
     m_savedAsText = m_journal ? readAbout(m_base).savedAsText : std::nullopt;
     m_fate = Fate::Leave;
-    m_suspended = m_failing = false;
+    m_failing = false;
     m_following = true;
     if (m_journal)
         move(place);
@@ -271,7 +285,7 @@ Message WorkJournal::prepare()
 
 void WorkJournal::follow()
 {
-    if (!m_following || m_suspended || (!m_journal && m_document.history().count() == 1))
+    if (!m_following || (!m_journal && m_document.history().count() == 1))
         return;
     m_fate = Fate::Leave; // was said of the work as it was then
     const Message problem = record();
@@ -287,22 +301,27 @@ Message WorkJournal::record()
     const History& history = m_document.history();
     if (Message problem = m_journal->record(history, m_document.committed()); !problem.empty())
         return problem;
-    m_names.resize(static_cast<std::size_t>(history.count()));
-    for (NodeId node = 0; node < history.count(); ++node) {
-        std::string& known = m_names[static_cast<std::size_t>(node)];
-        if (const std::string& name = history.node(node).name; name != known) {
-            if (Message problem = m_journal->setName(node, name); !problem.empty())
-                return problem;
-            known = name;
-        }
+    while (!m_renamed.empty()) {
+        const NodeId node = *m_renamed.begin();
+        if (Message problem = m_journal->setName(node, history.node(node).name); !problem.empty())
+            return problem;
+        m_renamed.erase(node);
     }
     return {};
 }
 
-void WorkJournal::resume()
+Message WorkJournal::takeIn(const OpenedProject& theirs, const std::string& name, NodeId& tip)
 {
-    m_suspended = false;
-    follow();
+    if (Message problem = record(); !problem.empty())
+        return problem;
+    Journal::TakenIn taken;
+    if (Message problem = m_journal->takeIn(theirs, name, m_document.history(), taken); !problem.empty())
+        return problem;
+    tip = taken.tip;
+    m_document.takeIn(std::move(taken.nodes), std::move(taken.edits));
+    for (const auto& [node, text] : taken.names)
+        m_document.nameVersion(node, text);
+    return {};
 }
 
 void WorkJournal::savedAsText(NodeId node)

@@ -8,6 +8,8 @@
 #include <QDateTime>
 #include <QLockFile>
 
+#include <set>
+
 namespace bolster {
 
 /// Journals lie in the user's local state folder (AppLocalDataLocation/journals): UUID.bolster, beside it
@@ -42,6 +44,8 @@ public:
 
     /// Of no running program, newest first; those without unsaved work are removed.
     static QList<Left> left();
+    /// The same of one project or design: no others are opened.
+    static std::optional<Left> leftOf(const QString& original);
     /// A running program, this one or another, works on this project or design.
     static bool isWorkedOn(const QString& original);
     /// These may be called on any thread.
@@ -69,12 +73,10 @@ public:
 
     /// Makes a journal if there is none yet.
     Message prepare();
-    /// Null before the first edit. Belongs to another thread between suspend() and resume(): meanwhile edits wait.
+    /// Null before the first edit.
     const std::shared_ptr<Journal>& journal() const { return m_journal; }
-    void suspend() { m_suspended = true; }
-    /// The journal, if there is one and this thread may use it.
-    Journal* writable() const { return m_suspended ? nullptr : m_journal.get(); }
-    void resume();
+    /// Journal::takeIn, for the document too. `tip` is told where they were.
+    Message takeIn(const OpenedProject& theirs, const std::string& name, NodeId& tip);
     /// The document has been saved in another form, as it is at `node`.
     void savedAsText(NodeId node);
 
@@ -94,10 +96,9 @@ private:
     QString m_base;
     std::shared_ptr<QLockFile> m_lock;
     std::shared_ptr<Journal> m_journal;
-    std::vector<std::string> m_names; ///< of nodes, as they are in the journal
+    std::set<NodeId> m_renamed; ///< their names are not in the journal yet
     std::optional<NodeId> m_savedAsText;
     bool m_following = false;
-    bool m_suspended = false;
     bool m_failing = false;
 };
 

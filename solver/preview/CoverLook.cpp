@@ -1,8 +1,11 @@
 #include "CoverLook.h"
 
+#include "Srgb.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace bolster {
 
@@ -12,11 +15,8 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr float seamReach = 5.f; ///< mm: how far the valley reaches to each side
 constexpr float seamLine = 0.5f; ///< mm: half the width of the dark line
 
-float toLinear(int byte)
-{
-    const float s = static_cast<float>(byte) / 255.f;
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
+constexpr float plainRoughness = 0.62f;
+constexpr float plainSheen = 0.12f;
 
 /// Mean of a square wave of period 2 (+1 on [0, 1), -1 on [1, 2)) over a window of this width.
 float squareWave(float at, float width)
@@ -68,12 +68,14 @@ Vec3f linearColor(const std::string& color)
         return {0.5f, 0.5f, 0.5f};
     Vec3f linear;
     for (std::size_t i = 0; i < 3; ++i)
-        linear[static_cast<Eigen::Index>(i)] = toLinear(16 * hex(color[1 + 2 * i]) + hex(color[2 + 2 * i]));
+        linear[static_cast<Eigen::Index>(i)] =
+            linearFromSrgb(static_cast<std::uint8_t>(16 * hex(color[1 + 2 * i]) + hex(color[2 + 2 * i])));
     return linear;
 }
 
 CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
     : m_checker(scene.checker)
+    , m_checkerSize(static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20))
 {
     if (!scene.surface || !scene.surface->topology)
         return;
@@ -85,8 +87,6 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
         takeCover(*scene.cover, *mesh.topology, origin);
     else
         takeSurface(mesh, origin);
-    for (Eigen::Vector2f& p : m_pattern)
-        p /= static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20);
     if (scene.vertexColors.size() == count) {
         for (const auto& [r, g, b, a] : scene.vertexColors)
             m_mapColors.push_back(Eigen::Vector4f(r, g, b, a) / 255);
@@ -163,19 +163,31 @@ void CoverLook::takeSeams(const std::vector<std::vector<std::uint32_t>>& seams)
 
 void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse)
 {
+    std::map<FabricMapsPtr, std::shared_ptr<const FabricSampler>> samplers;
     m_patchOfTriangle.assign(m_triangles.size(), 0);
     for (const SurfaceTopology::PatchRange& range : scene.surface->topology->patches) {
-        const auto look = std::find_if(scene.looks.begin(), scene.looks.end(),
-                                       [&](const auto& one) { return one.patch == range.patch; });
-        const Vec3f color = linearColor(look != scene.looks.end() ? look->color : PreviewScene::PatchLook{}.color);
         const std::size_t first = trianglesPerCoarse * range.firstTriangle;
         const std::size_t end = std::min(m_triangles.size(), first + trianglesPerCoarse * range.triangleCount);
         for (std::size_t t = first; t < end; ++t)
-            m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_tones.size());
-        m_tones.push_back({(1.6f * color.array() + 0.03f).min(1.f), 0.85f * color});
+            m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_cloths.size());
+        const auto look = std::ranges::find(scene.looks, range.patch, &PreviewScene::PatchLook::patch);
+        const PreviewScene::PatchLook shown = look != scene.looks.end() ? *look : PreviewScene::PatchLook{};
+        const Vec3f color = linearColor(shown.color);
+        Cloth cloth{m_checker ? Vec3f((1.6f * color.array() + 0.03f).min(1.f)) : color,
+                    m_checker ? Vec3f(0.85f * color) : color};
+        cloth.sheen = plainSheen;
+        if (!m_checker && shown.maps && shown.maps->complete()) {
+            auto& sampler = samplers[shown.maps];
+            if (!sampler)
+                sampler = std::make_shared<FabricSampler>(*shown.maps);
+            cloth.maps = sampler;
+            cloth.sheen = static_cast<float>(shown.maps->sheen);
+            cloth.toTile = Eigen::Rotation2Df(static_cast<float>(-shown.turn)).toRotationMatrix();
+        }
+        m_cloths.push_back(std::move(cloth));
     }
-    if (m_tones.empty())
-        m_tones.push_back({Vec3f::Constant(0.5f), Vec3f::Constant(0.4f)});
+    if (m_cloths.empty())
+        m_cloths.push_back({Vec3f::Constant(0.5f), Vec3f::Constant(0.4f)});
 }
 
 SurfacePoint CoverLook::at(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const
@@ -196,41 +208,58 @@ SurfacePoint CoverLook::at(const RayHit& hit, const Vec3f& direction, const Foot
     const std::array<float, 3> weights{1.f - hit.u - hit.v, hit.u, hit.v};
     point.normal = weights[0] * normals[0] + weights[1] * normals[1] + weights[2] * normals[2];
     point.normal = point.normal.squaredNorm() > 1e-6f ? point.normal.normalized() : point.face;
+    point.smooth = point.normal;
     point.shadowOrigin = liftedOrigin(point, corners, normals, weights);
 
-    point.color = outsideColor(hit, direction, pixel);
-    point.gloss = outside ? 0.09f : 0.f;
+    point.roughness = plainRoughness;
+    point.specular = 0.04f;
+    dress(hit, patternFrame(hit, direction, pixel), point);
     if (!outside) { // the lining: the cover's colour, but greyed
         const float grey = point.color.dot(Vec3f(0.2126f, 0.7152f, 0.0722f));
         point.color = 0.25f * point.color + Vec3f::Constant(0.12f + 0.35f * grey);
+        point.roughness = 0.9f;
+        point.sheen = 0;
+        point.specular = 0.02f;
     } else {
         pressSeam(hit, pixel.right.norm(), point);
     }
     return point;
 }
 
-Vec3f CoverLook::outsideColor(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const
+/// The fabric's colour and how it shines; its grain leans the normal, but not that of the lining.
+void CoverLook::dress(const RayHit& hit, const std::optional<PatternFrame>& pattern, SurfacePoint& point) const
 {
-    const Tone& tone = m_tones[m_patchOfTriangle[hit.triangle]];
-    const float light = m_checker ? checker(hit, direction, pixel) : 0;
-    const Vec3f cloth = tone.dark + light * (tone.light - tone.dark);
+    const Cloth& cloth = m_cloths[m_patchOfTriangle[hit.triangle]];
+    point.sheen = cloth.sheen;
+    point.color = cloth.dark;
+    if (cloth.maps && pattern) {
+        const FabricSampler::Sample sample =
+            cloth.maps->at(cloth.toTile * pattern->at, cloth.toTile * pattern->right, cloth.toTile * pattern->up);
+        point.color = sample.color + (1 - sample.opacity) * cloth.light;
+        point.roughness = sample.roughness;
+        if (point.face.dot(hit.normal) > 0) {
+            const Eigen::Vector2f lean = cloth.toTile.transpose() * sample.lean;
+            point.normal = (point.normal + lean.x() * pattern->x + lean.y() * pattern->y).normalized();
+        }
+    } else if (m_checker) {
+        point.color += (pattern ? checker(*pattern) : 0.5f) * (cloth.light - cloth.dark);
+    }
     if (m_mapColors.empty())
-        return cloth;
+        return;
     const Eigen::Vector4f map = mixed(m_mapColors, m_triangles[hit.triangle], hit);
-    return (1 - map.w()) * cloth + map.w() * Vec3f(map.head<3>().array().pow(2.2f));
+    point.color = (1 - map.w()) * point.color + map.w() * Vec3f(map.head<3>().array().pow(2.2f));
 }
 
-/// The share of light squares under the pixel: the checker integrated over the pixel's bounding box in the
-/// outline's coordinates, so it neither flickers nor needs mip-maps.
-float CoverLook::checker(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const
+std::optional<CoverLook::PatternFrame> CoverLook::patternFrame(const RayHit& hit, const Vec3f& direction,
+                                                               const Footprint& pixel) const
 {
     const std::array<std::uint32_t, 3>& ids = m_triangles[hit.triangle];
     const Vec3f e1 = m_points[ids[1]] - m_points[ids[0]], e2 = m_points[ids[2]] - m_points[ids[0]];
     const Eigen::Vector2f d1 = m_pattern[ids[1]] - m_pattern[ids[0]], d2 = m_pattern[ids[2]] - m_pattern[ids[0]];
     const Vec3f across = e1.cross(e2);
-    const float area2 = across.squaredNorm();
-    if (!(area2 > 0))
-        return 0.5f;
+    const float area2 = across.squaredNorm(), turned = d1.x() * d2.y() - d1.y() * d2.x();
+    if (!(area2 > 0) || turned == 0)
+        return std::nullopt;
     const Vec3f toE1 = e2.cross(across) / area2, toE2 = across.cross(e1) / area2; // dual to e1, e2
     const float facing = direction.dot(hit.normal);
     const auto onSurface = [&](const Vec3f& step) { // where the neighbouring pixel's ray meets the plane
@@ -239,11 +268,20 @@ float CoverLook::checker(const RayHit& hit, const Vec3f& direction, const Footpr
     const auto inPattern = [&](const Vec3f& step) {
         return Eigen::Vector2f(toE1.dot(step) * d1 + toE2.dot(step) * d2);
     };
-    const Eigen::Vector2f width =
-        inPattern(onSurface(pixel.right)).cwiseAbs() + inPattern(onSurface(pixel.up)).cwiseAbs();
-    const Eigen::Vector2f at = mixed(m_pattern, ids, hit);
-    if (!at.allFinite() || !width.allFinite())
-        return 0.5f;
+    PatternFrame frame{mixed(m_pattern, ids, hit), inPattern(onSurface(pixel.right)),
+                       inPattern(onSurface(pixel.up)), ((d2.y() * e1 - d1.y() * e2) / turned).normalized(),
+                       ((d1.x() * e2 - d2.x() * e1) / turned).normalized()};
+    const bool finite = frame.at.allFinite() && frame.right.allFinite() && frame.up.allFinite() &&
+                        frame.x.allFinite() && frame.y.allFinite();
+    return finite ? std::optional(frame) : std::nullopt;
+}
+
+/// The share of light squares under the pixel: the checker integrated over the pixel's bounding box in the
+/// outline's coordinates, so it neither flickers nor needs mip-maps.
+float CoverLook::checker(const PatternFrame& pattern) const
+{
+    const Eigen::Vector2f at = pattern.at / m_checkerSize;
+    const Eigen::Vector2f width = (pattern.right.cwiseAbs() + pattern.up.cwiseAbs()) / m_checkerSize;
     return 0.5f + 0.5f * squareWave(at.x(), width.x()) * squareWave(at.y(), width.y());
 }
 
@@ -271,7 +309,7 @@ void CoverLook::pressSeam(const RayHit& hit, float pixelSize, SurfacePoint& poin
     const float reach = std::max(seamLine, 0.6f * pixelSize);
     const float line = std::clamp((reach - distance) / std::max(pixelSize, 0.05f) + 0.5f, 0.f, 1.f);
     point.color *= (1.f - 0.35f * depth * depth) * (1.f - 0.6f * line * std::min(1.f, 2.f * seamLine / reach));
-    point.gloss *= 1.f - line;
+    point.specular *= 1.f - line;
 }
 
 } // namespace bolster

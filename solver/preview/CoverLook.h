@@ -1,6 +1,7 @@
 // What a ray sees on the cover: colour from the outline coordinates, and the valley along seams.
 #pragma once
 
+#include "FabricSampler.h"
 #include "PreviewRenderer.h"
 #include "RayScene.h"
 
@@ -10,10 +11,13 @@ namespace bolster {
 struct SurfacePoint {
     Vec3f position = Vec3f::Zero();
     Vec3f normal = Vec3f::UnitZ();      ///< for shading, unit, on the side of the ray
+    Vec3f smooth = Vec3f::UnitZ();      ///< without the fabric's relief: where light may come from
     Vec3f face = Vec3f::UnitZ();        ///< of the triangle, unit, on the side of the ray
     Vec3f shadowOrigin = Vec3f::Zero(); ///< from where shadow rays start
     Vec3f color = Vec3f::Zero();
-    float gloss = 0; ///< strength of the highlight
+    float roughness = 1; ///< perceptual: its square is GGX's alpha
+    float sheen = 0;     ///< of fibres, 0 to 1
+    float specular = 0;  ///< share of light that is reflected straight on; 0.04 for leather and lacquer
 };
 
 /// The size of a pixel at a hit: what one step to the right or up in the picture moves there, mm.
@@ -34,8 +38,16 @@ public:
     SurfacePoint at(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
 
 private:
-    struct Tone {
-        Vec3f light, dark;
+    struct Cloth {
+        Vec3f light, dark; ///< without maps: of the checker
+        std::shared_ptr<const FabricSampler> maps = nullptr;
+        float sheen = 0;
+        Eigen::Matrix2f toTile = Eigen::Matrix2f::Identity(); ///< turns the outline's frame into the maps'
+    };
+    /// How the outline's frame lies on a triangle, and what a pixel covers of it.
+    struct PatternFrame {
+        Eigen::Vector2f at, right, up; ///< outline coordinates, mm
+        Vec3f x, y;                    ///< what the coordinates' directions are on the surface
     };
     using SeamPart = std::array<std::uint32_t, 2>; ///< two vertices; both `none`: no part
 
@@ -44,19 +56,22 @@ private:
     void takeSeams(const std::vector<std::vector<std::uint32_t>>& seams);
     void takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse);
 
-    Vec3f outsideColor(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
-    float checker(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
+    std::optional<PatternFrame> patternFrame(const RayHit& hit, const Vec3f& direction,
+                                             const Footprint& pixel) const;
+    void dress(const RayHit& hit, const std::optional<PatternFrame>& pattern, SurfacePoint& point) const;
+    float checker(const PatternFrame& pattern) const;
     void pressSeam(const RayHit& hit, float pixelSize, SurfacePoint& point) const;
 
     std::vector<Vec3f> m_points;
     std::vector<Vec3f> m_normals;
-    std::vector<Eigen::Vector2f> m_pattern; ///< in checker squares
+    std::vector<Eigen::Vector2f> m_pattern; ///< mm
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
     std::vector<std::array<SeamPart, 2>> m_seamParts; ///< per vertex, of seams through it or near it
     std::vector<std::uint16_t> m_patchOfTriangle;
-    std::vector<Tone> m_tones;                ///< per patch
+    std::vector<Cloth> m_cloths;              ///< per patch
     std::vector<Eigen::Vector4f> m_mapColors; ///< per vertex: as displayed, and opacity; may be empty
     bool m_checker;
+    float m_checkerSize; ///< mm
 };
 
 /// "#rrggbb" to linear light; something visible for anything else.

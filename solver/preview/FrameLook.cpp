@@ -33,10 +33,12 @@ SurfacePoint FrameLook::at(const RayHit& hit, const Vec3f& direction) const
     point.face = side * hit.normal;
     point.normal =
         side * ((1.f - hit.u - hit.v) * normals[0] + hit.u * normals[1] + hit.v * normals[2]).normalized();
+    point.smooth = point.normal;
     point.position = (1.f - hit.u - hit.v) * m_points[ids[0]] + hit.u * m_points[ids[1]] + hit.v * m_points[ids[2]];
     point.shadowOrigin = point.position;
     point.color = Vec3f(0.42f, 0.43f, 0.45f);
-    point.gloss = 0.05f;
+    point.roughness = 0.5f;
+    point.specular = 0.04f;
     return point;
 }
 

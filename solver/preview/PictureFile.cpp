@@ -1,35 +1,100 @@
-#include "PreviewRenderer.h"
+#include "PictureFile.h"
+
+#include "PictureTones.h"
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace bolster {
 
 namespace {
 
-std::string written(const PreviewImage& image, const std::string& path)
+/// What a screen shows, from light.
+std::vector<float> shownLight(const PreviewImage& image)
 {
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
+    std::vector<float> all;
+    all.reserve(image.light.size());
+    for (std::size_t at = 0; at + 4 <= image.light.size(); at += 4) {
+        const float* const p = image.light.data() + at;
+        const std::array<float, 4> shown = displayedShares({Vec3f(p[0], p[1], p[2]), p[3]});
+        all.insert(all.end(), shown.begin(), shown.end());
+    }
+    return all;
+}
+
+OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const PictureNotes& notes)
+{
+    const auto type = format == PictureFormat::Exr    ? OIIO::TypeDesc::HALF
+                      : format == PictureFormat::Tiff ? OIIO::TypeDesc::UINT16
+                                                      : OIIO::TypeDesc::UINT8;
+    OIIO::ImageSpec spec(image.width, image.height, 4, type);
+    spec.attribute("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
+    spec.attribute("oiio:UnassociatedAlpha", format == PictureFormat::Exr ? 0 : 1);
+    spec.attribute("Software", notes.program);
+    if (format != PictureFormat::Png)
+        spec.attribute("compression", "zip");
+    if (!notes.project.empty())
+        spec.attribute("DocumentName", notes.project);
+    std::string text;
+    for (const auto& [name, value] :
+         {std::pair("Project", &notes.project), {"Version", &notes.version}, {"View", &notes.view}})
+        if (!value->empty())
+            text.append(text.empty() ? "" : "\n").append(name).append(": ").append(*value);
+    if (!text.empty())
+        spec.attribute("ImageDescription", text);
+    return spec;
+}
+
+std::string written(const PreviewImage& image, PictureFormat format, const std::string& path,
+                    const PictureNotes& notes)
+{
+    const char* const plugin = format == PictureFormat::Exr    ? "openexr"
+                               : format == PictureFormat::Tiff ? "tiff"
+                                                               : "png";
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
     if (!output)
         return OIIO::geterror();
-    OIIO::ImageSpec spec(image.width, image.height, 4, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("Software", "Bolster");
-    if (!output->open(path, spec) || !output->write_image(OIIO::TypeDesc::UINT8, image.rgba.data()) ||
-        !output->close())
+    if (!output->open(path, specOf(image, format, notes)))
         return output->geterror();
-    return {};
+    const bool good =
+        format == PictureFormat::Png
+            ? output->write_image(OIIO::TypeDesc::UINT8, image.rgba.data())
+            : output->write_image(OIIO::TypeDesc::FLOAT,
+                                  format == PictureFormat::Exr ? image.light.data() : shownLight(image).data());
+    return good && output->close() ? std::string() : output->geterror();
 }
 
 } // namespace
 
-std::string writePng(const PreviewImage& image, const std::string& path)
+std::optional<PictureFormat> pictureFormat(std::string_view path)
 {
-    if (image.empty())
+    const std::size_t dot = path.rfind('.');
+    std::string ending(dot == std::string_view::npos ? "" : path.substr(dot + 1));
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == "png")
+        return PictureFormat::Png;
+    if (ending == "tif" || ending == "tiff")
+        return PictureFormat::Tiff;
+    if (ending == "exr")
+        return PictureFormat::Exr;
+    return std::nullopt;
+}
+
+bool needsLight(PictureFormat format)
+{
+    return format != PictureFormat::Png;
+}
+
+std::string writePicture(const PreviewImage& image, PictureFormat format, const std::string& path,
+                         const PictureNotes& notes)
+{
+    if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
         return "There is no picture to write";
     const std::string unfinished = path + ".part";
-    std::string problem = written(image, unfinished);
+    std::string problem = written(image, format, unfinished, notes);
     std::error_code error;
     if (problem.empty()) {
         std::filesystem::rename(unfinished, path, error);

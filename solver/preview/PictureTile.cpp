@@ -13,11 +13,17 @@ PictureTile::PictureTile(int x, int y, int pictureWidth, int pictureHeight)
     , m_pixels(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height))
 {}
 
-Vec3f PictureTile::resolved(int x, int y, float pixelSize) const
+Eigen::Vector4f PictureTile::lit(const PicturePixel& pixel, float key, float sky)
+{
+    const Vec3f light = pixel.constant + key * pixel.direct + sky * pixel.ambient;
+    return {light.x(), light.y(), light.z(), pixel.through.dot(Vec3f(1, key, sky))};
+}
+
+Eigen::Vector4f PictureTile::resolved(int x, int y, float pixelSize) const
 {
     const PicturePixel& here = at(x, y);
-    if (here.direct.isZero() && here.ambient.isZero())
-        return here.constant;
+    if (here.direct.isZero() && here.ambient.isZero() && here.through.tail<2>().isZero())
+        return lit(here, 1, 1);
 
     // The directions of the shadow rays repeat every eight pixels; these weights count each of the eight alike.
     static constexpr float window[2 * margin + 1] = {0.5f, 1.f, 1.f, 1.f, 1.f, 1.f, 1.f, 1.f, 0.5f};
@@ -39,7 +45,7 @@ Vec3f PictureTile::resolved(int x, int y, float pixelSize) const
         }
     const float keyShare = keyWeight > 0 ? key / keyWeight : 1.f;
     const float skyShare = skyWeight > 0 ? sky / skyWeight : 1.f;
-    return here.constant + keyShare * here.direct + skyShare * here.ambient;
+    return lit(here, keyShare, skyShare);
 }
 
 } // namespace bolster

@@ -10,9 +10,12 @@ namespace bolster {
 
 /// Means over the samples of a pixel.
 struct PicturePixel {
-    Vec3f constant = Vec3f::Zero();  ///< light that no shadow touches
-    Vec3f direct = Vec3f::Zero();    ///< from the key light, if nothing stands between
-    Vec3f ambient = Vec3f::Zero();   ///< from all around, likewise
+    Vec3f constant = Vec3f::Zero(); ///< light that no shadow touches
+    Vec3f direct = Vec3f::Zero();   ///< from the key light, if nothing stands between
+    Vec3f ambient = Vec3f::Zero();  ///< from all around, likewise
+    /// Of a transparent picture: the part of what is behind that shows through, whatever the shadow, where the key
+    /// light falls, and where light from all around does.
+    Vec3f through = Vec3f::Zero();
     float keySeen = 0, keyAsked = 0; ///< rays to the key light
     float skySeen = 0, skyAsked = 0; ///< rays to the sky
     Vec3f position = Vec3f::Zero();
@@ -36,10 +39,13 @@ public:
     const PicturePixel& at(int x, int y) const { return m_pixels[index(x, y)]; }
 
     /// The pixel's linear light, with the share of light that arrives averaged over neighbours on the same
-    /// smooth surface. `pixelSize` is mm per pixel there.
-    Vec3f resolved(int x, int y, float pixelSize) const;
+    /// smooth surface. `pixelSize` is mm per pixel there. The fourth number is what shows through: `through`, lit.
+    Eigen::Vector4f resolved(int x, int y, float pixelSize) const;
+    /// The same without shadows.
+    Eigen::Vector4f unshadowed(int x, int y) const { return lit(at(x, y), 1, 1); }
 
 private:
+    static Eigen::Vector4f lit(const PicturePixel& pixel, float key, float sky);
     std::size_t index(int x, int y) const
     {
         return static_cast<std::size_t>(y - m_top) * m_width + static_cast<std::size_t>(x - m_left);

@@ -5,6 +5,7 @@
 #include "Lens.h"
 #include "MeshShape.h"
 #include "PictureTile.h"
+#include "PictureTones.h"
 #include "RayScene.h"
 #include "StudioLight.h"
 
@@ -12,6 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <thread>
 
 namespace bolster {
@@ -53,37 +55,6 @@ Place evenPlace(int i)
 {
     const double u = 0.5 + i * 0.7548776662466927, v = 0.5 + i * 0.5698402909980532;
     return {static_cast<float>(u - std::floor(u)), static_cast<float>(v - std::floor(v))};
-}
-
-/// 0 to 63 within a block of 8 x 8 pixels, such that pixels close together are far apart in the order
-/// (the ordered dither matrix: bits of x ^ y and y, interleaved and reversed).
-int orderInBlock(int x, int y)
-{
-    int order = 0;
-    for (int bit = 0; bit < 3; ++bit)
-        order = order << 2 | ((x ^ y) >> bit & 1) << 1 | (y >> bit & 1);
-    return order;
-}
-
-/// Above this, light is bent into what can be displayed, so that highlights keep their shape.
-constexpr float shoulder = 0.75f;
-
-std::uint8_t displayed(float linear, int x, int y)
-{
-    const float over = (linear - shoulder) / (1 - shoulder);
-    const float light = over < 0 ? linear : shoulder + (1 - shoulder) * (1 - std::exp(-over));
-    const float s = light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-    const float offset = (static_cast<float>(orderInBlock(x, y)) + 0.5f) / 64.f; // hides the steps of gradients
-    return static_cast<std::uint8_t>(std::clamp(std::floor(255.f * s + offset), 0.f, 255.f));
-}
-
-/// The light that is displayed in this colour.
-Vec3f lightDisplayedAs(const std::string& color)
-{
-    return linearColor(color).unaryExpr([](float shown) {
-        const float over = (std::min(shown, 0.99f) - shoulder) / (1 - shoulder);
-        return over < 0 ? shown : shoulder - (1 - shoulder) * std::log(1 - over);
-    });
 }
 
 } // namespace
@@ -245,25 +216,31 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
         shade = job.light.shade(point, -ray.direction);
         pixel.depth = std::min(pixel.depth, job.lens.depth(position));
     } else {
-        addGround(ray, background(job, py), point, shade, constant);
+        addGround(ray, job.options.transparent ? Vec3f::Ones() : background(job, py), point, shade, constant);
     }
-    if (!m_cover.triangles().empty() && !m_frames.empty())
+    const bool ground = !hit && !shade.ambient.isZero();
+    if (!hit && job.options.transparent) {
+        pixel.through += Vec3f(constant.x(), shade.direct.x(), shade.ambient.x());
+        shade = {};
+        constant.setZero();
+    }
+    if (!m_cover.triangles().empty() && !m_frames.empty() && !job.options.transparent)
         addGhost(job, ray, hit ? hit->distance : std::numeric_limits<float>::infinity(), shade, constant);
     pixel.constant += constant;
     pixel.direct += shade.direct;
     pixel.ambient += shade.ambient;
-    if (job.options.quick || shade.ambient.isZero())
+    if (job.options.quick || !(hit || ground))
         return;
 
     pixel.position += point.position;
-    pixel.normal += point.normal;
+    pixel.normal += point.smooth;
     const int samples = job.grid * job.grid;
     const Place place = evenPlace(orderInBlock(x, y) * samples + sample / 2);
     const Vec3f from = point.shadowOrigin + 2e-4f * m_reach * point.face;
     const bool both = samples == 1;
     if (both || sample % 2 == 0) {
         pixel.skyAsked += 1;
-        pixel.skySeen += !m_rays.blocked(from, towardsSky(point.normal, place.u, place.v), 0.8f * m_reach);
+        pixel.skySeen += !m_rays.blocked(from, towardsSky(point.smooth, place.u, place.v), 0.8f * m_reach);
     }
     if (both || sample % 2 == 1) {
         pixel.keyAsked += 1;
@@ -278,6 +255,7 @@ void PreviewRenderer::Prepared::drawPixel(const Job& job, int x, int y, PictureP
         addSample(job, x, y, sample, pixel);
     const float share = 1.f / static_cast<float>(samples);
     pixel.constant *= share;
+    pixel.through *= share;
     pixel.direct *= share;
     pixel.ambient *= share;
     const float hits = std::max(1.f, pixel.skyAsked + pixel.keyAsked) / (samples == 1 ? 2.f : 1.f);
@@ -295,13 +273,15 @@ void PreviewRenderer::Prepared::drawTile(const Job& job, int x0, int y0, Preview
     for (int y = y0; y < std::min(image.height, y0 + PictureTile::size); ++y)
         for (int x = x0; x < std::min(image.width, x0 + PictureTile::size); ++x) {
             const PicturePixel& pixel = tile.at(x, y);
-            const Vec3f light = job.options.quick ? Vec3f(pixel.constant + pixel.direct + pixel.ambient)
-                                                  : tile.resolved(x, y, job.lens.pixelSize(pixel.position));
+            const Eigen::Vector4f seen =
+                job.options.quick ? tile.unshadowed(x, y) : tile.resolved(x, y, job.lens.pixelSize(pixel.position));
             const std::size_t at =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-            for (int channel = 0; channel < 3; ++channel)
-                image.rgba[4 * at + static_cast<std::size_t>(channel)] = displayed(light[channel], x, y);
-            image.rgba[4 * at + 3] = 255;
+            const Light light{seen.head<3>(), job.options.transparent ? 1 - seen.w() : 1};
+            std::ranges::copy(displayed(light, x, y), image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * at));
+            if (job.options.light)
+                std::copy_n(std::array{light.color.x(), light.color.y(), light.color.z(), light.opacity}.begin(), 4,
+                            image.light.begin() + static_cast<std::ptrdiff_t>(4 * at));
             if (job.options.depth)
                 image.depth[at] = pixel.depth;
         }
@@ -321,11 +301,19 @@ PreviewImage PreviewRenderer::Prepared::render(const PreviewView& view, const Pr
     image.rgba.resize(4 * pixels);
     if (options.depth)
         image.depth.resize(pixels);
+    if (options.light)
+        image.light.resize(4 * pixels);
 
     const int columns = (image.width + PictureTile::size - 1) / PictureTile::size;
     const int rows = (image.height + PictureTile::size - 1) / PictureTile::size;
+    std::mutex reporting;
+    int drawn = 0;
     inParallel(columns * rows, options.threads, stop, [&](int tile) {
         drawTile(job, tile % columns * PictureTile::size, tile / columns * PictureTile::size, image);
+        if (options.progress) {
+            const std::lock_guard lock(reporting);
+            options.progress(static_cast<double>(++drawn) / (columns * rows));
+        }
     });
     return stop.stop_requested() ? PreviewImage{} : image;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "CoverMesh.h"
+#include "FabricMaps.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -28,6 +30,8 @@ struct PreviewView {
     /// From the front and a little to the side and above, so that the whole box is seen. `front` is the azimuth
     /// from which the front is seen (frontAzimuth of MeshShape.h).
     static PreviewView threeQuarter(const Box3& box, double aspect, double front = 0);
+    /// The whole box from this direction; `aspect` is width over height of the picture.
+    static PreviewView around(const Box3& box, double aspect, double azimuth, double elevation);
 };
 
 struct PreviewScene {
@@ -36,6 +40,8 @@ struct PreviewScene {
     struct PatchLook {
         ElementId patch{};
         std::string color = "#7a4a2b"; ///< "#rrggbb"
+        FabricMapsPtr maps = nullptr;  ///< instead of the colour, unless null or not complete
+        double turn = 0; ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
     };
     std::vector<PatchLook> looks; ///< patches that are not listed are leather brown
     struct FrameLook {
@@ -53,7 +59,7 @@ struct PreviewScene {
     std::optional<Section> section; ///< what lies beyond normal . p = offset is cut away
     /// Red, green, blue and opacity over the cloth, per vertex of `surface`; empty for plain cloth.
     std::vector<std::array<std::uint8_t, 4>> vertexColors;
-    bool checker = true;
+    bool checker = true;     ///< instead of the fabrics' maps, in their colours
     double checkerSize = 20; ///< mm
     bool ground = true;      ///< a shadow on the floor below everything
     std::string backgroundTop = "#dfe3e8";
@@ -68,7 +74,8 @@ struct PreviewScene {
 struct PreviewImage {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba; ///< 4 bytes per pixel, top row first
+    std::vector<std::uint8_t> rgba; ///< 4 bytes per pixel, top row first; sRGB; colours not times the opacity
+    std::vector<float> light; ///< on demand: the same as linear light, times the opacity; not bent to be displayed
     std::vector<float> depth; ///< on demand: mm along the view direction; infinite where only the background is
 
     bool empty() const { return rgba.empty(); }
@@ -77,10 +84,14 @@ struct PreviewImage {
 struct PreviewOptions {
     int width = 1280;
     int height = 960;
-    int samples = 4;    ///< rays per pixel, a square number (others: the next smaller one)
-    int threads = 0;    ///< 0: as many as the machine has; the picture does not depend on it
-    bool quick = false; ///< without shadows, for a picture that follows the pointer
-    bool depth = false; ///< give the depths, too
+    int samples = 4;          ///< rays per pixel, a square number (others: the next smaller one)
+    int threads = 0;          ///< 0: as many as the machine has; the picture does not depend on it
+    bool quick = false;       ///< without shadows, for a picture that follows the pointer
+    bool depth = false;       ///< give the depths, too
+    bool light = false;       ///< give linear light, too
+    bool transparent = false; ///< no background: opaque where the cover is, and black where its shadow falls
+    /// Called with the share that is done, 0 to 1, by one thread at a time, which need not be the caller's.
+    std::function<void(double)> progress = {};
 };
 
 /// A scene that is looked at more than once: the constructor prepares it, `render` is const.
@@ -102,8 +113,5 @@ private:
 /// The same in one call.
 PreviewImage renderPreview(const PreviewScene& scene, const PreviewView& view, const PreviewOptions& options,
                            std::stop_token stop = {});
-
-/// Writes a PNG, first under a temporary name. Returns what went wrong, or "".
-std::string writePng(const PreviewImage& image, const std::string& path);
 
 } // namespace bolster

@@ -27,8 +27,14 @@ Vec3 PreviewView::eye() const
 
 PreviewView PreviewView::threeQuarter(const Box3& box, double aspect, double front)
 {
+    return around(box, aspect, PreviewView{}.azimuth + front, PreviewView{}.elevation);
+}
+
+PreviewView PreviewView::around(const Box3& box, double aspect, double azimuth, double elevation)
+{
     PreviewView view;
-    view.azimuth += front;
+    view.azimuth = azimuth;
+    view.elevation = elevation;
     if (box.isEmpty())
         return view;
     const Eigen::Matrix3d basis = axes(view);

@@ -12,13 +12,53 @@ constexpr float keySpread = 0.16f; ///< tangent of half the angle under which th
 const Vec3f keyColor(1.02f, 0.98f, 0.92f);
 const Vec3f skyColor(0.50f, 0.52f, 0.56f);
 const Vec3f floorColor(0.25f, 0.235f, 0.22f);
-const Vec3f rimColor(0.20f, 0.22f, 0.26f);
+const Vec3f rimColor(0.30f, 0.32f, 0.37f);
+const Vec3f lampColor(1.3f, 1.28f, 1.24f); ///< what hangs above shines in what is smooth
+constexpr float keySize = 0.14f;           ///< what the soft box adds to a highlight's width (alpha of GGX)
+constexpr float rimSize = 0.12f;
 
 Vec3f horizontalDirection(double azimuth, double elevation)
 {
     return Vec3(std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
                 std::sin(elevation))
         .cast<float>();
+}
+
+/// Light from an area goes a little round the edge.
+float wrapped(float cosine, float by)
+{
+    return std::max(0.f, cosine + by) / ((1 + by) * (1 + by));
+}
+
+/// GGX for an area light by a wider lobe (B. Karis, "Real shading in Unreal Engine 4", 2013), with the visibility
+/// term of the same course.
+float highlight(const SurfacePoint& point, const Vec3f& light, const Vec3f& toEye, float lightSize)
+{
+    const Vec3f h = (light + toEye).normalized();
+    const float alpha = std::min(1.f, point.roughness * point.roughness + lightSize);
+    const float nh = std::max(0.f, point.normal.dot(h)), lh = std::max(0.f, light.dot(h));
+    const float a2 = alpha * alpha, d = nh * nh * (a2 - 1) + 1;
+    return point.specular * std::max(0.f, point.normal.dot(light)) * a2 /
+           (d * d * std::max(0.1f, lh * lh) * (4 * point.roughness + 2));
+}
+
+float smoothstep(float from, float to, float x)
+{
+    const float t = std::clamp((x - from) / (to - from), 0.f, 1.f);
+    return t * t * (3 - 2 * t);
+}
+
+/// The room in the mirror: sky over floor, blurred, times what GGX reflects of it (Karis' fit).
+Vec3f mirrored(const SurfacePoint& point, const Vec3f& toEye, float facing)
+{
+    const float rough = point.roughness, blur = 0.15f + 0.85f * rough;
+    const float up = 2 * point.normal.dot(toEye) * point.normal.z() - toEye.z();
+    const Vec3f room = floorColor + smoothstep(-blur, blur, up) * (skyColor - floorColor) +
+                       smoothstep(0.6f - blur, 0.6f + blur, up) * lampColor;
+    const Eigen::Vector4f r =
+        rough * Eigen::Vector4f(-1, -0.0275f, -0.572f, 0.022f) + Eigen::Vector4f(1, 0.0425f, 1.04f, -0.04f);
+    const float a = std::min(r.x() * r.x(), std::exp2(-9.28f * facing)) * r.x() + r.y();
+    return room * std::max(0.f, point.specular * (-1.04f * a + r.z()) + 1.04f * a + r.w()) * (point.specular > 0);
 }
 
 } // namespace
@@ -34,17 +74,19 @@ StudioLight::StudioLight(const PreviewView& view)
 Shade StudioLight::shade(const SurfacePoint& point, const Vec3f& toEye) const
 {
     const Vec3f& n = point.normal;
-    const float facing = std::max(0.f, n.dot(m_key));
-    const float up = 0.5f + 0.5f * n.z();
-    const float facingRim = std::max(0.f, n.dot(m_rim));
-    const float grazing = std::pow(1.f - std::clamp(n.dot(toEye), 0.f, 1.f), 4.f);
-    const float highlight = std::pow(std::max(0.f, n.dot((m_key + toEye).normalized())), 28.f);
+    const float facing = std::clamp(n.dot(toEye), 0.03f, 1.f);
+    const float key = n.dot(m_key), rim = n.dot(m_rim);
+    const Vec3f sky = floorColor + (0.5f + 0.5f * n.z()) * (skyColor - floorColor);
+    const Vec3f fuzz = point.sheen * std::pow(1.f - facing, 3.f) * (0.75f * point.color + Vec3f::Constant(0.25f));
 
     Shade shade;
-    shade.direct = (point.color * facing + Vec3f::Constant(point.gloss * highlight)).cwiseProduct(keyColor);
-    shade.ambient =
-        point.color.cwiseProduct(up * skyColor + (1.f - up) * floorColor) +
-        (point.color * facingRim + Vec3f::Constant(point.gloss * 3.f * grazing * up)).cwiseProduct(rimColor);
+    shade.direct = (point.color * wrapped(key, 0.15f) + fuzz * wrapped(key, 0.5f) +
+                    Vec3f::Constant(highlight(point, m_key, toEye, keySize)))
+                       .cwiseProduct(keyColor);
+    shade.ambient = (point.color + fuzz).cwiseProduct(sky) + mirrored(point, toEye, facing) +
+                    (point.color * wrapped(rim, 0.1f) + fuzz * wrapped(rim, 0.5f) +
+                     Vec3f::Constant(6.f * highlight(point, m_rim, toEye, rimSize)))
+                        .cwiseProduct(rimColor);
     return shade;
 }
 

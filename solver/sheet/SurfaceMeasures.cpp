@@ -2,6 +2,7 @@
 
 #include "Relaxation.h"
 #include "Relief.h"
+#include "TriangleStrain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,19 +134,6 @@ void measureFancySeams(const SewnMesh& mesh, SolveReport& report)
 }
 
 } // namespace
-
-Eigen::Vector2d principalStretches(const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& place)
-{
-    Eigen::Matrix2d from;
-    from << rest[1] - rest[0], rest[2] - rest[0];
-    Eigen::Matrix<double, 3, 2> to;
-    to << place[1] - place[0], place[2] - place[0];
-    const Eigen::Matrix<double, 3, 2> gradient = to * from.inverse();
-    const Eigen::Matrix2d square = gradient.transpose() * gradient;
-    const double half = 0.5 * square.trace();
-    const double root = std::sqrt(0.25 * std::pow(square(0, 0) - square(1, 1), 2) + square(0, 1) * square(0, 1));
-    return {std::sqrt(half + root), std::sqrt(std::max(0.0, half - root))};
-}
 
 SolveReport measureSurface(const PreparedSheet& sheet, const SheetState& state)
 {

@@ -1,6 +1,8 @@
 #include "FileImportDialog.h"
 
 #include <QCheckBox>
+#include <QLabel>
+#include <QLocale>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,30 @@ TEST(FileImport, KeepsThePlacementOfAReplacedFrame)
     EXPECT_EQ(dialog.placement(), before);
     dialog.findChildren<QCheckBox*>().front()->setChecked(false);
     EXPECT_EQ(dialog.placement().scale, 1000);
+}
+
+TEST(FileImport, SaysThatAScanWasThinnedOutAndHowMuch)
+{
+    auto cloud = std::make_shared<PointCloud>();
+    cloud->points = {{0, 0, 0}, {5, 4, 2.5}};
+    FileImportDialog small(QStringLiteral("room.ply"), {nullptr, cloud});
+    const auto about = [](const FileImportDialog& dialog) {
+        QString text;
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            if (!label->isHidden())
+                text += label->text();
+        return text;
+    };
+    EXPECT_FALSE(about(small).contains(QStringLiteral("thinned")));
+
+    auto large = std::make_shared<PointCloud>(*cloud);
+    large->thinnedFrom = 12'000'000;
+    large->spacing = 0.0025;
+    FileImportDialog dialog(QStringLiteral("room.ply"), {nullptr, large});
+    EXPECT_TRUE(about(dialog).contains(QLocale().toString(12'000'000)));
+    EXPECT_TRUE(about(dialog).contains(QStringLiteral("2.5 mm"))) << about(dialog).toStdString();
+    dialog.setUnit(FileUnit::Millimetre);
+    EXPECT_FALSE(about(dialog).contains(QStringLiteral("2.5 mm"))) << "the unit is another one";
 }
 
 } // namespace

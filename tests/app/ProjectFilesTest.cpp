@@ -58,6 +58,22 @@ protected:
         }
     }
 
+    /// Two edits of somebody else, saved to the same project. Returns their design.
+    Design saveElsewhere(const QString& path)
+    {
+        Journal::Opened opened = Journal::begin(path, folder.filePath("theirs"));
+        EXPECT_TRUE(opened.journal);
+        Document document;
+        document.reset(opened.project.design, opened.project.history);
+        for (const char* name : {"Lid", "Cover"}) {
+            const auto patch = document.design().elements().lower_bound(ElementId{2})->first;
+            document.commit(edits::renameElement(document.design(), patch, name));
+        }
+        EXPECT_EQ(opened.journal->record(document.history(), document.committed()).english(), "");
+        EXPECT_EQ(opened.journal->save(path).english(), "");
+        return document.design();
+    }
+
     QTemporaryDir folder;
 };
 
@@ -158,21 +174,96 @@ TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
     EXPECT_TRUE(WorkJournal::left().isEmpty());
 }
 
+TEST_F(ProjectFilesTest, AnOlderStateOfTheFileIsReplaced)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    ASSERT_TRUE(QFile::copy(path, folder.filePath("older.bolster")));
+    change();
+    ASSERT_EQ(save(path).english(), "");
+    QFile::remove(path);
+    ASSERT_TRUE(QFile::rename(folder.filePath("older.bolster"), path)); // all in it is known
+    change();
+    EXPECT_EQ(save(path).english(), "");
+    EXPECT_FALSE(window.document().dirty());
+}
+
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    ASSERT_TRUE(QFile::copy(path, folder.filePath("theirs.bolster")));
-    change();
-    ASSERT_EQ(save(path).english(), "");
-    QFile::remove(path);
-    ASSERT_TRUE(QFile::rename(folder.filePath("theirs.bolster"), path));
+    saveElsewhere(path);
     change();
     EXPECT_FALSE(save(path).empty());
+    EXPECT_TRUE(window.session().changedByOthers());
     EXPECT_TRUE(window.document().dirty());
     EXPECT_EQ(save(folder.filePath("mine.bolster")).english(), "");
+    EXPECT_FALSE(window.session().changedByOthers());
     EXPECT_FALSE(window.document().dirty());
+}
+
+TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    const Design theirs = saveElsewhere(path);
+    change();
+    const Design mine = window.document().design();
+    QTimer pressing;
+    QObject::connect(&pressing, &QTimer::timeout, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        for (QAbstractButton* button : box ? box->buttons() : QList<QAbstractButton*>())
+            if (button->text().contains("branch")) {
+                button->click();
+            }
+    });
+    pressing.start(20);
+    window.actions().save->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown() && !window.document().dirty(); }, 30000));
+    EXPECT_TRUE(window.document().design() == mine);
+    const History& history = window.document().history();
+    EXPECT_EQ(history.count(), 4) << "the start, ours, and two of theirs";
+    const OpenedProject both = openProject(path, ProjectCheck::Everything);
+    EXPECT_EQ(both.problem.english(), "");
+    EXPECT_EQ(both.history.count(), history.count());
+
+    for (QAbstractButton* button : window.banner().findChildren<QAbstractButton*>())
+        if (button->text().contains("Go there")) {
+            button->click();
+            break;
+        }
+    EXPECT_TRUE(window.document().design() == theirs);
+    EXPECT_EQ(history.node(history.current()).name.rfind("From the file", 0), 0U);
+    window.document().jumpTo(0);
+}
+
+TEST_F(ProjectFilesTest, EditsMadeWhileSavingAreProtectedAndUnsaved)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    const QString path = folder.filePath("chair.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    bool done = false;
+    change();
+    window.session().save(path, [&](const Message& why) {
+        EXPECT_EQ(why.english(), "");
+        done = true;
+    });
+    int during = 0;
+    while (!done) {
+        change();
+        ++during;
+        QApplication::processEvents();
+    }
+    const OpenedProject saved = openProject(path, ProjectCheck::Everything);
+    EXPECT_EQ(saved.problem.english(), "");
+    EXPECT_EQ(window.document().saved(), saved.history.current());
+    if (saved.history.count() < window.document().history().count()) {
+        EXPECT_TRUE(window.document().dirty());
+    }
+    EXPECT_GT(during, 0);
 }
 
 TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
@@ -283,6 +374,44 @@ TEST_F(ProjectFilesTest, SavesThatFollowEachOtherTakeTurns)
     EXPECT_EQ(saved.problem.english(), "");
     EXPECT_TRUE(saved.design == window.document().design());
     EXPECT_FALSE(window.document().dirty());
+}
+
+TEST_F(ProjectFilesTest, WhatCanBeReadOfADamagedOneIsRecovered)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    change(40);
+    const Design design = window.document().design();
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QFile::ReadWrite));
+    const QByteArray whole = file.readAll();
+    const qsizetype place =
+        whole.lastIndexOf("edgeLength") > 0 ? whole.lastIndexOf("edgeLength") : whole.size() / 2;
+    file.seek(place);
+    file.write(QByteArray(1, static_cast<char>(whole[place] ^ 4)));
+    file.close();
+    const QByteArray damaged = [&] {
+        QFile now(path);
+        return now.open(QFile::ReadOnly) ? now.readAll() : QByteArray();
+    }();
+    ASSERT_NE(openProject(path, ProjectCheck::ToWork).problem.english(), "");
+
+    bool opened = false;
+    const auto connection =
+        QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
+    pressInBox("Recover");
+    window.open(path);
+    answer(QMessageBox::Ok);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return opened && answered == 2; }, 30000));
+    QObject::disconnect(connection);
+    EXPECT_EQ(window.session().path(), folder.filePath("box (recovered).bolster"));
+    EXPECT_GT(window.document().history().count(), 1);
+    EXPECT_EQ(openProject(window.session().path(), ProjectCheck::Everything).problem.english(), "");
+    QFile after(path);
+    ASSERT_TRUE(after.open(QFile::ReadOnly));
+    EXPECT_EQ(after.readAll(), damaged) << "the damaged file stays as it is";
 }
 
 TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)

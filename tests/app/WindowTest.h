@@ -92,15 +92,31 @@ protected:
     /// Presses the button of the next message box that has it.
     void answer(QMessageBox::StandardButton button)
     {
+        whenABoxHas([button](QMessageBox& box) { return box.button(button); });
+    }
+    /// The same by a part of what is written on it.
+    void pressInBox(const QString& text)
+    {
+        whenABoxHas([text](QMessageBox& box) -> QAbstractButton* {
+            for (QAbstractButton* button : box.buttons())
+                if (button->text().remove('&').contains(text))
+                    return button;
+            return nullptr;
+        });
+    }
+
+    void whenABoxHas(const std::function<QAbstractButton*(QMessageBox&)>& find)
+    {
         auto* timer = new QTimer(qApp);
-        QObject::connect(timer, &QTimer::timeout, timer, [this, timer, button] {
+        QObject::connect(timer, &QTimer::timeout, timer, [this, timer, find] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (box && box->button(button)) {
-                timer->stop();
-                timer->deleteLater();
-                ++answered;
-                box->button(button)->click(); // the pointer would miss it before the box has its size
-            }
+            QAbstractButton* button = box ? find(*box) : nullptr;
+            if (!button)
+                return;
+            timer->stop();
+            timer->deleteLater();
+            ++answered;
+            button->click(); // the pointer would miss it before the box has its size
         });
         timer->start(20);
     }

@@ -1,6 +1,8 @@
-#include "FuzzCloud.h"
+#include "CloudReaders.h"
+#include "ReaderFuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-    return bolster::fuzzCloud(bolster::readPcd, bytes, size);
+    bolster::test::fuzzReader(bolster::readPcd, {reinterpret_cast<const char*>(bytes), size});
+    return 0;
 }

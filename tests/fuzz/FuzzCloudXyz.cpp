@@ -1,6 +1,8 @@
-#include "FuzzCloud.h"
+#include "CloudReaders.h"
+#include "ReaderFuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-    return bolster::fuzzCloud(bolster::readXyz, bytes, size);
+    bolster::test::fuzzReader(bolster::readXyz, {reinterpret_cast<const char*>(bytes), size});
+    return 0;
 }

@@ -1,6 +1,8 @@
-#include "FuzzMesh.h"
+#include "MeshReaders.h"
+#include "ReaderFuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-    return bolster::fuzzMesh(bolster::readStl, bytes, size);
+    bolster::test::fuzzReader(bolster::readStl, {reinterpret_cast<const char*>(bytes), size});
+    return 0;
 }

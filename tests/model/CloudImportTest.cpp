@@ -138,6 +138,23 @@ TEST_F(CloudImportTest, ReadsCompressedPcdColumnByColumn)
     expectRefused("a.pcd", damaged, "damaged");
 }
 
+/// Nothing when the bytes do not unpack to exactly `size` bytes.
+std::optional<std::string> unpackLzf(const std::string& packed, std::uint64_t size)
+{
+    if (!lzfMayHold(packed.size(), size))
+        return std::nullopt;
+    try {
+        LzfReader reader(packed, 0, packed.size());
+        std::string bytes;
+        while (bytes.size() < size)
+            bytes += reader.read<char>();
+        reader.requireEnd();
+        return bytes;
+    } catch (const FileRefused&) {
+        return std::nullopt;
+    }
+}
+
 TEST(Lzf, CopiesFromWhatWasThereBefore)
 {
     // "ab", then 5 bytes from 2 back, then 9 + 1 from 1 back.

@@ -1,5 +1,7 @@
 #include "PreviewMeshes.h"
 
+#include "PictureFile.h"
+
 #include "SurfaceRefiner.h"
 
 #include <gtest/gtest.h>
@@ -227,7 +229,8 @@ TEST(Preview, SeamsAreDarkLines)
     scene.checker = false;
     const PreviewImage image = renderPreview(scene, fromAbove({150, 290, 0}, 0.5, 120), small());
     // The seam runs along y = 300, 20 pixels above the middle.
-    EXPECT_LT(brightness(image, 80, 41), brightness(image, 80, 100) - 25);
+    const int darkest = std::min({brightness(image, 80, 39), brightness(image, 80, 40), brightness(image, 80, 41)});
+    EXPECT_LT(darkest, brightness(image, 80, 100) - 25);
 }
 
 TEST(Preview, GivesDepths)
@@ -301,13 +304,13 @@ TEST(Preview, WritesPngFiles)
     std::filesystem::create_directories(folder);
     const std::string path = (folder / "picture.png").string();
     const PreviewImage image = renderPreview({}, {}, small());
-    EXPECT_EQ(writePng(image, path), "");
+    EXPECT_EQ(writePicture(image, PictureFormat::Png, path), "");
     std::ifstream file(path, std::ios::binary);
     std::string head(8, ' ');
     file.read(head.data(), 8);
     EXPECT_EQ(head, "\x89PNG\r\n\x1a\n");
-    EXPECT_NE(writePng(image, (folder / "missing" / "picture.png").string()), "");
-    EXPECT_NE(writePng({}, path), "");
+    EXPECT_NE(writePicture(image, PictureFormat::Png, (folder / "missing" / "picture.png").string()), "");
+    EXPECT_NE(writePicture({}, PictureFormat::Png, path), "");
     std::size_t files = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder))
         ++files;

@@ -16,6 +16,8 @@ void expectRoundTrip(const Design& from, const Edit& edit)
     const Design to = from.with(edit);
     const auto changes = decodeChanges(encodeChanges(fieldChanges(edit)));
     ASSERT_TRUE(changes);
+    EXPECT_EQ(unpackChanges(packChanges(*changes)), changes);
+    EXPECT_EQ(unpackChanges(encodeChanges(*changes)), changes);
     const auto forward = editOf(*changes, from, Known::Parent);
     const auto backward = editOf(*changes, to, Known::Child);
     ASSERT_TRUE(forward && backward);

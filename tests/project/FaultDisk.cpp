@@ -26,6 +26,7 @@ struct FaultDisk::Methods {
 
     static int read(sqlite3_file* file, void* target, int amount, sqlite3_int64 offset)
     {
+        const std::scoped_lock turn(handle(file).disk->m_turn);
         if (const int code = handle(file).disk->count())
             return code;
         const std::string& bytes = handle(file).file->now;
@@ -38,6 +39,7 @@ struct FaultDisk::Methods {
 
     static int write(sqlite3_file* file, const void* source, int amount, sqlite3_int64 offset)
     {
+        const std::scoped_lock turn(handle(file).disk->m_turn);
         const int code = handle(file).disk->count();
         if (code && code != SQLITE_FULL)
             return code;
@@ -60,6 +62,7 @@ struct FaultDisk::Methods {
 
     static int truncate(sqlite3_file* file, sqlite3_int64 size)
     {
+        const std::scoped_lock turn(handle(file).disk->m_turn);
         if (const int code = handle(file).disk->count())
             return code;
         handle(file).file->now.resize(static_cast<std::size_t>(size));
@@ -68,6 +71,7 @@ struct FaultDisk::Methods {
 
     static int sync(sqlite3_file* file, int)
     {
+        const std::scoped_lock turn(handle(file).disk->m_turn);
         if (const int code = handle(file).disk->count())
             return code;
         File& synced = *handle(file).file;
@@ -79,6 +83,7 @@ struct FaultDisk::Methods {
 
     static int size(sqlite3_file* file, sqlite3_int64* size)
     {
+        const std::scoped_lock turn(handle(file).disk->m_turn);
         *size = static_cast<sqlite3_int64>(handle(file).file->now.size());
         return handle(file).disk->count();
     }
@@ -95,6 +100,7 @@ struct FaultDisk::Methods {
 
     static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* outFlags)
     {
+        const std::scoped_lock turn(disk(vfs).m_turn);
         static const sqlite3_io_methods methods = {
             1,       close,      read,    write,      truncate,        sync,    size,    lock,
             lock,    isReserved, control, sectorSize, characteristics, nullptr, nullptr, nullptr,
@@ -120,6 +126,7 @@ struct FaultDisk::Methods {
 
     static int remove(sqlite3_vfs* vfs, const char* name, int sync)
     {
+        const std::scoped_lock turn(disk(vfs).m_turn);
         if (const int code = disk(vfs).count())
             return code;
         const auto found = disk(vfs).m_files.find(name);
@@ -133,6 +140,7 @@ struct FaultDisk::Methods {
 
     static int access(sqlite3_vfs* vfs, const char* name, int, int* result)
     {
+        const std::scoped_lock turn(disk(vfs).m_turn);
         const auto found = disk(vfs).m_files.find(name);
         *result = found != disk(vfs).m_files.end() && !found->second.deleted;
         return disk(vfs).count();
@@ -183,11 +191,18 @@ FaultDisk::~FaultDisk()
 
 void FaultDisk::failAt(int at, int code, bool lasting)
 {
+    const std::scoped_lock turn(m_turn);
     m_calls = 0;
     m_failed = false;
     m_failAt = at;
     m_code = code;
     m_lasting = lasting;
+}
+
+bool FaultDisk::failed() const
+{
+    const std::scoped_lock turn(m_turn);
+    return m_failed;
 }
 
 int FaultDisk::count()

@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include <map>
+#include <mutex>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace bolster::test {
 
 /// Files in memory, used through the VFS with the name given. What was written since the last sync of a file is
-/// only in a cache: a power cut keeps any part of it, in any order, in sectors of 512 bytes.
+/// only in a cache: a power cut keeps any part of it, in any order, in sectors of 512 bytes. Threads may share it.
 class FaultDisk {
 public:
     explicit FaultDisk(const char* name);
@@ -23,8 +24,7 @@ public:
     /// code, and all later ones if `lasting`.
     void failAt(int at, int code, bool lasting);
     void heal() { m_failAt = -1; }
-    bool failed() const { return m_failed; }
-    int calls() const { return m_calls; }
+    bool failed() const;
     /// After it each file holds what reached the disk. Nobody may have files open.
     void powerCut(std::mt19937& random);
 
@@ -46,6 +46,7 @@ private:
     int count(); // an error code, or SQLITE_OK
 
     sqlite3_vfs m_vfs = {};
+    mutable std::recursive_mutex m_turn; // of threads
     std::map<std::string, File> m_files;
     int m_calls = 0;
     int m_failAt = -1;

@@ -1,7 +1,13 @@
 // Power cuts, and disks that fail: what was acknowledged is there afterwards.
 #include "DesignHash.h"
+#include "FaultCalls.h"
 #include "FaultDisk.h"
 #include "TestProject.h"
+
+#include <QDir>
+
+#include <cerrno>
+#include <thread>
 
 namespace bolster::test {
 namespace {
@@ -39,6 +45,7 @@ public:
     }
 
     void end() { m_journal.reset(); }
+    Journal& journal() { return *m_journal; }
 
     /// Whether a project holds all that was acknowledged, and nothing but what was done.
     void check(const OpenedProject& project) const
@@ -81,6 +88,40 @@ TEST(Faults, APowerCutLosesNothingThatWasAcknowledged)
                 FAIL() << "power cut number " << done;
         }
     }
+}
+
+/// The disk is that of the journal; the project lies on another one.
+TEST(Faults, APowerCutWhileSavingAmongEditsLosesNothingThatWasAcknowledged)
+{
+    const int wanted = rounds("BOLSTER_POWER_CUTS", 1'000) / 10;
+    const QTemporaryDir folder(quickFolder());
+    const QString project = folder.filePath("a.bolster");
+    std::mt19937 random(3);
+    FaultDisk disk(name);
+    Journal::Opened opened = Journal::create(file, smallDesign(), name);
+    expectFine(opened.journal->save(project));
+    int saved = 0;
+    for (int cut = 0; cut < wanted; ++cut) {
+        ASSERT_TRUE(opened.journal);
+        Work work(static_cast<unsigned>(cut), std::move(opened));
+        disk.failAt(static_cast<int>(random() % 1'000), SQLITE_IOERR, true);
+        std::thread saver([&] {
+            while (work.journal().save(project).empty())
+                ++saved;
+        });
+        while (work.step()) {
+        }
+        saver.join();
+        work.end();
+        disk.heal();
+        disk.powerCut(random);
+        opened = Journal::open(file, name);
+        work.check(opened.project);
+        EXPECT_EQ(openProject(project, ProjectCheck::Everything).problem.english(), "");
+        if (::testing::Test::HasFailure())
+            FAIL() << "power cut number " << cut;
+    }
+    EXPECT_GT(saved, wanted / 2);
 }
 
 TEST(Faults, APowerCutWhileAJournalIsMadeLeavesAJournalOrNone)
@@ -135,6 +176,56 @@ TEST(Faults, ADiskThatIsFullAtAnyCallLosesNothing)
 {
     failEverywhere(SQLITE_FULL, false);
     failEverywhere(SQLITE_FULL, true);
+}
+
+/// The file of a project is the old one or the new one whichever call fails, and the next save works.
+void failWhileSaving(int error, bool lasting)
+{
+    const QTemporaryDir folder(quickFolder());
+    const QString project = folder.filePath("a.bolster");
+    const QString journal = folder.filePath("journal");
+    Work work(9, Journal::create(journal, smallDesign()));
+    work.step();
+    expectFine(work.journal().save(project));
+    int refused = 0;
+    for (int call = 0;; ++call) {
+        const OpenedProject before = openProject(project);
+        ASSERT_TRUE(work.step());
+        bool failed = false;
+        {
+            const FaultCalls calls(call, error, lasting);
+            const Message problem = work.journal().save(project);
+            failed = calls.failed();
+            refused += !problem.empty();
+            EXPECT_TRUE(failed || problem.empty()) << problem.english();
+        }
+        const OpenedProject after = openProject(project, ProjectCheck::Everything);
+        ASSERT_EQ(after.problem.english(), "") << call;
+        if (after.seal != before.seal)
+            work.check(after);
+        EXPECT_EQ(work.journal().compare(after), Journal::Theirs::NothingNew) << "it is our own";
+        EXPECT_EQ(QDir(folder.path()).entryList({".bolster*"}, QDir::Files | QDir::Hidden).join(' ').toStdString(),
+                  "")
+            << call;
+        work.catchUp();
+        expectFine(work.journal().save(project));
+        work.check(openProject(project));
+        if (::testing::Test::HasFailure())
+            FAIL() << "call " << call;
+        if (!failed)
+            break;
+    }
+    EXPECT_GT(refused, 2);
+    work.end();
+    work.check(Journal::open(journal).project);
+}
+
+TEST(Faults, ASyncOrRenameThatFailsLeavesTheOldOrTheNewFile)
+{
+    for (const int error : {EIO, ENOSPC, EACCES}) {
+        failWhileSaving(error, false);
+        failWhileSaving(error, true);
+    }
 }
 
 TEST(Faults, OpeningReportsAnErrorAtAnyCallAndWorksTheNextTime)

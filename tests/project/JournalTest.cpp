@@ -2,6 +2,9 @@
 
 #include <QDir>
 
+#include <atomic>
+#include <thread>
+
 namespace bolster::test {
 namespace {
 
@@ -100,6 +103,40 @@ TEST_F(JournalTest, SavedProjectsAreAtRestAndHoldEverything)
     EXPECT_EQ(journal->base(), openProject(path("a.bolster")).seal);
     expectFine(journal->save(path("a.bolster")));
     expectSame(openProject(path("a.bolster")), document);
+}
+
+TEST_F(JournalTest, WhatIsSavedIsOneVersionWhileEditsGoOn)
+{
+    Document document;
+    auto journal = work(document, 2'000);
+    Hands hands(5);
+    for (int round = 0; round < 5; ++round) {
+        std::atomic<bool> saving = true;
+        NodeId saved = -1;
+        std::thread saver([&] {
+            expectFine(journal->save(path("a.bolster"), &saved));
+            saving = false;
+        });
+        int during = 0;
+        for (int more = 20; saving || more > 0; more -= saving ? 0 : 1, during += saving ? 1 : 0) {
+            document.commit(hands.edit(document.design()));
+            expectFine(journal->record(document.history(), document.committed()));
+        }
+        saver.join();
+        EXPECT_GT(during, 0);
+        const OpenedProject project = openProject(path("a.bolster"), ProjectCheck::Everything);
+        ASSERT_EQ(project.problem.english(), "");
+        EXPECT_EQ(project.history.current(), saved);
+        EXPECT_EQ(project.saved, saved);
+        EXPECT_GT(project.history.count(), saved);
+        EXPECT_EQ(writeDesign(project.design),
+                  writeDesign(document.history().designAt(saved, document.committed()).value()));
+        EXPECT_EQ(journal->base(), project.seal);
+    }
+    journal.reset();
+    const Journal::Opened again = Journal::open(path("journal"));
+    expectSame(again.project, document);
+    EXPECT_NE(again.project.saved, again.project.history.current()) << "what came later is unsaved";
 }
 
 TEST_F(JournalTest, AProjectIsTakenUpAgainWhereItWasSaved)

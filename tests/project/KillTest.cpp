@@ -9,6 +9,7 @@
 #include <functional>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace bolster::test {
@@ -169,6 +170,38 @@ TEST_F(KillTest, WhenSavingIsKilledTheFileIsTheOldOrTheNewOne)
         const std::string latest = stateOf(journal.project.design, journal.project.history);
         ASSERT_TRUE(follow(latest, 0, 1)) << round;
     }
+}
+
+TEST_F(KillTest, EditsThatCameWhileSavingAreThere)
+{
+    const int wanted = rounds("BOLSTER_KILLS", 100);
+    for (int round = 0; round < wanted; ++round) {
+        Child child([&](const auto& acknowledge) {
+            std::thread saver;
+            work(acknowledge, [&](Journal& journal) {
+                if (!saver.joinable())
+                    saver = std::thread([&] {
+                        while (journal.save(path("a.bolster")).empty()) {
+                        }
+                        ::_exit(1);
+                    });
+            });
+        });
+        child.await(1 + static_cast<int>(m_random() % 30));
+        spin(static_cast<int>(m_random() % 3'000));
+        child.kill();
+        const Journal::Opened journal = Journal::open(path("journal"));
+        ASSERT_EQ(journal.project.problem.english(), "") << round;
+        ASSERT_TRUE(
+            follow(stateOf(journal.project.design, journal.project.history), child.done(), child.done() + 1))
+            << round;
+        if (QFileInfo::exists(path("a.bolster"))) {
+            const OpenedProject saved = openProject(path("a.bolster"));
+            ASSERT_EQ(saved.problem.english(), "") << round;
+            ASSERT_LE(saved.history.count(), m_known.history().count());
+        }
+    }
+    EXPECT_TRUE(QFileInfo::exists(path("a.bolster")));
 }
 
 TEST_F(KillTest, AFullDiskWhileSavingLeavesTheOldOrTheNewFile)

@@ -24,6 +24,7 @@ inline bool fuzzChanges(std::string_view bytes)
 {
     decodeTexts(bytes);
     decodeDesign(bytes);
+    unpackChanges(bytes);
     const auto changes = decodeChanges(bytes);
     if (!changes)
         return false;

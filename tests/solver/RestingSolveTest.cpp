@@ -1,6 +1,6 @@
 #include "TestDesigns.h"
 
-#include "SurfaceMeasures.h"
+#include "TriangleStrain.h"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace bolster {
 namespace {
 
@@ -75,6 +77,71 @@ TEST_F(HistoryTest, ASearchLeavesWhatHasTheWords)
     EXPECT_EQ(shown(), (QList<int>{3, 4}));
     panel.search().clear();
     EXPECT_EQ(shown().size(), 5);
+}
+
+/// All that a history model says.
+QStringList linesOf(const HistoryModel& model)
+{
+    QStringList lines;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        QStringList line{model.index(row).data().toString()};
+        for (int role = HistoryModel::NodeRole; role <= HistoryModel::NameRole; ++role)
+            line << model.index(row).data(role).toString();
+        lines << line.join(u'|');
+    }
+    return lines;
+}
+
+TEST_F(HistoryTest, FollowingTheDocumentGivesTheSameLinesAsReadingItAnew)
+{
+    HistoryModel& model = view.history();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    std::mt19937 random(1);
+    const auto pick = [&](NodeId count) { return static_cast<NodeId>(random() % static_cast<unsigned>(count)); };
+    for (int step = 0; step < 1'500; ++step) {
+        switch (random() % 8) {
+        case 0:
+            document.undo();
+            break;
+        case 1:
+            document.redo();
+            break;
+        case 2:
+            document.jumpTo(pick(document.history().count()));
+            break;
+        case 3:
+            document.nameVersion(pick(document.history().count()), "Version " + std::to_string(step));
+            break;
+        case 4:
+            if (random() % 50 == 0)
+                document.reset(twoSquares());
+            break;
+        default:
+            rename(std::to_string(step).c_str());
+        }
+        ASSERT_EQ(linesOf(model), linesOf(HistoryModel(document))) << step;
+        ASSERT_EQ(model.indexOf(document.history().current()).data(HistoryModel::CurrentRole), true);
+    }
+}
+
+TEST_F(HistoryTest, AnEditAddsALineAndUndoAddsNone)
+{
+    int resets = 0;
+    int inserted = 0;
+    QObject::connect(view.model(), &QAbstractItemModel::modelReset, [&] { ++resets; });
+    QObject::connect(view.model(), &QAbstractItemModel::rowsInserted,
+                     [&](const QModelIndex&, int first, int last) { inserted += last - first + 1; });
+    rename("One");
+    rename("Two");
+    EXPECT_EQ(inserted, 2);
+    document.undo();
+    document.redo();
+    document.jumpTo(1);
+    document.nameVersion(2, "Name");
+    EXPECT_EQ(inserted, 2);
+    EXPECT_EQ(resets, 0);
+    rename("Three"); // a branch: lines move
+    EXPECT_EQ(resets, 1);
 }
 
 TEST_F(HistoryTest, NamingLeavesTheDesignAlone)

@@ -1,0 +1,66 @@
+// What the window does with maps and pictures.
+#include "MainWindow.h"
+
+#include "Actions.h"
+#include "MapLink.h"
+#include "PatternView.h"
+#include "RenderDialog.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+namespace bolster {
+
+void MainWindow::connectMaps()
+{
+    connect(m_maps.get(), &MapLink::measured, this, &MainWindow::showMeasured);
+    for (QAction* action : m_actions->maps)
+        connect(action, &QAction::toggled, this, [this] {
+            std::optional<CoverMap::Kind> kind;
+            for (const QAction* map : m_actions->maps)
+                if (map->isChecked())
+                    kind = static_cast<CoverMap::Kind>(map->data().toInt());
+            m_maps->setKind(kind);
+            showMeasured();
+        });
+    connect(m_surface, &SurfaceView::coverPointed, this, &MainWindow::readMap);
+    connect(m_pattern, &PatternView::patchPointed, this, &MainWindow::readMap);
+    if (auto* spots = menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots")))
+        connect(spots, &QMenu::aboutToShow, this, [this, spots] { fillWorstSpots(*spots); });
+}
+
+void MainWindow::readMap(const std::optional<CoverPoint>& place)
+{
+    const QString reading = place ? m_maps->reading(*place) : QString();
+    m_surface->setMapReading(reading);
+    m_pattern->setMapReading(reading);
+}
+
+void MainWindow::fillWorstSpots(QMenu& menu)
+{
+    menu.clear();
+    for (const MapLink::Spot& spot : m_maps->spots()) {
+        QAction* action = menu.addAction(spot.text);
+        action->setToolTip(tr("Show this place in both windows"));
+        connect(action, &QAction::triggered, this, [this, place = spot.place] {
+            m_surface->reveal(place);
+            m_pattern->reveal(place);
+            m_surface->showPlace(place);
+            m_pattern->showPlace(place);
+        });
+    }
+    if (menu.isEmpty())
+        menu.addAction(tr("Choose a map of strain first"))->setEnabled(false);
+}
+
+void MainWindow::renderPicture()
+{
+    const SurfaceMeshPtr& surface = m_solver->surface();
+    if (!surface)
+        return;
+    RenderDialog::Subject subject{surface, document().design(), m_session->files(),
+                                  {},      m_session->title(),  m_surface->camera()};
+    RenderDialog(std::move(subject), this).exec();
+}
+
+} // namespace bolster

@@ -1,0 +1,152 @@
+#include "MapLink.h"
+
+#include "DesignSession.h"
+#include "PatternLocator.h"
+#include "Units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr std::size_t mostSpots = 8;
+constexpr double apart = 60; // mm between spots
+
+QString unitOf(CoverMap::Kind kind)
+{
+    return kind == CoverMap::Kind::Thickness   ? QStringLiteral(" mm")
+           : kind == CoverMap::Kind::Curvature ? QStringLiteral(" 1/m")
+                                               : QStringLiteral(" %");
+}
+
+const SurfaceTopology::PatchRange* rangeOf(const SurfaceTopology& topology, std::uint32_t vertex)
+{
+    const auto found = std::ranges::find_if(topology.patches, [vertex](const SurfaceTopology::PatchRange& range) {
+        return vertex >= range.firstVertex && vertex < range.firstVertex + range.vertexCount;
+    });
+    return found == topology.patches.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+MapLink::MapLink(DesignSession& session, QObject* parent)
+    : QObject(parent)
+    , m_session(session)
+    , m_job(
+          [](const Request& asked, const std::stop_token&) {
+              Result result{asked, coverMap(asked.kind, *asked.surface, asked.design, asked.files), {}};
+              if (!result.map.allowed.empty())
+                  result.spots = worstSpots(result.map, *asked.surface, mostSpots, apart);
+              return result;
+          },
+          [this](const Result& result) { receive(result); })
+{
+    connect(&session.document(), &Document::changed, this, &MapLink::request);
+    connect(&session, &DesignSession::filesChanged, this, &MapLink::request);
+    connect(&session, &DesignSession::opened, this, &MapLink::request);
+}
+
+MapLink::~MapLink() = default;
+
+QString MapLink::title(CoverMap::Kind kind)
+{
+    switch (kind) {
+    case CoverMap::Kind::Strain:
+        return tr("Largest strain");
+    case CoverMap::Kind::Along:
+        return tr("Strain along the grain");
+    case CoverMap::Kind::Across:
+        return tr("Strain across the grain");
+    case CoverMap::Kind::Shear:
+        return tr("Shear");
+    case CoverMap::Kind::Curvature:
+        return tr("Mean curvature");
+    case CoverMap::Kind::Thickness:
+        return tr("Distance to the frame");
+    }
+    return {};
+}
+
+void MapLink::setSurface(SurfaceMeshPtr surface)
+{
+    m_surface = std::move(surface);
+    request();
+}
+
+void MapLink::setKind(std::optional<CoverMap::Kind> kind)
+{
+    if (kind == m_kind)
+        return;
+    m_kind = kind;
+    m_map.reset();
+    m_spots.clear();
+    emit measured();
+    request();
+}
+
+void MapLink::request()
+{
+    if (m_kind && m_surface)
+        m_job.request({m_surface, *m_kind, m_session.document().design(), m_session.files()});
+}
+
+QString MapLink::figure(double value) const
+{
+    return decimalText(value, std::abs(value) >= 100 ? 0 : 1, true) + (m_map ? m_map->unit : QString());
+}
+
+void MapLink::receive(const Result& result)
+{
+    if (m_kind != result.request.kind || !m_surface)
+        return; // not wanted any more
+    const SurfaceTopology& topology = *result.request.surface->topology;
+    const CoverMap& measured = result.map;
+    auto map = std::make_shared<SurfaceMap>();
+    map->topology = result.request.surface->topology;
+    map->values = measured.ofVertex;
+    map->allowed = measured.allowed;
+    map->kind = measured.scale.kind;
+    map->limit = measured.scale.limit;
+    map->title = title(measured.kind);
+    map->unit = unitOf(measured.kind);
+    if (measured.kind == CoverMap::Kind::Curvature) {
+        map->below = tr("hollow");
+        map->above = tr("bulging");
+    } else if (!measured.allowed.empty() && measured.kind != CoverMap::Kind::Shear) {
+        map->below = tr("pressed");
+        map->above = tr("stretched");
+    }
+    m_map = std::move(map);
+    m_spots.clear();
+    for (const CoverSpot& spot : result.spots) {
+        const SurfaceTopology::PatchRange* range = rangeOf(topology, spot.vertex);
+        const Patch* patch = range ? result.request.design.find<Patch>(range->patch) : nullptr;
+        if (!patch)
+            continue;
+        const QString text = tr("%1 in %2").arg(figure(spot.value), QString::fromStdString(patch->name));
+        const float allowed = measured.allowed[spot.vertex];
+        m_spots.push_back(
+            {{range->patch, topology.pattern[spot.vertex]},
+             std::abs(spot.value) > allowed ? tr("%1, over the limit of %2").arg(text, figure(allowed)) : text});
+    }
+    emit this->measured();
+}
+
+QString MapLink::reading(const CoverPoint& place) const
+{
+    if (!m_map)
+        return {};
+    const SurfaceTopology& topology = *m_map->topology;
+    const auto range = std::ranges::find(topology.patches, place.patch, &SurfaceTopology::PatchRange::patch);
+    if (range == topology.patches.end() || range->triangleCount == 0)
+        return {};
+    const PatternPlace found = PatternLocator(topology, *range).locate(place.outline);
+    double value = 0;
+    for (Eigen::Index k = 0; k < 3; ++k)
+        value += found.weights[k] * static_cast<double>(m_map->values[found.corners[static_cast<std::size_t>(k)]]);
+    return std::isfinite(value) ? tr("Here: %1").arg(figure(value)) : QString();
+}
+
+} // namespace bolster

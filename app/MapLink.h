@@ -1,0 +1,65 @@
+// Measures the cover for a map, beside the GUI thread: strain, curvature, foam.
+#pragma once
+
+#include "CoverMap.h"
+#include "CoverPlaces.h"
+#include "SurfaceJob.h"
+#include "SurfaceMap.h"
+
+namespace bolster {
+
+class DesignSession;
+
+class MapLink : public QObject {
+    Q_OBJECT
+
+public:
+    explicit MapLink(DesignSession& session, QObject* parent = nullptr);
+    ~MapLink() override;
+
+    void setSurface(SurfaceMeshPtr surface);
+    /// Which one is wanted; nothing: none.
+    void setKind(std::optional<CoverMap::Kind> kind);
+
+    /// Null while nothing is measured.
+    const SurfaceMapPtr& map() const { return m_map; }
+    struct Spot {
+        CoverPoint place;
+        QString text; ///< "12.3 % in Seat, over the limit of 8 %"
+    };
+    /// The worst first; only of strains.
+    const std::vector<Spot>& spots() const { return m_spots; }
+    /// What the map says at a place, "" where nothing is known.
+    QString reading(const CoverPoint& place) const;
+
+    static QString title(CoverMap::Kind kind);
+
+signals:
+    void measured();
+
+private:
+    struct Request {
+        SurfaceMeshPtr surface;
+        CoverMap::Kind kind;
+        Design design;
+        DesignFiles files;
+    };
+    struct Result {
+        Request request;
+        CoverMap map;
+        std::vector<CoverSpot> spots;
+    };
+
+    void request();
+    void receive(const Result& result);
+    QString figure(double value) const;
+
+    DesignSession& m_session;
+    SurfaceMeshPtr m_surface;
+    std::optional<CoverMap::Kind> m_kind;
+    SurfaceMapPtr m_map;
+    std::vector<Spot> m_spots;
+    SurfaceJob<Request, Result> m_job; ///< last: it uses the others
+};
+
+} // namespace bolster

@@ -1,0 +1,101 @@
+// File > Render: a picture of the cover as a customer should see it.
+#pragma once
+
+#include "Camera.h"
+#include "CoverMap.h"
+#include "PictureFile.h"
+#include "SurfaceJob.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+
+namespace bolster {
+
+class RenderDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    struct Subject {
+        SurfaceMeshPtr surface;
+        Design design;
+        DesignFiles files;
+        std::map<ElementId, FabricMapsPtr> maps; ///< of fabrics, as far as they are baked
+        QString title;
+        Camera view; ///< that of the window
+    };
+
+    explicit RenderDialog(Subject subject, QWidget* parent = nullptr);
+    ~RenderDialog() override;
+
+    /// Draws and writes what is chosen. Goes on in the background; `rendered` says how it ended.
+    void renderTo(const QString& path);
+    bool rendering() const { return m_rendering; }
+
+signals:
+    void previewed();
+    /// `problem` is "" when the picture is written.
+    void rendered(const QString& problem);
+
+protected:
+    void reject() override; ///< while a picture is drawn, gives that up
+
+private:
+    /// What the scene depends on.
+    struct Look {
+        ElementId colourway{};
+        bool checker = false;
+        std::optional<CoverMap::Kind> map;
+        bool rough = false; ///< not refined, and in plain colours where nothing is baked: at once
+
+        friend bool operator==(const Look&, const Look&) = default;
+    };
+    struct Request {
+        Look look;
+        PreviewView view;
+        PreviewOptions options;
+        std::string path; ///< "": only to look at
+        PictureFormat format = PictureFormat::Png;
+        PictureNotes notes;
+    };
+    struct Result {
+        PreviewImage image;
+        bool toFile = false;
+        bool rough = false;
+        std::string problem;
+    };
+    class Studio;
+
+    void build();
+    void fillShown();
+    Request request(QSize size) const;
+    /// Of a look that was not seen yet a rough picture comes first.
+    void requestPreview();
+    void receive(const Result& result);
+    void choosePathAndRender();
+    void setRendering(bool rendering);
+
+    Subject m_subject;
+    QSpinBox* m_width;
+    QSpinBox* m_height;
+    QComboBox* m_view;
+    QComboBox* m_samples;
+    QComboBox* m_shown;
+    QCheckBox* m_transparent;
+    QLabel* m_picture;
+    QLabel* m_message;
+    QProgressBar* m_progress;
+    QPushButton* m_render;
+    QTimer m_pause; ///< before a preview, so that typing a number costs one
+    bool m_rendering = false;
+    std::vector<Look> m_seen;          ///< as rough pictures
+    SurfaceJob<Request, Result> m_job; ///< last: it uses the others
+};
+
+} // namespace bolster

@@ -1,0 +1,103 @@
+#include "Solving.h"
+
+#include "Output.h"
+
+#include <algorithm>
+#include <new>
+
+namespace bolster::cli {
+
+namespace {
+
+/// The reason of the report: `bolster check` tells them all.
+std::string firstOf(const Problems& errors)
+{
+    const std::string more = errors.size() > 1 ? " (and " + std::to_string(errors.size() - 1) + " more)" : "";
+    return errors.empty() ? "" : errors.front().english() + more;
+}
+
+Problems withSeverity(const Problems& problems, Severity severity)
+{
+    Problems found;
+    std::copy_if(problems.begin(), problems.end(), std::back_inserter(found),
+                 [&](const Problem& problem) { return problem.severity == severity; });
+    return found;
+}
+
+void add(Problems& problems, const Problems& more)
+{
+    for (const Problem& problem : more)
+        if (std::find(problems.begin(), problems.end(), problem) == problems.end())
+            problems.push_back(problem);
+}
+
+Problems errorsOf(const OpenedDesign& opened)
+{
+    Problems errors = withSeverity(opened.problems, Severity::Error);
+    bool hasPatch = false;
+    opened.design.each<Patch>([&](ElementId, const Patch&) { hasPatch = true; });
+    if (errors.empty() && !hasPatch)
+        errors.push_back({settingsId, {}, "elements", {"the design has no patch", {}}});
+    return errors;
+}
+
+/// What was left out and why: the errors themselves, then what went because it refers to a bad element.
+Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
+{
+    Problems all = errors;
+    for (const Problem& problem : leftOutBySolver)
+        if (std::none_of(errors.begin(), errors.end(),
+                         [&](const Problem& error) { return error.element == problem.element; }))
+            all.push_back(problem);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Problem& a, const Problem& b) { return a.element < b.element; });
+    return all;
+}
+
+SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const SolveOptions& options,
+                           std::stop_token stop)
+{
+    SolveResult result = solveResting({opened.design, opened.files}, options, std::move(stop));
+    add(errors, result.errors);
+    result.leftOut = leftOut(errors, result.leftOut);
+    result.errors = result.surface ? Problems() : errors;
+    return result;
+}
+
+} // namespace
+
+SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
+{
+    const Problems errors = errorsOf(opened);
+    SolveResult result;
+    try {
+        if (opened.readable && options.lenient)
+            result = solveLeniently(opened, errors, options, std::move(stop));
+        else if (errors.empty())
+            result = solveResting({opened.design, opened.files}, options, std::move(stop));
+        else
+            result.errors = errors;
+    } catch (const std::bad_alloc&) {
+        result = {};
+        result.reason = {"there is not enough memory for this design; choose a larger edge length", {}};
+    }
+
+    if (result.status == SolveResult::Status::Cancelled)
+        result.reason = {"interrupted", {}};
+    else if (result.reason.empty() && !result.errors.empty())
+        result.reason = {firstOf(result.errors), {}};
+    add(result.warnings, withSeverity(opened.problems, Severity::Warning));
+    return result;
+}
+
+void printFindings(const SolveResult& result)
+{
+    printProblems(result.errors);
+    for (const Problem& problem : result.leftOut)
+        printError("left out: " + problem.english());
+    printProblems(result.warnings);
+    if (!result.reason.empty() && result.errors.empty())
+        printError("error: " + result.reason.english());
+}
+
+} // namespace bolster::cli

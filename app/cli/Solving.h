@@ -1,0 +1,15 @@
+// From an opened design to its cover, for the commands that need one.
+#pragma once
+
+#include "DesignFile.h"
+#include "RestingSolve.h"
+
+namespace bolster::cli {
+
+/// Refuses designs with errors, unless `options` are lenient. What went wrong is in the result.
+SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop);
+
+/// On stderr: errors, what was left out, warnings, and why there is no cover.
+void printFindings(const SolveResult& result);
+
+} // namespace bolster::cli

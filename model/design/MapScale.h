@@ -1,0 +1,27 @@
+// Colours for numbers, told apart by people who see no red or green, too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace bolster {
+
+struct MapScale {
+    enum class Kind {
+        Diverging, ///< from -limit (blue) over 0 (nearly white) to limit (red)
+        Sequential ///< from 0 (dark violet) to limit (yellow)
+    };
+
+    Kind kind = Kind::Diverging;
+    float limit = 1; ///< > 0
+
+    using Rgba = std::array<std::uint8_t, 4>;
+    /// sRGB. Alpha 0 where nothing is known (NaN). Nearly black where the value's size is over `allowed`, > 0.
+    Rgba color(float value, float allowed = 1e30F) const;
+
+    static constexpr Rgba over = {0x2b, 0x06, 0x3a, 255};
+    /// A round number that is not below this one.
+    static float usualLimit(double size);
+};
+
+} // namespace bolster

@@ -1,0 +1,156 @@
+#include "TemporaryFile.h"
+
+#include "PosixFile.h"
+
+#include <QCryptographicHash>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QSysInfo>
+#include <QUuid>
+
+#include <cerrno>
+#include <cstdio>
+#include <sys/file.h>
+
+namespace bolster {
+namespace {
+
+constexpr qsizetype bytesAtOnce = 1 << 20;
+constexpr int triesAtMost = 10;
+constexpr const char* besideIt = "-journal"; // SQLite does not always remove its own
+
+/// With this the names of this machine's temporary files begin: only for them the locks mean anything.
+QString ownPrefix()
+{
+    const QByteArray machine = QSysInfo::machineUniqueId() + QSysInfo::machineHostName().toUtf8();
+    const QByteArray hash = QCryptographicHash::hash(machine, QCryptographicHash::Blake2b_256).toHex();
+    return QStringLiteral(".bolster-%1-").arg(QString::fromLatin1(hash.first(8)));
+}
+
+/// Whether the lock could be had, or the file system has none.
+enum class Lock { Ours, Taken, Unknown };
+
+Lock lockNow(const Descriptor& file)
+{
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
+        return Lock::Ours;
+    return errno == EWOULDBLOCK ? Lock::Taken : Lock::Unknown;
+}
+
+bool hasName(const Descriptor& file)
+{
+    const auto info = statusOf(file);
+    return info && info->st_nlink > 0;
+}
+
+void removeIfLeft(const QFileInfo& info, const QString& own)
+{
+    const Descriptor file(info.absoluteFilePath(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
+    if (!file.valid())
+        return;
+    const Lock lock = lockNow(file);
+    const bool old = info.lastModified() < QDateTime::currentDateTime().addDays(-1);
+    const bool left = lock == Lock::Ours && info.fileName().startsWith(own) ? true : lock != Lock::Taken && old;
+    if (!left || !hasName(file))
+        return;
+    QFile::remove(info.absoluteFilePath());
+    QFile::remove(info.absoluteFilePath() + besideIt);
+}
+
+} // namespace
+
+struct TemporaryFile::File {
+    Descriptor descriptor;
+};
+
+TemporaryFile::TemporaryFile(const QString& target)
+    : m_target(resolved(target))
+    , m_file(std::make_unique<File>())
+{
+    const QString folder = QFileInfo(m_target).absolutePath();
+    for (int tries = 0; tries < triesAtMost; ++tries) {
+        m_path = folder + '/' + ownPrefix() + QUuid::createUuid().toString(QUuid::Id128);
+        m_file->descriptor = Descriptor(m_path, O_RDWR | O_CREAT | O_EXCL, 0666);
+        if (!m_file->descriptor.valid()) {
+            m_problem = writeProblem(m_target, errno);
+            return;
+        }
+        // Whoever removes what is left may have been faster.
+        if (lockNow(m_file->descriptor) != Lock::Taken && hasName(m_file->descriptor))
+            return;
+    }
+    m_file->descriptor.close();
+    m_problem = writeProblem(m_target, EBUSY);
+}
+
+TemporaryFile::~TemporaryFile()
+{
+    if (m_file->descriptor.valid())
+        QFile::remove(m_path);
+    QFile::remove(m_path + besideIt);
+}
+
+Message TemporaryFile::failed(int error)
+{
+    return writeProblem(m_target, error);
+}
+
+Message TemporaryFile::write(std::string_view bytes)
+{
+    if (!m_problem.empty())
+        return m_problem;
+    const int error = writeAll(m_file->descriptor, bytes);
+    return error ? failed(error) : Message{};
+}
+
+Message TemporaryFile::copyFrom(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
+                {path.toStdString(), file.errorString().toStdString()}};
+    while (!file.atEnd()) {
+        const QByteArray bytes = file.read(bytesAtOnce);
+        if (bytes.isEmpty())
+            return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
+                    {path.toStdString(), file.errorString().toStdString()}};
+        if (Message problem = write({bytes.constData(), static_cast<std::size_t>(bytes.size())}); !problem.empty())
+            return problem;
+    }
+    return m_problem;
+}
+
+Message TemporaryFile::moveIntoPlace()
+{
+    if (!m_problem.empty())
+        return m_problem;
+    const Descriptor& file = m_file->descriptor;
+    if (const auto present = statusOf(m_target)) {
+        if (Message problem = protection(m_target, *present); !problem.empty())
+            return problem;
+        if (!S_ISREG(present->st_mode))
+            return failed(EINVAL);
+        if (::fchmod(file.get(), present->st_mode & 0777) != 0)
+            return failed(errno);
+    }
+    if (::fsync(file.get()) != 0)
+        return failed(errno);
+    if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData()) != 0)
+        return failed(errno);
+    const bool closed = m_file->descriptor.close();
+    const int error = syncFolder(QFileInfo(m_target).absolutePath());
+    return error || !closed ? failed(error ? error : EIO) : Message{};
+}
+
+void removeLeftTemporaryFiles(const QString& folder)
+{
+    static const QRegularExpression name("^\\.bolster-([0-9a-f]{8}-)?[0-9a-f]{32}$");
+    const QString own = ownPrefix();
+    for (const QFileInfo& info : QDir(folder).entryInfoList({".bolster-*"}, QDir::Files | QDir::Hidden))
+        if (name.match(info.fileName()).hasMatch())
+            removeIfLeft(info, own);
+}
+
+} // namespace bolster

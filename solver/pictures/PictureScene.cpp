@@ -1,0 +1,83 @@
+#include "PictureScene.h"
+
+#include "FabricShown.h"
+#include "SurfaceRefiner.h"
+
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace bolster {
+
+namespace {
+
+PreviewScene sceneOf(const SurfaceMeshPtr& surface, CoverMeshPtr cover)
+{
+    PreviewScene scene;
+    scene.surface = surface;
+    scene.cover = std::move(cover);
+    scene.checker = false;
+    return scene;
+}
+
+/// In the colours of the fabrics that the patches show.
+PreviewScene sceneInColors(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                           ElementId colourway)
+{
+    PreviewScene scene = sceneOf(surface, std::move(cover));
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        const Fabric* fabric = design.find<Fabric>(fabricShown(design, id, colourway));
+        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
+    });
+    return scene;
+}
+
+} // namespace
+
+CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface)
+{
+    try {
+        return SurfaceRefiner().refine(surface, 2);
+    } catch (const std::runtime_error&) { // positions that are not finite, or triangles that OpenSubdiv refuses
+        return nullptr;
+    }
+}
+
+PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                            ElementId colourway, const FabricBaker& bake)
+{
+    PreviewScene scene = sceneInColors(surface, std::move(cover), design, colourway);
+    std::map<ElementId, FabricMapsPtr> baked;
+    for (PreviewScene::PatchLook& look : scene.looks) {
+        const ElementId shown = fabricShown(design, look.patch, colourway);
+        const Fabric* fabric = design.find<Fabric>(shown);
+        if (!fabric)
+            continue;
+        if (!baked.contains(shown))
+            baked.emplace(shown, bake(shown, *fabric));
+        look.maps = baked.at(shown);
+        const double warp =
+            design.find<Patch>(look.patch)->grain + fabric->look.rotation; // the maps' y runs along it
+        look.turn = (warp - 90) * std::numbers::pi / 180;
+    }
+    return scene;
+}
+
+PreviewScene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                              ElementId colourway)
+{
+    PreviewScene scene = sceneInColors(surface, std::move(cover), design, colourway);
+    scene.checker = true;
+    return scene;
+}
+
+PreviewScene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map)
+{
+    PreviewScene scene = sceneOf(surface, std::move(cover));
+    scene.vertexColors = map.colors();
+    for (const SurfaceTopology::PatchRange& range : surface->topology->patches)
+        scene.looks.push_back({range.patch, "#b9bcc0"}); // where nothing is known
+    return scene;
+}
+
+} // namespace bolster

@@ -1,0 +1,24 @@
+// What a picture of a cover shows: the refined surface in the fabrics of a colourway, with a checker or with a map.
+#pragma once
+
+#include "CoverMap.h"
+#include "PreviewRenderer.h"
+
+namespace bolster {
+
+/// The maps of a fabric, or null for its plain colour. May take its time.
+using FabricBaker = std::function<FabricMapsPtr(ElementId, const Fabric&)>;
+
+/// Refined by two levels for a smooth silhouette; null where it cannot be: then the surface itself is drawn.
+CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface);
+
+/// `colourway`: settingsId for the patches' own fabrics.
+PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                            ElementId colourway, const FabricBaker& bake);
+/// The fabrics' colours with squares of 20 mm.
+PreviewScene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                              ElementId colourway);
+/// `map` must be of this surface.
+PreviewScene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map);
+
+} // namespace bolster

@@ -1,0 +1,112 @@
+#include "WindowTest.h"
+
+#include "MapLink.h"
+#include "RenderDialog.h"
+
+#include <QImage>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+#include <cmath>
+
+namespace bolster {
+namespace {
+
+class PicturesTest : public WindowTest {
+protected:
+    QAction* map(CoverMap::Kind kind)
+    {
+        for (QAction* action : window.actions().maps)
+            if (action->data().toInt() == static_cast<int>(kind))
+                return action;
+        return nullptr;
+    }
+    bool measured()
+    {
+        return QTest::qWaitFor([&] { return window.maps().map() != nullptr; }, 30000);
+    }
+    RenderDialog::Subject subject()
+    {
+        return {window.solver().surface(), window.document().design(),   window.session().files(), {},
+                window.session().title(),  window.surfaceView().camera()};
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(PicturesTest, AMapShowsItsNumbersAndWorstSpots)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    ASSERT_TRUE(waitUntilSolved());
+    map(CoverMap::Kind::Strain)->trigger();
+    ASSERT_TRUE(measured());
+    const SurfaceMapPtr shown = window.maps().map();
+    EXPECT_EQ(shown->values.size(), window.solver().surface()->positions.size());
+    ASSERT_FALSE(window.maps().spots().empty());
+    const MapLink::Spot& worst = window.maps().spots().front();
+    EXPECT_TRUE(worst.text.contains(u'%')) << worst.text.toStdString();
+    EXPECT_TRUE(window.maps().reading(worst.place).contains(u'%'));
+
+    auto* spots = window.menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots"));
+    ASSERT_TRUE(spots);
+    emit spots->aboutToShow();
+    EXPECT_EQ(spots->actions().size(), static_cast<qsizetype>(window.maps().spots().size()));
+    spots->actions().front()->trigger();
+
+    map(CoverMap::Kind::Curvature)->trigger();
+    EXPECT_FALSE(map(CoverMap::Kind::Strain)->isChecked()) << "one map at a time";
+    ASSERT_TRUE(measured());
+    EXPECT_TRUE(window.maps().spots().empty());
+    map(CoverMap::Kind::Curvature)->trigger();
+    EXPECT_FALSE(window.maps().map()) << "and none on wish";
+}
+
+TEST_F(PicturesTest, RenderShowsAPreviewAndWritesTheFile)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    RenderDialog dialog(subject());
+    QSignalSpy previews(&dialog, &RenderDialog::previewed);
+    dialog.show();
+    ASSERT_TRUE(previews.wait(30000));
+    for (QSpinBox* box : dialog.findChildren<QSpinBox*>())
+        box->setValue(64);
+    QSignalSpy ends(&dialog, &RenderDialog::rendered);
+    const QString path = m_folder.filePath(QStringLiteral("picture.png"));
+    dialog.renderTo(path);
+    ASSERT_TRUE(ends.wait(60000));
+    EXPECT_EQ(ends.front().front().toString(), QString());
+    EXPECT_EQ(QImage(path).size(), QSize(64, 64));
+
+    dialog.renderTo(m_folder.filePath(QStringLiteral("picture.jpg")));
+    EXPECT_NE(ends.back().front().toString(), QString()) << "a kind of file that is not written";
+    ends.clear();
+    dialog.renderTo(m_folder.filePath(QStringLiteral("missing/picture.png")));
+    ASSERT_TRUE(ends.wait(60000));
+    EXPECT_NE(ends.back().front().toString(), QString()) << "a folder that is not there";
+}
+
+TEST_F(PicturesTest, ARenderCanBeCancelled)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    RenderDialog dialog(subject());
+    dialog.show();
+    for (QSpinBox* box : dialog.findChildren<QSpinBox*>())
+        box->setValue(5000);
+    const QString path = m_folder.filePath(QStringLiteral("large.png"));
+    dialog.renderTo(path);
+    EXPECT_TRUE(dialog.rendering());
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.rendering());
+    EXPECT_TRUE(dialog.isVisible()) << "the first Escape ends the picture, not the dialog";
+    QTest::qWait(200);
+    EXPECT_FALSE(QFile::exists(path));
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.isVisible());
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,113 @@
+#include "../model/TestFiles.h"
+#include "ProgramRun.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+
+namespace bolster {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A square of cloth on two rails, with two colourways.
+Json hammock()
+{
+    return Json::parse(R"({"format": "bolster-design", "version": 1, "unit": "mm",
+        "settings": {"edge_length": 25}, "elements": [
+        {"id": 1, "kind": "fabric", "name": "Leather", "look": {"kind": "smooth_leather"}},
+        {"id": 2, "kind": "patch", "name": "Seat", "fabric": 1,
+         "outline": {"degree": 1, "closed": true, "points": [[0,0],[300,0],[300,300],[0,300]]}},
+        {"id": 3, "kind": "fixation_curve", "name": "Front rail",
+         "curve": {"degree": 1, "closed": false, "points": [[0,0,0],[300,0,0]]}},
+        {"id": 4, "kind": "fixation_curve", "name": "Back rail",
+         "curve": {"degree": 1, "closed": false, "points": [[0,315,0],[300,315,0]]}},
+        {"id": 5, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 3},
+        {"id": 6, "kind": "fixation_seam", "patch": 2, "from": 2, "to": 3, "curve": 4, "reversed": true},
+        {"id": 7, "kind": "fabric", "name": "Green", "color": "#20a040"},
+        {"id": 8, "kind": "colourway", "name": "Meadow", "fabrics": [{"patch": 2, "fabric": 7}]},
+        {"id": 9, "kind": "colourway", "name": "Hide", "fabrics": []}]})");
+}
+
+class Render : public TestFiles {
+protected:
+    void SetUp() override { m_design = write(QStringLiteral("hammock.json"), hammock().dump()); }
+
+    std::string bytes(const QString& name) const { return QFile::exists(path(name)) ? read(name) : std::string(); }
+    ProgramRun run(const QString& image, const QStringList& more = {}) const
+    {
+        return callCommandLine(
+            QStringList{"render", m_design, "--image", path(image), "--size", "64x48", "--samples", "4"} + more);
+    }
+
+    QString m_design;
+};
+
+TEST_F(Render, WritesTheSameBytesOnAnyNumberOfThreads)
+{
+    for (const QString& name : {QStringLiteral("a.png"), QStringLiteral("a.tif"), QStringLiteral("a.exr")}) {
+        const ProgramRun one = run(name, {"--threads", "1"});
+        ASSERT_EQ(one.exitCode, 0) << one.err;
+        const std::string first = bytes(name);
+        ASSERT_GT(first.size(), 100U);
+        ASSERT_EQ(run(name, {"--threads", "3"}).exitCode, 0);
+        EXPECT_EQ(bytes(name), first) << name.toStdString();
+    }
+}
+
+TEST_F(Render, ShowsAColourwayAndAMap)
+{
+    ASSERT_EQ(run("own.png").exitCode, 0);
+    ASSERT_EQ(run("hide.png", {"--fabric", "Hide"}).exitCode, 0);
+    ASSERT_EQ(run("meadow.png", {"--fabric", "Meadow"}).exitCode, 0);
+    EXPECT_EQ(bytes("own.png"), bytes("hide.png"));
+    EXPECT_NE(bytes("own.png"), bytes("meadow.png"));
+    for (const char* const map : {"strain", "along", "across", "shear", "curvature", "thickness", "checker"}) {
+        const ProgramRun drawn = run("map.png", {"--map", map});
+        EXPECT_EQ(drawn.exitCode, 0) << map << drawn.err;
+        EXPECT_NE(bytes("map.png"), bytes("own.png")) << map;
+    }
+    const ProgramRun strain = run("map.png", {"--map", "along"});
+    EXPECT_NE(strain.out.find("Seat"), std::string::npos) << strain.out;
+}
+
+TEST_F(Render, WritesATurntableAndASheet)
+{
+    ASSERT_EQ(run("turn.png", {"--turntable", "3"}).exitCode, 0);
+    for (const char* const name : {"turn-001.png", "turn-002.png", "turn-003.png"})
+        EXPECT_GT(bytes(name).size(), 100U) << name;
+    EXPECT_NE(bytes("turn-001.png"), bytes("turn-002.png"));
+    const ProgramRun sheet = run("sheet.png", {"--sheet"});
+    EXPECT_EQ(sheet.exitCode, 0) << sheet.err;
+    EXPECT_GT(bytes("sheet.png").size(), 100U);
+}
+
+TEST_F(Render, SaysWhatIsWrong)
+{
+    const auto refused = [this](const QStringList& words, const char* part) {
+        const ProgramRun got = callCommandLine(QStringList{"render", m_design} + words);
+        EXPECT_EQ(got.exitCode, 2) << words.join(' ').toStdString();
+        EXPECT_NE(got.err.find(part), std::string::npos) << got.err;
+    };
+    const QString image = path("a.png");
+    refused({}, "--image is missing");
+    refused({"--image", path("a.jpg")}, ".png, .tif or .exr");
+    refused({"--image", image, "--size", "9000x9000"}, "81 million pixels");
+    refused({"--image", image, "--size", "20000x10"}, "16384 pixels a side");
+    refused({"--image", image, "--size", "big"}, "like 1280x960");
+    refused({"--image", image, "--view", "behind"}, "unknown view \"behind\"; there are three-quarter");
+    refused({"--image", image, "--view", "30,95"}, "unknown view");
+    refused({"--image", image, "--fabric", "Sky"}, "no colourway \"Sky\"; there are \"Meadow\", \"Hide\"");
+    refused({"--image", image, "--map", "heat"}, "unknown map \"heat\"");
+    refused({"--image", image, "--sheet", "--map", "strain"}, "--sheet");
+    refused({"--image", image, "--sheet", "--size", "6000x6000"}, "64 million pixels");
+    EXPECT_FALSE(QFile::exists(image));
+    const ProgramRun unwritable = run("missing/a.png");
+    EXPECT_EQ(unwritable.exitCode, 1);
+    EXPECT_NE(unwritable.err.find("missing/a.png"), std::string::npos) << unwritable.err;
+}
+
+} // namespace
+} // namespace bolster

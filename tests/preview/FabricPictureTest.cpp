@@ -1,0 +1,216 @@
+#include "ContactSheet.h"
+#include "PictureFile.h"
+#include "PreviewMeshes.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+/// A tile of `size` mm: its left half white, its right half black; no relief.
+FabricMapsPtr stripes(double size, int pixels = 64)
+{
+    auto maps = std::make_shared<FabricMaps>();
+    maps->width = maps->height = pixels;
+    maps->widthMm = maps->heightMm = size;
+    for (int y = 0; y < pixels; ++y)
+        for (int x = 0; x < pixels; ++x) {
+            const std::uint8_t tone = x < pixels / 2 ? 255 : 0;
+            maps->albedo.insert(maps->albedo.end(), {tone, tone, tone, 255});
+            maps->normal.insert(maps->normal.end(), {128, 128, 255});
+            maps->roughness.push_back(230);
+        }
+    return maps;
+}
+
+PreviewScene striped(const SurfaceMeshPtr& surface, double size, double turn = 0)
+{
+    PreviewScene scene;
+    scene.surface = surface;
+    scene.checker = false;
+    scene.looks = {{surface->topology->patches.front().patch, "#808080", stripes(size), turn}};
+    return scene;
+}
+
+PreviewView fromAbove(const Vec3& target, double pixel, int height)
+{
+    PreviewView view;
+    view.target = target;
+    view.azimuth = 0;
+    view.elevation = std::numbers::pi / 2;
+    view.perspective = false;
+    view.distance = pixel * height / (2 * std::tan(view.fieldOfView / 2));
+    return view;
+}
+
+PreviewOptions sized(int width, int height, int samples)
+{
+    PreviewOptions options;
+    options.width = width;
+    options.height = height;
+    options.samples = samples;
+    return options;
+}
+
+/// Where the brightness falls through the middle between its extremes, in pixels, between pixels' middles.
+std::vector<double> fallingEdges(const PreviewImage& image, int y)
+{
+    std::vector<double> edges;
+    int low = 255, high = 0;
+    for (int x = 0; x < image.width; ++x) {
+        low = std::min(low, brightness(image, x, y));
+        high = std::max(high, brightness(image, x, y));
+    }
+    const double middle = 0.5 * (low + high);
+    for (int x = 0; x + 1 < image.width; ++x) {
+        const double here = brightness(image, x, y), next = brightness(image, x + 1, y);
+        if (here >= middle && next < middle)
+            edges.push_back(x + (here - middle) / (here - next));
+    }
+    return edges;
+}
+
+TEST(FabricPicture, TexturesHaveTheirRealSize)
+{
+    constexpr double repeat = 50, pixel = 0.8; // mm
+    PreviewOptions options = sized(480, 60, 16);
+    options.quick = true; // evenly lit
+    const PreviewImage image =
+        renderPreview(striped(flatPatch(400, 400), repeat), fromAbove({200, 200, 0}, pixel, 60), options);
+    const std::vector<double> edges = fallingEdges(image, 30);
+    ASSERT_EQ(edges.size(), 8U);
+    const double measured = (edges.back() - edges.front()) * pixel / 7;
+    EXPECT_NEAR(measured, repeat, 0.005 * repeat);
+    EXPECT_NEAR(pixel * (edges.front() + 0.5 - 240) + 200, 25, 0.3) << "x = 0 is where the tile begins";
+}
+
+TEST(FabricPicture, TexturesTurnAgainstThePattern)
+{
+    PreviewOptions options = sized(120, 120, 4);
+    options.quick = true;
+    const PreviewImage image = renderPreview(striped(flatPatch(400, 400), 50, std::numbers::pi / 2),
+                                             fromAbove({200, 200, 0}, 1, 120), options);
+    // The tile's x runs up now: stripes lie across.
+    EXPECT_NEAR(brightness(image, 20, 60), brightness(image, 100, 60), 2);
+    int least = 255, most = 0;
+    for (int y = 10; y < 110; ++y) {
+        least = std::min(least, brightness(image, 60, y));
+        most = std::max(most, brightness(image, 60, y));
+    }
+    EXPECT_GT(most - least, 80);
+}
+
+TEST(FabricPicture, FarTexturesBecomeTheirMeanLight)
+{
+    PreviewOptions options = sized(60, 60, 4);
+    options.quick = true;
+    const PreviewImage image =
+        renderPreview(striped(flatPatch(4000, 4000), 2), fromAbove({2000, 2000, 0}, 30, 60), options);
+    int least = 255, most = 0;
+    for (int x = 10; x < 50; ++x) {
+        least = std::min(least, brightness(image, x, 30));
+        most = std::max(most, brightness(image, x, 30));
+    }
+    EXPECT_LE(most - least, 3);
+    EXPECT_GT(least, 60);
+}
+
+TEST(FabricPicture, IsTheSameOnAnyNumberOfThreads)
+{
+    const PreviewScene scene = striped(corner(300), 7);
+    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    PreviewOptions options = sized(160, 120, 4);
+    options.light = true;
+    options.threads = 1;
+    const PreviewImage one = renderPreview(scene, view, options);
+    options.threads = 5;
+    const PreviewImage other = renderPreview(scene, view, options);
+    EXPECT_EQ(one.rgba, other.rgba);
+    EXPECT_EQ(one.light, other.light);
+}
+
+TEST(FabricPicture, TransparentPicturesKeepTheShadow)
+{
+    const PreviewScene scene = striped(corner(300), 20);
+    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    PreviewOptions options = sized(160, 120, 4);
+    options.transparent = true;
+    const PreviewImage image = renderPreview(scene, view, options);
+    const auto alpha = [&](int x, int y) { return image.rgba[4 * static_cast<std::size_t>(y * 160 + x) + 3]; };
+    EXPECT_EQ(alpha(0, 0), 0);
+    EXPECT_EQ(alpha(80, 60), 255);
+    std::size_t shadow = 0;
+    for (std::size_t at = 0; at < image.rgba.size(); at += 4)
+        shadow += image.rgba[at] == 0 && image.rgba[at + 3] > 20 && image.rgba[at + 3] < 235;
+    EXPECT_GT(shadow, 50U);
+}
+
+TEST(FabricPicture, WritesEveryFormatWithNotes)
+{
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bolster-picture-file-test";
+    std::filesystem::create_directories(folder);
+    const PreviewScene scene = striped(corner(300), 20);
+    PreviewOptions options = sized(64, 48, 1);
+    options.light = true;
+    const PreviewImage image = renderPreview(scene, scene.threeQuarterView(4.0 / 3), options);
+    const PictureNotes notes{"seat.bolster", "0123abcd", "front"};
+    for (const auto& [name, bits] : {std::pair("a.png", 8), std::pair("a.tif", 16), std::pair("a.exr", 16)}) {
+        const std::string path = (folder / name).string();
+        ASSERT_TRUE(pictureFormat(path));
+        ASSERT_EQ(writePicture(image, *pictureFormat(path), path, notes), "");
+        const auto input = OIIO::ImageInput::open(path);
+        ASSERT_TRUE(input) << name;
+        EXPECT_EQ(input->spec().width, 64);
+        EXPECT_EQ(input->spec().format.size() * 8, static_cast<std::size_t>(bits)) << name;
+        EXPECT_EQ(input->spec().format.is_floating_point(), std::string(name) == "a.exr");
+        EXPECT_EQ(input->spec().get_string_attribute("Software"), "Bolster") << name;
+        const std::string text(input->spec().get_string_attribute("ImageDescription"));
+        EXPECT_NE(text.find("seat.bolster"), std::string::npos) << name;
+        EXPECT_NE(text.find("0123abcd"), std::string::npos) << name;
+        EXPECT_NE(text.find("View: front"), std::string::npos) << name;
+        input->close();
+        const auto bytes = [&] {
+            std::ifstream file(path, std::ios::binary);
+            return std::string(std::istreambuf_iterator<char>(file), {});
+        };
+        const std::string first = bytes();
+        ASSERT_EQ(writePicture(image, *pictureFormat(path), path, notes), "");
+        EXPECT_EQ(bytes(), first) << name;
+    }
+    EXPECT_FALSE(pictureFormat("picture.jpg"));
+    EXPECT_FALSE(pictureFormat("png"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(FabricPicture, SheetsHaveAllPicturesAndTheirNames)
+{
+    const PreviewScene scene = striped(corner(300), 20);
+    const PreviewImage image = renderPreview(scene, scene.threeQuarterView(4.0 / 3), sized(160, 120, 1));
+    const std::vector<SheetPicture> pictures = {{image, "Cognac"}, {image, "Gr\u00fcn"}, {image, ""}};
+    std::string problem;
+    const PreviewImage sheet = contactSheet(pictures, false, problem);
+    EXPECT_EQ(problem, "");
+    EXPECT_EQ(sheet.width, 320);
+    const int caption = sheetCaption(160, 120);
+    EXPECT_EQ(sheet.height, 2 * (120 + caption));
+    const auto darkest = [&](int left, int top) {
+        int least = 255;
+        for (int y = top; y < top + caption; ++y)
+            for (int x = left; x < left + 160; ++x)
+                least = std::min(least, brightness(sheet, x, y));
+        return least;
+    };
+    EXPECT_LT(darkest(0, 120), 130) << "a name is written";
+    EXPECT_LT(darkest(160, 120), 130);
+    EXPECT_GT(darkest(0, 240 + caption), 240) << "no name, no writing";
+    EXPECT_EQ(brightness(sheet, 80, 60), brightness(image, 80, 60));
+}
+
+} // namespace
+} // namespace bolster::test
