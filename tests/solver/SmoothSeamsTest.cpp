@@ -95,6 +95,20 @@ Solved solve(Continuity continuity, double edgeLength, double bendingLength = 10
     return result;
 }
 
+TEST(SmoothSeams, AreNamedInTheTopology)
+{
+    TriangulationCache cache;
+    std::optional<PreparedSheet> sheet = prepareSheet(twoHalves(Continuity::C0, 20, 10), cache);
+    ASSERT_TRUE(sheet);
+    const std::shared_ptr<const SurfaceTopology> before = sheet->mesh.topology;
+    EXPECT_EQ(before->seams.front().continuity, Continuity::C0);
+    updateMaterials(sheet->mesh, sheet->design);
+    EXPECT_EQ(sheet->mesh.topology, before) << "views keep what they have made of it";
+    updateMaterials(sheet->mesh, twoHalves(Continuity::G1, 20, 10));
+    EXPECT_EQ(sheet->mesh.topology->seams.front().continuity, Continuity::G1);
+    EXPECT_EQ(sheet->mesh.topology->serial, before->serial) << "maps still fit";
+}
+
 TEST(SmoothSeams, RoundTheTubeOfTwoHalves)
 {
     EXPECT_GT(solve(Continuity::C0, 8).kink, 20);
