@@ -125,7 +125,7 @@ void Actions::addFile()
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
-    renderPicture = add(tr("&Render \u2026"), QStringLiteral("picture"), QKeySequence(Qt::Key_F12));
+    renderPicture = add(tr("Render picture \u2026"), QStringLiteral("picture"), QKeySequence(Qt::Key_F12));
     quit = add(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
 
@@ -255,7 +255,7 @@ void Actions::addPattern()
     sew = addTool(Kind::Sew, tr("Se&w"), QStringLiteral("sew"), QKeySequence(Qt::Key_W));
     addTool(Kind::Attach, tr("&Attach to fixation curve"), QStringLiteral("attach"),
             QKeySequence(Qt::SHIFT | Qt::Key_A));
-    addTool(Kind::Trim, tr("S&titch or pipe a seam"), QStringLiteral("outline-trim"),
+    addTool(Kind::Trim, tr("Stitch or pipe a seam"), QStringLiteral("outline-trim"),
             QKeySequence(Qt::SHIFT | Qt::Key_T));
     addTool(Kind::Measure, tr("&Measure"), QStringLiteral("measure"), QKeySequence(Qt::SHIFT | Qt::Key_M));
 }

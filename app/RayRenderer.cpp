@@ -51,11 +51,11 @@ bool RayRenderer::prepared(const Request& request) const
     const auto sameFrame = [](const Request::FrameLook& a, const Request::FrameLook& b) {
         return a.mesh == b.mesh && a.placement == b.placement;
     };
-    return m_last && m_renderer && m_last->surface == request.surface && m_last->cover == request.cover && m_last->trims == request.trims &&
-           m_last->map == request.map && m_last->frameOpacity == request.frameOpacity &&
-           m_last->section == request.section && m_last->checker == request.checker &&
-           m_last->ground == request.ground && m_last->backgroundTop == request.backgroundTop &&
-           m_last->backgroundBottom == request.backgroundBottom &&
+    return m_last && m_renderer && m_last->surface == request.surface && m_last->cover == request.cover &&
+           m_last->trims == request.trims && m_last->map == request.map &&
+           m_last->frameOpacity == request.frameOpacity && m_last->section == request.section &&
+           m_last->checker == request.checker && m_last->ground == request.ground &&
+           m_last->backgroundTop == request.backgroundTop && m_last->backgroundBottom == request.backgroundBottom &&
            std::ranges::equal(m_last->looks, request.looks, sameLook) &&
            std::ranges::equal(m_last->frames, request.frames, sameFrame);
 }

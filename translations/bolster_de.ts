@@ -1246,6 +1246,14 @@
         <source>Save a &amp;copy</source>
         <translation>&amp;Kopie speichern</translation>
     </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Worst spots</source>
+        <translation>&amp;Schlimmste Stellen</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -3931,8 +3939,36 @@
         <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
     </message>
     <message>
-        <source>S&amp;titch or pipe a seam</source>
-        <translation>Naht abs&amp;teppen oder mit Keder versehen</translation>
+        <source>Render picture …</source>
+        <translation>Bild berechnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Largest strain</source>
+        <translation>&amp;Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Strain al&amp;ong the grain</source>
+        <translation>Dehnung &amp;längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Strain a&amp;cross the grain</source>
+        <translation>Dehnung &amp;quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>&amp;Shear</source>
+        <translation>&amp;Scherung</translation>
+    </message>
+    <message>
+        <source>&amp;Mean curvature</source>
+        <translation>&amp;Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Distance to the &amp;frame</source>
+        <translation>Abstand zum G&amp;estell</translation>
+    </message>
+    <message>
+        <source>Stitch or pipe a seam</source>
+        <translation>Naht absteppen oder mit Keder versehen</translation>
     </message>
 </context>
 <context>
@@ -4809,6 +4845,76 @@
         <source>%1 It is back where it was.</source>
         <translation>%1 Es ist wieder, wo es war.</translation>
     </message>
+    <message>
+        <source>Show this place in both windows</source>
+        <translation>Diese Stelle in beiden Fenstern zeigen</translation>
+    </message>
+    <message>
+        <source>Choose a map of strain first</source>
+        <translation>Zuerst eine Karte der Dehnung wählen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::MapLegend</name>
+    <message>
+        <source>over the fabric&apos;s limit</source>
+        <translation>über der Grenze des Stoffs</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::MapLink</name>
+    <message>
+        <source>Largest strain</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Strain along the grain</source>
+        <translation>Dehnung längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Strain across the grain</source>
+        <translation>Dehnung quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scherung</translation>
+    </message>
+    <message>
+        <source>Mean curvature</source>
+        <translation>Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Distance to the frame</source>
+        <translation>Abstand zum Gestell</translation>
+    </message>
+    <message>
+        <source>hollow</source>
+        <translation>hohl</translation>
+    </message>
+    <message>
+        <source>bulging</source>
+        <translation>gewölbt</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation>gestaucht</translation>
+    </message>
+    <message>
+        <source>stretched</source>
+        <translation>gedehnt</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1, over the limit of %2</source>
+        <translation>%1, über der Grenze von %2</translation>
+    </message>
+    <message>
+        <source>Here: %1</source>
+        <translation>Hier: %1</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NextStep</name>
@@ -4886,6 +4992,157 @@
     <message>
         <source>Colour of the fabric</source>
         <translation>Farbe des Stoffs</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::RenderDialog</name>
+    <message>
+        <source>Render</source>
+        <translation>Bild berechnen</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation>Schräg von vorn</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Am besten</translation>
+    </message>
+    <message>
+        <source>How often each pixel is looked at</source>
+        <translation>Wie oft jedes Pixel betrachtet wird</translation>
+    </message>
+    <message>
+        <source>Transparent &amp;background</source>
+        <translation>Durchsichtiger &amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>The shadow on the ground is kept</source>
+        <translation>Der Schatten auf dem Boden bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;View:</source>
+        <translation>&amp;Ansicht:</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w:</source>
+        <translation>Ge&amp;zeigt:</translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation>&amp;Qualität:</translation>
+    </message>
+    <message>
+        <source>Drawing …</source>
+        <translation>Wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>&amp;Render …</source>
+        <translation>&amp;Berechnen …</translation>
+    </message>
+    <message>
+        <source>The fabrics as in the window</source>
+        <translation>Die Stoffe wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Colourway %1</source>
+        <translation>Farbvariante %1</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Map: largest strain</source>
+        <translation>Karte: größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Map: strain along the grain</source>
+        <translation>Karte: Dehnung längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Map: strain across the grain</source>
+        <translation>Karte: Dehnung quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Map: shear</source>
+        <translation>Karte: Scherung</translation>
+    </message>
+    <message>
+        <source>Map: mean curvature</source>
+        <translation>Karte: mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Map: distance to the frame</source>
+        <translation>Karte: Abstand zum Gestell</translation>
+    </message>
+    <message>
+        <source>At most %1 million pixels are drawn; choose a smaller size.</source>
+        <translation>Höchstens %1 Millionen Pixel werden gezeichnet; eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>The picture is written.</source>
+        <translation>Das Bild ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Render to</source>
+        <translation>Bild speichern unter</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits (*.png);;TIFF, 16 bits (*.tif *.tiff);;OpenEXR, linear light (*.exr)</source>
+        <translation>PNG, 8 Bit (*.png);;TIFF, 16 Bit (*.tif *.tiff);;OpenEXR, lineares Licht (*.exr)</translation>
+    </message>
+    <message>
+        <source>The name must end in .png, .tif or .exr.</source>
+        <translation>Der Name muss auf .png, .tif oder .exr enden.</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Abgebrochen; es wurde nichts geschrieben.</translation>
     </message>
 </context>
 <context>

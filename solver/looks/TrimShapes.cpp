@@ -48,8 +48,8 @@ void skin(const std::vector<Section>& sections, bool closed, int corners, TrimMe
     for (std::uint32_t s = 0; s + (closed ? 0 : 1) < count; ++s)
         for (std::uint32_t c = 0; c < static_cast<std::uint32_t>(corners); ++c) {
             const std::uint32_t a = first + s * row + c, b = first + (s + 1) % count * row + c;
-            to.triangles.push_back({a, b, a + 1});
-            to.triangles.push_back({a + 1, b, b + 1});
+            to.triangles.push_back({a, a + 1, b});
+            to.triangles.push_back({a + 1, b + 1, b});
         }
 }
 

@@ -34,6 +34,8 @@ OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const Pi
     spec.attribute("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", format == PictureFormat::Exr ? 0 : 1);
     spec.attribute("Software", notes.program);
+    spec.attribute("DateTime",
+                   "    :  :     :  :  "); // unknown (Exif): else TIFF files would differ from run to run
     if (format != PictureFormat::Png)
         spec.attribute("compression", "zip");
     if (!notes.project.empty())

@@ -28,7 +28,7 @@ Json hammock()
         {"id": 6, "kind": "fixation_seam", "patch": 2, "from": 2, "to": 3, "curve": 4, "reversed": true},
         {"id": 7, "kind": "fabric", "name": "Green", "color": "#20a040"},
         {"id": 8, "kind": "colourway", "name": "Meadow", "fabrics": [{"patch": 2, "fabric": 7}]},
-        {"id": 9, "kind": "colourway", "name": "Hide", "fabrics": []}]})");
+        {"id": 9, "kind": "colourway", "name": "Hide"}]})");
 }
 
 class Render : public TestFiles {

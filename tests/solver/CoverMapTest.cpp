@@ -51,7 +51,8 @@ OnePatch onePatch(double grain, const StretchLimits& limits = {})
     Patch patch;
     patch.fabric = fabricId;
     patch.grain = grain;
-    return {builder.design(), fabricId, builder.add(patch)};
+    const ElementId patchId = builder.add(patch);
+    return {builder.design(), fabricId, patchId};
 }
 
 float valueOf(CoverMap::Kind kind, const SurfaceMesh& mesh, const Design& design)
