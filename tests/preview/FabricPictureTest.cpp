@@ -87,7 +87,7 @@ TEST(FabricPicture, TexturesHaveTheirRealSize)
     ASSERT_EQ(edges.size(), 8U);
     const double measured = (edges.back() - edges.front()) * pixel / 7;
     EXPECT_NEAR(measured, repeat, 0.005 * repeat);
-    EXPECT_NEAR(pixel * (edges.front() + 0.5 - 240) + 200, 25, 0.3) << "x = 0 is where the tile begins";
+    EXPECT_NEAR(pixel * (edges.front() + 0.5 - 240) + 200, 25, pixel / 2) << "x = 0 is where the tile begins";
 }
 
 TEST(FabricPicture, TexturesTurnAgainstThePattern)
