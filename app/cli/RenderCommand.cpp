@@ -245,7 +245,7 @@ int render(std::span<const std::string> words)
     const RenderOrder order = RenderOrder::from(words);
     const Interrupt interrupt;
     const OpenedDesign opened = openDesignOrProject(order.design);
-    if (QFileInfo(order.image) == QFileInfo(order.design))
+    if (QFileInfo::exists(order.image) && QFileInfo(order.image) == QFileInfo(order.design))
         throw UsageError("--image would overwrite the design");
     SolveOptions options;
     options.threads = order.options.threads;
