@@ -51,7 +51,8 @@ Message sizeProblem(const Element& element, const FileContent& content)
 
 void readFiles(OpenedDesign& opened, const QString& folder)
 {
-    for (const auto& [id, element] : opened.design.elements()) {
+    for (const auto& [id, found] : opened.design.elements()) {
+        const ElementPtr& element = found; // clang 14 lets no lambda take a structured binding
         const bool refused =
             std::any_of(opened.problems.begin(), opened.problems.end(), [&, id = id](const Problem& known) {
                 return known.element == id && known.severity == Severity::Error &&
