@@ -154,7 +154,9 @@ void RenderDialog::build()
     m_transparent->setToolTip(tr("The shadow on the ground is kept"));
 
     auto* form = new QFormLayout;
-    form->addRow(tr("&Size:"), size);
+    auto* sizeLabel = new QLabel(tr("&Size:"), this); // of a layout a form makes no buddy
+    sizeLabel->setBuddy(m_width);
+    form->addRow(sizeLabel, size);
     form->addRow(tr("&View:"), m_view);
     form->addRow(tr("Sho&w:"), m_shown);
     form->addRow(tr("&Quality:"), m_samples);
