@@ -90,13 +90,13 @@ bool SeamTrims::prepared(const Design& design, const CoverMesh& cover) const
 
 void SeamTrims::prepare(const Design& design, const CoverMesh& cover)
 {
-    if (!m_places || m_places->cover() != cover.topology)
-        m_places.emplace(cover.topology);
     m_of = concerned(design);
     m_rows.clear();
     m_pipes.clear();
     if (m_of.empty())
         return;
+    if (!m_places || m_places->cover() != cover.topology)
+        m_places.emplace(cover.topology);
     for (const auto& [id, element] : design.elements()) {
         addRows(design, id, *element);
         addPipe(design, id, *element);
