@@ -137,11 +137,13 @@ std::vector<CoverTopology::Triangle> trianglesOf(const Far::TopologyLevel& level
 LoopStencils::LoopStencils(const LoopMesh& mesh, int levels)
 {
     const Refiner refiner = makeRefiner(mesh, levels);
-    Far::StencilTableFactory::Options options;
+    // Not Far::StencilTableFactory, which casts what this makes to a class that it is not.
+    using Factory = Far::StencilTableFactoryReal<float>;
+    Factory::Options options;
     options.generateOffsets = false;
     options.generateIntermediateLevels = false;
     options.maxLevel = static_cast<unsigned>(levels) & 0xfU;
-    const std::unique_ptr<const Far::StencilTable> table(Far::StencilTableFactory::Create(*refiner, options));
+    const std::unique_ptr<const Far::StencilTableReal<float>> table(Factory::Create(*refiner, options));
     m_start.push_back(0);
     for (const int size : table->GetSizes())
         m_start.push_back(m_start.back() + static_cast<std::uint32_t>(size));
