@@ -52,6 +52,7 @@ Actions::Actions(QObject* parent)
     addPatternEdits();
     addDrawing();
     addTwins();
+    addFabrics();
     addRest();
     giveIds();
 }
@@ -168,7 +169,7 @@ void Actions::addView()
     perspective = addToggle(tr("&Perspective"), QStringLiteral("perspective"), true, QKeySequence(Qt::Key_P));
 
     showMesh = addToggle(tr("&Triangulation"), QStringLiteral("mesh"), false, QKeySequence(Qt::Key_M));
-    showChecker = addToggle(tr("Chec&ker"), QStringLiteral("checker"), true, QKeySequence(Qt::Key_C));
+    showChecker = addToggle(tr("Chec&ker"), QStringLiteral("checker"), false, QKeySequence(Qt::Key_C));
     showFrames = addToggle(tr("&Frame"), QStringLiteral("frame"), true, QKeySequence(Qt::Key_R));
     showPoints = addToggle(tr("Control po&ints"), QStringLiteral("points"), true);
     showSeams = addToggle(tr("Sea&ms and fixations"), QStringLiteral("seams"), true, QKeySequence(Qt::Key_S));
@@ -344,6 +345,40 @@ void Actions::addTwins()
     releasePoints = add(tr("R&elease points from the twin"), {}, QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_T));
     relinkPoints = add(tr("Re-l&ink points to the twin"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
     symmetry = add(tr("S&ymmetry \u2026"), {});
+}
+
+void Actions::addFabrics()
+{
+    const auto addWith = [this](const QString& text, const QString& iconName, const QString& tip) {
+        QAction* action = add(text, iconName);
+        action->setToolTip(tip);
+        return action;
+    };
+    newFabric = addWith(tr("&New fabric"), QStringLiteral("fabric"),
+                        tr("Adds leather, weave, velvet or another fabric to the library of the design"));
+    newPictureFabric = addWith(tr("From a &picture \u2026"), {},
+                               tr("A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR"));
+    importFabrics =
+        addWith(tr("&Import fabrics \u2026"), {}, tr("Takes over the fabrics of a file, a design or a project"));
+    exportFabric =
+        addWith(tr("&Export fabric \u2026"), {}, tr("Writes the fabric to a file, its picture beside it"));
+    assignFabric = addWith(tr("&Assign to selection"), QStringLiteral("patch"),
+                           tr("Gives the selected patches the fabric that is chosen in the library"));
+    editFabric = addWith(tr("Fabric &properties"), QStringLiteral("settings"),
+                         tr("Shows kind, colours, size and limits of the fabric"));
+    fabricPicture = addWith(tr("Picture on the &fabric \u2026"), QStringLiteral("picture"),
+                            tr("Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR"));
+    duplicateFabric = addWith(tr("D&uplicate fabric"), {}, tr("Adds a copy of the fabric, to be changed"));
+    renameFabric = addWith(tr("Re&name fabric \u2026"), {}, tr("Gives the fabric another name"));
+    removeFabric = addWith(tr("&Delete fabric \u2026"), QStringLiteral("delete"),
+                           tr("Removes the fabric; asks what patches get instead"));
+    newColourway = addWith(tr("New &colourway \u2026"), QStringLiteral("colourway"),
+                           tr("Adds a set of fabrics for the patches; it begins as what is shown now"));
+    showColourway = addWith(tr("&Show colourway"), {}, tr("Chooses which fabrics are seen; the shape stays"));
+    renameColourway =
+        addWith(tr("Rena&me colourway \u2026"), {}, tr("Gives the colourway that is shown another name"));
+    removeColourway = addWith(tr("De&lete colourway"), {}, tr("Removes the colourway that is shown"));
+    compareColourways = addWith(tr("Compare c&olourways \u2026"), {}, tr("Shows two colourways side by side"));
 }
 
 void Actions::addRest()

@@ -117,6 +117,22 @@ public:
     QAction* releasePoints;
     QAction* relinkPoints;
     QAction* symmetry;
+    // Fabric
+    QAction* newFabric; ///< its menu offers presets
+    QAction* newPictureFabric;
+    QAction* importFabrics;
+    QAction* exportFabric;
+    QAction* assignFabric;
+    QAction* editFabric;
+    QAction* fabricPicture;
+    QAction* duplicateFabric;
+    QAction* renameFabric;
+    QAction* removeFabric;
+    QAction* newColourway;
+    QAction* showColourway; ///< its menu has them all
+    QAction* renameColourway;
+    QAction* removeColourway;
+    QAction* compareColourways;
     // Surface
     QAction* settle;
     QAction* pause;
@@ -149,6 +165,7 @@ private:
     void addPatternEdits();
     void addDrawing();
     void addTwins();
+    void addFabrics();
     void addRest();
 };
 

@@ -33,6 +33,8 @@ public:
     QString title() const;
     /// What has been read by now.
     const DesignFiles& files() const { return m_files; }
+    /// The file that an element means by this name, or "" when it is not there.
+    QString findFile(const QString& name) const { return m_folder.find(name); }
     /// Of elements that could not be read and of their files: what only this class knows.
     Problems problems() const;
     /// Everything that was wrong when the file was opened.

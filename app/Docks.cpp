@@ -33,6 +33,8 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
     , problems(newDock(window, QStringLiteral("problems"), QCoreApplication::translate("Docks", "Problems"),
                        parts.problems))
     , seams(newDock(window, QStringLiteral("seams"), QCoreApplication::translate("Docks", "Seams"), parts.seams))
+    , fabrics(newDock(window, QStringLiteral("fabrics"), QCoreApplication::translate("Docks", "Fabrics"),
+                      parts.fabrics))
     , m_window(window)
 {
     window.setDockNestingEnabled(true);
@@ -52,6 +54,7 @@ void Docks::reset()
     m_window.splitDockWidget(elements, inspector, Qt::Vertical);
     m_window.tabifyDockWidget(elements, history);
     m_window.tabifyDockWidget(history, seams);
+    m_window.tabifyDockWidget(seams, fabrics);
     m_window.splitDockWidget(pattern, problems, Qt::Vertical);
     for (QDockWidget* dock : all())
         dock->setVisible(dock != problems);

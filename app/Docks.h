@@ -20,6 +20,7 @@ public:
         QWidget* inspector;
         QWidget* problems;
         QWidget* seams;
+        QWidget* fabrics;
     };
 
     Docks(QMainWindow& window, const Parts& parts);
@@ -31,7 +32,11 @@ public:
     QDockWidget* inspector;
     QDockWidget* problems;
     QDockWidget* seams;
-    QList<QDockWidget*> all() const { return {pattern, cover, elements, history, inspector, problems, seams}; }
+    QDockWidget* fabrics;
+    QList<QDockWidget*> all() const
+    {
+        return {pattern, cover, elements, history, inspector, problems, seams, fabrics};
+    }
 
     void reset();
     /// Shows a part and brings it to the front.

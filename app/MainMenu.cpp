@@ -32,6 +32,7 @@ public:
         addInsert();
         addPattern();
         addSeam();
+        addFabric();
         addFrame();
         addSurface();
         addWindow();
@@ -161,6 +162,21 @@ private:
         menu->addActions(m_actions.seamMatches);
         menu->addSeparator();
         menu->addAction(m_actions.showSeamList);
+    }
+
+    void addFabric()
+    {
+        QMenu* menu = m_bar.addMenu(tr("F&abric"));
+        menu->addActions({m_actions.newFabric, m_actions.newPictureFabric});
+        menu->addSeparator();
+        menu->addActions({m_actions.assignFabric, m_actions.editFabric, m_actions.fabricPicture});
+        menu->addSeparator();
+        menu->addActions({m_actions.duplicateFabric, m_actions.renameFabric, m_actions.removeFabric});
+        menu->addSeparator();
+        menu->addActions({m_actions.importFabrics, m_actions.exportFabric});
+        menu->addSeparator();
+        menu->addActions({m_actions.showColourway, m_actions.newColourway, m_actions.renameColourway,
+                          m_actions.removeColourway, m_actions.compareColourways});
     }
 
     void addFrame()

@@ -5,6 +5,9 @@
 #include "CoverLink.h"
 #include "Docks.h"
 #include "ElementsView.h"
+#include "FabricCommands.h"
+#include "FabricLink.h"
+#include "FabricPanel.h"
 #include "FileFlow.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
@@ -37,7 +40,7 @@ namespace {
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
-constexpr int layoutVersion = 2; // larger when docks are added or renamed
+constexpr int layoutVersion = 3; // larger when docks are added or renamed
 
 } // namespace
 
@@ -48,6 +51,8 @@ MainWindow::MainWindow(QWidget* parent)
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_maps(std::make_unique<MapLink>(*m_session))
     , m_covers(std::make_unique<CoverLink>())
+    , m_fabricLink(std::make_unique<FabricLink>(*m_session))
+    , m_fabricCommands(new FabricCommands(*m_session, m_selection, this))
     , m_actions(new Actions(this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_surfaceSelection))
@@ -56,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_inspector(new Inspector(document(), m_selection, m_problems))
     , m_problemList(new ProblemsView(m_problems))
     , m_seams(new SeamsView(document(), m_selection))
+    , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_actions))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
@@ -64,8 +70,8 @@ MainWindow::MainWindow(QWidget* parent)
     setStatusBar(m_status);
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
     buildToolBars();
-    m_docks = std::make_unique<Docks>(
-        *this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector, m_problemList, m_seams});
+    m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
+                                                          m_problemList, m_seams, m_fabricPanel});
     buildMenus(*this, *m_actions, *m_files, *m_docks);
     connectDocument();
     connectViews();
@@ -76,6 +82,7 @@ MainWindow::MainWindow(QWidget* parent)
     connect3D();
     connectDrawing();
     connectTwins();
+    connectFabrics();
     connectActions();
     connectViewActions();
     connectPattern();
@@ -197,7 +204,12 @@ void MainWindow::connectViews()
                                     : QString());
         m_status->setPrompt(m_surface->prompt());
     });
-    connect(m_inspector, &Inspector::fileWanted, m_files, &FileFlow::replaceFile);
+    connect(m_inspector, &Inspector::fileWanted, this, [this](ElementId id) {
+        if (document().design().find<Fabric>(id))
+            m_fabricCommands->choosePicture(id);
+        else
+            m_files->replaceFile(id);
+    });
     connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
     connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
@@ -253,6 +265,7 @@ void MainWindow::updateProblems()
     for (const Problem& problem : m_solver->status().problems)
         if (std::ranges::find(all, problem) == all.end())
             all.push_back(problem);
+    std::ranges::copy(m_fabricLink->problems(), std::back_inserter(all));
     m_problems.set(std::move(all));
 }
 

@@ -20,6 +20,9 @@ class Banner;
 class CommandPalette;
 class Docks;
 class ElementsView;
+class FabricCommands;
+class FabricLink;
+class FabricPanel;
 class FileFlow;
 class HistoryPanel;
 class Inspector;
@@ -61,6 +64,9 @@ public:
     Banner& banner() { return *m_banner; }
     StatusLine& statusLine() { return *m_status; }
     FileFlow& files() { return *m_files; }
+    FabricLink& fabricLink() { return *m_fabricLink; }
+    FabricCommands& fabricCommands() { return *m_fabricCommands; }
+    FabricPanel& fabricPanel() { return *m_fabricPanel; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -101,6 +107,12 @@ private:
     void showDrawn();
     void compareWith(NodeId node);
     void focusNextPart(bool forward);
+    void connectFabrics();
+    void fillFabricMenus();
+    void updateFabricActions();
+    void chooseFabric(ElementId fabric);
+    void editFabric(ElementId fabric);
+    void compareColourways();
     void connectTwins();
     void updateTwinActions();
     void linkSelectedTwins();
@@ -129,6 +141,8 @@ private:
     std::unique_ptr<MapLink> m_maps;
     std::unique_ptr<CoverLink> m_covers;
     std::unique_ptr<Thumbnails> m_thumbnails;
+    std::unique_ptr<FabricLink> m_fabricLink;
+    FabricCommands* m_fabricCommands;
     Actions* m_actions;
     PatternView* m_pattern;
     SurfaceView* m_surface;
@@ -137,6 +151,7 @@ private:
     Inspector* m_inspector;
     ProblemsView* m_problemList;
     SeamsView* m_seams;
+    FabricPanel* m_fabricPanel;
     StatusLine* m_status;
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;

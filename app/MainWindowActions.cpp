@@ -4,6 +4,7 @@
 #include "Actions.h"
 #include "Docks.h"
 #include "ElementsView.h"
+#include "FabricCommands.h"
 #include "FileFlow.h"
 #include "HelpDialogs.h"
 #include "Insert.h"
@@ -163,6 +164,11 @@ void MainWindow::insert(const Edit& edit, const QString& problem)
 void MainWindow::removeSelection()
 {
     document().cancelGesture();
+    const std::vector<ElementId> fabrics = selectedOf<Fabric>(document().design(), m_selection.elements());
+    if (fabrics.size() == 1 && m_selection.elements().size() == 1) {
+        m_fabricCommands->remove(); // asks what patches get instead
+        return;
+    }
     QString problem;
     const std::size_t selected = m_selection.elements().size();
     const Edit edit = removeSelected(document().design(), m_selection, &problem);

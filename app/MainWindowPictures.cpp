@@ -2,6 +2,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "FabricLink.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "RenderDialog.h"
@@ -58,8 +59,12 @@ void MainWindow::renderPicture()
     const SurfaceMeshPtr& surface = m_solver->surface();
     if (!surface)
         return;
-    RenderDialog::Subject subject{surface, document().design(), m_session->files(),
-                                  {},      m_session->title(),  m_surface->camera()};
+    RenderDialog::Subject subject{surface,
+                                  document().design(),
+                                  m_session->files(),
+                                  m_fabricLink->maps(),
+                                  m_session->title(),
+                                  m_surface->camera()};
     RenderDialog(std::move(subject), this).exec();
 }
 

@@ -2,6 +2,7 @@
 
 #include "Background.h"
 #include "DesignSession.h"
+#include "FabricShown.h"
 #include "RayRenderer.h"
 #include "SolverLink.h"
 #include "SurfaceView.h"
@@ -25,8 +26,8 @@ SoftwareRenderer::Request requestFor(const SurfaceMeshPtr& surface, const Design
 {
     SoftwareRenderer::Request request;
     request.surface = surface;
-    design.each<Patch>([&](ElementId id, const Patch& patch) {
-        const Fabric* fabric = design.find<Fabric>(patch.fabric);
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        const Fabric* fabric = design.find<Fabric>(fabricShown(design, id));
         request.looks.push_back({id, QColor(QString::fromStdString(fabric ? fabric->color : Fabric{}.color))});
     });
     request.camera = view.camera();

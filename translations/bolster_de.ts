@@ -146,6 +146,10 @@
         <source>Seams</source>
         <translation>Nähte</translation>
     </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
 </context>
 <context>
     <name>ElementText</name>
@@ -336,6 +340,57 @@
     <message>
         <source>Edge of %1</source>
         <translation>Kante von %1</translation>
+    </message>
+</context>
+<context>
+    <name>FabricPresets</name>
+    <message>
+        <source>Leather, cognac</source>
+        <translation>Leder, cognac</translation>
+    </message>
+    <message>
+        <source>Leather, black</source>
+        <translation>Leder, schwarz</translation>
+    </message>
+    <message>
+        <source>Leather, cream</source>
+        <translation>Leder, creme</translation>
+    </message>
+    <message>
+        <source>Smooth leather, dark brown</source>
+        <translation>Glattleder, dunkelbraun</translation>
+    </message>
+    <message>
+        <source>Smooth leather, red</source>
+        <translation>Glattleder, rot</translation>
+    </message>
+    <message>
+        <source>Weave, grey</source>
+        <translation>Gewebe, grau</translation>
+    </message>
+    <message>
+        <source>Weave, blue</source>
+        <translation>Gewebe, blau</translation>
+    </message>
+    <message>
+        <source>Weave, sand</source>
+        <translation>Gewebe, sand</translation>
+    </message>
+    <message>
+        <source>Velvet, green</source>
+        <translation>Samt, grün</translation>
+    </message>
+    <message>
+        <source>Velvet, petrol</source>
+        <translation>Samt, petrol</translation>
+    </message>
+    <message>
+        <source>Checker, 20 mm</source>
+        <translation>Karo, 20 mm</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
     </message>
 </context>
 <context>
@@ -1139,6 +1194,110 @@
         <source>those of the patches</source>
         <translation>die der Schnittteile</translation>
     </message>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Creases</source>
+        <translation>Furchen</translation>
+    </message>
+    <message>
+        <source>Depth of the pile</source>
+        <translation>Tiefe des Flors</translation>
+    </message>
+    <message>
+        <source>Other squares</source>
+        <translation>Übrige Felder</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Grain size</source>
+        <translation>Größe der Narbung</translation>
+    </message>
+    <message>
+        <source>Repeat of the weave</source>
+        <translation>Rapport des Gewebes</translation>
+    </message>
+    <message>
+        <source>Nap</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Verhalten</translation>
+    </message>
+    <message>
+        <source>Most along the grain</source>
+        <translation>Höchstens in Fadenrichtung</translation>
+    </message>
+    <message>
+        <source>Most across</source>
+        <translation>Höchstens quer dazu</translation>
+    </message>
+    <message>
+        <source>Most shear</source>
+        <translation>Höchste Scherung</translation>
+    </message>
+    <message>
+        <source>From the first colour</source>
+        <translation>Aus der ersten Farbe</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Turned from the grain</source>
+        <translation>Zum Fadenlauf gedreht</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Smooth leather</source>
+        <translation>Glattleder</translation>
+    </message>
+    <message>
+        <source>Grained leather</source>
+        <translation>Genarbtes Leder</translation>
+    </message>
+    <message>
+        <source>Woven</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Velvet</source>
+        <translation>Samt</translation>
+    </message>
+    <message>
+        <source>Picture …</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>Choose another picture …</source>
+        <translation>Anderes Bild wählen …</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -1253,6 +1412,10 @@
     <message>
         <source>&amp;Worst spots</source>
         <translation>&amp;Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>F&amp;abric</source>
+        <translation>S&amp;toff</translation>
     </message>
 </context>
 <context>
@@ -2984,6 +3147,38 @@
         <source>Change the valley of %1</source>
         <translation>Mulde von %1 ändern</translation>
     </message>
+    <message>
+        <source>there is no fabric in &quot;%1&quot;</source>
+        <translation>in „%1“ ist kein Stoff</translation>
+    </message>
+    <message>
+        <source>the design uses &quot;%1&quot; itself; choose another name</source>
+        <translation>der Entwurf verwendet „%1“ selbst; bitte einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to show this fabric</source>
+        <translation>der Speicher reicht nicht, um diesen Stoff zu zeigen</translation>
+    </message>
+    <message>
+        <source>Replace fabric %1 by %2</source>
+        <translation>Stoff %1 durch %2 ersetzen</translation>
+    </message>
+    <message>
+        <source>Change the limits of %1</source>
+        <translation>Grenzen von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the look of %1</source>
+        <translation>Aussehen von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the second colour of %1</source>
+        <translation>Zweite Farbe von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the kind of %1</source>
+        <translation>Art von %1 ändern</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -3970,12 +4165,147 @@
         <source>Stitch or pipe a seam</source>
         <translation>Naht absteppen oder mit Keder versehen</translation>
     </message>
+    <message>
+        <source>&amp;New fabric</source>
+        <translation>&amp;Neuer Stoff</translation>
+    </message>
+    <message>
+        <source>Adds leather, weave, velvet or another fabric to the library of the design</source>
+        <translation>Fügt der Sammlung des Entwurfs Leder, Gewebe, Samt oder einen anderen Stoff hinzu</translation>
+    </message>
+    <message>
+        <source>From a &amp;picture …</source>
+        <translation>Aus einem &amp;Bild …</translation>
+    </message>
+    <message>
+        <source>A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR</source>
+        <translation>Ein Stoff, der wie ein Bild aussieht: PNG, JPEG, TIFF oder OpenEXR</translation>
+    </message>
+    <message>
+        <source>&amp;Import fabrics …</source>
+        <translation>Stoffe &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Takes over the fabrics of a file, a design or a project</source>
+        <translation>Übernimmt die Stoffe einer Datei, eines Entwurfs oder eines Projekts</translation>
+    </message>
+    <message>
+        <source>&amp;Export fabric …</source>
+        <translation>Stoff &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the fabric to a file, its picture beside it</source>
+        <translation>Schreibt den Stoff in eine Datei, sein Bild daneben</translation>
+    </message>
+    <message>
+        <source>&amp;Assign to selection</source>
+        <translation>Der &amp;Auswahl zuweisen</translation>
+    </message>
+    <message>
+        <source>Gives the selected patches the fabric that is chosen in the library</source>
+        <translation>Gibt den ausgewählten Schnittteilen den Stoff, der in der Sammlung gewählt ist</translation>
+    </message>
+    <message>
+        <source>Fabric &amp;properties</source>
+        <translation>&amp;Eigenschaften des Stoffs</translation>
+    </message>
+    <message>
+        <source>Shows kind, colours, size and limits of the fabric</source>
+        <translation>Zeigt Art, Farben, Größe und Grenzen des Stoffs</translation>
+    </message>
+    <message>
+        <source>Picture on the &amp;fabric …</source>
+        <translation>Bild au&amp;f dem Stoff …</translation>
+    </message>
+    <message>
+        <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
+        <translation>Lässt den Stoff wie ein Bild aussehen: PNG, JPEG, TIFF oder OpenEXR</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate fabric</source>
+        <translation>Stoff &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the fabric, to be changed</source>
+        <translation>Fügt eine Kopie des Stoffs hinzu, die geändert werden kann</translation>
+    </message>
+    <message>
+        <source>Re&amp;name fabric …</source>
+        <translation>Stoff &amp;umbenennen …</translation>
+    </message>
+    <message>
+        <source>Gives the fabric another name</source>
+        <translation>Gibt dem Stoff einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete fabric …</source>
+        <translation>Stoff &amp;löschen …</translation>
+    </message>
+    <message>
+        <source>Removes the fabric; asks what patches get instead</source>
+        <translation>Entfernt den Stoff; fragt, was Schnittteile stattdessen bekommen</translation>
+    </message>
+    <message>
+        <source>New &amp;colourway …</source>
+        <translation>Neue &amp;Farbvariante …</translation>
+    </message>
+    <message>
+        <source>Adds a set of fabrics for the patches; it begins as what is shown now</source>
+        <translation>Fügt einen Satz von Stoffen für die Schnittteile hinzu; er beginnt mit dem, was jetzt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Show colourway</source>
+        <translation>Farbvariante &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Chooses which fabrics are seen; the shape stays</source>
+        <translation>Wählt, welche Stoffe zu sehen sind; die Form bleibt</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me colourway …</source>
+        <translation>Farbvariante u&amp;mbenennen …</translation>
+    </message>
+    <message>
+        <source>Gives the colourway that is shown another name</source>
+        <translation>Gibt der gezeigten Farbvariante einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete colourway</source>
+        <translation>Farbvariante lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Removes the colourway that is shown</source>
+        <translation>Entfernt die gezeigte Farbvariante</translation>
+    </message>
+    <message>
+        <source>Compare c&amp;olourways …</source>
+        <translation>Farbvarianten ver&amp;gleichen …</translation>
+    </message>
+    <message>
+        <source>Shows two colourways side by side</source>
+        <translation>Zeigt zwei Farbvarianten nebeneinander</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ColourwayWindow</name>
+    <message>
+        <source>Compare colourways</source>
+        <translation>Farbvarianten vergleichen</translation>
+    </message>
+    <message>
+        <source>The colourway that is shown below</source>
+        <translation>Die Farbvariante, die unten zu sehen ist</translation>
+    </message>
+    <message>
+        <source>As made</source>
+        <translation>Wie gefertigt</translation>
     </message>
 </context>
 <context>
@@ -4075,6 +4405,197 @@
     <message>
         <source>Find an element</source>
         <translation>Element suchen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FabricCommands</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>Rename fabric</source>
+        <translation>Stoff umbenennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Delete fabric</source>
+        <translation>Stoff löschen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the only fabric, and patches are made of it. Add another one first.</source>
+        <translation>„%1“ ist der einzige Stoff, und Schnittteile bestehen daraus. Bitte zuerst einen anderen hinzufügen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patches have &quot;%1&quot;. What shall they get instead?</source>
+        <translation>
+            <numerusform>%n Schnittteil hat „%1“. Was soll es stattdessen bekommen?</numerusform>
+            <numerusform>%n Schnittteile haben „%1“. Was sollen sie stattdessen bekommen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select the patches that shall get the fabric, then choose it in the library.</source>
+        <translation>Wählen Sie die Schnittteile, die den Stoff bekommen sollen, dann den Stoff in der Sammlung.</translation>
+    </message>
+    <message>
+        <source>New colourway</source>
+        <translation>Neue Farbvariante</translation>
+    </message>
+    <message>
+        <source>Name of the colourway; it begins as what is shown now:</source>
+        <translation>Name der Farbvariante; sie beginnt mit dem, was jetzt zu sehen ist:</translation>
+    </message>
+    <message>
+        <source>Colourway</source>
+        <translation>Farbvariante</translation>
+    </message>
+    <message>
+        <source>Rename colourway</source>
+        <translation>Farbvariante umbenennen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Picture of a fabric</source>
+        <translation>Bild eines Stoffs</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The picture could not be read.</source>
+        <translation>Das Bild konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The picture could not be taken into the design.</source>
+        <translation>Das Bild konnte nicht in den Entwurf übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Import fabrics</source>
+        <translation>Stoffe importieren</translation>
+    </message>
+    <message>
+        <source>Fabrics, designs and projects (*.json *.bolster)</source>
+        <translation>Stoffe, Entwürfe und Projekte (*.json *.bolster)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read.</source>
+        <translation>„%1“ konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Nothing was imported.</source>
+        <translation>Es wurde nichts importiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fabrics imported from %1</source>
+        <translation>
+            <numerusform>%n Stoff aus %1 importiert</numerusform>
+            <numerusform>%n Stoffe aus %1 importiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export fabric</source>
+        <translation>Stoff exportieren</translation>
+    </message>
+    <message>
+        <source>Fabrics (*.json)</source>
+        <translation>Stoffe (*.json)</translation>
+    </message>
+    <message>
+        <source>The fabric could not be exported.</source>
+        <translation>Der Stoff konnte nicht exportiert werden.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Nach %1 exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FabricPanel</name>
+    <message>
+        <source>Colourways</source>
+        <translation>Farbvarianten</translation>
+    </message>
+    <message>
+        <source>A click shows the cover in this colourway</source>
+        <translation>Ein Klick zeigt den Bezug in dieser Farbvariante</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Colourway</source>
+        <translation>Farbvariante</translation>
+    </message>
+    <message>
+        <source>New …</source>
+        <translation>Neu …</translation>
+    </message>
+    <message>
+        <source>Rename …</source>
+        <translation>Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Fabrics: drag them onto patches</source>
+        <translation>Stoffe: auf Schnittteile ziehen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Zuweisen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Delete …</source>
+        <translation>Löschen …</translation>
+    </message>
+    <message>
+        <source>As made</source>
+        <translation>Wie gefertigt</translation>
+    </message>
+    <message>
+        <source>No patch has it.</source>
+        <translation>Kein Schnittteil hat ihn.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patches have it.</source>
+        <translation>
+            <numerusform>%n Schnittteil hat ihn.</numerusform>
+            <numerusform>%n Schnittteile haben ihn.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag it onto a patch; a double click shows its properties.</source>
+        <translation>Auf ein Schnittteil ziehen; ein Doppelklick zeigt seine Eigenschaften.</translation>
+    </message>
+    <message>
+        <source>Adds this fabric to the library of the design</source>
+        <translation>Fügt der Sammlung des Entwurfs diesen Stoff hinzu</translation>
     </message>
 </context>
 <context>
@@ -4852,6 +5373,10 @@
     <message>
         <source>Choose a map of strain first</source>
         <translation>Zuerst eine Karte der Dehnung wählen</translation>
+    </message>
+    <message>
+        <source>As made</source>
+        <translation>Wie gefertigt</translation>
     </message>
 </context>
 <context>

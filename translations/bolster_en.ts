@@ -19,6 +19,33 @@
     </message>
 </context>
 <context>
+    <name>bolster::FabricCommands</name>
+    <message numerus="yes">
+        <source>%n patches have &quot;%1&quot;. What shall they get instead?</source>
+        <translation>
+            <numerusform>%n patch has &quot;%1&quot;. What shall it get instead?</numerusform>
+            <numerusform>%n patches have &quot;%1&quot;. What shall they get instead?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fabrics imported from %1</source>
+        <translation>
+            <numerusform>%n fabric imported from %1</numerusform>
+            <numerusform>%n fabrics imported from %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::FabricPanel</name>
+    <message numerus="yes">
+        <source>%n patches have it.</source>
+        <translation>
+            <numerusform>%n patch has it.</numerusform>
+            <numerusform>%n patches have it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::FieldText</name>
     <message numerus="yes">
         <source>%n points</source>

@@ -24,8 +24,12 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     connect(&problems, &ProblemSet::changed, this, &Inspector::refresh);
     // What a form was made of (the list of fabrics) changes only with edits, not while something is dragged.
     connect(&document, &Document::historyChanged, this, [this] {
-        if (!isAncestorOf(QApplication::focusWidget()))
-            rebuild();
+        const bool typing = isAncestorOf(QApplication::focusWidget());
+        if (typing && m_forms.fabricKinds() == m_fabricKinds)
+            return;
+        rebuild();
+        if (typing)
+            m_form->focusFirst();
     });
     rebuild();
 }
@@ -44,6 +48,7 @@ void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
 void Inspector::rebuild()
 {
     m_form = m_forms.make().release();
+    m_fabricKinds = m_forms.fabricKinds();
     // The form that is replaced may be the sender of what led here.
     if (QWidget* old = takeWidget())
         old->deleteLater();

@@ -32,6 +32,7 @@ private:
     void refresh();
 
     InspectorForms m_forms;
+    std::vector<FabricLook::Kind> m_fabricKinds; ///< that the form was made for
     PropertyForm* m_form = nullptr;
 };
 

@@ -161,25 +161,6 @@ void InspectorForms::addSettings(PropertyForm& form) const
     form.addNote([] { return tr("Select something to see its properties."); });
 }
 
-void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
-{
-    const InspectorSubject<Fabric> fabric(m_document, ids, form);
-    fabric.name(tr("Name"));
-    form.addColor(
-        tr("Colour"),
-        [fabric] { return fabric.shared([](const Fabric& f) { return QColor(QString::fromStdString(f.color)); }); },
-        [fabric](const QColor& color) {
-            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
-                          [&](Fabric& f) { f.color = color.name().toStdString(); });
-        });
-    fabric.number(tr("Stiffness"), {{}, 3, 0.001, 1000, 0.1}, &Fabric::stiffness,
-                  QT_TRANSLATE_NOOP("Message", "Change the stiffness of %1"));
-    fabric.number(tr("Poisson"), {{}, 3, -0.5, 0.5, 0.05}, &Fabric::poisson,
-                  QT_TRANSLATE_NOOP("Message", "Change the Poisson parameter of %1"));
-    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1000, 1}, &Fabric::bendingLength,
-                  QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
-}
-
 void InspectorForms::addFabricChoice(PropertyForm& form, const Ids& ids) const
 {
     std::vector<ElementId> fabrics;

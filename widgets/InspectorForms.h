@@ -32,6 +32,8 @@ public:
     void setScanFigures(std::map<ElementId, ScanFigures> figures) { m_scanFigures = std::move(figures); }
 
     std::unique_ptr<PropertyForm> make() const;
+    /// Of the selected fabrics: their forms differ.
+    std::vector<FabricLook::Kind> fabricKinds() const;
 
 private:
     using Ids = std::vector<ElementId>; ///< of one kind, at least one
@@ -42,6 +44,8 @@ private:
     void addKind(PropertyForm& form, ElementKind kind, const Ids& ids) const;
     void addSettings(PropertyForm& form) const;
     void addFabric(PropertyForm& form, const Ids& ids) const;
+    void addFabricLook(PropertyForm& form, const Ids& ids) const;
+    void addFabricKind(PropertyForm& form, const Ids& ids) const;
     void addPatch(PropertyForm& form, const Ids& ids) const;
     void addSeam(PropertyForm& form, const Ids& ids) const;
     void addFixationCurve(PropertyForm& form, const Ids& ids) const;

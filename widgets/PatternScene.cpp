@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "CurvePath.h"
+#include "FabricShown.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +87,9 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         owners.insert(id);
     }
     // What a patch's fabric and outline change beyond the patch itself.
-    design.each<Patch>([&](ElementId id, const Patch& patch) {
-        if (changed.contains(patch.fabric))
+    const bool others = changed.contains(settingsId) || changed.contains(design.settings().colourway);
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        if (others || changed.contains(fabricShown(design, id)))
             patches.insert(id);
     });
     design.each<Seam>([&](ElementId id, const Seam& seam) {
@@ -115,6 +117,22 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
     m_twins = PatternTwins::of(design);
 }
 
+void PatternScene::setFabricColors(const Design& design, std::map<ElementId, QColor> colors)
+{
+    m_fabricColors = std::move(colors);
+    for (auto& [id, patch] : m_patches)
+        patch.fabric = colorShown(design, id);
+}
+
+QColor PatternScene::colorShown(const Design& design, ElementId patch) const
+{
+    const ElementId id = fabricShown(design, patch);
+    if (const auto known = m_fabricColors.find(id); known != m_fabricColors.end())
+        return known->second;
+    const Fabric* fabric = design.find<Fabric>(id);
+    return fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(Qt::gray);
+}
+
 void PatternScene::updatePatch(const Design& design, ElementId id)
 {
     const Patch* patch = design.find<Patch>(id);
@@ -125,8 +143,7 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
     PatternPatch& entry = m_patches[id];
     const ElementPtr before = std::exchange(entry.element, design.element(id));
     entry.id = id;
-    const Fabric* fabric = design.find<Fabric>(patch->fabric);
-    entry.fabric = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(Qt::gray);
+    entry.fabric = colorShown(design, id);
     entry.path = curvePath(patch->outline, [patch](const Vec2& p) { return toLayout(*patch, p); });
     const QRectF bounds = entry.path.boundingRect();
     entry.box = Box2(toVec(bounds.topLeft()), toVec(bounds.bottomRight()));

@@ -87,6 +87,8 @@ public:
     /// Brings everything up to date of which the design differs in `changed`.
     void update(const Design& design, const std::set<ElementId>& changed);
     void reset(const Design& design);
+    /// What fabrics look like from far away; those that are not listed have their own colour.
+    void setFabricColors(const Design& design, std::map<ElementId, QColor> colors);
 
     const std::map<ElementId, PatternPatch>& patches() const { return m_patches; }
     const PatternPatch* patch(ElementId id) const;
@@ -108,6 +110,7 @@ public:
                    const std::function<bool(const PatternLine&)>& lineShown = {}) const;
 
 private:
+    QColor colorShown(const Design& design, ElementId patch) const;
     void updatePatch(const Design& design, ElementId id);
     void updateLine(const Design& design, ElementId id);
     void updateStretches(const Design& design, ElementId owner);
@@ -122,6 +125,7 @@ private:
     std::multimap<ElementId, PatternStretch> m_stretches;
     std::map<ElementId, PatternLine> m_lines;
     PatternTwins m_twins;
+    std::map<ElementId, QColor> m_fabricColors;
     PatternTrims m_trims;
 };
 

@@ -84,6 +84,12 @@ void PatternView::setSurface(const SurfaceMeshPtr& surface)
         update();
 }
 
+void PatternView::setFabricColors(std::map<ElementId, QColor> colors)
+{
+    m_scene.setFabricColors(m_document.design(), std::move(colors));
+    update();
+}
+
 void PatternView::setMap(const SurfaceMapPtr& map)
 {
     m_map.setMap(map);

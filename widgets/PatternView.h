@@ -31,6 +31,8 @@ public:
     void setSurface(const SurfaceMeshPtr& surface);
     /// Colours on the patches; null for none.
     void setMap(const SurfaceMapPtr& map);
+    /// What fabrics look like from far away, by their ids.
+    void setFabricColors(std::map<bolster::ElementId, QColor> colors);
     /// What the map says under the pointer.
     void setMapReading(const QString& reading);
     PatternLayers layers() const { return m_layers; }

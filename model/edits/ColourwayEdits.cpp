@@ -32,12 +32,71 @@ std::vector<ElementId> patchesOf(const Design& design, std::span<const ElementId
 
 } // namespace
 
+Edit addFabric(const Design& design, Fabric fabric)
+{
+    fabric.name = freeName<Fabric>(design, fabric.name);
+    return addElement(design, makeElement(std::move(fabric)));
+}
+
+std::vector<ElementId> patchesWith(const Design& design, ElementId fabric)
+{
+    std::set<ElementId> found;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (patch.fabric == fabric)
+            found.insert(id);
+    });
+    design.each<Colourway>([&](ElementId, const Colourway& colourway) {
+        for (const Colourway::Entry& entry : colourway.fabrics)
+            if (entry.fabric == fabric && design.find<Patch>(entry.patch))
+                found.insert(entry.patch);
+    });
+    return {found.begin(), found.end()};
+}
+
+Edit removeFabric(const Design& design, ElementId fabric, ElementId instead)
+{
+    if (!design.find<Fabric>(fabric) || fabric == instead)
+        return {};
+    const ElementId only[] = {fabric};
+    if (!design.find<Fabric>(instead))
+        return instead == settingsId ? removeElements(design, only) : Edit{};
+    EditBuilder builder(design);
+    for (const auto& [id, element] : design.elements()) {
+        Element changed = *element;
+        if (auto* patch = std::get_if<Patch>(&changed); patch && patch->fabric == fabric)
+            patch->fabric = instead;
+        if (auto* colourway = std::get_if<Colourway>(&changed))
+            for (Colourway::Entry& entry : colourway->fabrics)
+                if (entry.fabric == fabric)
+                    entry.fabric = instead;
+        if (const SeamTrim* trim = seamTrim(changed); trim && trim->pipingFabric == fabric) {
+            SeamTrim other = *trim;
+            other.pipingFabric = instead;
+            changed = *withTrim(changed, std::move(other));
+        }
+        if (!(changed == *element))
+            builder.set(id, makeElement(std::move(changed)));
+    }
+    builder.remove(fabric);
+    return builder.result({QT_TRANSLATE_NOOP("Message", "Replace fabric %1 by %2"),
+                           {displayName(design, fabric), displayName(design, instead)}});
+}
+
+Edit giveFabric(const Design& design, std::span<const ElementId> patches, ElementId fabric)
+{
+    const ElementId shown = design.settings().colourway;
+    return design.find<Colourway>(shown) ? setColourwayFabric(design, shown, patches, fabric)
+                                         : assignFabric(design, patches, fabric);
+}
+
 Edit assignFabric(const Design& design, std::span<const ElementId> patches, ElementId fabric)
 {
     if (!design.find<Fabric>(fabric))
         return {};
     EditBuilder builder(design);
     const std::vector<ElementId> made = patchesOf(design, patches);
+    if (made.empty())
+        return {};
     for (const ElementId id : made) {
         Patch patch = *design.find<Patch>(id);
         patch.fabric = fabric;

@@ -141,28 +141,6 @@ bool looksAlike(const Fabric& a, const Fabric& b)
     return a.color == b.color && a.look == turned;
 }
 
-std::string secondColorShown(const Fabric& fabric)
-{
-    if (!fabric.look.secondColor.empty())
-        return fabric.look.secondColor;
-    const Light color = lightOf(fabric.color);
-    switch (fabric.look.kind) {
-    case Kind::Checker:
-        return textOf((1.6f * color + 0.03f).min(1.f));
-    case Kind::SmoothLeather:
-    case Kind::GrainedLeather:
-        return textOf(0.5f * color);
-    case Kind::Woven:
-        return textOf((1.3f * color + 0.01f).min(1.f));
-    case Kind::Velvet:
-        return textOf(0.35f * color);
-    case Kind::Plain:
-    case Kind::Image:
-        break;
-    }
-    return textOf(color);
-}
-
 std::string meanColor(const FabricMaps& maps)
 {
     Eigen::Array3d sum = Eigen::Array3d::Zero();

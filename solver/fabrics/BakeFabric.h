@@ -23,9 +23,6 @@ FabricMapsPtr bakeFabric(const Fabric& fabric, const ImagePixels* image = nullpt
 /// True when the maps of both are the same, given the same picture: names and mechanics do not matter.
 bool looksAlike(const Fabric& a, const Fabric& b);
 
-/// What the other yarn, the creases or the other squares are coloured with, given or derived: "#rrggbb".
-std::string secondColorShown(const Fabric& fabric);
-
 /// The mean of the albedo as "#rrggbb": what the fabric looks like from far away.
 std::string meanColor(const FabricMaps& maps);
 

@@ -1,6 +1,6 @@
 #include "FabricPattern.h"
 
-#include "BakeFabric.h"
+#include "FabricColors.h"
 
 #include <algorithm>
 #include <cmath>

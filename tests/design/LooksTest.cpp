@@ -4,6 +4,7 @@
 #include "DesignCheck.h"
 #include "EditCheck.h"
 #include "ElementEdits.h"
+#include "FabricColors.h"
 #include "FabricShown.h"
 #include "PatchMerge.h"
 #include "PatchSplit.h"
@@ -418,6 +419,61 @@ TEST_F(LooksTest, AnotherVersionGivesItsTrimsAndColourways)
     const Design bare = Design().with(takeFrom(Design(), design, {blue}));
     EXPECT_TRUE(bare.find<Colourway>(blue)->fabrics.empty()) << "without patches there is nothing to colour";
     expectSound(bare);
+}
+
+TEST_F(LooksTest, AFabricInUseGivesItsPlaceToAnother)
+{
+    EXPECT_EQ(patchesWith(design, leather), (std::vector{seat, side}));
+    EXPECT_EQ(patchesWith(design, photo), std::vector{seat});
+    EXPECT_TRUE(patchesWith(design, wool).empty());
+    EXPECT_TRUE(removeFabric(design, leather, settingsId).empty()) << "patches are made of it";
+    EXPECT_TRUE(removeFabric(design, leather, leather).empty());
+
+    apply(removeFabric(design, leather, wool));
+    EXPECT_FALSE(design.find<Fabric>(leather));
+    EXPECT_EQ(get<Patch>(seat).fabric, wool);
+    EXPECT_EQ(get<Patch>(side).fabric, wool);
+    apply(removeFabric(design, photo, wool));
+    EXPECT_EQ(get<Colourway>(blue).fabrics, (std::vector<Colourway::Entry>{{seat, wool}}));
+    EXPECT_EQ(get<Seam>(seam).trim.pipingFabric, wool);
+}
+
+TEST_F(LooksTest, AFabricThatNobodyHasIsJustRemoved)
+{
+    apply(removeFabric(design, wool, settingsId));
+    EXPECT_FALSE(design.find<Fabric>(wool));
+}
+
+TEST_F(LooksTest, AGivenFabricIsShownUnderAColourwayAndElseMadeOf)
+{
+    apply(giveFabric(design, std::array{side}, wool));
+    EXPECT_EQ(get<Patch>(side).fabric, leather) << "the shape stays";
+    EXPECT_EQ(fabricShown(design, side), wool);
+    apply(showColourway(design, settingsId));
+    apply(giveFabric(design, std::array{side}, wool));
+    EXPECT_EQ(get<Patch>(side).fabric, wool);
+    EXPECT_TRUE(giveFabric(design, std::array{seam}, wool).empty()) << "a seam has no fabric";
+}
+
+TEST_F(LooksTest, AddedFabricsGetNamesOfTheirOwn)
+{
+    const ElementId id = design.nextId();
+    Fabric copy = get<Fabric>(leather);
+    apply(addFabric(design, copy));
+    EXPECT_EQ(get<Fabric>(id).name, "Leather 2");
+    copy.name = "Leather 2";
+    EXPECT_EQ(get<Fabric>(id), copy);
+}
+
+TEST_F(LooksTest, SecondColoursAreDerivedUnlessGiven)
+{
+    EXPECT_EQ(secondColorShown(get<Fabric>(leather)), "#402010");
+    Fabric fabric;
+    fabric.color = "#808080";
+    fabric.look = usualLook(FabricLook::Kind::GrainedLeather);
+    EXPECT_LT(secondColorShown(fabric), fabric.color) << "creases are darker";
+    fabric.look = usualLook(FabricLook::Kind::Checker);
+    EXPECT_GT(secondColorShown(fabric), fabric.color);
 }
 
 } // namespace

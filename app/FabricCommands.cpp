@@ -1,0 +1,159 @@
+#include "FabricCommands.h"
+
+#include "ColourwayEdits.h"
+#include "ElementEdits.h"
+#include "ElementText.h"
+#include "SelectionEdits.h"
+#include "Translated.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMessageBox>
+
+namespace bolster {
+
+FabricCommands::FabricCommands(DesignSession& session, Selection& selection, QWidget* window)
+    : QObject(window)
+    , m_session(session)
+    , m_selection(selection)
+    , m_window(window)
+{
+    connect(&session, &DesignSession::opened, this, [this] { m_chosen = settingsId; });
+}
+
+ElementId FabricCommands::fabric() const
+{
+    const std::vector<ElementId> selected = selectedOf<Fabric>(design(), m_selection.elements());
+    if (selected.size() == 1)
+        return selected.front();
+    return design().find<Fabric>(m_chosen) ? m_chosen : settingsId;
+}
+
+bool FabricCommands::commit(const Edit& edit)
+{
+    if (edit.empty())
+        return false;
+    m_session.document().cancelGesture();
+    m_session.document().commit(edit);
+    return true;
+}
+
+void FabricCommands::fail(const QString& title, const Message& why)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Bolster"), title, QMessageBox::Ok, m_window);
+    box.setInformativeText(translated(why));
+    box.exec();
+}
+
+void FabricCommands::add(const Fabric& fabric)
+{
+    const ElementId id = design().nextId();
+    if (commit(edits::addFabric(design(), fabric)))
+        emit added(id);
+}
+
+void FabricCommands::duplicate()
+{
+    if (const Fabric* found = design().find<Fabric>(fabric()))
+        add(*found);
+}
+
+void FabricCommands::rename()
+{
+    const ElementId id = fabric();
+    if (!design().find<Fabric>(id))
+        return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(m_window, tr("Rename fabric"), tr("Name:"), QLineEdit::Normal,
+                                               displayName(design(), id), &ok);
+    if (ok && !name.trimmed().isEmpty())
+        commit(edits::renameElement(design(), id, name.trimmed().toStdString()));
+}
+
+void FabricCommands::remove()
+{
+    const ElementId id = fabric();
+    if (!design().find<Fabric>(id))
+        return;
+    const auto uses = static_cast<int>(edits::patchesWith(design(), id).size());
+    std::vector<ElementId> others;
+    QStringList names;
+    design().each<Fabric>([&](ElementId other, const Fabric&) {
+        if (other == id)
+            return;
+        others.push_back(other);
+        names << displayName(design(), other);
+    });
+    if (uses == 0) {
+        commit(edits::removeFabric(design(), id, settingsId));
+        return;
+    }
+    if (others.empty()) {
+        QMessageBox::information(m_window, tr("Delete fabric"),
+                                 tr("\"%1\" is the only fabric, and patches are made of it. Add another one first.")
+                                     .arg(displayName(design(), id)));
+        return;
+    }
+    bool ok = false;
+    const QString chosen = QInputDialog::getItem(
+        m_window, tr("Delete fabric"),
+        tr("%n patches have \"%1\". What shall they get instead?", nullptr, uses).arg(displayName(design(), id)),
+        names, 0, false, &ok);
+    const qsizetype place = names.indexOf(chosen);
+    if (ok && place >= 0)
+        commit(edits::removeFabric(design(), id, others[static_cast<std::size_t>(place)]));
+}
+
+void FabricCommands::assign(const std::vector<ElementId>& patches, ElementId fabric)
+{
+    const Edit edit = edits::giveFabric(design(), patches, fabric);
+    if (commit(edit))
+        emit done(translated(edit.verb));
+}
+
+void FabricCommands::assignToSelection()
+{
+    const std::vector<ElementId> patches = selectedOf<Patch>(design(), m_selection.elements());
+    if (patches.empty())
+        emit done(tr("Select the patches that shall get the fabric, then choose it in the library."));
+    else
+        assign(patches, fabric());
+}
+
+void FabricCommands::newColourway()
+{
+    bool ok = false;
+    const QString name = QInputDialog::getText(m_window, tr("New colourway"),
+                                               tr("Name of the colourway; it begins as what is shown now:"),
+                                               QLineEdit::Normal, tr("Colourway"), &ok);
+    if (ok && !name.trimmed().isEmpty())
+        commit(edits::addColourway(design(), name.trimmed().toStdString()));
+}
+
+void FabricCommands::renameColourway()
+{
+    const ElementId shown = design().settings().colourway;
+    if (!design().find<Colourway>(shown))
+        return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(m_window, tr("Rename colourway"), tr("Name:"), QLineEdit::Normal,
+                                               displayName(design(), shown), &ok);
+    if (ok && !name.trimmed().isEmpty())
+        commit(edits::renameElement(design(), shown, name.trimmed().toStdString()));
+}
+
+void FabricCommands::removeColourway()
+{
+    const ElementId shown[] = {design().settings().colourway};
+    if (design().find<Colourway>(shown[0]))
+        commit(edits::removeElements(design(), shown));
+}
+
+void FabricCommands::showColourway(ElementId colourway)
+{
+    if (colourway != design().settings().colourway)
+        commit(edits::showColourway(design(), colourway));
+}
+
+} // namespace bolster

@@ -1,0 +1,197 @@
+// Fabrics from files and to files, and pictures for them.
+#include "Background.h"
+#include "DesignFolder.h"
+#include "ElementEdits.h"
+#include "FabricCommands.h"
+#include "ImageImport.h"
+#include "Project.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+namespace bolster {
+
+namespace {
+
+QProgressDialog* newProgress(QWidget* window, const QString& text)
+{
+    auto* progress = new QProgressDialog(text, FabricCommands::tr("Cancel"), 0, 0, window);
+    progress->setWindowModality(Qt::WindowModal);
+    progress->setMinimumDuration(400);
+    progress->setAttribute(Qt::WA_DeleteOnClose);
+    progress->setAutoClose(false);
+    return progress;
+}
+
+/// A fabric file is a design that has nothing but the fabric; its picture lies beside it.
+Message writeFabric(const Fabric& fabric, const QString& picture, const QString& path)
+{
+    Fabric written = fabric;
+    const QFileInfo target(path);
+    if (!picture.isEmpty()) {
+        const QString name = target.completeBaseName() + u'.' + QFileInfo(picture).suffix().toLower();
+        const QString copy = target.dir().filePath(name);
+        if (QFileInfo(copy).canonicalFilePath() != QFileInfo(picture).canonicalFilePath()) {
+            QFile::remove(copy);
+            if (!QFile::copy(picture, copy))
+                return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {copy.toStdString()}};
+        }
+        written.look.file = name.toStdString();
+    }
+    const Design empty;
+    return saveDesign(empty.with(edits::addElement(empty, makeElement(std::move(written)))), path);
+}
+
+} // namespace
+
+QString FabricCommands::startFolder() const
+{
+    return m_session.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                      : QFileInfo(m_session.path()).absolutePath();
+}
+
+void FabricCommands::choosePicture(ElementId fabric, const QString& path)
+{
+    QStringList patterns;
+    for (const QString& ending : imageFileEndings())
+        patterns << QStringLiteral("*.") + ending;
+    QString file = path;
+    if (file.isEmpty())
+        file = QFileDialog::getOpenFileName(m_window, tr("Picture of a fabric"), startFolder(),
+                                            tr("Pictures (%1)").arg(patterns.join(u' ')));
+    if (file.isEmpty())
+        return;
+    auto* progress = newProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName()));
+    std::stop_source stop;
+    connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
+    inBackground<ImageOutcome>([file, token = stop.get_token()] {
+        return importImage(file, token);
+    }).then(this, [this, file, fabric, progress = QPointer(progress), stop](const ImageOutcome& read) {
+        if (progress)
+            progress->deleteLater();
+        if (stop.stop_requested())
+            return;
+        if (!read.pixels)
+            fail(tr("The picture could not be read."), read.problem);
+        else
+            takePicture(file, fabric);
+    });
+}
+
+void FabricCommands::takePicture(const QString& path, ElementId fabric)
+{
+    const Fabric* before = design().find<Fabric>(fabric);
+    Fabric shown = before ? *before : Fabric{};
+    const bool other = shown.look.kind != FabricLook::Kind::Image;
+    if (other)
+        shown.look = usualLook(FabricLook::Kind::Image);
+    if (!before)
+        shown.name = QFileInfo(path).completeBaseName().toStdString();
+    const ElementId id = before ? fabric : design().nextId();
+    const Message problem = m_session.addWithFile(path, {}, shown, before ? std::optional(fabric) : std::nullopt);
+    if (!problem.empty())
+        fail(tr("The picture could not be taken into the design."), problem);
+    else if (!before)
+        emit added(id);
+}
+
+void FabricCommands::importFabrics(const QString& path)
+{
+    QString file = path;
+    if (file.isEmpty())
+        file = QFileDialog::getOpenFileName(m_window, tr("Import fabrics"), startFolder(),
+                                            tr("Fabrics, designs and projects (*.json *.bolster)"));
+    if (file.isEmpty())
+        return;
+    auto* progress = newProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName()));
+    const auto folder = std::make_shared<QTemporaryDir>();
+    inBackground<OpenedDesign>([file, folder] {
+        if (!looksLikeProject(file))
+            return openDesign(file);
+        OpenedDesign opened;
+        const OpenedProject project = openProject(file);
+        if (!project.problem.empty()) {
+            opened.problems.push_back({settingsId, {}, {}, project.problem});
+            return opened;
+        }
+        opened.design = project.design;
+        opened.readable = true;
+        (void)extractAssets(project, project.design, folder->path()); // what is missing is said when it is shown
+        return opened;
+    }).then(this, [this, file, folder, progress = QPointer(progress)](const OpenedDesign& opened) {
+        const bool cancelled = !progress || progress->wasCanceled();
+        if (progress)
+            progress->deleteLater();
+        if (cancelled)
+            return;
+        if (!opened.readable)
+            fail(tr("\"%1\" could not be read.").arg(QFileInfo(file).fileName()),
+                 opened.problems.empty() ? Message{} : opened.problems.front().message);
+        else
+            takeFabrics(file, opened.design,
+                        looksLikeProject(file) ? folder->path() : QFileInfo(file).absolutePath());
+    });
+}
+
+void FabricCommands::takeFabrics(const QString& path, const Design& from, const QString& folder)
+{
+    int taken = 0;
+    from.each<Fabric>([&](ElementId, const Fabric& fabric) {
+        Message problem;
+        const QString picture = fabric.look.kind == FabricLook::Kind::Image
+                                    ? elementFilePath(*makeElement(Fabric(fabric)), folder, problem)
+                                    : QString();
+        ++taken;
+        if (picture.isEmpty())
+            add(fabric);
+        else if (problem = m_session.addWithFile(picture, {}, fabric); !problem.empty())
+            fail(tr("The picture could not be taken into the design."), problem);
+    });
+    if (taken == 0)
+        fail(tr("Nothing was imported."), {QT_TRANSLATE_NOOP("Message", "there is no fabric in \"%1\""),
+                                           {QFileInfo(path).fileName().toStdString()}});
+    else
+        emit done(tr("%n fabrics imported from %1", nullptr, taken).arg(QFileInfo(path).fileName()));
+}
+
+void FabricCommands::exportFabric(const QString& path)
+{
+    const Fabric* found = design().find<Fabric>(fabric());
+    if (!found)
+        return;
+    QString file = path;
+    if (file.isEmpty())
+        file = QFileDialog::getSaveFileName(
+            m_window, tr("Export fabric"),
+            QDir(startFolder()).filePath(QString::fromStdString(found->name) + QStringLiteral(".json")),
+            tr("Fabrics (*.json)"));
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += QStringLiteral(".json");
+    const QString picture = found->look.kind == FabricLook::Kind::Image
+                                ? m_session.findFile(QString::fromStdString(found->look.file))
+                                : QString();
+    if (m_session.isElementFile(file)) {
+        fail(tr("The fabric could not be exported."),
+             {QT_TRANSLATE_NOOP("Message", "the design uses \"%1\" itself; choose another name"),
+              {file.toStdString()}});
+        return;
+    }
+    inBackground<Message>([fabric = *found, picture, file] {
+        return writeFabric(fabric, picture, file);
+    }).then(this, [this, file](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(file)));
+        else
+            fail(tr("The fabric could not be exported."), problem);
+    });
+}
+
+} // namespace bolster

@@ -1,0 +1,181 @@
+#include "FabricLink.h"
+
+#include "Background.h"
+#include "DesignSession.h"
+#include "FabricPreview.h"
+#include "FabricShown.h"
+#include "ImageImport.h"
+
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+constexpr int previewPixels = 176;   ///< drawn at half of that where the screen is not that fine
+constexpr double previewWidth = 110; ///< mm
+
+QImage drawn(const Fabric& fabric, const FabricMaps& maps, int pixels)
+{
+    FabricPreviewOptions options;
+    options.pixels = pixels;
+    options.width = previewWidth;
+    options.rotation = fabric.look.rotation * std::numbers::pi / 180;
+    const ImagePixelsPtr picture = fabricPreview(maps, options);
+    if (!picture->complete())
+        return {};
+    return QImage(picture->rgba.data(), picture->width, picture->height, 4 * picture->width,
+                  QImage::Format_RGBA8888)
+        .copy();
+}
+
+} // namespace
+
+FabricLink::FabricLink(DesignSession& session, QObject* parent)
+    : QObject(parent)
+    , m_session(session)
+{
+    connect(&session.document(), &Document::changed, this, &FabricLink::designChanged);
+    connect(&session, &DesignSession::opened, this, [this] {
+        m_stop.request_stop();
+        m_stop = {};
+        m_baked.clear();
+        emit changed();
+        bakeNext();
+    });
+}
+
+FabricLink::~FabricLink()
+{
+    m_stop.request_stop();
+}
+
+void FabricLink::designChanged(const std::set<ElementId>& ids)
+{
+    const Design& design = m_session.document().design();
+    const bool gone =
+        std::erase_if(m_baked, [&](const auto& entry) { return !design.find<Fabric>(entry.first); }) > 0;
+    const bool touched = std::ranges::any_of(ids, [&](ElementId id) { return design.find<Fabric>(id) != nullptr; });
+    if (gone || touched)
+        emit changed();
+    if (touched)
+        bakeNext();
+}
+
+QString FabricLink::picturePath(const Fabric& fabric) const
+{
+    if (fabric.look.kind != FabricLook::Kind::Image)
+        return {};
+    return m_session.findFile(QString::fromStdString(fabric.look.file));
+}
+
+bool FabricLink::stale(ElementId id) const
+{
+    const Fabric* fabric = m_session.document().design().find<Fabric>(id);
+    const auto baked = m_baked.find(id);
+    return fabric && (baked == m_baked.end() || !looksAlike(baked->second.fabric, *fabric) ||
+                      baked->second.fabric.look.rotation != fabric->look.rotation);
+}
+
+std::optional<ElementId> FabricLink::nextStale() const
+{
+    const Design& design = m_session.document().design();
+    std::optional<ElementId> next;
+    design.each<Patch>([&](ElementId id, const Patch&) {
+        if (const ElementId shown = fabricShown(design, id); !next && stale(shown))
+            next = shown;
+    });
+    design.each<Fabric>([&](ElementId id, const Fabric&) {
+        if (!next && stale(id))
+            next = id;
+    });
+    return next;
+}
+
+void FabricLink::bakeNext()
+{
+    const std::optional<ElementId> id = nextStale();
+    if (m_busy || !id)
+        return;
+    m_busy = true;
+    const Fabric fabric = *m_session.document().design().find<Fabric>(*id);
+    const QString path = picturePath(fabric);
+    ImagePixelsPtr image; // read already, for another look of it
+    for (const auto& [other, baked] : m_baked)
+        if (!path.isEmpty() && baked.path == path)
+            image = baked.image;
+    inBackground<Baked>([fabric, path, image, cache = m_cache, stop = m_stop.get_token()] {
+        return bake(fabric, path, image, *cache, stop);
+    }).then(this, [this, id = *id, stop = m_stop.get_token()](const Baked& baked) {
+        m_busy = false;
+        if (!stop.stop_requested() && m_session.document().design().find<Fabric>(id)) {
+            m_baked[id] = baked;
+            emit changed();
+        }
+        bakeNext();
+    });
+}
+
+FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, ImagePixelsPtr image,
+                                   FabricCache& cache, const std::stop_token& stop)
+{
+    Baked baked{fabric, path, std::move(image), {}, nullptr, {}, {}};
+    if (!path.isEmpty() && !baked.image) {
+        ImageOutcome outcome = importImage(path, stop);
+        baked.image = std::move(outcome.pixels);
+        baked.problem = std::move(outcome.problem);
+    }
+    try {
+        baked.maps = cache.get(fabric, baked.image);
+        baked.color = QColor(QString::fromStdString(meanColor(*baked.maps)));
+        baked.preview = drawn(fabric, *baked.maps, previewPixels);
+    } catch (const std::bad_alloc&) {
+        baked.problem = {QT_TRANSLATE_NOOP("Message", "there is not enough memory to show this fabric"), {}};
+    }
+    return baked;
+}
+
+QImage FabricLink::previewOf(const Fabric& fabric, int pixels)
+{
+    return drawn(fabric, *bakeFabric(fabric, nullptr, {512, 1}), pixels);
+}
+
+std::map<ElementId, FabricMapsPtr> FabricLink::maps() const
+{
+    std::map<ElementId, FabricMapsPtr> maps;
+    for (const auto& [id, baked] : m_baked)
+        maps[id] = baked.maps;
+    return maps;
+}
+
+std::map<ElementId, QColor> FabricLink::colors() const
+{
+    std::map<ElementId, QColor> colors;
+    for (const auto& [id, baked] : m_baked)
+        if (baked.maps && !stale(id))
+            colors[id] = baked.color;
+    return colors;
+}
+
+QImage FabricLink::preview(ElementId fabric) const
+{
+    const auto baked = m_baked.find(fabric);
+    return baked == m_baked.end() ? QImage() : baked->second.preview;
+}
+
+bool FabricLink::upToDate() const
+{
+    return !m_busy && !nextStale();
+}
+
+Problems FabricLink::problems() const
+{
+    Problems problems;
+    const Design& design = m_session.document().design();
+    for (const auto& [id, baked] : m_baked)
+        if (const ElementPtr element = design.element(id); element && !baked.problem.empty())
+            problems.push_back({id, elementLabel(id, *element), "look.file", baked.problem, Severity::Warning});
+    return problems;
+}
+
+} // namespace bolster

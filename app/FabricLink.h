@@ -1,0 +1,73 @@
+// Bakes the fabrics of the design beside the GUI thread, reads their pictures, and draws how they look.
+#pragma once
+
+#include "Design.h"
+#include "FabricCache.h"
+#include "Problem.h"
+
+#include <QColor>
+#include <QImage>
+#include <QObject>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <stop_token>
+
+namespace bolster {
+
+class DesignSession;
+
+/// One fabric after the other, those that are shown first. What was baked is shown until its successor is there.
+class FabricLink : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FabricLink(DesignSession& session, QObject* parent = nullptr);
+    ~FabricLink() override;
+
+    /// By fabric; those that are baked by now.
+    std::map<ElementId, FabricMapsPtr> maps() const;
+    /// What a fabric looks like from far away; of those whose maps are up to date.
+    std::map<ElementId, QColor> colors() const;
+    /// On a cushion; null while there is none yet.
+    QImage preview(ElementId fabric) const;
+    /// Everything is baked as it is now.
+    bool upToDate() const;
+    /// Pictures that could not be read, and why.
+    Problems problems() const;
+
+    /// The same picture for a fabric that is in no design. Blocks: not for the GUI thread.
+    static QImage previewOf(const Fabric& fabric, int pixels);
+
+signals:
+    void changed();
+
+private:
+    /// What one job makes.
+    struct Baked {
+        Fabric fabric;
+        QString path; ///< of its picture; "" without one
+        ImagePixelsPtr image;
+        Message problem;
+        FabricMapsPtr maps;
+        QColor color;
+        QImage preview;
+    };
+
+    void designChanged(const std::set<ElementId>& ids);
+    void bakeNext();
+    bool stale(ElementId id) const;
+    std::optional<ElementId> nextStale() const;
+    QString picturePath(const Fabric& fabric) const;
+    static Baked bake(const Fabric& fabric, const QString& path, ImagePixelsPtr image, FabricCache& cache,
+                      const std::stop_token& stop);
+
+    DesignSession& m_session;
+    std::shared_ptr<FabricCache> m_cache = std::make_shared<FabricCache>(); ///< a running job has it, too
+    std::map<ElementId, Baked> m_baked;
+    std::stop_source m_stop;
+    bool m_busy = false;
+};
+
+} // namespace bolster

@@ -1,0 +1,267 @@
+#include "FabricPanel.h"
+
+#include "Actions.h"
+#include "ColourwayEdits.h"
+#include "ElementText.h"
+#include "FabricLink.h"
+#include "Icons.h"
+#include "Selection.h"
+#include "Translated.h"
+
+#include <QAbstractItemView>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+namespace {
+
+constexpr int idRole = Qt::UserRole;
+constexpr int pictureSize = 84;
+
+/// Its items can be dragged as fabrics.
+class FabricList : public QListWidget {
+public:
+    using QListWidget::QListWidget;
+
+    QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override
+    {
+        if (items.isEmpty())
+            return nullptr;
+        auto* carried = new QMimeData;
+        carried->setData(FabricPanel::mimeType(), QByteArray::number(items.front()->data(idRole).toInt()));
+        return carried;
+    }
+};
+
+ElementId idOf(const QListWidgetItem* item)
+{
+    return item ? static_cast<ElementId>(item->data(idRole).toInt()) : settingsId;
+}
+
+QLabel* heading(const QString& text)
+{
+    auto* label = new QLabel(text);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    label->setContentsMargins(8, 6, 8, 2);
+    return label;
+}
+
+/// The actions' own words are too long for a narrow dock.
+QWidget* buttons(const QList<std::pair<QAction*, QString>>& actions)
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(6, 2, 6, 6);
+    layout->setSpacing(4);
+    for (const auto& [action, text] : actions) {
+        auto* button = new QToolButton;
+        button->setText(text);
+        const auto follow = [button, action = action] {
+            button->setEnabled(action->isEnabled());
+            button->setToolTip(action->toolTip());
+            button->setMenu(action->menu());
+            button->setPopupMode(action->menu() ? QToolButton::InstantPopup : QToolButton::DelayedPopup);
+        };
+        follow();
+        QObject::connect(action, &QAction::changed, button, follow);
+        QObject::connect(button, &QToolButton::clicked, action, &QAction::trigger);
+        button->setFocusPolicy(Qt::TabFocus);
+        layout->addWidget(button);
+    }
+    layout->addStretch();
+    return row;
+}
+
+/// Until the fabric is baked, its colour.
+QPixmap placeholder(const QColor& color)
+{
+    QPixmap pixmap(pictureSize, pictureSize);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawRoundedRect(pixmap.rect().adjusted(6, 6, -6, -6), 8, 8);
+    return pixmap;
+}
+
+} // namespace
+
+QString FabricPanel::mimeType()
+{
+    return QStringLiteral("application/x-bolster-fabric");
+}
+
+FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& link, Actions& actions,
+                         QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_link(link)
+    , m_actions(actions)
+    , m_colourways(new QListWidget)
+    , m_fabrics(new FabricList)
+{
+    m_colourways->setObjectName(QStringLiteral("colourways"));
+    m_colourways->setAccessibleName(tr("Colourways"));
+    m_colourways->setFrameShape(QFrame::NoFrame);
+    m_colourways->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    m_colourways->setMaximumHeight(130);
+    m_colourways->setToolTip(tr("A click shows the cover in this colourway"));
+    m_fabrics->setObjectName(QStringLiteral("fabrics"));
+    m_fabrics->setAccessibleName(tr("Fabrics"));
+    m_fabrics->setFrameShape(QFrame::NoFrame);
+    m_fabrics->setViewMode(QListView::IconMode);
+    m_fabrics->setIconSize({pictureSize, pictureSize});
+    m_fabrics->setGridSize({pictureSize + 20, pictureSize + 40});
+    m_fabrics->setResizeMode(QListView::Adjust);
+    m_fabrics->setMovement(QListView::Static);
+    m_fabrics->setWordWrap(true);
+    m_fabrics->setDragEnabled(true);
+    m_fabrics->setDragDropMode(QAbstractItemView::DragOnly);
+    m_fabrics->setContextMenuPolicy(Qt::CustomContextMenu);
+    setFocusProxy(m_fabrics);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(heading(tr("Colourway")));
+    layout->addWidget(m_colourways);
+    layout->addWidget(buttons({{actions.newColourway, tr("New \u2026")},
+                               {actions.renameColourway, tr("Rename \u2026")},
+                               {actions.removeColourway, tr("Delete")},
+                               {actions.compareColourways, tr("Compare")}}));
+    layout->addWidget(heading(tr("Fabrics: drag them onto patches")));
+    layout->addWidget(m_fabrics, 1);
+    layout->addWidget(buttons({{actions.newFabric, tr("New")},
+                               {actions.assignFabric, tr("Assign")},
+                               {actions.duplicateFabric, tr("Copy")},
+                               {actions.removeFabric, tr("Delete \u2026")}}));
+
+    connect(&document, &Document::changed, this, &FabricPanel::fill);
+    connect(&link, &FabricLink::changed, this, &FabricPanel::fillFabrics);
+    connect(&selection, &Selection::changed, this, &FabricPanel::followSelection);
+    connect(m_fabrics, &QListWidget::currentItemChanged, this,
+            [this](const QListWidgetItem* item) { emit fabricChosen(idOf(item)); });
+    connect(m_fabrics, &QListWidget::itemActivated, this,
+            [this](const QListWidgetItem* item) { emit editWanted(idOf(item)); });
+    connect(m_fabrics, &QWidget::customContextMenuRequested, this, &FabricPanel::showMenu);
+    connect(m_colourways, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item)
+            emit colourwayChosen(idOf(item));
+    });
+    fill();
+}
+
+ElementId FabricPanel::fabric() const
+{
+    return idOf(m_fabrics->currentItem());
+}
+
+void FabricPanel::setFabric(ElementId fabric)
+{
+    for (int i = 0; i < m_fabrics->count(); ++i)
+        if (idOf(m_fabrics->item(i)) == fabric)
+            m_fabrics->setCurrentRow(i);
+}
+
+void FabricPanel::fill()
+{
+    fillColourways();
+    fillFabrics();
+}
+
+void FabricPanel::fillColourways()
+{
+    const QSignalBlocker quiet(m_colourways);
+    const Design& design = m_document.design();
+    std::vector<std::pair<ElementId, QString>> entries{{settingsId, tr("As made")}};
+    design.each<Colourway>(
+        [&](ElementId id, const Colourway&) { entries.emplace_back(id, displayName(design, id)); });
+    while (m_colourways->count() > static_cast<int>(entries.size()))
+        delete m_colourways->takeItem(m_colourways->count() - 1);
+    while (m_colourways->count() < static_cast<int>(entries.size()))
+        m_colourways->addItem(QString());
+    for (int i = 0; i < m_colourways->count(); ++i) {
+        const auto& [id, name] = entries[static_cast<std::size_t>(i)];
+        QListWidgetItem* item = m_colourways->item(i);
+        item->setData(idRole, static_cast<int>(id));
+        item->setText(name);
+        item->setIcon(icon(id == settingsId ? QStringLiteral("patch") : QStringLiteral("colourway")));
+        if (id == design.settings().colourway)
+            m_colourways->setCurrentRow(i);
+    }
+}
+
+void FabricPanel::fillFabrics()
+{
+    const Design& design = m_document.design();
+    std::vector<ElementId> ids;
+    design.each<Fabric>([&](ElementId id, const Fabric&) { ids.push_back(id); });
+    const ElementId before = fabric();
+    {
+        const QSignalBlocker quiet(m_fabrics);
+        while (m_fabrics->count() > static_cast<int>(ids.size()))
+            delete m_fabrics->takeItem(m_fabrics->count() - 1);
+        while (m_fabrics->count() < static_cast<int>(ids.size()))
+            m_fabrics->addItem(QString());
+        for (int i = 0; i < m_fabrics->count(); ++i) {
+            const ElementId id = ids[static_cast<std::size_t>(i)];
+            QListWidgetItem* item = m_fabrics->item(i);
+            item->setData(idRole, static_cast<int>(id));
+            item->setText(displayName(design, id));
+            item->setToolTip(describe(id));
+            const QImage picture = m_link.preview(id);
+            item->setIcon(picture.isNull()
+                              ? placeholder(QColor(QString::fromStdString(design.find<Fabric>(id)->color)))
+                              : QPixmap::fromImage(picture));
+            if (id == before)
+                m_fabrics->setCurrentRow(i);
+        }
+    }
+    if (fabric() != before)
+        emit fabricChosen(fabric());
+}
+
+QString FabricPanel::describe(ElementId fabric) const
+{
+    const auto patches = static_cast<int>(edits::patchesWith(m_document.design(), fabric).size());
+    const QString use = patches == 0 ? tr("No patch has it.") : tr("%n patches have it.", nullptr, patches);
+    for (const Problem& problem : m_link.problems())
+        if (problem.element == fabric)
+            return displayName(m_document.design(), fabric) + u'\n' + use + u'\n' + translated(problem.message);
+    return displayName(m_document.design(), fabric) + u'\n' + use + u'\n' +
+           tr("Drag it onto a patch; a double click shows its properties.");
+}
+
+/// A fabric that is chosen elsewhere is chosen here, too.
+void FabricPanel::followSelection()
+{
+    const Selection::Elements& selected = m_selection.elements();
+    if (selected.size() == 1 && m_document.design().find<Fabric>(*selected.begin()))
+        setFabric(*selected.begin());
+}
+
+void FabricPanel::showMenu(const QPoint& at)
+{
+    if (!m_fabrics->itemAt(at))
+        return;
+    QMenu menu;
+    menu.addActions({m_actions.assignFabric, m_actions.editFabric, m_actions.fabricPicture});
+    menu.addSeparator();
+    menu.addActions({m_actions.duplicateFabric, m_actions.renameFabric, m_actions.removeFabric});
+    menu.addSeparator();
+    menu.addAction(m_actions.exportFabric);
+    menu.exec(m_fabrics->viewport()->mapToGlobal(at));
+}
+
+} // namespace bolster

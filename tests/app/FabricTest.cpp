@@ -1,0 +1,286 @@
+// The library of fabrics and the colourways, through the window.
+#include "WindowTest.h"
+
+#include "ColourwayEdits.h"
+#include "ColourwayWindow.h"
+#include "Designer.h"
+#include "FabricCommands.h"
+#include "FabricLink.h"
+#include "FabricPanel.h"
+#include "FabricPresets.h"
+#include "FabricShown.h"
+#include "Inspector.h"
+
+#include <QComboBox>
+#include <QDropEvent>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+
+namespace bolster {
+namespace {
+
+class FabricTest : public WindowTest {
+protected:
+    void SetUp() override
+    {
+        WindowTest::SetUp();
+        ASSERT_TRUE(open(sample("box-cushion")));
+        Docks::reveal(window.docks().fabrics);
+    }
+
+    const Design& design() { return window.document().design(); }
+    template <class T>
+    std::vector<ElementId> all()
+    {
+        std::vector<ElementId> ids;
+        design().each<T>([&](ElementId id, const T&) { ids.push_back(id); });
+        return ids;
+    }
+    ElementId preset(int number)
+    {
+        const ElementId id = design().nextId();
+        window.fabricCommands().add(fabricPresets()[static_cast<std::size_t>(number)]);
+        return id;
+    }
+    bool baked()
+    {
+        return QTest::qWaitFor([&] { return window.fabricLink().upToDate(); }, 120000);
+    }
+
+    /// Where a patch's middle is in the pattern.
+    QPoint middle(ElementId patch)
+    {
+        const Patch& found = *design().find<Patch>(patch);
+        Vec2 sum = Vec2::Zero();
+        for (const Vec2& p : found.outline.points())
+            sum += toLayout(found, p);
+        return patternPixel(sum / found.outline.pointCount());
+    }
+
+    /// What the library hands over when a fabric is dragged, entered and let go over a view.
+    bool drop(QWidget& view, QPoint at, ElementId fabric)
+    {
+        QMimeData data;
+        data.setData(FabricPanel::mimeType(), QByteArray::number(static_cast<int>(fabric)));
+        QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&view, &enter);
+        QDragMoveEvent over(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&view, &over);
+        QDropEvent end(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&view, &end);
+        return end.isAccepted();
+    }
+
+    /// The next input dialog gets a text, or is cancelled.
+    void answerInput(const std::optional<QString>& text)
+    {
+        auto* timer = new QTimer(qApp);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
+            auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            if (!dialog)
+                return;
+            timer->stop();
+            timer->deleteLater();
+            if (text)
+                dialog->setTextValue(*text);
+            text ? dialog->accept() : dialog->reject();
+        });
+        timer->start(20);
+    }
+
+    /// A picture with stripes, 60 x 40 pixels.
+    static QString writePicture(const QString& path)
+    {
+        QImage image(60, 40, QImage::Format_RGB32);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 60; ++x)
+                image.setPixelColor(x, y, x / 10 % 2 ? QColor(20, 60, 160) : QColor(230, 220, 200));
+        return image.save(path) ? path : QString();
+    }
+};
+
+TEST_F(FabricTest, PresetsAreBakedAndShownInTheLibrary)
+{
+    ASSERT_GE(fabricPresets().size(), 12U);
+    const ElementId leather = preset(0);
+    EXPECT_EQ(window.fabricPanel().fabric(), leather) << "what is new is chosen";
+    ASSERT_TRUE(baked());
+    const QImage picture = window.fabricLink().preview(leather);
+    ASSERT_FALSE(picture.isNull());
+    const QColor middle = picture.pixelColor(picture.width() / 2, picture.height() / 2);
+    EXPECT_GT(middle.red(), middle.blue() + 30) << "cognac";
+    EXPECT_TRUE(window.fabricLink().maps().at(leather)->complete());
+    EXPECT_EQ(window.fabricPanel().fabrics().count(), static_cast<int>(all<Fabric>().size()));
+    window.actions().undo->trigger();
+    EXPECT_FALSE(design().find<Fabric>(leather));
+    EXPECT_EQ(window.fabricPanel().fabrics().count(), static_cast<int>(all<Fabric>().size()));
+}
+
+TEST_F(FabricTest, AFabricDroppedOnAPatchOfThePatternIsWhatItIsMadeOf)
+{
+    const ElementId leather = preset(0), patch = all<Patch>().front();
+    ASSERT_TRUE(drop(window.patternView(), middle(patch), leather));
+    EXPECT_EQ(design().find<Patch>(patch)->fabric, leather);
+    window.actions().undo->trigger();
+    EXPECT_NE(design().find<Patch>(patch)->fabric, leather);
+    EXPECT_FALSE(drop(window.patternView(), {2, 2}, leather)) << "beside everything";
+}
+
+TEST_F(FabricTest, AFabricDroppedOnTheCoverIsWhatThePatchIsMadeOf)
+{
+    const ElementId leather = preset(0);
+    ASSERT_TRUE(waitUntilSolved());
+    SurfaceView& view = window.surfaceView();
+    view.setCamera(view.camera()); // it may still be on its way to the cover
+    const QPoint at = view.rect().center();
+    const ElementId patch = view.hit(at).element;
+    ASSERT_TRUE(design().find<Patch>(patch));
+    ASSERT_TRUE(drop(view, at, leather));
+    EXPECT_EQ(design().find<Patch>(patch)->fabric, leather);
+}
+
+TEST_F(FabricTest, SelectedPatchesGetWhatIsChosenInTheLibrary)
+{
+    const ElementId weave = preset(5);
+    EXPECT_FALSE(window.actions().assignFabric->isEnabled());
+    const std::vector<ElementId> patches = all<Patch>();
+    window.selection().set({patches[0], patches[1]});
+    EXPECT_TRUE(window.actions().assignFabric->isEnabled());
+    window.actions().assignFabric->trigger();
+    EXPECT_EQ(design().find<Patch>(patches[0])->fabric, weave);
+    EXPECT_EQ(design().find<Patch>(patches[1])->fabric, weave);
+    EXPECT_NE(design().find<Patch>(patches[2])->fabric, weave);
+}
+
+TEST_F(FabricTest, ColourwaysSwitchWithAClickAndChangeOnlyWhatIsSeen)
+{
+    const ElementId leather = preset(0), patch = all<Patch>().front();
+    const ElementId own = design().find<Patch>(patch)->fabric;
+    answerInput(QStringLiteral("Summer"));
+    window.actions().newColourway->trigger();
+    const std::vector<ElementId> colourways = all<Colourway>();
+    ASSERT_EQ(colourways.size(), 1U);
+    EXPECT_EQ(design().settings().colourway, colourways[0]);
+    ASSERT_TRUE(drop(window.patternView(), middle(patch), leather));
+    EXPECT_EQ(design().find<Patch>(patch)->fabric, own);
+    EXPECT_EQ(fabricShown(design(), patch), leather);
+
+    QListWidget& list = window.fabricPanel().colourways();
+    ASSERT_EQ(list.count(), 2);
+    EXPECT_EQ(list.currentRow(), 1);
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(0)).center());
+    EXPECT_EQ(design().settings().colourway, settingsId);
+    EXPECT_EQ(fabricShown(design(), patch), own);
+    window.actions().undo->trigger();
+    EXPECT_EQ(fabricShown(design(), patch), leather);
+    EXPECT_EQ(list.currentRow(), 1);
+
+    window.actions().compareColourways->trigger();
+    auto* compared = window.findChild<ColourwayWindow*>();
+    ASSERT_TRUE(compared);
+    EXPECT_EQ(compared->choice(0).currentText(), QStringLiteral("As made"));
+    EXPECT_EQ(compared->choice(1).currentText(), QStringLiteral("Summer"));
+    compared->close();
+    window.actions().removeColourway->trigger();
+    EXPECT_TRUE(all<Colourway>().empty());
+    EXPECT_EQ(list.count(), 1);
+}
+
+TEST_F(FabricTest, AFabricInUseIsNotDeletedWithoutAsking)
+{
+    const ElementId leather = preset(0), patch = all<Patch>().front();
+    ASSERT_TRUE(drop(window.patternView(), middle(patch), leather));
+    window.selection().set({leather});
+    answerInput(std::nullopt);
+    window.actions().remove->trigger();
+    EXPECT_TRUE(design().find<Fabric>(leather));
+
+    const ElementId velvet = preset(8);
+    window.selection().set({leather});
+    answerInput(QString::fromStdString(design().find<Fabric>(velvet)->name));
+    window.actions().removeFabric->trigger();
+    EXPECT_FALSE(design().find<Fabric>(leather));
+    EXPECT_EQ(design().find<Patch>(patch)->fabric, velvet);
+
+    const ElementId spare = preset(3);
+    window.selection().set({spare});
+    window.actions().removeFabric->trigger(); // nobody has it
+    EXPECT_FALSE(design().find<Fabric>(spare));
+}
+
+TEST_F(FabricTest, APictureBecomesAFabric)
+{
+    QTemporaryDir folder;
+    const QString path = writePicture(folder.filePath("stripes.png"));
+    ASSERT_FALSE(path.isEmpty());
+    const ElementId id = design().nextId();
+    window.fabricCommands().choosePicture(settingsId, path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return design().find<Fabric>(id) != nullptr; }, 60000));
+    EXPECT_EQ(design().find<Fabric>(id)->name, "stripes");
+    EXPECT_EQ(design().find<Fabric>(id)->look.kind, FabricLook::Kind::Image);
+    ASSERT_TRUE(baked());
+    const FabricMapsPtr maps = window.fabricLink().maps().at(id);
+    EXPECT_EQ(maps->width, 60);
+    EXPECT_DOUBLE_EQ(maps->widthMm, 200);
+    EXPECT_TRUE(window.fabricLink().problems().empty());
+}
+
+TEST_F(FabricTest, APictureThatIsNoneIsRefusedWithTheReason)
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath("wool.png"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("this is no picture");
+    file.close();
+    const std::size_t before = all<Fabric>().size();
+    answer(QMessageBox::Ok);
+    window.fabricCommands().choosePicture(settingsId, file.fileName());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 60000));
+    EXPECT_EQ(all<Fabric>().size(), before);
+}
+
+TEST_F(FabricTest, AFabricTravelsAsAFileWithItsPicture)
+{
+    QTemporaryDir from, to;
+    const ElementId id = design().nextId();
+    window.fabricCommands().choosePicture(settingsId, writePicture(from.filePath("stripes.png")));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return design().find<Fabric>(id) != nullptr; }, 60000));
+    window.selection().set({id});
+    const QString file = to.filePath("striped.json");
+    window.fabricCommands().exportFabric(file);
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return QFile::exists(file) && QFile::exists(to.filePath("striped.png")); }, 30000));
+
+    const std::size_t before = all<Fabric>().size();
+    window.fabricCommands().importFabrics(file);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return all<Fabric>().size() == before + 1; }, 60000));
+    const Fabric& taken = *design().find<Fabric>(all<Fabric>().back());
+    EXPECT_EQ(taken.look.scale, design().find<Fabric>(id)->look.scale);
+    EXPECT_FALSE(window.session().findFile(QString::fromStdString(taken.look.file)).isEmpty());
+    ASSERT_TRUE(baked());
+    EXPECT_EQ(window.fabricLink().maps().at(all<Fabric>().back())->albedo,
+              window.fabricLink().maps().at(id)->albedo);
+}
+
+TEST_F(FabricTest, ItsKindIsChangedInTheProperties)
+{
+    const ElementId plain = preset(11);
+    window.selection().set({plain});
+    QComboBox* kind = nullptr;
+    for (QComboBox* box : window.inspector().findChildren<QComboBox*>())
+        if (box->findText(QStringLiteral("Velvet")) >= 0)
+            kind = box;
+    ASSERT_TRUE(kind);
+    kind->setFocus();
+    kind->setCurrentIndex(kind->findText(QStringLiteral("Velvet")));
+    emit kind->activated(kind->currentIndex());
+    EXPECT_EQ(design().find<Fabric>(plain)->look.kind, FabricLook::Kind::Velvet);
+    EXPECT_EQ(design().find<Fabric>(plain)->look.scale, usualLook(FabricLook::Kind::Velvet).scale);
+    ASSERT_TRUE(baked());
+    EXPECT_GT(window.fabricLink().maps().at(plain)->sheen, 0.5);
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,174 @@
+// What the inspector shows of a fabric: its look, then how it behaves.
+#include "InspectorForms.h"
+
+#include "FabricColors.h"
+#include "Icons.h"
+#include "InspectorSubject.h"
+
+namespace bolster {
+
+namespace {
+
+using Kind = FabricLook::Kind;
+
+/// One for all elements of the selection, or nothing where they differ.
+template <class Read>
+auto sharedLook(const InspectorSubject<Fabric>& fabric, Read read)
+{
+    return fabric.shared([read](const Fabric& f) { return read(f.look); });
+}
+
+QString secondColorLabel(const std::optional<Kind>& kind)
+{
+    if (kind == Kind::Woven)
+        return InspectorForms::tr("Weft");
+    if (kind == Kind::SmoothLeather || kind == Kind::GrainedLeather)
+        return InspectorForms::tr("Creases");
+    if (kind == Kind::Velvet)
+        return InspectorForms::tr("Depth of the pile");
+    return InspectorForms::tr("Other squares");
+}
+
+QString scaleLabel(const std::optional<Kind>& kind)
+{
+    if (!kind)
+        return InspectorForms::tr("Scale");
+    switch (*kind) {
+    case Kind::Checker:
+        return InspectorForms::tr("Squares");
+    case Kind::SmoothLeather:
+    case Kind::GrainedLeather:
+        return InspectorForms::tr("Grain size");
+    case Kind::Woven:
+        return InspectorForms::tr("Repeat of the weave");
+    case Kind::Velvet:
+        return InspectorForms::tr("Nap");
+    case Kind::Image:
+        return InspectorForms::tr("Width of the picture");
+    case Kind::Plain:
+        break;
+    }
+    return InspectorForms::tr("Scale");
+}
+
+} // namespace
+
+std::vector<FabricLook::Kind> InspectorForms::fabricKinds() const
+{
+    std::vector<Kind> kinds;
+    for (const ElementId id : selectedOf<Fabric>(m_document.design(), m_selection.elements()))
+        kinds.push_back(m_document.design().find<Fabric>(id)->look.kind);
+    return kinds;
+}
+
+void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    fabric.name(tr("Name"));
+    addFabricLook(form, ids);
+    form.addHeading(tr("Behaviour"), icon(QStringLiteral("fabric")));
+    fabric.number(tr("Stiffness"), {{}, 3, 0.001, 1000, 0.1}, &Fabric::stiffness,
+                  QT_TRANSLATE_NOOP("Message", "Change the stiffness of %1"));
+    fabric.number(tr("Poisson"), {{}, 3, -0.5, 0.5, 0.05}, &Fabric::poisson,
+                  QT_TRANSLATE_NOOP("Message", "Change the Poisson parameter of %1"));
+    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1000, 1}, &Fabric::bendingLength,
+                  QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
+    const NumberBox::Range percent{QStringLiteral(" %"), 1, 0.1, 1000, 1};
+    const auto limit = [&](const QString& label, double StretchLimits::*member) {
+        form.addNumber(
+            label, percent,
+            [fabric, member] { return fabric.shared([&](const Fabric& f) { return f.limits.*member; }); },
+            [fabric, member](double value) {
+                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the limits of %1"),
+                              [&](Fabric& f) { f.limits.*member = value; });
+            });
+    };
+    limit(tr("Most along the grain"), &StretchLimits::along);
+    limit(tr("Most across"), &StretchLimits::across);
+    limit(tr("Most shear"), &StretchLimits::shear);
+}
+
+void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
+{
+    static constexpr const char* verb = QT_TRANSLATE_NOOP("Message", "Change the look of %1");
+    const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    const std::optional<Kind> kind = sharedLook(fabric, [](const FabricLook& l) { return l.kind; });
+    addFabricKind(form, ids);
+    form.addColor(
+        tr("Colour"),
+        [fabric] { return fabric.shared([](const Fabric& f) { return QColor(QString::fromStdString(f.color)); }); },
+        [fabric](const QColor& color) {
+            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
+                          [&](Fabric& f) { f.color = color.name().toStdString(); });
+        });
+    if (kind && kind != Kind::Plain && kind != Kind::Image) {
+        form.addColor(
+            secondColorLabel(kind),
+            [fabric] {
+                return fabric.shared(
+                    [](const Fabric& f) { return QColor(QString::fromStdString(secondColorShown(f))); });
+            },
+            [fabric](const QColor& color) {
+                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the second colour of %1"),
+                              [&](Fabric& f) { f.look.secondColor = color.name().toStdString(); });
+            });
+        form.addCheck(
+            tr("From the first colour"),
+            [fabric] { return sharedLook(fabric, [](const FabricLook& l) { return l.secondColor.empty(); }); },
+            [fabric](bool derived) {
+                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the second colour of %1"), [&](Fabric& f) {
+                    f.look.secondColor = derived ? std::string() : secondColorShown(f);
+                });
+            });
+    }
+    const auto number = [&](const QString& label, const NumberBox::Range& range, double FabricLook::*member) {
+        form.addNumber(
+            label, range,
+            [fabric, member] { return sharedLook(fabric, [&](const FabricLook& l) { return l.*member; }); },
+            [fabric, member](double value) { fabric.change(verb, [&](Fabric& f) { f.look.*member = value; }); });
+    };
+    number(tr("Roughness"), {{}, 2, 0, 1, 0.05}, &FabricLook::roughness);
+    if (kind == Kind::Plain)
+        return;
+    number(scaleLabel(kind), {QStringLiteral(" mm"), 2, 0.1, 10000, 1}, &FabricLook::scale);
+    number(tr("Turned from the grain"), {QString(QChar(0xb0)), 1, -360, 360, 15}, &FabricLook::rotation);
+    if (kind != Kind::Checker)
+        number(tr("Relief"), {{}, 2, 0, 2, 0.1}, &FabricLook::relief);
+}
+
+/// A picture needs a file first: then whoever chooses one changes the kind, too.
+void InspectorForms::addFabricKind(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    form.addChoice(
+        tr("Kind"),
+        {tr("Plain"), tr("Checker"), tr("Smooth leather"), tr("Grained leather"), tr("Woven"), tr("Velvet"),
+         tr("Picture \u2026")},
+        [fabric] {
+            return sharedLook(fabric, [](const FabricLook& l) { return static_cast<int>(l.kind); }).value_or(-1);
+        },
+        [fabric, ids, chooseFile = m_chooseFile](int chosen) {
+            const auto kind = static_cast<Kind>(chosen);
+            if (kind == Kind::Image) {
+                if (ids.size() == 1)
+                    chooseFile(ids.front());
+                return;
+            }
+            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the kind of %1"), [&](Fabric& f) {
+                if (f.look.kind == kind)
+                    return;
+                FabricLook look = usualLook(kind);
+                look.secondColor = f.look.secondColor;
+                look.rotation = f.look.rotation;
+                f.look = look;
+            });
+        });
+    if (sharedLook(fabric, [](const FabricLook& l) { return l.kind; }) != Kind::Image)
+        return;
+    fabric.info(tr("File"), [](const Design&, const Fabric& f) { return QString::fromStdString(f.look.file); });
+    if (ids.size() == 1)
+        form.addButton(tr("Choose another picture \u2026"),
+                       [chooseFile = m_chooseFile, id = ids.front()] { chooseFile(id); });
+}
+
+} // namespace bolster
