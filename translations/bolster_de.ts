@@ -4206,8 +4206,8 @@
         <translation>Gibt den ausgewählten Schnittteilen den Stoff, der in der Sammlung gewählt ist</translation>
     </message>
     <message>
-        <source>Fabric &amp;properties</source>
-        <translation>&amp;Eigenschaften des Stoffs</translation>
+        <source>Fabric p&amp;roperties</source>
+        <translation>Eigenschaften des &amp;Stoffs</translation>
     </message>
     <message>
         <source>Shows kind, colours, size and limits of the fabric</source>
@@ -4215,7 +4215,7 @@
     </message>
     <message>
         <source>Picture on the &amp;fabric …</source>
-        <translation>Bild au&amp;f dem Stoff …</translation>
+        <translation>Bild auf &amp;dem Stoff …</translation>
     </message>
     <message>
         <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
@@ -4230,7 +4230,7 @@
         <translation>Fügt eine Kopie des Stoffs hinzu, die geändert werden kann</translation>
     </message>
     <message>
-        <source>Re&amp;name fabric …</source>
+        <source>Rename fa&amp;bric …</source>
         <translation>Stoff &amp;umbenennen …</translation>
     </message>
     <message>
