@@ -116,28 +116,27 @@ std::size_t chunkSize(const PackedNode& node, int chunk)
     return 4 * static_cast<std::size_t>(std::min(node.width, 4 * chunk + 4));
 }
 
-/// Asks for as much as a node has, so far ahead of it: the processor itself sees only some lines ahead, which is
-/// not enough for memory, and none where a solve goes backwards.
-HWY_INLINE void prefetch(const PackedView& factor, const PackedNode& node, std::ptrdiff_t ahead)
+constexpr std::ptrdiff_t prefetched = 2048; // numbers
+
+/// Asks for as much as a node has, so far ahead of it: the processor itself sees nothing coming where a solve goes
+/// backwards.
+HWY_INLINE void prefetchBefore(const PackedView& factor, const PackedNode& node)
 {
     if (!factor.streamed)
         return;
     constexpr std::ptrdiff_t line = 16;
     const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(node.panel - node.diagonal) +
                                 static_cast<std::ptrdiff_t>(node.width) * node.below;
-    const float* const from = factor.values + node.diagonal + ahead;
-    for (std::ptrdiff_t i = 0; i < std::min(size, std::abs(ahead)); i += line)
+    const float* const from = factor.values + node.diagonal - prefetched;
+    for (std::ptrdiff_t i = 0; i < std::min(size, prefetched); i += line)
         hwy::Prefetch(from + i);
 }
-
-constexpr std::ptrdiff_t prefetched = 2048; // numbers
 
 void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill)
 {
     const Spread spread;
     for (const PackedNode& node : nodes) {
         float* const own = x + 4 * static_cast<std::size_t>(node.first);
-        prefetch(factor, node, prefetched);
         // The last rows first: what they need of the others is still there.
         const int chunks = (node.width + 3) / 4;
         const float* block = factor.values + node.panel;
@@ -247,7 +246,7 @@ void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float
     const Spread spread;
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
         float* const own = x + 4 * static_cast<std::size_t>(node->first);
-        prefetch(factor, *node, -prefetched);
+        prefetchBefore(factor, *node);
         if (node->below > 0) {
             const int* const rows = factor.rows + node->rows;
             const auto below = [&](int row) { return x + 4 * static_cast<std::size_t>(rows[row]); };

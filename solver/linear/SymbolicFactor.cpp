@@ -109,7 +109,7 @@ double sizeOf(int width, int height)
 /// Zeros cost reading them twice in every solve, a node some dozen instructions and indices.
 bool worthMerging(int width, double zeros, double size)
 {
-    if (width <= 8)
+    if (width <= 12)
         return true;
     const double share = width <= 16 ? 0.4 : width <= 48 ? 0.15 : 0.05;
     return zeros < share * size;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 // Debian's compiler has a bug in code that is not used here; without the emulation there is no fallback for lanes.
 #define HWY_BROKEN_EMU128 0
@@ -72,6 +74,82 @@ HWY_INLINE void add(const Four& numbers, float times, Four& to)
     widen(FourFloats{times, times, times, times}, by);
     to += numbers * by;
 }
+
+#if HWY_MAX_BYTES >= 64
+
+/// Two columns that numbers of an edge times columns of its other end are added to: both in one register.
+class ColumnPair {
+public:
+    HWY_INLINE ColumnPair()
+        : m_sum(hn::Zero(eight))
+    {}
+
+    /// pull[0] and pull[1] times one column.
+    HWY_INLINE void add(const Four& column, const float* pull)
+    {
+        const auto half = hn::LoadU(four, reinterpret_cast<const double*>(&column));
+        m_sum = hn::MulAdd(hn::Combine(eight, half, half), spread(pull), m_sum);
+    }
+    /// pull[0] times the first, pull[1] times the second column.
+    HWY_INLINE void add(const float* columns, const float* pull)
+    {
+        m_sum = hn::MulAdd(hn::PromoteTo(eight, hn::LoadU(floats, columns)), spread(pull), m_sum);
+    }
+    HWY_INLINE void store(Four& first, Four& second) const
+    {
+        hn::StoreU(hn::LowerHalf(four, m_sum), four, reinterpret_cast<double*>(&first));
+        hn::StoreU(hn::UpperHalf(four, m_sum), four, reinterpret_cast<double*>(&second));
+    }
+
+private:
+    static constexpr hn::FixedTag<double, 8> eight{};
+    static constexpr hn::FixedTag<double, 4> four{};
+    static constexpr hn::FixedTag<float, 8> floats{};
+
+    /// The first number four times, then the second.
+    static HWY_INLINE hn::Vec<hn::FixedTag<double, 8>> spread(const float* pull)
+    {
+        std::int64_t pair = 0;
+        std::memcpy(&pair, pull, sizeof pair);
+        const auto both = hn::BitCast(floats, hn::Set(hn::FixedTag<std::int64_t, 4>(), pair));
+        alignas(32) static constexpr std::int32_t order[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+        return hn::PromoteTo(eight, hn::TableLookupLanes(both, hn::SetTableIndices(floats, order)));
+    }
+
+    hn::Vec<hn::FixedTag<double, 8>> m_sum;
+};
+
+#else
+
+/// Two columns that numbers of an edge times columns of its other end are added to.
+class ColumnPair {
+public:
+    /// pull[0] and pull[1] times one column.
+    HWY_INLINE void add(const Four& column, const float* pull)
+    {
+        bolster::HWY_NAMESPACE::add(column, pull[0], m_first);
+        bolster::HWY_NAMESPACE::add(column, pull[1], m_second);
+    }
+    /// pull[0] times the first, pull[1] times the second column.
+    HWY_INLINE void add(const float* columns, const float* pull)
+    {
+        Four first, second;
+        widen(columns, first);
+        widen(columns + 4, second);
+        bolster::HWY_NAMESPACE::add(first, pull[0], m_first);
+        bolster::HWY_NAMESPACE::add(second, pull[1], m_second);
+    }
+    HWY_INLINE void store(Four& first, Four& second) const
+    {
+        first = m_first;
+        second = m_second;
+    }
+
+private:
+    Four m_first{}, m_second{};
+};
+
+#endif
 
 // Vertices that are worked on together: so many that what was stored for the first can be loaded in wider
 // registers.
@@ -247,16 +325,15 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
         for (int i = 0; i < count; ++i) {
             const SheetRings::Vertex* const vertex = &rings.vertices[first + i];
             const Four here = column(positions, vertex->unknown);
-            Four c0{}, c1{}, smoothing{};
+            ColumnPair covariance;
+            Four smoothing{};
             for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
                 const SheetRings::Edge& edge = rings.edges[k];
                 const Four apart = column(positions, edge.unknown) - here;
-                add(apart, edge.pull[0], c0);
-                add(apart, edge.pull[1], c1);
+                covariance.add(apart, edge.pull);
                 add(column(frames, edge.vertex), edge.weight, smoothing);
             }
-            in.covariance[0][i] = c0;
-            in.covariance[1][i] = c1;
+            covariance.store(in.covariance[0][i], in.covariance[1][i]);
             in.smoothing[i] = smoothing;
         }
         in.frames = at(frames.data(), first);
@@ -326,7 +403,7 @@ HWY_INLINE void turn(TurnBlock& in, int from, double beta, const double* before,
 }
 
 void TurnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Columns& maps)
+                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps)
 {
     TurnBlock in{};
     BlockColumns wasRest{}, turnedRest{}, aheadRest{}; // of a block that is not full
@@ -348,29 +425,33 @@ void TurnFrames(const Columns& before, double beta, int begin, int end, const Sh
             std::copy_n(aheadRest.numbers[0], 4 * count, at(ahead.data(), first));
         }
         for (int i = 0; i < count; ++i) {
-            column(maps, 2 * (first + i)) = in.maps[0][i];
-            column(maps, 2 * (first + i) + 1) = in.maps[1][i];
+            narrow(in.maps[0][i], at(maps.data(), 2 * (first + i)));
+            narrow(in.maps[1][i], at(maps.data(), 2 * (first + i) + 1));
         }
     }
 }
 
-void RingForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, const SheetResults& to)
+void RingForces(const SheetRings& rings, const Columns& positions, const Eigen::Matrix4Xf& maps, double stiffness,
+                int begin, int end, const SheetResults& to)
 {
     for (int v = begin; v < end; ++v) {
         const SheetRings::Vertex* const vertex = &rings.vertices[v];
         const Four here = column(positions, vertex->unknown);
-        Four places{}, first{}, second{};
+        Four places{};
+        ColumnPair turned;
         for (int k = vertex->firstEdge; k < vertex[1].firstEdge; ++k) {
             const SheetRings::Edge& edge = rings.edges[k];
             add(column(positions, edge.unknown) - here, edge.weight, places);
-            const double* const map = at(maps.data(), 2 * edge.vertex);
-            add(column(map, 0), edge.pull[0], first);
-            add(column(map, 1), edge.pull[1], second);
+            turned.add(at(maps.data(), 2 * edge.vertex), edge.pull);
         }
+        Four first, second;
+        turned.store(first, second);
         const Vec2& pull = rings.pull[v];
-        first += column(maps, 2 * v) * pull.x();
-        second += column(maps, 2 * v + 1) * pull.y();
+        Four own;
+        widen(at(maps.data(), 2 * v), own);
+        first += own * pull.x();
+        widen(at(maps.data(), 2 * v + 1), own);
+        second += own * pull.y();
         Four force = (places * 2 - (first + second)) * stiffness;
         if (to.outer)
             force += *reinterpret_cast<const Four*>(at(to.outer, v));
@@ -474,13 +555,13 @@ bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns&
 }
 
 void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Columns& maps)
+                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps)
 {
     HWY_DYNAMIC_DISPATCH(TurnFrames)(before, beta, begin, end, results, turned, ahead, maps);
 }
 
-void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, const SheetResults& to)
+void ringForces(const SheetRings& rings, const Columns& positions, const Eigen::Matrix4Xf& maps, double stiffness,
+                int begin, int end, const SheetResults& to)
 {
     HWY_DYNAMIC_DISPATCH(RingForces)(rings, positions, maps, stiffness, begin, end, to);
 }

@@ -9,9 +9,9 @@
 
 namespace bolster {
 
-// What belongs to the mesh and what is corrected once more in the next iteration is kept in single precision, since
-// iterations wait for memory. All that is measured is in double precision: rounding it would shake the cover by
-// 1e-8 of its size for ever.
+// What belongs to the mesh, what is corrected once more in the next iteration, and the columns of R(q_i) T_i are
+// kept in single precision, since iterations wait for memory. Places and frames are in double precision. The
+// rounded columns shake the cover by some 1e-8 of its size.
 
 /// What the loops need of the mesh, packed. Symbols are those of docs/solver.md.
 struct SheetRings {
@@ -63,10 +63,10 @@ bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns&
 /// Frames after L2 has answered, normalised, and the two columns of every R(q_i) T_i. `ahead` are the frames that
 /// it was asked at; they become those for the next time, `beta` of the step from `before` to `turned` further on.
 void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Columns& maps);
+                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps);
 
 /// The force on every vertex: stiffness * sum w_ij (2 (p_j - p_i) - (M_i + M_j) e_ij), and the outer one.
-void ringForces(const SheetRings& rings, const Columns& positions, const Columns& maps, double stiffness, int begin,
-                int end, const SheetResults& to);
+void ringForces(const SheetRings& rings, const Columns& positions, const Eigen::Matrix4Xf& maps, double stiffness,
+                int begin, int end, const SheetResults& to);
 
 } // namespace bolster

@@ -237,7 +237,7 @@ void SheetOptimizer::relaxPositions()
     startHere();
     m_other.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
-        m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>();
+        m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>().cast<float>();
     solvePositions();
     movePositions(1);
     accept(); // else the next iteration fails, too

@@ -124,7 +124,7 @@ private:
         double farthestMove = 0; // squared, relative to D
     };
     std::vector<Sums> m_sums;       // of a move, per chunk of free unknowns
-    Columns m_map;                  // the two columns of R(q_i) T_i, per vertex
+    Eigen::Matrix4Xf m_map;         // the two columns of R(q_i) T_i, per vertex
     Eigen::Matrix4Xf m_forces;      // per vertex, where several have one unknown
     Columns m_outer;                // per vertex: ghosts and pressure
     Columns m_displacements;        // per vertex: where a ghost source wants it, from where it is
