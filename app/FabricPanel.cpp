@@ -71,6 +71,8 @@ QWidget* buttons(const QList<std::pair<QAction*, QString>>& actions)
             button->setToolTip(action->toolTip());
             button->setMenu(action->menu());
             button->setPopupMode(action->menu() ? QToolButton::InstantPopup : QToolButton::DelayedPopup);
+            if (action->menu() && button->minimumWidth() == 0)
+                button->setMinimumWidth(button->sizeHint().width() + 14); // room for the arrow beside the word
         };
         follow();
         QObject::connect(action, &QAction::changed, button, follow);
@@ -102,7 +104,10 @@ void setPicture(QListWidgetItem& item, const QImage& picture, const QColor& colo
     if (item.data(pictureRole) == shown)
         return;
     item.setData(pictureRole, shown);
-    item.setIcon(picture.isNull() ? placeholder(color) : QPixmap::fromImage(picture));
+    const QPixmap pixmap = picture.isNull() ? placeholder(color) : QPixmap::fromImage(picture);
+    QIcon shownAlways(pixmap);
+    shownAlways.addPixmap(pixmap, QIcon::Selected); // in its own colours
+    item.setIcon(shownAlways);
 }
 
 } // namespace

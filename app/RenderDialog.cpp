@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr QSize previewSize{320, 240};
+constexpr QSize roughPreview{320, 240}; // is there at once
 constexpr int longestSide = 16384;
 
 /// On a background of squares where it is transparent, as programs for pictures show it.
@@ -147,7 +147,7 @@ void RenderDialog::build()
     right->addWidget(m_progress);
 
     m_picture = new QLabel(this);
-    m_picture->setFixedSize(previewSize * 3 / 2);
+    m_picture->setFixedSize(roughPreview * 3 / 2);
     m_picture->setAlignment(Qt::AlignCenter);
     m_picture->setFrameShape(QFrame::StyledPanel);
     m_picture->setText(tr("Drawing \u2026"));
@@ -241,13 +241,17 @@ void RenderDialog::requestPreview()
     m_message->setText(problem);
     m_turntable->setEnabled(!m_looks.at(static_cast<std::size_t>(m_shown->currentData().toLongLong())).sheet);
     const QSize whole(m_width->value(), m_height->value());
-    const QSize size = whole.scaled(previewSize, Qt::KeepAspectRatio).expandedTo({1, 1});
-    Request asked = request(size);
+    const auto asLargeAs = [&](QSize space) {
+        return request(whole.scaled(space, Qt::KeepAspectRatio).expandedTo({1, 1}));
+    };
+    const QSize shown = m_picture->contentsRect().size() * devicePixelRatio();
+    Request asked = asLargeAs(shown);
     asked.picture.options.samples = 4;
     PictureLook& look = asked.picture.look;
     if (!look.sheet && std::ranges::find(m_seen, look) == m_seen.end()) {
         m_seen.push_back(look);
-        look.refined = false;
+        asked = asLargeAs(roughPreview);
+        asked.picture.look.refined = false;
     }
     m_job.request(std::move(asked), true);
 }
@@ -257,9 +261,11 @@ void RenderDialog::receive(const Result& result)
     if (result.image.empty())
         return;
     if (!result.toFile) {
-        m_picture->setPixmap(
-            pixmapOf(result.image)
-                .scaled(m_picture->contentsRect().size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
+        QPixmap picture = pixmapOf(result.image)
+                              .scaled(m_picture->contentsRect().size() * devicePixelRatio(), Qt::KeepAspectRatio,
+                                      Qt::SmoothTransformation);
+        picture.setDevicePixelRatio(devicePixelRatio());
+        m_picture->setPixmap(picture);
         emit previewed();
         if (result.rough && !m_rendering)
             requestPreview();
