@@ -16,9 +16,15 @@ constexpr double apart = 60; // mm between spots
 
 QString unitOf(CoverMap::Kind kind)
 {
-    return kind == CoverMap::Kind::Thickness   ? QStringLiteral(" mm")
-           : kind == CoverMap::Kind::Curvature ? QStringLiteral(" 1/m")
-                                               : QStringLiteral(" %");
+    switch (kind) {
+    case CoverMap::Kind::Thickness:
+    case CoverMap::Kind::Deviation:
+        return QStringLiteral(" mm");
+    case CoverMap::Kind::Curvature:
+        return QStringLiteral(" 1/m");
+    default:
+        return QStringLiteral(" %");
+    }
 }
 
 QString figureText(double value, const QString& unit)
@@ -36,6 +42,8 @@ Sides sidesOf(const CoverMap& map)
 {
     if (map.kind == CoverMap::Kind::Curvature)
         return {MapLink::tr("hollow"), MapLink::tr("bulging")};
+    if (map.kind == CoverMap::Kind::Deviation)
+        return {MapLink::tr("inside"), MapLink::tr("outside")};
     if (!map.allowed.empty() && map.kind != CoverMap::Kind::Shear)
         return {MapLink::tr("pressed"), MapLink::tr("stretched")};
     return {};
@@ -85,6 +93,8 @@ QString MapLink::title(CoverMap::Kind kind)
         return tr("Mean curvature");
     case CoverMap::Kind::Thickness:
         return tr("Distance to the frame");
+    case CoverMap::Kind::Deviation:
+        return tr("Deviation from the scan");
     }
     return {};
 }

@@ -199,6 +199,10 @@ void RenderDialog::fillShown()
         look.map = kind;
         add(tr("Map: %1").arg(MapLink::title(kind)), look);
     }
+    if (!m_subject.files.clouds.empty()) {
+        look.map = CoverMap::Kind::Deviation;
+        add(tr("Map: %1").arg(MapLink::title(CoverMap::Kind::Deviation)), look);
+    }
 }
 
 RenderDialog::Request RenderDialog::request(QSize size) const

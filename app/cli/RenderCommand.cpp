@@ -30,7 +30,7 @@ Options:
   --samples N        rays per pixel, a square number (default 16, at most 256)
   --fabric NAME      in the fabrics of this colourway
   --map MAP          instead of fabrics: strain, along, across, shear, curvature,
-                     thickness, checker
+                     thickness, deviation, checker
   --turntable N      N pictures around the cover: FILE-001.png, FILE-002.png ...
   --sheet            all colourways in one picture, with their names
   --transparent      no background; the shadow is kept
@@ -47,7 +47,7 @@ namespace {
 
 std::string figure(const CoverMap& map, float value)
 {
-    const char* const unit = !map.allowed.empty() ? " %" : map.kind == CoverMap::Kind::Thickness ? " mm" : " 1/m";
+    const char* const unit = !map.allowed.empty() ? " %" : map.kind == CoverMap::Kind::Curvature ? " 1/m" : " mm";
     return numberText(static_cast<double>(value), 3) + unit;
 }
 
@@ -58,7 +58,8 @@ PictureLegend legendOf(const CoverMap& map)
                               : map.kind == CoverMap::Kind::Across    ? "Strain across the grain"
                               : map.kind == CoverMap::Kind::Shear     ? "Shear"
                               : map.kind == CoverMap::Kind::Curvature ? "Mean curvature"
-                                                                      : "Distance to the frame";
+                              : map.kind == CoverMap::Kind::Thickness ? "Distance to the frame"
+                                                                      : "Deviation from the scan";
     const bool both = map.scale.kind == MapScale::Kind::Diverging;
     const char* const over = map.allowed.empty() ? "" : "over the fabric's limit";
     return {map.scale, title, figure(map, both ? -map.scale.limit : 0), "0", figure(map, map.scale.limit), over};
@@ -122,6 +123,10 @@ std::string orderProblem(const RenderOrder& order, const Design& design)
     if (!order.colourway.empty() && colourwayNamed(design, order.colourway) == settingsId)
         return "the design has no colourway \"" + order.colourway + "\"; " +
                (names.empty() ? std::string("it has none") : "there are " + names);
+    bool scan = false;
+    design.each<Scan>([&](ElementId, const Scan&) { scan = true; });
+    if (order.picture.look.map == CoverMap::Kind::Deviation && !scan)
+        return "--map deviation needs a scan, and the design has none";
     if (!order.picture.look.sheet)
         return {};
     if (names.empty())

@@ -65,7 +65,7 @@ void takeMap(const Arguments& arguments, RenderOrder& order)
     look.map = coverMapKind(map);
     if (!map.empty() && !look.checker && !look.map)
         throw UsageError("unknown map \"" + map +
-                         "\"; there are strain, along, across, shear, curvature, thickness and checker");
+                         "\"; there are strain, along, across, shear, curvature, thickness, deviation and checker");
     if (look.map && !order.colourway.empty())
         throw UsageError("--map " + map + " and --fabric exclude each other: a map covers the fabric");
 }

@@ -1,6 +1,7 @@
 #include "CoverMap.h"
 
 #include "MeanCurvature.h"
+#include "ScanMeasure.h"
 #include "TriangleStrain.h"
 #include "TriangleTree.h"
 
@@ -20,12 +21,13 @@ using Kind = CoverMap::Kind;
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 constexpr double farthestFrame = 1000; // mm: more is no foam
 
-constexpr std::array<std::pair<std::string_view, Kind>, 6> words = {{{"strain", Kind::Strain},
+constexpr std::array<std::pair<std::string_view, Kind>, 7> words = {{{"strain", Kind::Strain},
                                                                      {"along", Kind::Along},
                                                                      {"across", Kind::Across},
                                                                      {"shear", Kind::Shear},
                                                                      {"curvature", Kind::Curvature},
-                                                                     {"thickness", Kind::Thickness}}};
+                                                                     {"thickness", Kind::Thickness},
+                                                                     {"deviation", Kind::Deviation}}};
 
 double ofTriangle(Kind kind, const std::array<Vec2, 3>& rest, const std::array<Vec3, 3>& place, double grain)
 {
@@ -119,6 +121,28 @@ void measureThickness(CoverMap& map, const SurfaceMesh& surface, const Design& d
     map.scale.limit = MapScale::usualLimit(static_cast<double>(most));
 }
 
+void measureDeviation(CoverMap& map, const SurfaceMesh& surface, const Design& design, const DesignFiles& files)
+{
+    std::optional<ElementId> found;
+    bool acts = false;
+    design.each<Scan>([&](ElementId id, const Scan& scan) {
+        if (files.clouds.contains(id) && (!found || (scan.enabled && !acts))) {
+            found = id;
+            acts = scan.enabled;
+        }
+    });
+    if (!found)
+        return;
+    const Scan& scan = *design.find<Scan>(*found);
+    const auto index = ScanIndexCache().index(*found, scan, files);
+    if (!index || index->empty())
+        return;
+    WorkerPool here(1);
+    ScanDeviation deviation = measureScan(surface, scan, index, here);
+    map.ofVertex = std::move(deviation.ofVertex);
+    map.scale.limit = MapScale::usualLimit(std::max(deviation.figures.p95, 0.1));
+}
+
 } // namespace
 
 std::vector<MapScale::Rgba> CoverMap::colors() const
@@ -139,6 +163,8 @@ CoverMap coverMap(CoverMap::Kind kind, const SurfaceMesh& surface, const Design&
         measureCurvature(map, surface);
     else if (kind == Kind::Thickness)
         measureThickness(map, surface, design, files);
+    else if (kind == Kind::Deviation)
+        measureDeviation(map, surface, design, files);
     else
         measureStrain(map, surface, design);
     return map;

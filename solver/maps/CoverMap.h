@@ -18,7 +18,8 @@ struct CoverMap {
         Across,    ///< %: across it
         Shear,     ///< %: tangent of the angle by which warp and weft leave the right angle
         Curvature, ///< 1/m: mean of the two principal ones, positive where the cover bulges outwards
-        Thickness  ///< mm: distance to the nearest frame
+        Thickness, ///< mm: distance to the nearest frame
+        Deviation  ///< mm: from a scan, the first that acts; positive where the cover lies outside it
     };
 
     Kind kind = Kind::Strain;
@@ -34,7 +35,7 @@ struct CoverMap {
 /// away: the largest strain is the report's. `surface` must have positions for all of its topology.
 CoverMap coverMap(CoverMap::Kind kind, const SurfaceMesh& surface, const Design& design, const DesignFiles& files);
 
-/// "strain", "along", "across", "shear", "curvature", "thickness"
+/// "strain", "along", "across", "shear", "curvature", "thickness", "deviation"
 std::optional<CoverMap::Kind> coverMapKind(std::string_view word);
 
 struct CoverSpot {

@@ -118,6 +118,7 @@ TEST_F(Render, SaysWhatIsWrong)
     refused({"--image", image, "--view", "30,95"}, "unknown view");
     refused({"--image", image, "--fabric", "Sky"}, "no colourway \"Sky\"; there are \"Meadow\", \"Hide\"");
     refused({"--image", image, "--map", "heat"}, "unknown map \"heat\"");
+    refused({"--image", image, "--map", "deviation"}, "needs a scan");
     refused({"--image", image, "--sheet", "--map", "strain"}, "--sheet");
     refused({"--image", image, "--sheet", "--size", "6000x6000"}, "64 million pixels");
     EXPECT_FALSE(QFile::exists(image));

@@ -1,5 +1,6 @@
 #include "TestDesigns.h"
 
+#include "CoverMap.h"
 #include "ScanGhosts.h"
 #include "ScanMeasure.h"
 #include "ScanPlacement.h"
@@ -183,6 +184,12 @@ TEST(Scan, DeviationsArePositiveOutside)
         measureScan(*flat.surface, scan, std::make_shared<const ScanIndex>(cloud, scan.cuts), pool);
     for (const float value : deviation.ofVertex)
         EXPECT_NEAR(value, 5, 1e-3);
+
+    scan.enabled = false; // it may be measured nevertheless
+    const SolveInput input = withScan(heldSquare(300, 10), scan, cloud);
+    const CoverMap map = coverMap(CoverMap::Kind::Deviation, *flat.surface, input.design, input.files);
+    EXPECT_EQ(map.ofVertex, deviation.ofVertex);
+    EXPECT_EQ(map.scale.limit, 5);
 }
 
 TEST(Scan, TheFitIsTheSameOnAnyNumberOfThreads)
