@@ -50,7 +50,7 @@ void GlCover::setCloth(const SurfaceScene& scene, ElementId patch, bool quick)
     m_program.set("sheen", textures ? static_cast<float>(look->maps->sheen) : plainSheen);
     if (!textures)
         return;
-    const auto turn = static_cast<float>(look->rotation);
+    const auto turn = static_cast<float>(look->turn);
     const auto width = static_cast<float>(look->maps->widthMm), height = static_cast<float>(look->maps->heightMm);
     m_program.set("toTileX", Eigen::Vector2f(std::cos(turn) / width, std::sin(turn) / width));
     m_program.set("toTileY", Eigen::Vector2f(std::sin(turn) / height, -std::cos(turn) / height)); // rows run down

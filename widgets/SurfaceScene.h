@@ -40,9 +40,9 @@ struct SurfaceScene {
     struct PatchLook {
         ElementId patch{};
         QColor fabric;
-        QColor tint;         ///< with its opacity: hovered, selected
-        FabricMapsPtr maps;  ///< instead of the plain colour, unless null
-        double rotation = 0; ///< of the maps against the grain line, counter-clockwise, radians
+        QColor tint;        ///< with its opacity: hovered, selected
+        FabricMapsPtr maps; ///< instead of the plain colour, unless null
+        double turn = 0;    ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
     };
     /// Dots of constant size in the picture.
     struct PointsLook {

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 #include <utility>
 
 namespace bolster {
@@ -360,8 +359,9 @@ void SurfaceView::updateLooks()
                                                                                                   : 0);
         const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
         const auto maps = m_fabricMaps.find(shown);
+        const auto* patch = m_document.design().find<Patch>(range.patch);
         m_scene.patches.push_back({range.patch, color, tint, maps != m_fabricMaps.end() ? maps->second : nullptr,
-                                   fabric ? fabric->look.rotation * std::numbers::pi / 180 : 0});
+                                   patch && fabric ? clothTurn(*patch, *fabric) : 0});
     }
 }
 

@@ -6,7 +6,6 @@
 #include "SurfaceRefiner.h"
 
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 namespace bolster {
@@ -60,9 +59,7 @@ PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, c
         if (!baked.contains(shown))
             baked.emplace(shown, bake(shown, *fabric));
         look.maps = baked.at(shown);
-        const double warp =
-            design.find<Patch>(look.patch)->grain + fabric->look.rotation; // the maps' y runs along it
-        look.turn = (warp - 90) * std::numbers::pi / 180;
+        look.turn = clothTurn(*design.find<Patch>(look.patch), *fabric);
     }
     return scene;
 }

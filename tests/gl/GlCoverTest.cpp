@@ -1,4 +1,6 @@
+#include "FabricShown.h"
 #include "GlPainter.h"
+#include "PreviewRenderer.h"
 #include "TestFabric.h"
 
 #include <QOffscreenSurface>
@@ -83,6 +85,18 @@ FabricMapsPtr striped(double widthMm)
     return maps;
 }
 
+/// Light in one corner: where it lies tells how the tile is turned, and that it is not a mirror image.
+FabricMapsPtr cornered(double widthMm)
+{
+    auto maps = std::make_shared<FabricMaps>(*even(Eigen::Vector3f::UnitZ()));
+    maps->widthMm = widthMm;
+    maps->heightMm = 1.5 * widthMm;
+    for (std::size_t i = 0; i < 16; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            maps->albedo[4 * i + c] = i % 4 < 2 && i < 8 ? 230 : 20;
+    return maps;
+}
+
 class GlCover : public testing::Test {
 protected:
     void SetUp() override
@@ -117,14 +131,33 @@ protected:
         request.finest = std::make_shared<std::promise<QImage>>();
         return painter->paint(request, {}).image;
     }
-    void setMaps(FabricMapsPtr maps, double rotation = 0)
+    void setMaps(FabricMapsPtr maps, double turn = 0)
     {
         request.scene.patches[0].maps = std::move(maps);
-        request.scene.patches[0].rotation = rotation;
+        request.scene.patches[0].turn = turn;
     }
-    int brightness(const Eigen::Vector3f& normal, double rotation = 0)
+    /// What the ray renderer makes of the same scene.
+    PreviewImage traced(bool quick = true)
     {
-        setMaps(even(normal.normalized()), rotation);
+        PreviewScene scene;
+        scene.surface = request.scene.surface;
+        scene.cover = request.scene.cover;
+        scene.trims = request.scene.trims;
+        scene.checker = scene.ground = false;
+        for (const SurfaceScene::PatchLook& look : request.scene.patches)
+            scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
+        const Camera& camera = request.camera;
+        const PreviewView view{camera.target,    camera.distance,    camera.azimuth,
+                               camera.elevation, camera.fieldOfView, camera.perspective};
+        PreviewOptions options;
+        options.width = request.size.width();
+        options.height = request.size.height();
+        options.quick = quick;
+        return renderPreview(scene, view, options);
+    }
+    int brightness(const Eigen::Vector3f& normal, double turn = 0)
+    {
+        setMaps(even(normal.normalized()), turn);
         return qGray(picture().pixel(200, 200));
     }
 
@@ -157,6 +190,30 @@ TEST_F(GlCover, MapsHaveTheirRealSize)
     setMaps(striped(25), std::numbers::pi / 2);
     EXPECT_GT(changes(picture(), true).size(), 6U) << "turned against the grain";
     EXPECT_TRUE(changes(picture(), false).empty());
+}
+
+TEST_F(GlCover, MapsFollowTheGrainAsInPictures)
+{
+    Patch patch;
+    Fabric fabric;
+    for (const auto& [grain, rotation] : {std::pair(90.0, 0.0), {90.0, 30.0}, {0.0, 0.0}, {-50.0, 15.0}}) {
+        patch.grain = grain;
+        fabric.look.rotation = rotation;
+        setMaps(cornered(60), clothTurn(patch, fabric));
+        const QImage drawn = picture();
+        const PreviewImage expected = traced();
+        int alike = 0, all = 0, light = 0;
+        for (int y = 2; y < 400; y += 5)
+            for (int x = 2; x < 400; x += 5) {
+                const bool lit = expected.rgba[static_cast<std::size_t>(4 * (400 * y + x))] > 128;
+                alike += lit == (qGray(drawn.pixel(x, y)) > 128);
+                light += lit;
+                ++all;
+            }
+        EXPECT_GT(alike, 0.97 * all) << "grain " << grain << ", turned by " << rotation;
+        EXPECT_GT(light, 0.1 * all) << "part of one corner or another";
+        EXPECT_LT(light, 0.5 * all);
+    }
 }
 
 TEST_F(GlCover, ReliefLeansWhereItsNormalPoints)
