@@ -10,6 +10,7 @@
 #include "TrimMesh.h"
 #include "ViewColors.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,6 +59,7 @@ struct SurfaceScene {
     CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
     TrimMeshPtr trims;      ///< stitches and piping on it; may be null
     std::vector<PatchLook> patches;
+    std::map<ElementId, FabricMapsPtr> fabrics; ///< what piping is made of; others are plain
     std::vector<FrameLook> frames;
     std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it
     std::vector<PointsLook> points;                             ///< of scans
