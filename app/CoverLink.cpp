@@ -1,5 +1,6 @@
 #include "CoverLink.h"
 
+#include "SeamRelief.h"
 #include "SeamTrims.h"
 #include "SurfaceRefiner.h"
 
@@ -31,6 +32,7 @@ public:
                 made.cover = m_last.cover;
             else
                 made.cover = m_refiner.refine(wanted.surface, topology.vertexCount() <= mostForTwoLevels ? 2 : 1);
+            made.cover = sewn(wanted.design, made.cover);
             made.trims = m_trims.make(wanted.design, *made.cover);
             m_last = made;
             return made;
@@ -41,8 +43,28 @@ public:
     }
 
 private:
+    /// With the relief of the seams as the design trims them.
+    CoverMeshPtr sewn(const Design& design, const CoverMeshPtr& cover)
+    {
+        std::vector<SeamTrim> trims;
+        design.each<Seam>([&](ElementId, const Seam& seam) { trims.push_back(seam.trim); });
+        if (!m_relief || m_reliefOf != cover->topology || m_reliefTrims != trims) {
+            m_relief = seamRelief(design, *cover->topology);
+            m_reliefOf = cover->topology;
+            m_reliefTrims = std::move(trims);
+        }
+        if (cover->relief == m_relief)
+            return cover;
+        auto copy = std::make_shared<CoverMesh>(*cover);
+        copy->relief = m_relief;
+        return copy;
+    }
+
     SurfaceRefiner m_refiner;
     SeamTrims m_trims;
+    SeamReliefPtr m_relief;
+    std::shared_ptr<const CoverTopology> m_reliefOf;
+    std::vector<SeamTrim> m_reliefTrims;
     Made m_last;
 };
 

@@ -1,5 +1,7 @@
 #include "GlCover.h"
 
+#include "Design.h"
+
 namespace bolster {
 
 namespace {
@@ -7,16 +9,16 @@ namespace {
 constexpr float checkerSquare = 20; ///< mm
 constexpr float plainRoughness = 0.62F;
 constexpr float plainSheen = 0.12F;
-constexpr float fineAnisotropy = 8;
 
 } // namespace
 
-GlCover::GlCover(GlFunctions& gl)
+GlCover::GlCover(GlFunctions& gl, GlFabrics& fabrics)
     : m_gl(gl)
     , m_program("cover.vert", "cover.frag")
     , m_plain("plain.vert", "plain.frag")
     , m_solved(gl)
     , m_refined(gl)
+    , m_fabrics(fabrics)
 {}
 
 void GlCover::update(const SurfaceScene& scene)
@@ -30,32 +32,30 @@ void GlCover::update(const SurfaceScene& scene)
     GlCoverMesh& mesh = shown(scene);
     mesh.putMap(scene.map);
     mesh.putOpenness(scene.occlusion);
-    std::set<FabricMapsPtr> used;
-    for (const SurfaceScene::PatchLook& look : scene.patches)
-        used.insert(look.maps);
-    m_fabrics.keepOnly(used);
+    updateRelief(scene);
+}
+
+void GlCover::updateRelief(const SurfaceScene& scene)
+{
+    GlCoverMesh& mesh = shown(scene);
+    const SurfaceTopology& topology = *scene.surface->topology;
+    if (scene.cover && scene.cover->relief)
+        m_relief = scene.cover->relief;
+    if (!m_relief || !m_relief->fits(topology.serial, mesh.vertexCount()))
+        m_relief = scene.cover ? seamRelief(Design(), *scene.cover->topology) : seamRelief(Design(), topology);
+    mesh.putRelief(m_relief);
 }
 
 void GlCover::setCloth(const SurfaceScene& scene, ElementId patch, bool quick)
 {
     const SurfaceScene::PatchLook* look = scene.look(patch);
     const Eigen::Vector3f color = linearLight(look ? look->fabric : QColor(0x7a, 0x4a, 0x2b));
-    const GlFabrics::Textures* textures =
-        look && !scene.checker ? m_fabrics.textures(look->maps, quick ? 1 : fineAnisotropy) : nullptr;
     m_program.set("lightTone", Eigen::Vector3f((1.6F * color.array() + 0.03F).min(1.F)));
     m_program.set("darkTone", Eigen::Vector3f((scene.checker ? 0.85F : 1.F) * color));
     m_program.set("tint", look ? look->tint : QColor(0, 0, 0, 0));
-    m_program.set("textured", textures != nullptr);
     m_program.set("plainRoughness", plainRoughness);
-    m_program.set("sheen", textures ? static_cast<float>(look->maps->sheen) : plainSheen);
-    if (!textures)
-        return;
-    const auto turn = static_cast<float>(look->rotation);
-    const auto width = static_cast<float>(look->maps->widthMm), height = static_cast<float>(look->maps->heightMm);
-    m_program.set("toTileX", Eigen::Vector2f(std::cos(turn) / width, std::sin(turn) / width));
-    m_program.set("toTileY", Eigen::Vector2f(std::sin(turn) / height, -std::cos(turn) / height)); // rows run down
-    textures->color->bind(0);
-    textures->relief->bind(1);
+    m_program.set("sheen", plainSheen);
+    m_fabrics.wear(m_program, look && !scene.checker ? look->maps : nullptr, look ? look->turn : 0, quick);
 }
 
 void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
@@ -67,9 +67,9 @@ void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
     view.setTransforms(m_program);
     view.setLights(m_program);
     m_program.set("square", scene.checker ? checkerSquare : 0.F);
-    m_program.set("colorMap", 0);
-    m_program.set("reliefMap", 1);
     m_program.set("quick", quick);
+    m_program.set("seamProfile", Eigen::Vector4f(SeamProfile::valleyDepth, SeamProfile::valleyReach,
+                                                 SeamProfile::bulgeHeight, SeamProfile::bulgeReach));
     QColor veil = mixed(scene.backgroundTop(), scene.backgroundBottom(), 0.5);
     veil.setAlphaF(scene.dimmed ? 0.45F : 0.F);
     m_program.set("veil", veil);

@@ -9,7 +9,7 @@ namespace bolster {
 
 class GlCover {
 public:
-    explicit GlCover(GlFunctions& gl);
+    GlCover(GlFunctions& gl, GlFabrics& fabrics);
 
     /// Uploads what has changed: positions and normals only, while the topology stays.
     void update(const SurfaceScene& scene);
@@ -19,6 +19,7 @@ public:
 
 private:
     GlCoverMesh& shown(const SurfaceScene& scene) { return scene.cover ? m_refined : m_solved; }
+    void updateRelief(const SurfaceScene& scene);
     void setCloth(const SurfaceScene& scene, ElementId patch, bool quick);
 
     GlFunctions& m_gl;
@@ -26,7 +27,8 @@ private:
     GlProgram m_plain;
     GlCoverMesh m_solved;
     GlCoverMesh m_refined;
-    GlFabrics m_fabrics;
+    GlFabrics& m_fabrics;
+    SeamReliefPtr m_relief; ///< the last one: while something moves it is that of the solver's mesh, too
 };
 
 } // namespace bolster

@@ -7,23 +7,6 @@
 
 namespace bolster {
 
-namespace {
-
-/// Pattern coordinates, and 0 on a seam, 1 beside it.
-std::vector<Eigen::Vector3f> clothOf(const SurfaceTopology& topology)
-{
-    std::vector<Eigen::Vector3f> cloth;
-    for (const Vec2& p : topology.pattern)
-        cloth.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), 1.F});
-    for (const SurfaceTopology::Chain& chain : topology.seams)
-        for (const auto* side : {&chain.a, &chain.b})
-            for (const std::uint32_t v : *side)
-                cloth[v].z() = 0;
-    return cloth;
-}
-
-} // namespace
-
 GlCoverMesh::GlCoverMesh(GlFunctions& gl)
     : m_gl(gl)
 {
@@ -31,9 +14,11 @@ GlCoverMesh::GlCoverMesh(GlFunctions& gl)
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     bindColumns(gl, m_positions, 3 * sizeof(float), {{0, 3, GL_FLOAT, 0}});
     bindColumns(gl, m_normals, 3 * sizeof(float), {{1, 3, GL_FLOAT, 0}});
-    bindColumns(gl, m_cloth, 3 * sizeof(float), {{2, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_cloth, 2 * sizeof(float), {{2, 2, GL_FLOAT, 0}});
     bindColumns(gl, m_openness, 2 * sizeof(float), {{3, 2, GL_FLOAT, 0}});
     bindColumns(gl, m_mapColors, sizeof(SurfaceMap::Rgba), {{4, 4, GL_UNSIGNED_BYTE, 0}});
+    bindColumns(gl, m_seamDistances, 3 * sizeof(float), {{5, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_seamShapes, 2 * sizeof(float), {{6, 2, GL_FLOAT, 0}});
 }
 
 template <class T>
@@ -60,7 +45,10 @@ void GlCoverMesh::put(const SurfaceMeshPtr& surface)
     }
     if (surface->topology != m_coarse) {
         m_coarse = surface->topology;
-        putTopology(clothOf(*m_coarse), m_coarse->triangles);
+        std::vector<Eigen::Vector2f> cloth;
+        for (const Vec2& p : m_coarse->pattern)
+            cloth.push_back(p.cast<float>());
+        putTopology(cloth, m_coarse->triangles);
     }
     m_surface = surface;
     std::vector<Eigen::Vector3f> positions;
@@ -82,17 +70,14 @@ void GlCoverMesh::put(const CoverMeshPtr& cover)
     if (cover->topology != m_fine) {
         m_fine = cover->topology;
         m_coarse = m_fine->coarse;
-        std::vector<Eigen::Vector3f> cloth = m_fine->carriedOver(clothOf(*m_coarse));
-        for (std::size_t v = 0; v < cloth.size(); ++v)
-            cloth[v].head<2>() = m_fine->pattern[v];
-        putTopology(cloth, m_fine->triangles);
+        putTopology(m_fine->pattern, m_fine->triangles);
     }
     m_cover = cover;
     m_positions.put(cover->points, QOpenGLBuffer::StreamDraw);
     m_normals.put(cover->normals, QOpenGLBuffer::StreamDraw);
 }
 
-void GlCoverMesh::putTopology(const std::vector<Eigen::Vector3f>& cloth,
+void GlCoverMesh::putTopology(const std::vector<Eigen::Vector2f>& cloth,
                               const std::vector<CoverTopology::Triangle>& all)
 {
     m_cloth.put(cloth, QOpenGLBuffer::StaticDraw);
@@ -100,6 +85,7 @@ void GlCoverMesh::putTopology(const std::vector<Eigen::Vector3f>& cloth,
     m_mapColors.put(std::vector<SurfaceMap::Rgba>(cloth.size()), QOpenGLBuffer::DynamicDraw);
     m_map.reset();
     m_occlusion.reset();
+    m_relief.reset();
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_triangles.put(all, QOpenGLBuffer::StaticDraw);
     m_coarseTriangles.put(m_coarse->triangles, QOpenGLBuffer::StaticDraw);
@@ -131,6 +117,15 @@ void GlCoverMesh::putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occ
     for (std::size_t i = 0; i < occlusion->outside.size(); ++i)
         openness.push_back({occlusion->outside[i], occlusion->inside[i]});
     m_openness.put(ofVertices(std::move(openness)), QOpenGLBuffer::DynamicDraw);
+}
+
+void GlCoverMesh::putRelief(const SeamReliefPtr& relief)
+{
+    if (!m_coarse || relief == m_relief)
+        return;
+    m_relief = relief;
+    m_seamDistances.put(relief->distances, QOpenGLBuffer::StaticDraw); // what follows the solver's is not used
+    m_seamShapes.put(relief->shapes, QOpenGLBuffer::StaticDraw);
 }
 
 GlCoverMesh::Ranges GlCoverMesh::patches(const SurfaceTopology& shown) const

@@ -3,6 +3,7 @@
 
 #include "CoverMesh.h"
 #include "GlBuffer.h"
+#include "SeamRelief.h"
 #include "SurfaceMap.h"
 #include "SurfaceOcclusion.h"
 
@@ -24,7 +25,11 @@ public:
     /// Keeps what there is where it is of an older topology: the next one is on its way.
     void putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion);
 
+    /// Of the seams; it must fit.
+    void putRelief(const SeamReliefPtr& relief);
+
     bool empty() const { return !m_coarse; }
+    std::uint32_t vertexCount() const { return m_fine ? m_fine->vertexCount() : m_coarse->vertexCount(); }
     using Ranges = std::vector<SurfaceTopology::PatchRange>;
     /// Of those patches of the mesh that `shown` has.
     Ranges patches(const SurfaceTopology& shown) const;
@@ -34,7 +39,7 @@ public:
     void drawEdges(const Ranges& patches);
 
 private:
-    void putTopology(const std::vector<Eigen::Vector3f>& cloth, const std::vector<CoverTopology::Triangle>& all);
+    void putTopology(const std::vector<Eigen::Vector2f>& cloth, const std::vector<CoverTopology::Triangle>& all);
     void putEdges(const Ranges& patches);
     template <class T>
     std::vector<T> ofVertices(std::vector<T> ofCoarse) const;
@@ -46,6 +51,8 @@ private:
     GlBuffer m_cloth;
     GlBuffer m_openness;
     GlBuffer m_mapColors;
+    GlBuffer m_seamDistances;
+    GlBuffer m_seamShapes;
     GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
     GlBuffer m_coarseTriangles{QOpenGLBuffer::IndexBuffer};
     GlBuffer m_edges{QOpenGLBuffer::IndexBuffer};
@@ -58,6 +65,7 @@ private:
     CoverMeshPtr m_cover;
     std::shared_ptr<const SurfaceOcclusion> m_occlusion;
     SurfaceMapPtr m_map;
+    SeamReliefPtr m_relief;
 };
 
 } // namespace bolster

@@ -1,8 +1,12 @@
 #include "GlFabrics.h"
 
+#include <cmath>
+
 namespace bolster {
 
 namespace {
+
+constexpr float fineAnisotropy = 8;
 
 std::unique_ptr<QOpenGLTexture> tiled(const FabricMaps& maps, QOpenGLTexture::TextureFormat format,
                                       const std::vector<std::uint8_t>& rgba)
@@ -47,6 +51,23 @@ const GlFabrics::Textures* GlFabrics::textures(const FabricMapsPtr& maps, float 
         if (texture->hasFeature(QOpenGLTexture::AnisotropicFiltering))
             texture->setMaximumAnisotropy(anisotropy);
     return &found;
+}
+
+void GlFabrics::wear(GlProgram& program, const FabricMapsPtr& maps, double turn, bool quick)
+{
+    const Textures* found = textures(maps, quick ? 1 : fineAnisotropy);
+    program.set("textured", found != nullptr);
+    if (!found)
+        return;
+    const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
+    const auto width = static_cast<float>(maps->widthMm), height = static_cast<float>(maps->heightMm);
+    program.set("toTileX", Eigen::Vector2f(c / width, s / width));
+    program.set("toTileY", Eigen::Vector2f(s / height, -c / height)); // rows run down
+    program.set("sheen", static_cast<float>(maps->sheen));
+    program.set("colorMap", 0);
+    program.set("reliefMap", 1);
+    found->color->bind(0);
+    found->relief->bind(1);
 }
 
 void GlFabrics::keepOnly(const std::set<FabricMapsPtr>& used)

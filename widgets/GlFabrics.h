@@ -2,7 +2,7 @@
 #pragma once
 
 #include "FabricMaps.h"
-#include "GlFunctions.h"
+#include "GlProgram.h"
 
 #include <QOpenGLTexture>
 
@@ -15,6 +15,13 @@ namespace bolster {
 /// A context must be current whenever it is used or destroyed.
 class GlFabrics {
 public:
+    /// Binds a fabric's maps for a program with fabric.glsl: turned by so many radians, as SurfaceScene::PatchLook
+    /// says. Without maps it wears what the program has been told. `quick`: something moves.
+    void wear(GlProgram& program, const FabricMapsPtr& maps, double turn, bool quick);
+    /// Forgets all others.
+    void keepOnly(const std::set<FabricMapsPtr>& used);
+
+private:
     /// One texture of colours, as light, and one of normals (x, y, z) with the roughness.
     struct Textures {
         std::unique_ptr<QOpenGLTexture> color;
@@ -23,10 +30,6 @@ public:
 
     /// Null when the maps are not whole. `anisotropy`: sharper where they are seen from the side, and slower.
     const Textures* textures(const FabricMapsPtr& maps, float anisotropy);
-    /// Forgets all others.
-    void keepOnly(const std::set<FabricMapsPtr>& used);
-
-private:
     std::map<FabricMapsPtr, Textures> m_textures;
 };
 

@@ -1,7 +1,7 @@
 // The frames on the graphics card.
 #pragma once
 
-#include "GlBuffer.h"
+#include "GlTriangles.h"
 #include "GlView.h"
 
 namespace bolster {
@@ -15,15 +15,9 @@ public:
     void draw(const SurfaceScene& scene, const GlView& view);
 
 private:
-    struct Vertex {
-        Eigen::Vector3f position, normal;
-    };
-
     GlFunctions& m_gl;
     GlProgram m_program;
-    QOpenGLVertexArrayObject m_array;
-    GlBuffer m_vertices;
-    GLsizei m_count = 0;
+    GlTriangles m_triangles;
     std::vector<SurfaceScene::FrameLook> m_frames; ///< that are uploaded, as far as their shapes are known
     std::vector<std::shared_ptr<const FrameShape>> m_shapes;
 };

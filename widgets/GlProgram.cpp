@@ -19,7 +19,10 @@ QByteArray resource(const char* name)
 
 QByteArray source(const char* name)
 {
-    return resource(name).replace("#include \"studio.glsl\"", resource("studio.glsl"));
+    QByteArray text = resource(name);
+    for (const char* part : {"studio.glsl", "fabric.glsl"})
+        text.replace(QByteArray("#include \"") + part + '"', resource(part));
+    return text;
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 // Stitches and piping on the graphics card.
 #pragma once
 
-#include "GlBuffer.h"
+#include "GlFabrics.h"
+#include "GlTriangles.h"
 #include "GlView.h"
 #include "TrimMesh.h"
 
@@ -10,21 +11,16 @@ namespace bolster {
 /// Uploads what has changed only. A context must be current whenever it is used or destroyed.
 class GlTrims {
 public:
-    explicit GlTrims(GlFunctions& gl);
+    GlTrims(GlFunctions& gl, GlFabrics& fabrics);
 
     void update(const SurfaceScene& scene);
-    void draw(const SurfaceScene& scene, const GlView& view);
+    /// `quick`: something moves; plainer cloth.
+    void draw(const SurfaceScene& scene, const GlView& view, bool quick);
 
 private:
-    struct Vertex {
-        Eigen::Vector3f position, normal;
-    };
-
-    GlFunctions& m_gl;
     GlProgram m_program;
-    QOpenGLVertexArrayObject m_array;
-    GlBuffer m_vertices;
-    GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
+    GlTriangles m_triangles;
+    GlFabrics& m_fabrics;
     TrimMeshPtr m_trims; ///< that is uploaded
 };
 

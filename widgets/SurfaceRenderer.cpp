@@ -15,8 +15,8 @@ GlFunctions& SurfaceRenderer::functions()
 SurfaceRenderer::SurfaceRenderer()
     : m_gl(functions())
     , m_ground(m_gl)
-    , m_cover(m_gl)
-    , m_trims(m_gl)
+    , m_cover(m_gl, m_fabrics)
+    , m_trims(m_gl, m_fabrics)
     , m_frames(m_gl)
     , m_points(m_gl)
     , m_marks(m_gl)
@@ -30,6 +30,12 @@ void SurfaceRenderer::update(const SurfaceScene& scene)
     m_frames.update(scene);
     m_points.update(scene);
     m_marks.update(scene);
+    std::set<FabricMapsPtr> used;
+    for (const SurfaceScene::PatchLook& look : scene.patches)
+        used.insert(look.maps);
+    for (const auto& [id, maps] : scene.fabrics)
+        used.insert(maps);
+    m_fabrics.keepOnly(used);
 }
 
 void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter,
@@ -49,7 +55,7 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
     if (scene.section)
         m_gl.glEnable(GL_CLIP_DISTANCE0);
     m_cover.draw(scene, view, quick);
-    m_trims.draw(scene, view);
+    m_trims.draw(scene, view, quick);
     if (scene.meshEdges) {
         m_gl.glEnable(GL_BLEND);
         m_cover.drawEdges(scene, view, QColor(10, 10, 10, 90));

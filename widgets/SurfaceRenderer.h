@@ -27,6 +27,7 @@ private:
 
     GlFunctions& m_gl;
     GlGround m_ground;
+    GlFabrics m_fabrics; ///< before those who wear them
     GlCover m_cover;
     GlTrims m_trims;
     GlFrames m_frames;

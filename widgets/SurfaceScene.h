@@ -10,6 +10,7 @@
 #include "TrimMesh.h"
 #include "ViewColors.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,9 +41,9 @@ struct SurfaceScene {
     struct PatchLook {
         ElementId patch{};
         QColor fabric;
-        QColor tint;         ///< with its opacity: hovered, selected
-        FabricMapsPtr maps;  ///< instead of the plain colour, unless null
-        double rotation = 0; ///< of the maps against the grain line, counter-clockwise, radians
+        QColor tint;        ///< with its opacity: hovered, selected
+        FabricMapsPtr maps; ///< instead of the plain colour, unless null
+        double turn = 0;    ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
     };
     /// Dots of constant size in the picture.
     struct PointsLook {
@@ -58,6 +59,7 @@ struct SurfaceScene {
     CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
     TrimMeshPtr trims;      ///< stitches and piping on it; may be null
     std::vector<PatchLook> patches;
+    std::map<ElementId, FabricMapsPtr> fabrics; ///< what piping is made of; others are plain
     std::vector<FrameLook> frames;
     std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it
     std::vector<PointsLook> points;                             ///< of scans

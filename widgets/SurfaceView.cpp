@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
 #include <utility>
 
 namespace bolster {
@@ -176,7 +175,7 @@ void SurfaceView::setCover(CoverMeshPtr cover, TrimMeshPtr trims)
 
 void SurfaceView::setFabricMaps(std::map<ElementId, FabricMapsPtr> maps)
 {
-    m_fabricMaps = std::move(maps);
+    m_scene.fabrics = std::move(maps);
     updateLooks();
     draw(false);
 }
@@ -359,9 +358,10 @@ void SurfaceView::updateLooks()
                        : m_selection.hovered() == range.patch || m_mirrored.contains(range.patch) ? 0.07F
                                                                                                   : 0);
         const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
-        const auto maps = m_fabricMaps.find(shown);
-        m_scene.patches.push_back({range.patch, color, tint, maps != m_fabricMaps.end() ? maps->second : nullptr,
-                                   fabric ? fabric->look.rotation * std::numbers::pi / 180 : 0});
+        const auto maps = m_scene.fabrics.find(shown);
+        const auto* patch = m_document.design().find<Patch>(range.patch);
+        m_scene.patches.push_back({range.patch, color, tint, maps != m_scene.fabrics.end() ? maps->second : nullptr,
+                                   patch && fabric ? clothTurn(*patch, *fabric) : 0});
     }
 }
 

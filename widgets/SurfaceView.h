@@ -237,7 +237,6 @@ private:
     SurfaceMeshPtr m_surface;
     CoverMeshPtr m_cover; ///< of another surface: not drawn
     TrimMeshPtr m_trims;  ///< on m_cover
-    std::map<ElementId, FabricMapsPtr> m_fabricMaps;
     FieldPicturePtr m_field;
     DesignFiles m_files;
     SurfaceScene m_scene;

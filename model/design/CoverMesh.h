@@ -63,11 +63,14 @@ struct CoverTopology {
     }
 };
 
+struct SeamRelief;
+
 struct CoverMesh {
     std::shared_ptr<const CoverTopology> topology;
     SurfaceMeshPtr surface;               ///< what it was made from
     std::vector<Eigen::Vector3f> points;  ///< mm; identical for sewn vertices
     std::vector<Eigen::Vector3f> normals; ///< unit, to the outside; smooth within a patch and over G1 and C1 seams
+    std::shared_ptr<const SeamRelief> relief; ///< of the topology; null: all seams are plain ones
 };
 
 using CoverMeshPtr = std::shared_ptr<const CoverMesh>;

@@ -1,6 +1,7 @@
 #include "FabricShown.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace bolster {
 
@@ -20,6 +21,11 @@ ElementId fabricShown(const Design& design, ElementId patch, ElementId colourway
             return entry->fabric;
     }
     return own->fabric;
+}
+
+double clothTurn(const Patch& patch, const Fabric& fabric)
+{
+    return (patch.grain - 90 + fabric.look.rotation) * std::numbers::pi / 180;
 }
 
 } // namespace bolster

@@ -10,4 +10,8 @@ namespace bolster {
 ElementId fabricShown(const Design& design, ElementId patch);
 ElementId fabricShown(const Design& design, ElementId patch, ElementId colourway);
 
+/// How a fabric's maps lie on a patch: the direction of their x in outline coordinates, radians, counter-clockwise.
+/// Their y runs along the patch's grain, turned by what the fabric asks for.
+double clothTurn(const Patch& patch, const Fabric& fabric);
+
 } // namespace bolster

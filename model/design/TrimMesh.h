@@ -23,9 +23,9 @@ struct TrimMesh {
         std::uint32_t triangleCount = 0;
     };
 
-    std::vector<Eigen::Vector3f> points;                 ///< mm
-    std::vector<Eigen::Vector3f> normals;                ///< unit, outwards
-    std::vector<Eigen::Vector2f> cloth;                  ///< along and around, mm: where piping's fabric lies
+    std::vector<Eigen::Vector3f> points;  ///< mm
+    std::vector<Eigen::Vector3f> normals; ///< unit, outwards
+    std::vector<Eigen::Vector2f> cloth;   ///< where it lies in piping's fabric, which is cut on the bias, mm
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< counter-clockwise seen from the outside
     std::vector<Part> parts;                             ///< one after the other
 };

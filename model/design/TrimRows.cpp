@@ -101,14 +101,6 @@ std::vector<TrimRow> borderRow(const Design& design, const Stretch& stretch)
 
 } // namespace
 
-double TrimRow::length() const
-{
-    double sum = 0;
-    for (std::size_t i = 1; i < points.size() + (closed ? 1 : 0); ++i)
-        sum += (points[i % points.size()] - points[i - 1]).norm();
-    return sum;
-}
-
 std::vector<TrimRow> stitchRows(const Design& design, const Element& element)
 {
     const SeamTrim* trim = seamTrim(element);

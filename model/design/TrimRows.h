@@ -12,8 +12,6 @@ struct TrimRow {
     ElementId patch{};
     std::vector<Vec2> points;
     bool closed = false; ///< the last point is followed by the first
-
-    double length() const;
 };
 
 /// The rows of stitches of a seam, fixation seam, outline trim or fancy seam. Where a row inside an outline would

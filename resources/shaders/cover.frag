@@ -1,24 +1,21 @@
 #version 330 core
 #include "studio.glsl"
+#include "fabric.glsl"
 
 uniform vec3 lightTone; // of the checker, linear
 uniform vec3 darkTone;
 uniform float square;   // mm; 0: no checker
-uniform bool textured;  // by the maps of a fabric
-uniform sampler2D colorMap;
-uniform sampler2D reliefMap; // normal, roughness
-uniform vec2 toTileX;        // from mm of the pattern to repeats of the tile
-uniform vec2 toTileY;
-uniform float plainRoughness;
-uniform float sheen;
-uniform bool quick;     // something moves: without relief
+uniform bool quick;     // something moves: without the fabric's relief
+uniform vec4 seamProfile; // valley's depth and reach, bulge's height, mm, and its reach in allowances: see SeamRelief.h
 uniform vec4 tint;      // what the pointer or the selection adds, as displayed
 uniform vec4 veil;      // over everything that is not up to date
 in vec3 eyePosition;
 in vec3 eyeNormal;
-in vec3 cloth;
+in vec2 cloth;
 in vec2 open;
 in vec4 map;
+in vec3 seamDistances;
+in vec2 seamShape;
 out vec4 color;
 
 // Mean of a square wave of period 2 over a window of this width.
@@ -32,46 +29,50 @@ float wave(float at, float width)
 
 vec3 checker()
 {
-    vec2 at = cloth.xy / square;
+    vec2 at = cloth / square;
     vec2 width = fwidth(at);
     return mix(darkTone, lightTone, 0.5 + 0.5 * wave(at.x, width.x) * wave(at.y, width.y));
 }
 
-// The directions in which the tile's x and y, up, run on the surface, from how its coordinates change in the picture.
-vec3 bent(vec3 n, vec2 tile, vec3 relief)
+// How dark it is in the valley of a seam, and how the normal leans there: SeamProfile of SeamRelief.h. What is
+// narrower than a pixel is drawn wider and fainter.
+float pressed(vec3 even, inout vec3 n)
 {
+    vec3 dx = dFdx(seamDistances), dy = dFdy(seamDistances);
+    float nearest = min(seamDistances.x, min(seamDistances.y, seamDistances.z));
+    vec3 first = vec3(lessThanEqual(seamDistances, vec3(nearest)));
+    first /= dot(first, vec3(1.0));
+    float pixel = dot(first, max(abs(dx), abs(dy)));
+
+    float reach = length(vec2(seamProfile.y, pixel));
+    float inside = max(0.0, 1.0 - nearest / reach), amount = seamShape.y * seamProfile.y / reach;
+    vec3 slope = first * (2.0 * seamProfile.x * amount * inside / reach);
+    if (seamShape.x > 0.0) {
+        float allowance = seamProfile.w * seamShape.x, width = length(vec2(allowance, pixel));
+        float high = seamProfile.z * min(1.0, seamShape.x) * allowance / width;
+        vec3 at = min(seamDistances / width, 1.0), left = 1.0 - at * at;
+        vec3 without = 1.0 - left * left * left, fall = -6.0 * at * left * left / width;
+        slope += high * fall * vec3(without.y * without.z, without.x * without.z, without.x * without.y);
+    }
+    // The surface gradient (M. Mikkelsen, "Bump mapping unparametrized surfaces on the GPU", 2010).
     vec3 px = dFdx(eyePosition), py = dFdy(eyePosition);
-    vec2 tx = dFdx(tile), ty = dFdy(tile);
-    vec3 across = cross(py, n), along = cross(n, px);
-    vec3 x = across * tx.x + along * ty.x, y = across * tx.y + along * ty.y;
-    float longest = max(dot(x, x), dot(y, y));
-    if (!(longest > 0.0))
-        return n;
-    float scale = inversesqrt(longest) * sign(dot(cross(px, py), n));
-    return normalize(scale * (relief.x * x - relief.y * y) + relief.z * n);
+    float area = dot(even, cross(px, py));
+    if (area != 0.0)
+        n = normalize(n - (dot(slope, dx) * cross(py, even) + dot(slope, dy) * cross(even, px)) / area);
+    return amount * inside * inside;
 }
 
 void main()
 {
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 n = normalize(side * eyeNormal);
-    Cloth seen = Cloth(square > 0.0 ? checker() : darkTone, plainRoughness, sheen, 0.04);
-    if (textured) {
-        vec2 tile = vec2(dot(toTileX, cloth.xy), dot(toTileY, cloth.xy));
-        seen.color = texture(colorMap, tile).rgb;
-        vec4 relief = texture(reliefMap, tile);
-        seen.roughness = relief.a;
-        if (!quick && gl_FrontFacing) {
-            vec3 slope = 2.0 * relief.xyz - 1.0;
-            float spread = 1.0 - min(1.0, dot(slope, slope)); // mip-maps mean over different normals
-            seen.roughness = pow(clamp(pow(relief.a, 4.0) + 0.5 * spread, 0.0, 1.0), 0.25);
-            n = bent(n, tile, slope);
-        }
-    }
+    vec3 even = normalize(side * eyeNormal), n = even;
+    Cloth seen = fabric(square > 0.0 ? checker() : darkTone, cloth, eyePosition, !quick && gl_FrontFacing, n);
     seen.color = mix(seen.color, pow(map.rgb, vec3(2.2)), map.a);
     if (gl_FrontFacing) {
-        float valley = 1.0 - clamp(cloth.z / 0.45, 0.0, 1.0);
-        seen.color *= 1.0 - 0.35 * valley * valley;
+        float dark = pressed(even, n);
+        seen.color *= 1.0 - 0.72 * dark;
+        seen.sheen *= 1.0 - dark;
+        seen.specular *= 1.0 - dark;
     } else { // the lining: the cover's colour, but greyed
         float grey = dot(seen.color, vec3(0.2126, 0.7152, 0.0722));
         seen = Cloth(0.25 * seen.color + 0.12 + 0.35 * grey, 0.9, 0.0, 0.02);

@@ -58,30 +58,34 @@ float cloudy(const Spot& at, float strength)
     return 1 + strength * fractalAt(at, every(4), 3, 11);
 }
 
-/// Grain as embossed or shrunken leather has it: rounded pebbles of unequal size, creases of unequal depth between.
+/// A crease with a round bottom and soft shoulders: 1 where pebbles meet.
+float crease(const Cell& pebble, float width)
+{
+    const float away = pebble.inside() / width;
+    return std::exp(-away * away);
+}
+
+/// Full grain: soft pebbles of unequal size in shallow creases that come and go. Where a crease fades, two pebbles are
+/// one; finer creases part others. So no net of even lines arises, which would look like dried mud.
 Texel grained(const Leather& leather, const Spot& at)
 {
-    const int n = leather.cells;
-    const Cell pebble = cellAt(bent(at, n, 1.1f, 0.24f), n, 0.85f, 1);
-    const float uneven = 0.5f + 0.5f * fractalAt(at, every(n / 3), 2, 8);
-    const float dome = std::sqrt(std::min(1.f, pebble.inside() / 0.44f)); // steep where pebbles meet
-    const float round = dome * (2 - dome);
-    const float groove = 1 - ramp(0, 0.08f + 0.08f * uneven, pebble.inside());
-
-    // Finer folds run over the pebbles, more in some places than in others.
-    const int fine = (5 * n) / 2;
-    const Cell fold = cellAt(bent(at, fine, 1.2f, 0.5f), fine, 1.f, 2);
-    const float folded = ramp(0.3f, 0.8f, 0.5f + 0.5f * fractalAt(at, every(n / 4), 2, 9));
-    const float crinkle = (1 - ramp(0, 0.12f, fold.inside())) * folded;
+    const int n = leather.cells, fine = (9 * n) / 5;
+    const Cell pebble = cellAt(bent(at, n, 1.1f, 0.3f), n, 1.f, 1);
+    const Cell small = cellAt(bent(at, fine, 1.6f, 0.4f), fine, 1.f, 2);
+    const float deep = 0.38f + 0.62f * ramp(-0.45f, 0.35f, fractalAt(at, every((2 * n) / 3), 2, 8));
+    const float parted = 0.85f * ramp(-0.25f, 0.5f, fractalAt(at, every(n / 3), 3, 9));
+    const float wide = deep * crease(pebble, 0.10f + 0.07f * deep), narrow = parted * crease(small, 0.15f);
+    const float folded = std::max(wide, 0.7f * narrow) + 0.3f * std::min(wide, 0.7f * narrow);
+    const float dome = 1 - std::min(1.f, 0.8f * pebble.nearest * pebble.nearest);
+    const float lump = fractalAt(at, every((3 * n) / 2), 2, 7);
     const float skin = fractalAt(at, every(5 * n), 2, 3);
 
     Texel texel;
-    texel.height = leather.grain * (0.075f * round * (0.6f + 0.4f * pebble.random) * (0.65f + 0.35f * uneven) -
-                                    0.007f * groove - 0.008f * crinkle + 0.002f * skin);
-    const float bright = cloudy(at, 0.05f) * (0.97f + 0.06f * pebble.random) * (1 + 0.025f * skin);
-    const float shown = 0.62f + 0.38f * round - (0.30f + 0.25f * uneven) * groove - 0.14f * crinkle;
-    texel.color = bright * (leather.crease + std::clamp(shown, 0.f, 1.f) * (leather.color - leather.crease));
-    texel.roughness = leather.roughness + 0.12f * groove + 0.05f * crinkle - 0.06f * round + 0.03f * skin;
+    texel.height = leather.grain * (-0.042f * folded + 0.020f * dome + 0.006f * lump + 0.0012f * skin);
+    const float bright = cloudy(at, 0.045f) * (0.985f + 0.03f * pebble.random) * (1 + 0.02f * skin);
+    const float shown = std::min(1.f, 0.42f * folded * folded);
+    texel.color = bright * (leather.color + shown * (leather.crease - leather.color));
+    texel.roughness = leather.roughness + 0.10f * folded - 0.04f * dome + 0.03f * skin;
     return texel;
 }
 

@@ -10,11 +10,14 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
+constexpr float bias = std::numbers::sqrt2_v<float> / 2; ///< piping is cut at 45 degrees: so it bends
+
 /// A cross section: its middle, two directions across, and the radius along each.
 struct Section {
     Vec3f middle, side, up;
     float radius = 1;
     float along = 0;            ///< mm from the beginning
+    float girth = 1;            ///< the radius by which cloth lies around it
     Vec3f lean = Vec3f::Zero(); ///< added to the normals: where the radius changes
 };
 
@@ -22,15 +25,15 @@ std::vector<Eigen::Vector2f> circle(int corners)
 {
     std::vector<Eigen::Vector2f> points;
     for (int c = 0; c < corners; ++c) {
-        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(c) / static_cast<float>(corners);
+        const float angle =
+            2 * std::numbers::pi_v<float> * (static_cast<float>(c) / static_cast<float>(corners) - 0.25F);
         points.emplace_back(std::cos(angle), std::sin(angle));
     }
     return points;
 }
 
-/// Skins sections, the last of which is followed by the first if `closed`. The pattern has a seam of its own: the
-/// first corner is there twice.
-void skin(const std::vector<Section>& sections, bool closed, int corners, TrimMesh& to)
+/// Skins sections. The pattern has a seam of its own, at the bottom: the first corner is there twice.
+void skin(const std::vector<Section>& sections, int corners, TrimMesh& to)
 {
     const auto round = circle(corners);
     const auto first = static_cast<std::uint32_t>(to.points.size());
@@ -41,13 +44,14 @@ void skin(const std::vector<Section>& sections, bool closed, int corners, TrimMe
             const Vec3f out = at.x() * section.side + at.y() * section.up;
             to.points.push_back(section.middle + section.radius * out);
             to.normals.push_back((out + section.lean).normalized());
-            to.cloth.emplace_back(section.along, 2 * std::numbers::pi_v<float> * section.radius *
-                                                     static_cast<float>(c) / static_cast<float>(corners));
+            const float around =
+                2 * std::numbers::pi_v<float> * section.girth * static_cast<float>(c) / static_cast<float>(corners);
+            to.cloth.emplace_back(bias * (section.along - around), bias * (section.along + around));
         }
     const auto count = static_cast<std::uint32_t>(sections.size());
-    for (std::uint32_t s = 0; s + (closed ? 0 : 1) < count; ++s)
+    for (std::uint32_t s = 0; s + 1 < count; ++s)
         for (std::uint32_t c = 0; c < static_cast<std::uint32_t>(corners); ++c) {
-            const std::uint32_t a = first + s * row + c, b = first + (s + 1) % count * row + c;
+            const std::uint32_t a = first + s * row + c, b = first + (s + 1) * row + c;
             to.triangles.push_back({a, a + 1, b});
             to.triangles.push_back({a + 1, b + 1, b});
         }
@@ -87,9 +91,9 @@ void addStitch(std::span<const CoverPoint3, stitchPoints> on, float width, TrimM
         if (i > 0)
             along += (on[i].point - on[i - 1].point).norm();
         sections.push_back({on[i].point + height[i] * width * on[i].normal, up.cross(forward), up,
-                            0.5F * thickness[i] * width, along});
+                            0.5F * thickness[i] * width, along, 0.5F * width});
     }
-    skin(sections, false, corners, to);
+    skin(sections, corners, to);
 }
 
 void addPipe(const std::vector<CoverPoint3>& along, bool closed, float radius, TrimMesh& to)
@@ -108,10 +112,12 @@ void addPipe(const std::vector<CoverPoint3>& along, bool closed, float radius, T
         const Vec3f forward = (after - before).normalized(), up = across(forward, path[i].normal);
         if (i > 0)
             length += (path[i].point - before).norm();
-        sections.push_back({path[i].point, up.cross(forward), up, radius, length});
+        sections.push_back({path[i].point, up.cross(forward), up, radius, length, radius});
     }
     if (closed) {
-        skin(sections, true, corners, to);
+        sections.push_back(sections.front()); // once more, where the cloth ends
+        sections.back().along = length + (path.front().point - path.back().point).norm();
+        skin(sections, corners, to);
         return;
     }
     const auto cap = [&](const Section& end, const Vec3f& outwards, int ring) { // half a ball
@@ -130,7 +136,7 @@ void addPipe(const std::vector<CoverPoint3>& along, bool closed, float radius, T
     all.insert(all.end(), sections.begin(), sections.end());
     for (int ring = 1; ring <= capRings; ++ring)
         all.push_back(cap(sections.back(), forward, ring));
-    skin(all, false, corners, to);
+    skin(all, corners, to);
 }
 
 } // namespace bolster

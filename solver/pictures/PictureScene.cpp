@@ -2,11 +2,11 @@
 
 #include "ColourwayEdits.h"
 #include "FabricShown.h"
+#include "SeamRelief.h"
 #include "SeamTrims.h"
 #include "SurfaceRefiner.h"
 
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 namespace bolster {
@@ -31,8 +31,12 @@ PreviewScene sceneInColors(const SurfaceMeshPtr& surface, CoverMeshPtr cover, co
         const Fabric* fabric = design.find<Fabric>(fabricShown(design, id, colourway));
         scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
     });
-    if (scene.cover)
+    if (scene.cover) {
         scene.trims = SeamTrims().make(design.with(edits::showColourway(design, colourway)), *scene.cover);
+        auto sewn = std::make_shared<CoverMesh>(*scene.cover);
+        sewn->relief = seamRelief(design, *sewn->topology);
+        scene.cover = std::move(sewn);
+    }
     return scene;
 }
 
@@ -52,18 +56,23 @@ PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, c
 {
     PreviewScene scene = sceneInColors(surface, std::move(cover), design, colourway);
     std::map<ElementId, FabricMapsPtr> baked;
+    const auto mapsOf = [&](ElementId id, const Fabric& fabric) {
+        if (!baked.contains(id))
+            baked.emplace(id, bake ? bake(id, fabric) : nullptr);
+        return baked.at(id);
+    };
     for (PreviewScene::PatchLook& look : scene.looks) {
         const ElementId shown = fabricShown(design, look.patch, colourway);
         const Fabric* fabric = design.find<Fabric>(shown);
         if (!fabric)
             continue;
-        if (!baked.contains(shown))
-            baked.emplace(shown, bake ? bake(shown, *fabric) : nullptr);
-        look.maps = baked.at(shown);
-        const double warp =
-            design.find<Patch>(look.patch)->grain + fabric->look.rotation; // the maps' y runs along it
-        look.turn = (warp - 90) * std::numbers::pi / 180;
+        look.maps = mapsOf(shown, *fabric);
+        look.turn = clothTurn(*design.find<Patch>(look.patch), *fabric);
     }
+    if (scene.trims)
+        for (const TrimMesh::Part& part : scene.trims->parts)
+            if (const Fabric* fabric = design.find<Fabric>(part.fabric))
+                scene.piping[part.fabric] = mapsOf(part.fabric, *fabric);
     return scene;
 }
 

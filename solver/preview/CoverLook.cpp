@@ -1,19 +1,17 @@
 #include "CoverLook.h"
 
+#include "Design.h"
 #include "Srgb.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace bolster {
 
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr float seamReach = 5.f; ///< mm: how far the valley reaches to each side
-constexpr float seamLine = 0.5f; ///< mm: half the width of the dark line
+constexpr float valleyShade = 0.72f; ///< of the light that does not reach the bottom of a seam
 
 constexpr float plainRoughness = 0.62f;
 constexpr float plainSheen = 0.12f;
@@ -26,14 +24,6 @@ float squareWave(float at, float width)
     if (width > 8.f)
         return 0.f;
     return (integral(at + width / 2) - integral(at - width / 2)) / width;
-}
-
-Vec3f nearestOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
-{
-    const Vec3f along = b - a;
-    const float length2 = along.squaredNorm();
-    const float t = length2 > 0 ? std::clamp(along.dot(p - a) / length2, 0.f, 1.f) : 0.f;
-    return a + t * along;
 }
 
 template <class T>
@@ -73,6 +63,18 @@ Vec3f linearColor(const std::string& color)
     return linear;
 }
 
+void SurfacePoint::wear(const FabricSampler& maps, const ClothFrame& cloth, const Eigen::Matrix2f& toTile,
+                        const Vec3f& behind, bool relief)
+{
+    const FabricSampler::Sample sample = maps.at(toTile * cloth.at, toTile * cloth.right, toTile * cloth.up);
+    color = sample.color + (1 - sample.opacity) * behind;
+    roughness = sample.roughness;
+    if (!relief)
+        return;
+    const Eigen::Vector2f lean = toTile.transpose() * sample.lean;
+    normal = (normal + lean.x() * cloth.x + lean.y() * cloth.y).normalized();
+}
+
 CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
     : m_checker(scene.checker)
     , m_checkerSize(static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20))
@@ -105,12 +107,7 @@ void CoverLook::takeSurface(const SurfaceMesh& mesh, const Vec3& origin)
         m_points.push_back((p - origin).cast<float>());
     for (const Vec2& p : topology.pattern)
         m_pattern.push_back(p.cast<float>());
-    std::vector<std::vector<std::uint32_t>> seams;
-    for (const SurfaceTopology::Chain& chain : topology.seams) {
-        seams.push_back(chain.a);
-        seams.push_back(chain.b);
-    }
-    takeSeams(seams);
+    m_relief = seamRelief(Design(), topology);
 }
 
 void CoverLook::takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin)
@@ -131,34 +128,8 @@ void CoverLook::takeCover(const CoverMesh& cover, const SurfaceTopology& shown, 
     const Vec3f shift = origin.cast<float>();
     for (const Vec3f& p : cover.points)
         m_points.push_back(p - shift);
-    std::vector<std::vector<std::uint32_t>> seams;
-    for (const SurfaceTopology::Chain& chain : shown.seams) {
-        seams.push_back(topology.along(chain.a));
-        seams.push_back(topology.along(chain.b));
-    }
-    takeSeams(seams);
-}
-
-/// Each vertex of a seam knows its parts of it, and so do those around it: small triangles within the seam's reach
-/// do not touch it.
-void CoverLook::takeSeams(const std::vector<std::vector<std::uint32_t>>& seams)
-{
-    m_seamParts.assign(m_points.size(), {SeamPart{none, none}, SeamPart{none, none}});
-    for (const std::vector<std::uint32_t>& seam : seams)
-        for (std::size_t i = 1; i < seam.size(); ++i)
-            for (const std::uint32_t v : {seam[i - 1], seam[i]})
-                if (v < m_seamParts.size())
-                    m_seamParts[v][m_seamParts[v][0][0] == none ? 0 : 1] = {seam[i - 1], seam[i]};
-    const auto parts = [&](std::uint32_t v) { return m_seamParts[v][0][0] != none; };
-    for (int ring = 0; ring < 4; ++ring) {
-        const auto before = m_seamParts;
-        for (const auto& triangle : m_triangles)
-            for (const std::uint32_t v : triangle)
-                for (const std::uint32_t from : triangle)
-                    if (!parts(v) && before[from][0][0] != none &&
-                        (m_points[v] - m_points[before[from][0][0]]).norm() < 2 * seamReach)
-                        m_seamParts[v] = before[from];
-    }
+    const bool known = cover.relief && cover.relief->fits(topology.coarse->serial, m_pattern.size());
+    m_relief = known ? cover.relief : seamRelief(Design(), topology);
 }
 
 void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse)
@@ -213,34 +184,31 @@ SurfacePoint CoverLook::at(const RayHit& hit, const Vec3f& direction, const Foot
 
     point.roughness = plainRoughness;
     point.specular = 0.04f;
-    dress(hit, patternFrame(hit, direction, pixel), point);
+    const std::optional<TriangleFrame> triangle = TriangleFrame::of(corners, hit, direction, pixel);
+    const auto pattern =
+        triangle ? ClothFrame::of(*triangle, {m_pattern[ids[0]], m_pattern[ids[1]], m_pattern[ids[2]]}, hit)
+                 : std::nullopt;
+    dress(hit, pattern, point);
     if (!outside) { // the lining: the cover's colour, but greyed
         const float grey = point.color.dot(Vec3f(0.2126f, 0.7152f, 0.0722f));
         point.color = 0.25f * point.color + Vec3f::Constant(0.12f + 0.35f * grey);
         point.roughness = 0.9f;
         point.sheen = 0;
         point.specular = 0.02f;
-    } else {
-        pressSeam(hit, pixel.right.norm(), point);
+    } else if (triangle) {
+        pressSeam(hit, *triangle, point);
     }
     return point;
 }
 
 /// The fabric's colour and how it shines; its grain leans the normal, but not that of the lining.
-void CoverLook::dress(const RayHit& hit, const std::optional<PatternFrame>& pattern, SurfacePoint& point) const
+void CoverLook::dress(const RayHit& hit, const std::optional<ClothFrame>& pattern, SurfacePoint& point) const
 {
     const Cloth& cloth = m_cloths[m_patchOfTriangle[hit.triangle]];
     point.sheen = cloth.sheen;
     point.color = cloth.dark;
     if (cloth.maps && pattern) {
-        const FabricSampler::Sample sample =
-            cloth.maps->at(cloth.toTile * pattern->at, cloth.toTile * pattern->right, cloth.toTile * pattern->up);
-        point.color = sample.color + (1 - sample.opacity) * cloth.light;
-        point.roughness = sample.roughness;
-        if (point.face.dot(hit.normal) > 0) {
-            const Eigen::Vector2f lean = cloth.toTile.transpose() * sample.lean;
-            point.normal = (point.normal + lean.x() * pattern->x + lean.y() * pattern->y).normalized();
-        }
+        point.wear(*cloth.maps, *pattern, cloth.toTile, cloth.light, point.face.dot(hit.normal) > 0);
     } else if (m_checker) {
         point.color += (pattern ? checker(*pattern) : 0.5f) * (cloth.light - cloth.dark);
     }
@@ -250,66 +218,34 @@ void CoverLook::dress(const RayHit& hit, const std::optional<PatternFrame>& patt
     point.color = (1 - map.w()) * point.color + map.w() * Vec3f(map.head<3>().array().pow(2.2f));
 }
 
-std::optional<CoverLook::PatternFrame> CoverLook::patternFrame(const RayHit& hit, const Vec3f& direction,
-                                                               const Footprint& pixel) const
-{
-    const std::array<std::uint32_t, 3>& ids = m_triangles[hit.triangle];
-    const Vec3f e1 = m_points[ids[1]] - m_points[ids[0]], e2 = m_points[ids[2]] - m_points[ids[0]];
-    const Eigen::Vector2f d1 = m_pattern[ids[1]] - m_pattern[ids[0]], d2 = m_pattern[ids[2]] - m_pattern[ids[0]];
-    const Vec3f across = e1.cross(e2);
-    const float area2 = across.squaredNorm(), turned = d1.x() * d2.y() - d1.y() * d2.x();
-    if (!(area2 > 0) || turned == 0)
-        return std::nullopt;
-    const Vec3f toE1 = e2.cross(across) / area2, toE2 = across.cross(e1) / area2; // dual to e1, e2
-    const float facing = direction.dot(hit.normal);
-    const auto onSurface = [&](const Vec3f& step) { // where the neighbouring pixel's ray meets the plane
-        return Vec3f(step - direction * (step.dot(hit.normal) / (std::abs(facing) > 0.05f ? facing : 0.05f)));
-    };
-    const auto inPattern = [&](const Vec3f& step) {
-        return Eigen::Vector2f(toE1.dot(step) * d1 + toE2.dot(step) * d2);
-    };
-    PatternFrame frame{mixed(m_pattern, ids, hit), inPattern(onSurface(pixel.right)),
-                       inPattern(onSurface(pixel.up)), ((d2.y() * e1 - d1.y() * e2) / turned).normalized(),
-                       ((d1.x() * e2 - d2.x() * e1) / turned).normalized()};
-    const bool finite = frame.at.allFinite() && frame.right.allFinite() && frame.up.allFinite() &&
-                        frame.x.allFinite() && frame.y.allFinite();
-    return finite ? std::optional(frame) : std::nullopt;
-}
-
 /// The share of light squares under the pixel: the checker integrated over the pixel's bounding box in the
 /// outline's coordinates, so it neither flickers nor needs mip-maps.
-float CoverLook::checker(const PatternFrame& pattern) const
+float CoverLook::checker(const ClothFrame& pattern) const
 {
     const Eigen::Vector2f at = pattern.at / m_checkerSize;
     const Eigen::Vector2f width = (pattern.right.cwiseAbs() + pattern.up.cwiseAbs()) / m_checkerSize;
     return 0.5f + 0.5f * squareWave(at.x(), width.x()) * squareWave(at.y(), width.y());
 }
 
-/// The thread pulls the cover in: the normal leans towards the seam, and a dark line remains.
-void CoverLook::pressSeam(const RayHit& hit, float pixelSize, SurfacePoint& point) const
+/// The thread pulls the cover in, and under it lie the allowances: the normal leans, and little light reaches the
+/// bottom.
+void CoverLook::pressSeam(const RayHit& hit, const TriangleFrame& triangle, SurfacePoint& point) const
 {
-    float nearest2 = seamReach * seamReach;
-    Vec3f towards = Vec3f::Zero();
-    for (const std::uint32_t corner : m_triangles[hit.triangle])
-        for (const auto& [from, to] : m_seamParts[corner]) {
-            if (from == none)
-                continue;
-            const Vec3f away = nearestOnSegment(point.position, m_points[from], m_points[to]) - point.position;
-            if (away.squaredNorm() < nearest2) {
-                nearest2 = away.squaredNorm();
-                towards = away;
-            }
-        }
-    if (towards.isZero())
-        return;
-    const float distance = std::sqrt(nearest2);
-    const float depth = 1.f - distance / seamReach;
-    const Vec3f leaning = point.normal + 0.55f * depth * depth * towards / std::max(distance, 0.3f);
-    point.normal = leaning.normalized();
-    const float reach = std::max(seamLine, 0.6f * pixelSize);
-    const float line = std::clamp((reach - distance) / std::max(pixelSize, 0.05f) + 0.5f, 0.f, 1.f);
-    point.color *= (1.f - 0.35f * depth * depth) * (1.f - 0.6f * line * std::min(1.f, 2.f * seamLine / reach));
-    point.specular *= 1.f - line;
+    const std::array<std::uint32_t, 3>& ids = m_triangles[hit.triangle];
+    const auto& distances = m_relief->distances;
+    const Vec3f second = distances[ids[1]] - distances[ids[0]], third = distances[ids[2]] - distances[ids[0]];
+    const auto change = [&](const Vec3f& step) {
+        return Vec3f((triangle.toSecond.dot(step) * second + triangle.toThird.dot(step) * third).cwiseAbs());
+    };
+    const Vec3f pixel = change(triangle.right).cwiseMax(change(triangle.up));
+    const SeamProfile seam = SeamProfile::at(mixed(distances, ids, hit), mixed(m_relief->shapes, ids, hit), pixel);
+    const Vec3f rise = seam.slope.dot(second) * triangle.toSecond + seam.slope.dot(third) * triangle.toThird;
+    const Vec3f leaning = point.normal - rise;
+    if (leaning.dot(point.face) > 0)
+        point.normal = leaning.normalized();
+    point.color *= 1.f - valleyShade * seam.dark;
+    point.sheen *= 1.f - seam.dark;
+    point.specular *= 1.f - seam.dark;
 }
 
 } // namespace bolster

@@ -1,9 +1,10 @@
-// What a ray sees on the cover: colour from the outline coordinates, and the valley along seams.
+// What a ray sees on the cover: colour from the outline coordinates, and the relief of seams.
 #pragma once
 
 #include "FabricSampler.h"
+#include "HitFrame.h"
 #include "PreviewRenderer.h"
-#include "RayScene.h"
+#include "SeamRelief.h"
 
 namespace bolster {
 
@@ -18,12 +19,11 @@ struct SurfacePoint {
     float roughness = 1; ///< perceptual: its square is GGX's alpha
     float sheen = 0;     ///< of fibres, 0 to 1
     float specular = 0;  ///< share of light that is reflected straight on; 0.04 for leather and lacquer
-};
 
-/// The size of a pixel at a hit: what one step to the right or up in the picture moves there, mm.
-struct Footprint {
-    Vec3f right = Vec3f::Zero();
-    Vec3f up = Vec3f::Zero();
+    /// Takes the look of a fabric; its relief leans the normal on demand. `toTile` turns the cloth's frame into
+    /// that of the maps, `behind` is seen through holes.
+    void wear(const FabricSampler& maps, const ClothFrame& cloth, const Eigen::Matrix2f& toTile,
+              const Vec3f& behind, bool relief);
 };
 
 class CoverLook {
@@ -44,29 +44,19 @@ private:
         float sheen = 0;
         Eigen::Matrix2f toTile = Eigen::Matrix2f::Identity(); ///< turns the outline's frame into the maps'
     };
-    /// How the outline's frame lies on a triangle, and what a pixel covers of it.
-    struct PatternFrame {
-        Eigen::Vector2f at, right, up; ///< outline coordinates, mm
-        Vec3f x, y;                    ///< what the coordinates' directions are on the surface
-    };
-    using SeamPart = std::array<std::uint32_t, 2>; ///< two vertices; both `none`: no part
-
     void takeSurface(const SurfaceMesh& mesh, const Vec3& origin);
     void takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin);
-    void takeSeams(const std::vector<std::vector<std::uint32_t>>& seams);
     void takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse);
 
-    std::optional<PatternFrame> patternFrame(const RayHit& hit, const Vec3f& direction,
-                                             const Footprint& pixel) const;
-    void dress(const RayHit& hit, const std::optional<PatternFrame>& pattern, SurfacePoint& point) const;
-    float checker(const PatternFrame& pattern) const;
-    void pressSeam(const RayHit& hit, float pixelSize, SurfacePoint& point) const;
+    void dress(const RayHit& hit, const std::optional<ClothFrame>& pattern, SurfacePoint& point) const;
+    float checker(const ClothFrame& pattern) const;
+    void pressSeam(const RayHit& hit, const TriangleFrame& triangle, SurfacePoint& point) const;
 
     std::vector<Vec3f> m_points;
     std::vector<Vec3f> m_normals;
     std::vector<Eigen::Vector2f> m_pattern; ///< mm
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
-    std::vector<std::array<SeamPart, 2>> m_seamParts; ///< per vertex, of seams through it or near it
+    SeamReliefPtr m_relief;
     std::vector<std::uint16_t> m_patchOfTriangle;
     std::vector<Cloth> m_cloths;              ///< per patch
     std::vector<Eigen::Vector4f> m_mapColors; ///< per vertex: as displayed, and opacity; may be empty

@@ -127,7 +127,7 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     : m_box(scene.boundingBox())
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
-    , m_trims(scene.trims, m_origin)
+    , m_trims(scene.trims, scene.piping, m_origin)
     , m_frameOpacity(static_cast<float>(scene.frameOpacity))
     , m_ground(scene.ground && !m_box.isEmpty())
     , m_top(lightDisplayedAs(scene.backgroundTop))
@@ -164,7 +164,7 @@ SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& 
     if (hit.mesh == 0)
         return m_cover.at(hit, direction, pixel);
     if (hit.mesh == 1)
-        return m_trims.at(hit, direction);
+        return m_trims.at(hit, direction, pixel);
     return m_frames[hit.mesh - 2].at(hit, direction);
 }
 

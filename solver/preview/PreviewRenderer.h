@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -43,7 +44,8 @@ struct PreviewScene {
         FabricMapsPtr maps = nullptr;  ///< instead of the colour, unless null or not complete
         double turn = 0; ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
     };
-    std::vector<PatchLook> looks; ///< patches that are not listed are leather brown
+    std::vector<PatchLook> looks;              ///< patches that are not listed are leather brown
+    std::map<ElementId, FabricMapsPtr> piping; ///< maps of its fabrics; others are plain
     struct FrameLook {
         std::shared_ptr<const TriangleMesh> mesh;
         double scale = 1;

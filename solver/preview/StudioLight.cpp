@@ -48,7 +48,7 @@ float smoothstep(float from, float to, float x)
     return t * t * (3 - 2 * t);
 }
 
-/// The room in the mirror: sky over floor, blurred, times what GGX reflects of it (Karis' fit).
+/// The room in the mirror: sky over floor, and the lamp, blurred, times what GGX reflects of it (Karis' fit).
 Vec3f mirrored(const SurfacePoint& point, const Vec3f& toEye, float facing)
 {
     const float rough = point.roughness, blur = 0.15f + 0.85f * rough;

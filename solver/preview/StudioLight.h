@@ -1,4 +1,5 @@
 // The light of a small photo studio: a bright sky, a light floor, a soft key light beside the camera, a rim light.
+// studio.glsl does the same for the 3D view.
 #pragma once
 
 #include "CoverLook.h"

@@ -1,4 +1,4 @@
-// What a ray sees on stitches and piping: thread, or the plain colour of the pipe's fabric.
+// What a ray sees on stitches and piping: thread, or the pipe's fabric.
 #pragma once
 
 #include "CoverLook.h"
@@ -8,18 +8,20 @@ namespace bolster {
 
 class TrimLook {
 public:
-    /// `origin` is subtracted from all points. `trims` may be null.
-    TrimLook(TrimMeshPtr trims, const Vec3& origin);
+    /// `origin` is subtracted from all points. `trims` may be null; fabrics without maps are plain.
+    TrimLook(TrimMeshPtr trims, const std::map<ElementId, FabricMapsPtr>& fabrics, const Vec3& origin);
 
     const std::vector<Vec3f>& points() const { return m_points; }
     const std::vector<std::array<std::uint32_t, 3>>& triangles() const;
 
-    SurfacePoint at(const RayHit& hit, const Vec3f& direction) const;
+    SurfacePoint at(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
 
 private:
     TrimMeshPtr m_trims;
     std::vector<Vec3f> m_points;
-    std::vector<Vec3f> m_colors; ///< per part
+    std::vector<Vec3f> m_colors;                              ///< per part
+    std::vector<std::shared_ptr<const FabricSampler>> m_maps; ///< per part; null: plain
+    std::vector<float> m_sheens;                              ///< per part
 };
 
 } // namespace bolster

@@ -17,6 +17,7 @@
 #include "TestData.h"
 
 #include <array>
+#include <numbers>
 
 namespace bolster {
 namespace {
@@ -129,6 +130,17 @@ TEST_F(LooksTest, DefaultsDependOnTheKindAndAreNotWritten)
     fabric.look.scale = FabricLook().scale; // a default of another kind is none of this one
     apply(replaceElement(design, wool, makeElement(fabric), {"Weave"}));
     EXPECT_EQ(readDesign(writeDesign(design)).design.find<Fabric>(wool)->look, fabric.look);
+}
+
+TEST(ClothTurn, ClothLiesAlongTheGrainAndTurnsAsItsFabricAsks)
+{
+    Patch patch;
+    Fabric fabric;
+    EXPECT_EQ(clothTurn(patch, fabric), 0) << "a warp that runs along y";
+    patch.grain = 0;
+    EXPECT_NEAR(clothTurn(patch, fabric), -std::numbers::pi / 2, 1e-12);
+    fabric.look.rotation = 45;
+    EXPECT_NEAR(clothTurn(patch, fabric), -std::numbers::pi / 4, 1e-12);
 }
 
 struct BadLook {

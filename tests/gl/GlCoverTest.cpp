@@ -1,4 +1,6 @@
+#include "FabricShown.h"
 #include "GlPainter.h"
+#include "PreviewRenderer.h"
 #include "TestFabric.h"
 
 #include <QOffscreenSurface>
@@ -27,6 +29,58 @@ SurfaceMeshPtr flatSquare()
         mesh->positions.push_back({p.x(), p.y(), 0});
     mesh->normals.assign(4, Eigen::Vector3f::UnitZ());
     mesh->topology = std::move(topology);
+    return mesh;
+}
+
+/// The left half of it sewn to the right one; `cells` a side and half.
+SurfaceMeshPtr twoHalves(int cells)
+{
+    auto topology = std::make_shared<SurfaceTopology>();
+    auto mesh = std::make_shared<SurfaceMesh>();
+    topology->serial = 6 + static_cast<std::uint64_t>(cells);
+    SurfaceTopology::Chain seam{ElementId{9}, {}, {}};
+    for (const std::uint32_t half : {0U, 1U}) {
+        const std::uint32_t first = topology->vertexCount(), row = static_cast<std::uint32_t>(cells) + 1;
+        const auto firstTriangle = static_cast<std::uint32_t>(topology->triangles.size());
+        for (std::uint32_t j = 0; j < row; ++j)
+            for (std::uint32_t i = 0; i < row; ++i) {
+                const Vec2 p(100.0 * i / cells, 200.0 * j / cells);
+                topology->pattern.push_back(p);
+                topology->unknown.push_back(topology->unknownCount++);
+                mesh->positions.push_back({p.x() + 100 * half, p.y(), 0});
+                if (i == (half == 0 ? row - 1 : 0))
+                    (half == 0 ? seam.a : seam.b).push_back(first + j * row + i);
+                if (i + 1 < row && j + 1 < row) {
+                    const std::uint32_t k = first + j * row + i;
+                    topology->triangles.push_back({k, k + 1, k + row + 1});
+                    topology->triangles.push_back({k, k + row + 1, k + row});
+                }
+            }
+        topology->patches.push_back({ElementId{static_cast<int>(2 + half)}, ElementId{1}, first, row * row,
+                                     firstTriangle,
+                                     static_cast<std::uint32_t>(topology->triangles.size()) - firstTriangle, 0});
+    }
+    topology->seams = {seam};
+    mesh->normals.assign(mesh->positions.size(), Eigen::Vector3f::UnitZ());
+    mesh->topology = std::move(topology);
+    return mesh;
+}
+
+/// A bowl turned over: all directions that face the eye.
+SurfaceMeshPtr dome()
+{
+    auto mesh = std::make_shared<SurfaceMesh>(*twoHalves(20));
+    auto topology = std::make_shared<SurfaceTopology>(*mesh->topology);
+    topology->seams.clear();
+    mesh->topology = topology;
+    for (std::size_t v = 0; v < mesh->positions.size(); ++v) {
+        const Vec3 flat = (mesh->positions[v] - Vec3(100, 100, 0)) / 100;
+        const Vec3 out(flat.x() * std::sqrt(1 - flat.y() * flat.y() / 2),
+                       flat.y() * std::sqrt(1 - flat.x() * flat.x() / 2), 0); // a square becomes a disk
+        const Vec3 up(out.x(), out.y(), std::sqrt(std::max(0.0, 1 - out.squaredNorm())));
+        mesh->positions[v] = 95 * up + Vec3(100, 100, 0);
+        mesh->normals[v] = up.cast<float>();
+    }
     return mesh;
 }
 
@@ -83,6 +137,18 @@ FabricMapsPtr striped(double widthMm)
     return maps;
 }
 
+/// Light in one corner: where it lies tells how the tile is turned, and that it is not a mirror image.
+FabricMapsPtr cornered(double widthMm)
+{
+    auto maps = std::make_shared<FabricMaps>(*even(Eigen::Vector3f::UnitZ()));
+    maps->widthMm = widthMm;
+    maps->heightMm = 1.5 * widthMm;
+    for (std::size_t i = 0; i < 16; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            maps->albedo[4 * i + c] = i % 4 < 2 && i < 8 ? 230 : 20;
+    return maps;
+}
+
 class GlCover : public testing::Test {
 protected:
     void SetUp() override
@@ -101,7 +167,7 @@ protected:
         request.scene.patches = {look};
         request.scene.checker = false;
         request.scene.ground = false;
-        request.scene.box = Box3(Vec3(0, 0, -1), Vec3(200, 200, 1));
+        request.scene.box = Box3(Vec3(0, 0, -1), Vec3(200, 200, 100));
         request.size = {400, 400};
         request.camera.size = {400, 400};
         request.camera.target = {100, 100, 0};
@@ -117,14 +183,34 @@ protected:
         request.finest = std::make_shared<std::promise<QImage>>();
         return painter->paint(request, {}).image;
     }
-    void setMaps(FabricMapsPtr maps, double rotation = 0)
+    void setMaps(FabricMapsPtr maps, double turn = 0)
     {
         request.scene.patches[0].maps = std::move(maps);
-        request.scene.patches[0].rotation = rotation;
+        request.scene.patches[0].turn = turn;
     }
-    int brightness(const Eigen::Vector3f& normal, double rotation = 0)
+    /// What the ray renderer makes of the same scene.
+    PreviewImage traced(bool quick = true)
     {
-        setMaps(even(normal.normalized()), rotation);
+        PreviewScene scene;
+        scene.surface = request.scene.surface;
+        scene.cover = request.scene.cover;
+        scene.trims = request.scene.trims;
+        scene.piping = request.scene.fabrics;
+        scene.checker = scene.ground = false;
+        for (const SurfaceScene::PatchLook& look : request.scene.patches)
+            scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
+        const Camera& camera = request.camera;
+        const PreviewView view{camera.target,    camera.distance,    camera.azimuth,
+                               camera.elevation, camera.fieldOfView, camera.perspective};
+        PreviewOptions options;
+        options.width = request.size.width();
+        options.height = request.size.height();
+        options.quick = quick;
+        return renderPreview(scene, view, options);
+    }
+    int brightness(const Eigen::Vector3f& normal, double turn = 0)
+    {
+        setMaps(even(normal.normalized()), turn);
         return qGray(picture().pixel(200, 200));
     }
 
@@ -159,10 +245,34 @@ TEST_F(GlCover, MapsHaveTheirRealSize)
     EXPECT_TRUE(changes(picture(), false).empty());
 }
 
+TEST_F(GlCover, MapsFollowTheGrainAsInPictures)
+{
+    Patch patch;
+    Fabric fabric;
+    for (const auto& [grain, rotation] : {std::pair(90.0, 0.0), {90.0, 30.0}, {0.0, 0.0}, {-50.0, 15.0}}) {
+        patch.grain = grain;
+        fabric.look.rotation = rotation;
+        setMaps(cornered(60), clothTurn(patch, fabric));
+        const QImage drawn = picture();
+        const PreviewImage expected = traced();
+        int alike = 0, all = 0, light = 0;
+        for (int y = 2; y < 400; y += 5)
+            for (int x = 2; x < 400; x += 5) {
+                const bool lit = expected.rgba[static_cast<std::size_t>(4 * (400 * y + x))] > 128;
+                alike += lit == (qGray(drawn.pixel(x, y)) > 128);
+                light += lit;
+                ++all;
+            }
+        EXPECT_GT(alike, 0.97 * all) << "grain " << grain << ", turned by " << rotation;
+        EXPECT_GT(light, 0.1 * all) << "part of one corner or another";
+        EXPECT_LT(light, 0.5 * all);
+    }
+}
+
 TEST_F(GlCover, ReliefLeansWhereItsNormalPoints)
 {
     // The key light comes from the front and a little from the right; the rim light is weaker and opposite.
-    EXPECT_GT(brightness({0.5F, 0, 1}), brightness({-0.5F, 0, 1}));
+    EXPECT_GT(brightness({1.2F, 0, 1}), brightness({-1.2F, 0, 1}) + 4);
     EXPECT_GT(brightness({0, -0.5F, 1}), brightness({0, 0.5F, 1}) + 8);
     EXPECT_NEAR(brightness({0, -0.5F, 1}, std::numbers::pi / 2), brightness({0.5F, 0, 1}), 2)
         << "turned, what points down the tile points right";
@@ -213,6 +323,87 @@ TEST_F(GlCover, AWovenFabricIsNeitherBlackNorWhite)
     EXPECT_GT(least, 8);
     EXPECT_LT(most, 250);
     EXPECT_GT(most, least + 40) << "the yarns are seen";
+}
+
+TEST_F(GlCover, SeamsLookAsInPicturesWhateverTheTriangles)
+{
+    const auto acrossSeam = [&](int cells) {
+        request.scene.surface = twoHalves(cells);
+        SurfaceScene::PatchLook other = request.scene.patches[0];
+        other.patch = ElementId{3};
+        request.scene.patches.resize(1);
+        request.scene.patches.push_back(other);
+        request.camera.distance = 40 / (2 * std::tan(request.camera.fieldOfView / 2)); // a tenth of a mm a pixel
+        return picture();
+    };
+    request.camera.azimuth = std::numbers::pi / 2; // the key light comes from beyond the seam
+    const QImage coarse = acrossSeam(2), fine = acrossSeam(16);
+    const PreviewImage expected = traced();
+    int lightest = 0, darkest = 255;
+    for (int y = 5; y < 395; y += 2) {
+        const int seen = qGray(fine.pixel(130, y));
+        EXPECT_NEAR(qGray(coarse.pixel(130, y)), seen, 2) << y;
+        const auto at = static_cast<std::size_t>(4 * (400 * y + 130));
+        EXPECT_NEAR(seen, qGray(expected.rgba[at], expected.rgba[at + 1], expected.rgba[at + 2]), 6) << y;
+        lightest = std::max(lightest, seen);
+        darkest = std::min(darkest, seen);
+    }
+    const int open = qGray(fine.pixel(130, 10));
+    EXPECT_LT(darkest, open / 2) << "a valley";
+    EXPECT_GT(std::abs(qGray(fine.pixel(130, 155)) - qGray(fine.pixel(130, 245))), 2)
+        << "the allowance leans the cover";
+    EXPECT_LT(lightest - open, 60);
+}
+
+TEST_F(GlCover, TheLightIsThatOfPictures)
+{
+    request.scene.surface = dome();
+    SurfaceScene::PatchLook other = request.scene.patches[0];
+    other.patch = ElementId{3};
+    request.scene.patches.push_back(other);
+    for (const double elevation : {90.0, 35.0}) {
+        request.camera.elevation = elevation * std::numbers::pi / 180;
+        for (const QColor& color : {QColor(120, 120, 120), QColor(90, 40, 20)}) {
+            request.scene.patches[0].fabric = request.scene.patches[1].fabric = color;
+            const QImage drawn = picture();
+            const PreviewImage expected = traced();
+            int worst = 0;
+            for (int y = 120; y < 280; y += 8)
+                for (int x = 120; x < 280; x += 8) {
+                    const auto at = static_cast<std::size_t>(4 * (400 * y + x));
+                    const QRgb seen = drawn.pixel(x, y);
+                    worst = std::max({worst, std::abs(qRed(seen) - expected.rgba[at]),
+                                      std::abs(qGreen(seen) - expected.rgba[at + 1]),
+                                      std::abs(qBlue(seen) - expected.rgba[at + 2])});
+                }
+            EXPECT_LE(worst, 8) << elevation << ' ' << color.name().toStdString();
+        }
+    }
+}
+
+TEST_F(GlCover, PipingWearsItsFabric)
+{
+    auto trims = std::make_shared<TrimMesh>();
+    for (const auto& [x, y] : {std::pair(20.F, 80.F), {180.F, 80.F}, {180.F, 120.F}, {20.F, 120.F}}) {
+        trims->points.push_back({x, y, 5});
+        trims->normals.push_back(Eigen::Vector3f::UnitZ());
+        trims->cloth.push_back({x, y});
+    }
+    trims->triangles = {{0, 1, 2}, {0, 2, 3}};
+    trims->parts = {{ElementId{7}, "#3060a0", ElementId{8}, 0, 2}};
+    request.scene.trims = trims;
+    EXPECT_TRUE(changes(picture(), false).empty()) << "without maps it is plain";
+    request.scene.fabrics[ElementId{8}] = striped(25);
+    const QImage drawn = picture();
+    const PreviewImage expected = traced();
+    const std::vector<double> across = changes(drawn, false);
+    ASSERT_GE(across.size(), 5U);
+    EXPECT_NEAR((across.back() - across.front()) / static_cast<double>(across.size() - 1), 50, 1);
+    int alike = 0;
+    for (int x = 45; x < 355; x += 5)
+        alike += (expected.rgba[static_cast<std::size_t>(4 * (400 * 203 + x))] > 128) ==
+                 (qGray(drawn.pixel(x, 203)) > 128);
+    EXPECT_GT(alike, 50) << "of 62, as in pictures";
 }
 
 } // namespace
