@@ -146,6 +146,7 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
         m_surface->setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
+        m_inspector->setFiles(m_session->files());
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
