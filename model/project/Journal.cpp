@@ -267,14 +267,11 @@ void Journal::accept(Step& step, NodeId current)
     m_current = current;
 }
 
-Message Journal::setName(NodeId node, const std::string& name)
+Message Journal::setNames(NodeId node, const std::string& version, const std::string& branch)
 {
     return guarded([&] {
         Step step(*m_database, m_seal);
-        if (name.empty())
-            step.rows.erase("label", node);
-        else
-            putLabel(step.rows, node, name);
+        putLabel(step.rows, node, version, branch);
         accept(step, m_current);
     });
 }
