@@ -367,12 +367,12 @@ void Actions::addFabrics()
         addWith(tr("&Export fabric \u2026"), {}, tr("Writes the fabric to a file, its picture beside it"));
     assignFabric = addWith(tr("&Assign to selection"), QStringLiteral("patch"),
                            tr("Gives the selected patches the fabric that is chosen in the library"));
-    editFabric = addWith(tr("Fabric &properties"), QStringLiteral("settings"),
+    editFabric = addWith(tr("Fabric p&roperties"), QStringLiteral("settings"),
                          tr("Shows kind, colours, size and limits of the fabric"));
     fabricPicture = addWith(tr("Picture on the &fabric \u2026"), QStringLiteral("picture"),
                             tr("Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR"));
     duplicateFabric = addWith(tr("D&uplicate fabric"), {}, tr("Adds a copy of the fabric, to be changed"));
-    renameFabric = addWith(tr("Re&name fabric \u2026"), {}, tr("Gives the fabric another name"));
+    renameFabric = addWith(tr("Rename fa&bric \u2026"), {}, tr("Gives the fabric another name"));
     removeFabric = addWith(tr("&Delete fabric \u2026"), QStringLiteral("delete"),
                            tr("Removes the fabric; asks what patches get instead"));
     newColourway = addWith(tr("New &colourway \u2026"), QStringLiteral("colourway"),

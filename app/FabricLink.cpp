@@ -148,6 +148,28 @@ std::map<ElementId, FabricMapsPtr> FabricLink::maps() const
     return maps;
 }
 
+FabricBaker FabricLink::baker() const
+{
+    std::map<ElementId, QString> paths;
+    m_session.document().design().each<Fabric>(
+        [&](ElementId id, const Fabric& fabric) { paths[id] = picturePath(fabric); });
+    return [paths = std::move(paths), baked = m_baked, cache = m_cache](ElementId id, const Fabric& fabric) {
+        const auto found = baked.find(id);
+        if (found != baked.end() && looksAlike(found->second.fabric, fabric))
+            return found->second.maps;
+        const auto path = paths.find(id);
+        return bake(fabric, path == paths.end() ? QString() : path->second, nullptr, *cache, {}).maps;
+    };
+}
+
+FabricBaker FabricLink::bakedByNow() const
+{
+    return [maps = maps()](ElementId id, const Fabric&) -> FabricMapsPtr {
+        const auto found = maps.find(id);
+        return found == maps.end() ? nullptr : found->second;
+    };
+}
+
 std::map<ElementId, QColor> FabricLink::colors() const
 {
     std::map<ElementId, QColor> colors;

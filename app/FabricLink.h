@@ -3,6 +3,7 @@
 
 #include "Design.h"
 #include "FabricCache.h"
+#include "PictureScene.h"
 #include "Problem.h"
 
 #include <QColor>
@@ -28,6 +29,10 @@ public:
 
     /// By fabric; those that are baked by now.
     std::map<ElementId, FabricMapsPtr> maps() const;
+    /// For pictures, on any thread: what is baked by now, the rest on demand.
+    FabricBaker baker() const;
+    /// The same without the rest.
+    FabricBaker bakedByNow() const;
     /// What a fabric looks like from far away; of those whose maps are up to date.
     std::map<ElementId, QColor> colors() const;
     /// On a cushion; null while there is none yet.

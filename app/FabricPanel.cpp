@@ -23,6 +23,7 @@ namespace bolster {
 namespace {
 
 constexpr int idRole = Qt::UserRole;
+constexpr int pictureRole = Qt::UserRole + 1; // what the icon shows
 constexpr int pictureSize = 84;
 
 /// Its items can be dragged as fabrics.
@@ -81,7 +82,7 @@ QWidget* buttons(const QList<std::pair<QAction*, QString>>& actions)
     return row;
 }
 
-/// Until the fabric is baked, its colour.
+/// Until a fabric is baked, its colour.
 QPixmap placeholder(const QColor& color)
 {
     QPixmap pixmap(pictureSize, pictureSize);
@@ -92,6 +93,16 @@ QPixmap placeholder(const QColor& color)
     painter.setBrush(color);
     painter.drawRoundedRect(pixmap.rect().adjusted(6, 6, -6, -6), 8, 8);
     return pixmap;
+}
+
+/// The list is filled with every step of a drag: a picture that is there already stays.
+void setPicture(QListWidgetItem& item, const QImage& picture, const QColor& color)
+{
+    const QVariant shown = picture.isNull() ? QVariant(color) : QVariant(picture.cacheKey());
+    if (item.data(pictureRole) == shown)
+        return;
+    item.setData(pictureRole, shown);
+    item.setIcon(picture.isNull() ? placeholder(color) : QPixmap::fromImage(picture));
 }
 
 } // namespace
@@ -220,10 +231,7 @@ void FabricPanel::fillFabrics()
             item->setData(idRole, static_cast<int>(id));
             item->setText(displayName(design, id));
             item->setToolTip(describe(id));
-            const QImage picture = m_link.preview(id);
-            item->setIcon(picture.isNull()
-                              ? placeholder(QColor(QString::fromStdString(design.find<Fabric>(id)->color)))
-                              : QPixmap::fromImage(picture));
+            setPicture(*item, m_link.preview(id), QColor(QString::fromStdString(design.find<Fabric>(id)->color)));
             if (id == before)
                 m_fabrics->setCurrentRow(i);
         }

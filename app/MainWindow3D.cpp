@@ -134,8 +134,8 @@ void MainWindow::fillSavedViews(QMenu& menu)
     const QStringList names = SavedViews::names();
     for (const QString& name : names)
         menu.addAction(QString(name).replace(u'&', QStringLiteral("&&")), this, [this, name] {
-            if (const std::optional<Camera> camera = SavedViews::find(name))
-                m_surface->flyTo(*camera);
+            if (const std::optional<Viewpoint> view = SavedViews::find(name))
+                m_surface->flyTo(Camera{*view, {1, 1}});
         });
     menu.addSeparator();
     menu.addAction(m_actions->saveView);

@@ -111,6 +111,7 @@ void MainWindow::fillFabricMenus()
     auto* shown = new QMenu(this);
     connect(shown, &QMenu::aboutToShow, shown, [this, shown] {
         shown->clear();
+        delete shown->findChild<QActionGroup*>();
         const Design& design = document().design();
         auto* group = new QActionGroup(shown);
         const auto offer = [&](ElementId id, const QString& name) {

@@ -62,7 +62,8 @@ void MainWindow::renderPicture()
     RenderDialog::Subject subject{surface,
                                   document().design(),
                                   m_session->files(),
-                                  m_fabricLink->maps(),
+                                  m_fabricLink->baker(),
+                                  m_fabricLink->bakedByNow(),
                                   m_session->title(),
                                   m_surface->camera()};
     RenderDialog(std::move(subject), this).exec();

@@ -21,6 +21,26 @@ QString unitOf(CoverMap::Kind kind)
                                                : QStringLiteral(" %");
 }
 
+QString figureText(double value, const QString& unit)
+{
+    return decimalText(value, std::abs(value) >= 100 ? 0 : 1, true) + unit;
+}
+
+/// What negative and positive numbers of a map mean.
+struct Sides {
+    QString below;
+    QString above;
+};
+
+Sides sidesOf(const CoverMap& map)
+{
+    if (map.kind == CoverMap::Kind::Curvature)
+        return {MapLink::tr("hollow"), MapLink::tr("bulging")};
+    if (!map.allowed.empty() && map.kind != CoverMap::Kind::Shear)
+        return {MapLink::tr("pressed"), MapLink::tr("stretched")};
+    return {};
+}
+
 const SurfaceTopology::PatchRange* rangeOf(const SurfaceTopology& topology, std::uint32_t vertex)
 {
     const auto found = std::ranges::find_if(topology.patches, [vertex](const SurfaceTopology::PatchRange& range) {
@@ -69,6 +89,26 @@ QString MapLink::title(CoverMap::Kind kind)
     return {};
 }
 
+PictureLegend MapLink::legend(const CoverMap& map)
+{
+    const QString unit = unitOf(map.kind);
+    const auto limit = static_cast<double>(map.scale.limit);
+    const bool both = map.scale.kind == MapScale::Kind::Diverging;
+    const auto [below, above] = sidesOf(map);
+    const auto end = [](const QString& number, const QString& word) {
+        return QStringLiteral("%1 %2").arg(number, word).trimmed().toStdString();
+    };
+    PictureLegend legend;
+    legend.scale = map.scale;
+    legend.title = title(map.kind).toStdString();
+    legend.lowest = end(both ? figureText(-limit, unit) : decimalText(0, 0, false) + unit, below);
+    legend.middle = decimalText(0, 0, false).toStdString();
+    legend.highest = end(figureText(limit, unit), above);
+    if (!map.allowed.empty())
+        legend.over = tr("over the fabric's limit").toStdString();
+    return legend;
+}
+
 void MapLink::setSurface(SurfaceMeshPtr surface)
 {
     m_surface = std::move(surface);
@@ -94,7 +134,7 @@ void MapLink::request()
 
 QString MapLink::figure(double value) const
 {
-    return decimalText(value, std::abs(value) >= 100 ? 0 : 1, true) + (m_map ? m_map->unit : QString());
+    return figureText(value, m_map ? m_map->unit : QString());
 }
 
 void MapLink::receive(const Result& result)
@@ -111,13 +151,9 @@ void MapLink::receive(const Result& result)
     map->limit = measured.scale.limit;
     map->title = title(measured.kind);
     map->unit = unitOf(measured.kind);
-    if (measured.kind == CoverMap::Kind::Curvature) {
-        map->below = tr("hollow");
-        map->above = tr("bulging");
-    } else if (!measured.allowed.empty() && measured.kind != CoverMap::Kind::Shear) {
-        map->below = tr("pressed");
-        map->above = tr("stretched");
-    }
+    const auto [below, above] = sidesOf(measured);
+    map->below = below;
+    map->above = above;
     m_map = std::move(map);
     m_spots.clear();
     for (const CoverSpot& spot : result.spots) {

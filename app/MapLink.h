@@ -3,6 +3,7 @@
 
 #include "CoverMap.h"
 #include "CoverPlaces.h"
+#include "PictureLegend.h"
 #include "SurfaceJob.h"
 #include "SurfaceMap.h"
 
@@ -33,6 +34,8 @@ public:
     QString reading(const CoverPoint& place) const;
 
     static QString title(CoverMap::Kind kind);
+    /// For a picture; may be asked on any thread.
+    static PictureLegend legend(const CoverMap& map);
 
 signals:
     void measured();

@@ -29,18 +29,6 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
     return scene;
 }
 
-PreviewView viewOf(const Camera& camera)
-{
-    PreviewView view;
-    view.target = camera.target;
-    view.distance = camera.distance;
-    view.azimuth = camera.azimuth;
-    view.elevation = camera.elevation;
-    view.fieldOfView = camera.fieldOfView;
-    view.perspective = camera.perspective;
-    return view;
-}
-
 } // namespace
 
 bool RayRenderer::prepared(const Request& request) const
@@ -72,7 +60,7 @@ SoftwareRenderer::Picture RayRenderer::render(const Request& request, std::stop_
     options.samples = request.moving ? 1 : 4;
     options.quick = request.moving;
     options.depth = true;
-    PreviewImage drawn = m_renderer->render(viewOf(request.camera), options, stop);
+    PreviewImage drawn = m_renderer->render(PreviewView(request.camera), options, stop);
     if (drawn.empty())
         return {};
     const QImage view(drawn.rgba.data(), drawn.width, drawn.height, 4 * drawn.width, QImage::Format_RGBA8888);

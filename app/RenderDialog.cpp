@@ -1,8 +1,6 @@
 #include "RenderDialog.h"
 
-#include "BakeFabric.h"
-#include "PictureScene.h"
-#include "PictureView.h"
+#include "MapLink.h"
 #include "SavedViews.h"
 
 #include <QCheckBox>
@@ -19,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 namespace bolster {
 
@@ -27,21 +26,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr QSize previewSize{320, 240};
-constexpr int mostPixels = 64'000'000;
 constexpr int longestSide = 16384;
-constexpr int checkerShown = -1; // beside ids of colourways and kinds of maps
-
-PreviewView viewOf(const Camera& camera)
-{
-    PreviewView view;
-    view.target = camera.target;
-    view.distance = camera.distance;
-    view.azimuth = camera.azimuth;
-    view.elevation = camera.elevation;
-    view.fieldOfView = camera.fieldOfView;
-    view.perspective = camera.perspective;
-    return view;
-}
 
 /// On a background of squares where it is transparent, as programs for pictures show it.
 QPixmap pixmapOf(const PreviewImage& image)
@@ -52,58 +37,36 @@ QPixmap pixmapOf(const PreviewImage& image)
 
 } // namespace
 
-/// Lives on the job's thread and keeps what the next picture can use again.
-class RenderDialog::Studio {
-public:
-    explicit Studio(const Subject& subject)
-        : m_subject(subject)
-    {}
-
-    Result draw(const Request& request, const std::stop_token& stop)
-    {
-        if (!m_renderer || m_look != request.look) {
-            if (!m_cover && !request.look.rough)
-                m_cover = refinedForPicture(m_subject.surface);
-            m_renderer.emplace(scene(request.look));
-            m_look = request.look;
-        }
-        Result result{
-            m_renderer->render(request.view, request.options, stop), !request.path.empty(), request.look.rough, {}};
-        if (result.toFile && !result.image.empty())
-            result.problem = writePicture(result.image, request.format, request.path, request.notes);
-        return result;
+RenderDialog::Result RenderDialog::drawn(PictureStudio& studio, const Request& request, const std::stop_token& stop)
+{
+    Result result{{}, !request.path.empty(), !request.picture.look.refined, {}};
+    for (int n = 0; n < request.turntable; ++n) {
+        PictureOrder order = request.picture;
+        order.turn += 2 * std::numbers::pi * n / request.turntable;
+        if (order.options.progress)
+            order.options.progress = [&request, n](double share) {
+                request.picture.options.progress((n + share) / request.turntable);
+            };
+        Picture picture = studio.draw(order, stop);
+        result.image = std::move(picture.image);
+        result.problem = picture.problem;
+        if (!result.toFile || result.image.empty())
+            break;
+        const std::string path = request.turntable > 1 ? numberedPath(request.path, n + 1) : request.path;
+        result.problem = writePicture(result.image, request.format, path, request.notes);
+        if (!result.problem.empty())
+            break;
     }
-
-private:
-    PreviewScene scene(const Look& look)
-    {
-        const auto& [surface, design, files, maps, title, view] = m_subject;
-        if (look.map)
-            return sceneWithMap(surface, m_cover, coverMap(*look.map, *surface, design, files));
-        if (look.checker)
-            return sceneWithChecker(surface, m_cover, design, look.colourway);
-        return sceneInFabrics(surface, m_cover, design, look.colourway, [&](ElementId id, const Fabric& fabric) {
-            FabricMapsPtr& baked = m_baked[id];
-            if (const auto found = maps.find(id); found != maps.end())
-                baked = found->second;
-            if (!baked && !look.rough)
-                baked = bakeFabric(fabric);
-            return baked;
-        });
-    }
-
-    Subject m_subject;
-    CoverMeshPtr m_cover;
-    std::map<ElementId, FabricMapsPtr> m_baked;
-    std::optional<Look> m_look;
-    std::optional<PreviewRenderer> m_renderer;
-};
+    return result;
+}
 
 RenderDialog::RenderDialog(Subject subject, QWidget* parent)
     : QDialog(parent)
     , m_subject(std::move(subject))
-    , m_job([studio = std::make_shared<Studio>(m_subject)](
-                const Request& request, const std::stop_token& stop) { return studio->draw(request, stop); },
+    , m_job([studio = std::make_shared<PictureStudio>(
+                 PictureStudio::Subject{m_subject.surface, m_subject.design, m_subject.files, m_subject.bake,
+                                        m_subject.bakedByNow, MapLink::legend})](
+                const Request& request, const std::stop_token& stop) { return drawn(*studio, request, stop); },
             [this](const Result& result) { receive(result); })
 {
     build();
@@ -149,7 +112,13 @@ void RenderDialog::build()
     m_samples->setCurrentIndex(1);
     m_samples->setToolTip(tr("How often each pixel is looked at"));
     m_shown = new QComboBox(this);
+    m_shown->setObjectName(QStringLiteral("shown"));
     fillShown();
+    m_turntable = new QSpinBox(this);
+    m_turntable->setRange(1, 360);
+    m_turntable->setSpecialValueText(tr("one picture"));
+    m_turntable->setSuffix(tr(" pictures"));
+    m_turntable->setToolTip(tr("So many pictures from all around, with numbers in their names"));
     m_transparent = new QCheckBox(tr("Transparent &background"), this);
     m_transparent->setToolTip(tr("The shadow on the ground is kept"));
 
@@ -160,6 +129,7 @@ void RenderDialog::build()
     form->addRow(tr("&View:"), m_view);
     form->addRow(tr("Sho&w:"), m_shown);
     form->addRow(tr("&Quality:"), m_samples);
+    form->addRow(tr("&Around the cover:"), m_turntable);
     form->addRow(QString(), m_transparent);
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
@@ -199,67 +169,85 @@ void RenderDialog::build()
     connect(m_transparent, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
 }
 
-/// Data: a Look, as a list of colourway, checker, map.
+/// Data: where the look is in m_looks.
 void RenderDialog::fillShown()
 {
+    const auto add = [this](const QString& text, const PictureLook& look) {
+        m_shown->addItem(text, QVariant::fromValue(qlonglong(std::ssize(m_looks))));
+        m_looks.push_back(look);
+    };
     const Design& design = m_subject.design;
-    const auto shown = QVariant::fromValue(qlonglong(design.settings().colourway));
-    m_shown->addItem(tr("The fabrics as in the window"), QVariantList{shown, false, checkerShown});
+    PictureLook look;
+    look.colourway = design.settings().colourway;
+    add(tr("The fabrics as in the window"), look);
     design.each<Colourway>([&](ElementId id, const Colourway& colourway) {
-        m_shown->addItem(tr("Colourway %1").arg(QString::fromStdString(colourway.name)),
-                         QVariantList{QVariant::fromValue(qlonglong(id)), false, checkerShown});
+        PictureLook own;
+        own.colourway = id;
+        add(tr("Colourway %1").arg(QString::fromStdString(colourway.name)), own);
     });
-    m_shown->addItem(tr("Checker"), QVariantList{shown, true, checkerShown});
-    for (const auto& [kind, text] : {std::pair(CoverMap::Kind::Strain, tr("Map: largest strain")),
-                                     std::pair(CoverMap::Kind::Along, tr("Map: strain along the grain")),
-                                     std::pair(CoverMap::Kind::Across, tr("Map: strain across the grain")),
-                                     std::pair(CoverMap::Kind::Shear, tr("Map: shear")),
-                                     std::pair(CoverMap::Kind::Curvature, tr("Map: mean curvature")),
-                                     std::pair(CoverMap::Kind::Thickness, tr("Map: distance to the frame"))})
-        m_shown->addItem(text, QVariantList{shown, false, static_cast<int>(kind)});
+    if (sheetPixels(design, {}) > 0) {
+        PictureLook sheet;
+        sheet.sheet = true;
+        add(tr("All colourways on a sheet"), sheet);
+    }
+    look.checker = true;
+    add(tr("Checker"), look);
+    look.checker = false;
+    for (const CoverMap::Kind kind :
+         {CoverMap::Kind::Strain, CoverMap::Kind::Along, CoverMap::Kind::Across, CoverMap::Kind::Shear,
+          CoverMap::Kind::Curvature, CoverMap::Kind::Thickness}) {
+        look.map = kind;
+        add(tr("Map: %1").arg(MapLink::title(kind)), look);
+    }
 }
 
 RenderDialog::Request RenderDialog::request(QSize size) const
 {
     Request asked;
-    const QVariantList look = m_shown->currentData().toList();
-    asked.look.colourway = static_cast<ElementId>(look.at(0).toLongLong());
-    asked.look.checker = look.at(1).toBool();
-    if (const int map = look.at(2).toInt(); map >= 0)
-        asked.look.map = static_cast<CoverMap::Kind>(map);
-    asked.options.width = size.width();
-    asked.options.height = size.height();
-    asked.options.transparent = m_transparent->isChecked();
-    asked.view = viewOf(m_subject.view);
+    PictureOrder& picture = asked.picture;
+    picture.look = m_looks.at(static_cast<std::size_t>(m_shown->currentData().toLongLong()));
+    picture.options.width = size.width();
+    picture.options.height = size.height();
+    picture.options.transparent = m_transparent->isChecked();
     const QString view = m_view->currentData().toString();
-    if (const auto from = pictureDirection(view.toStdString())) {
-        PreviewScene scene; // of which only the box counts
-        scene.surface = m_subject.surface;
-        asked.view = pictureView(scene, *from, static_cast<double>(size.width()) / size.height());
-    } else if (const auto saved = SavedViews::find(m_view->currentText()); saved && !view.isEmpty()) {
-        asked.view = viewOf(*saved);
-    }
+    if (const auto from = pictureDirection(view.toStdString()))
+        picture.from = *from;
+    else if (const auto saved = SavedViews::find(m_view->currentText()); saved && !view.isEmpty())
+        picture.from = PreviewView(*saved);
+    else
+        picture.from = PreviewView(m_subject.view);
     asked.notes.project = m_subject.title.toStdString();
     asked.notes.view = m_view->currentText().toStdString();
     return asked;
+}
+
+/// Why nothing of this size can be drawn, or "".
+QString RenderDialog::sizeProblem() const
+{
+    const Request asked = request({m_width->value(), m_height->value()});
+    const std::int64_t pixels = asked.picture.look.sheet ? sheetPixels(m_subject.design, asked.picture.options)
+                                                         : std::int64_t{m_width->value()} * m_height->value();
+    return pixels <= mostPicturePixels ? QString()
+                                       : tr("At most %1 million pixels are drawn; choose a smaller size.")
+                                             .arg(mostPicturePixels / 1'000'000);
 }
 
 void RenderDialog::requestPreview()
 {
     if (m_rendering)
         return;
-    const bool tooLarge = static_cast<qint64>(m_width->value()) * m_height->value() > mostPixels;
-    m_render->setEnabled(!tooLarge);
-    m_message->setText(
-        tooLarge ? tr("At most %1 million pixels are drawn; choose a smaller size.").arg(mostPixels / 1'000'000)
-                 : QString());
+    const QString problem = sizeProblem();
+    m_render->setEnabled(problem.isEmpty());
+    m_message->setText(problem);
+    m_turntable->setEnabled(!m_looks.at(static_cast<std::size_t>(m_shown->currentData().toLongLong())).sheet);
     const QSize whole(m_width->value(), m_height->value());
     const QSize size = whole.scaled(previewSize, Qt::KeepAspectRatio).expandedTo({1, 1});
     Request asked = request(size);
-    asked.options.samples = 4;
-    if (std::ranges::find(m_seen, asked.look) == m_seen.end()) {
-        m_seen.push_back(asked.look);
-        asked.look.rough = true;
+    asked.picture.options.samples = 4;
+    PictureLook& look = asked.picture.look;
+    if (!look.sheet && std::ranges::find(m_seen, look) == m_seen.end()) {
+        m_seen.push_back(look);
+        look.refined = false;
     }
     m_job.request(std::move(asked), true);
 }
@@ -305,9 +293,11 @@ void RenderDialog::renderTo(const QString& path)
     Request asked = request({m_width->value(), m_height->value()});
     asked.path = file;
     asked.format = *format;
-    asked.options.samples = m_samples->currentData().toInt();
-    asked.options.light = needsLight(*format);
-    asked.options.progress = [this](double share) {
+    if (!asked.picture.look.sheet)
+        asked.turntable = m_turntable->value();
+    asked.picture.options.samples = m_samples->currentData().toInt();
+    asked.picture.options.light = needsLight(*format);
+    asked.picture.options.progress = [this](double share) {
         QMetaObject::invokeMethod(
             m_progress, [bar = m_progress, share] { bar->setValue(static_cast<int>(std::lround(100 * share))); },
             Qt::QueuedConnection);
@@ -321,8 +311,8 @@ void RenderDialog::setRendering(bool rendering)
     m_rendering = rendering;
     m_progress->setValue(0);
     m_progress->setVisible(rendering);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_width, m_height, m_view, m_samples, m_shown, m_transparent, m_render})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_width, m_height, m_view, m_samples, m_shown,
+                                                           m_turntable, m_transparent, m_render})
         widget->setEnabled(!rendering);
     if (rendering)
         m_message->setText(tr("Drawing \u2026"));

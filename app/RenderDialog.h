@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Camera.h"
-#include "CoverMap.h"
 #include "PictureFile.h"
+#include "PictureStudio.h"
 #include "SurfaceJob.h"
 
 #include <QDialog>
@@ -26,7 +26,8 @@ public:
         SurfaceMeshPtr surface;
         Design design;
         DesignFiles files;
-        std::map<ElementId, FabricMapsPtr> maps; ///< of fabrics, as far as they are baked
+        FabricBaker bake;
+        FabricBaker bakedByNow; ///< for the first, coarse preview
         QString title;
         Camera view; ///< that of the window
     };
@@ -47,34 +48,26 @@ protected:
     void reject() override; ///< while a picture is drawn, gives that up
 
 private:
-    /// What the scene depends on.
-    struct Look {
-        ElementId colourway{};
-        bool checker = false;
-        std::optional<CoverMap::Kind> map;
-        bool rough = false; ///< not refined, and in plain colours where nothing is baked: at once
-
-        friend bool operator==(const Look&, const Look&) = default;
-    };
     struct Request {
-        Look look;
-        PreviewView view;
-        PreviewOptions options;
-        std::string path; ///< "": only to look at
+        PictureOrder picture;
+        std::string path;  ///< "": only to look at
+        int turntable = 1; ///< pictures, each with its number in the name
         PictureFormat format = PictureFormat::Png;
         PictureNotes notes;
     };
     struct Result {
-        PreviewImage image;
+        PreviewImage image; ///< the last one
         bool toFile = false;
         bool rough = false;
         std::string problem;
     };
-    class Studio;
+
+    static Result drawn(PictureStudio& studio, const Request& request, const std::stop_token& stop);
 
     void build();
     void fillShown();
     Request request(QSize size) const;
+    QString sizeProblem() const;
     /// Of a look that was not seen yet a rough picture comes first.
     void requestPreview();
     void receive(const Result& result);
@@ -87,6 +80,7 @@ private:
     QComboBox* m_view;
     QComboBox* m_samples;
     QComboBox* m_shown;
+    QSpinBox* m_turntable;
     QCheckBox* m_transparent;
     QLabel* m_picture;
     QLabel* m_message;
@@ -94,7 +88,8 @@ private:
     QPushButton* m_render;
     QTimer m_pause; ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
-    std::vector<Look> m_seen;          ///< as rough pictures
+    std::vector<PictureLook> m_looks;  ///< that can be chosen
+    std::vector<PictureLook> m_seen;   ///< as rough pictures
     SurfaceJob<Request, Result> m_job; ///< last: it uses the others
 };
 

@@ -28,6 +28,8 @@ bool hasDisplay()
 int main(int argc, char* argv[])
 {
     using namespace bolster;
+    QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
+    QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
     if (const std::optional<int> code = runCommandLine(argc, argv))
         return *code;
 
@@ -36,8 +38,6 @@ int main(int argc, char* argv[])
         return 1;
     }
     QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Bolster"));
-    QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BOLSTER_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("bolster"));
     QApplication::setWindowIcon(icon(QStringLiteral("bolster")));

@@ -3,6 +3,7 @@ find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 find_package(CGAL 5.5 REQUIRED CONFIG)
+find_package(OpenMesh REQUIRED CONFIG)
 find_package(hwy 1.0 REQUIRED CONFIG)
 
 # SuiteSparse has no CMake config in Debian 12.

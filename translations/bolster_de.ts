@@ -4206,8 +4206,8 @@
         <translation>Gibt den ausgewählten Schnittteilen den Stoff, der in der Sammlung gewählt ist</translation>
     </message>
     <message>
-        <source>Fabric &amp;properties</source>
-        <translation>&amp;Eigenschaften des Stoffs</translation>
+        <source>Fabric p&amp;roperties</source>
+        <translation>Eigenschaften des &amp;Stoffs</translation>
     </message>
     <message>
         <source>Shows kind, colours, size and limits of the fabric</source>
@@ -4215,7 +4215,7 @@
     </message>
     <message>
         <source>Picture on the &amp;fabric …</source>
-        <translation>Bild au&amp;f dem Stoff …</translation>
+        <translation>Bild auf &amp;dem Stoff …</translation>
     </message>
     <message>
         <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
@@ -4230,7 +4230,7 @@
         <translation>Fügt eine Kopie des Stoffs hinzu, die geändert werden kann</translation>
     </message>
     <message>
-        <source>Re&amp;name fabric …</source>
+        <source>Rename fa&amp;bric …</source>
         <translation>Stoff &amp;umbenennen …</translation>
     </message>
     <message>
@@ -5440,6 +5440,10 @@
         <source>Here: %1</source>
         <translation>Hier: %1</translation>
     </message>
+    <message>
+        <source>over the fabric&apos;s limit</source>
+        <translation>über der Grenze des Stoffs</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NextStep</name>
@@ -5618,30 +5622,6 @@
         <translation>Schachbrett</translation>
     </message>
     <message>
-        <source>Map: largest strain</source>
-        <translation>Karte: größte Dehnung</translation>
-    </message>
-    <message>
-        <source>Map: strain along the grain</source>
-        <translation>Karte: Dehnung längs des Fadenlaufs</translation>
-    </message>
-    <message>
-        <source>Map: strain across the grain</source>
-        <translation>Karte: Dehnung quer zum Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Map: shear</source>
-        <translation>Karte: Scherung</translation>
-    </message>
-    <message>
-        <source>Map: mean curvature</source>
-        <translation>Karte: mittlere Krümmung</translation>
-    </message>
-    <message>
-        <source>Map: distance to the frame</source>
-        <translation>Karte: Abstand zum Gestell</translation>
-    </message>
-    <message>
         <source>At most %1 million pixels are drawn; choose a smaller size.</source>
         <translation>Höchstens %1 Millionen Pixel werden gezeichnet; eine kleinere Größe wählen.</translation>
     </message>
@@ -5668,6 +5648,30 @@
     <message>
         <source>Cancelled; nothing was written.</source>
         <translation>Abgebrochen; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>one picture</source>
+        <translation>ein Bild</translation>
+    </message>
+    <message>
+        <source> pictures</source>
+        <translation> Bilder</translation>
+    </message>
+    <message>
+        <source>So many pictures from all around, with numbers in their names</source>
+        <translation>So viele Bilder rundherum, mit Nummern in ihren Namen</translation>
+    </message>
+    <message>
+        <source>&amp;Around the cover:</source>
+        <translation>Um den Bezug &amp;herum:</translation>
+    </message>
+    <message>
+        <source>All colourways on a sheet</source>
+        <translation>Alle Farbvarianten auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>Map: %1</source>
+        <translation>Karte: %1</translation>
     </message>
 </context>
 <context>

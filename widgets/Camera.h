@@ -1,15 +1,14 @@
 // How the 3D view looks at the scene: a turntable with z up, never upside down.
 #pragma once
 
-#include "Geometry.h"
+#include "Viewpoint.h"
 
 #include <optional>
 
 namespace bolster {
 
-/// A value. Lengths in mm, angles in radians; pixels run to the right and down from the top left corner of a
-/// picture of the given size.
-class Camera {
+/// A viewpoint and the picture that is seen from there: pixels run to the right and down from its top left corner.
+class Camera : public Viewpoint {
 public:
     enum class StandardView { Front, Back, Left, Right, Top, Bottom, ThreeQuarter };
 
@@ -18,12 +17,6 @@ public:
         Vec3 direction = Vec3::UnitY(); ///< unit
     };
 
-    Vec3 target = Vec3::Zero();
-    double distance = 2000;   ///< from eye to target
-    double azimuth = -0.7;    ///< of the eye about z; 0 is the front (from -y), positive to the right (+x)
-    double elevation = 0.35;  ///< of the eye above the horizontal plane, within +-pi/2
-    double fieldOfView = 0.6; ///< vertical; it sets the scale at the target for both projections
-    bool perspective = true;
     Vec2 size = {1, 1}; ///< of the picture, pixels
 
     Vec3 backward() const; ///< unit, from the target to the eye

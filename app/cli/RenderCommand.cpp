@@ -1,21 +1,17 @@
 #include "Commands.h"
-#include "ContactSheet.h"
 #include "DesignHash.h"
 #include "FabricBaking.h"
 #include "Interrupt.h"
 #include "Output.h"
-#include "PictureScene.h"
 #include "Project.h"
 #include "RenderOrder.h"
 #include "Solving.h"
-#include "WholeFile.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bolster::cli {
 
@@ -29,7 +25,8 @@ Options:
   --image FILE       .png (8 bits), .tif (16 bits) or .exr (linear light)
   --size WxH         pixels (default 1280x960, at most 64 million)
   --view VIEW        three-quarter (default), front, back, left, right, top, or
-                     azimuth,elevation in degrees from the front: 30,20
+                     azimuth,elevation in degrees from the front: 30,20, or
+                     the name of a view that was saved in the window
   --samples N        rays per pixel, a square number (default 16, at most 256)
   --fabric NAME      in the fabrics of this colourway
   --map MAP          instead of fabrics: strain, along, across, shear, curvature,
@@ -48,36 +45,53 @@ Exit code:
 
 namespace {
 
+std::string figure(const CoverMap& map, float value)
+{
+    const char* const unit = !map.allowed.empty() ? " %" : map.kind == CoverMap::Kind::Thickness ? " mm" : " 1/m";
+    return numberText(static_cast<double>(value), 3) + unit;
+}
+
+PictureLegend legendOf(const CoverMap& map)
+{
+    const char* const title = map.kind == CoverMap::Kind::Strain      ? "Largest strain"
+                              : map.kind == CoverMap::Kind::Along     ? "Strain along the grain"
+                              : map.kind == CoverMap::Kind::Across    ? "Strain across the grain"
+                              : map.kind == CoverMap::Kind::Shear     ? "Shear"
+                              : map.kind == CoverMap::Kind::Curvature ? "Mean curvature"
+                                                                      : "Distance to the frame";
+    const bool both = map.scale.kind == MapScale::Kind::Diverging;
+    const char* const over = map.allowed.empty() ? "" : "over the fabric's limit";
+    return {map.scale, title, figure(map, both ? -map.scale.limit : 0), "0", figure(map, map.scale.limit), over};
+}
+
 /// Everything that the pictures of one run have in common.
-class Studio {
+class Pictures {
 public:
-    Studio(const RenderOrder& order, const OpenedDesign& opened, SurfaceMeshPtr surface, std::stop_token stop)
+    Pictures(const RenderOrder& order, const OpenedDesign& opened, SurfaceMeshPtr surface, std::stop_token stop)
         : m_order(order)
         , m_opened(opened)
-        , m_surface(std::move(surface))
-        , m_cover(refinedForPicture(m_surface))
+        , m_surface(surface)
         , m_stop(stop)
-        , m_bake(order.design, opened.design, order.options.threads, std::move(stop))
+        , m_bake(order.design, opened.design, order.picture.options.threads, std::move(stop))
+        , m_studio({std::move(surface), opened.design, opened.files,
+                    [this](ElementId id, const Fabric& fabric) { return m_bake(id, fabric); }, nullptr, legendOf})
     {}
 
     /// False when something could not be drawn or written; it has been said then.
     bool drawAll();
 
 private:
-    PreviewScene scene(ElementId colourway);
-    PreviewImage draw(const PreviewRenderer& renderer, const PreviewScene& scene, double turn) const;
-    PreviewImage drawSheet();
-    bool drawTurntable();
+    bool draw(const PictureOrder& order, const QString& path);
     bool write(const PreviewImage& image, const QString& path) const;
-    QString turntablePath(int picture) const;
-    void printMap(const CoverMap& map) const;
+    void printMap(const CoverMap& map);
 
     const RenderOrder& m_order;
     const OpenedDesign& m_opened;
     SurfaceMeshPtr m_surface;
-    CoverMeshPtr m_cover;
     std::stop_token m_stop;
     FabricBaking m_bake;
+    PictureStudio m_studio;
+    bool m_mapPrinted = false;
 };
 
 /// The id of the colourway of this name; settingsId for "" and for names that there are none of.
@@ -108,92 +122,42 @@ std::string orderProblem(const RenderOrder& order, const Design& design)
     if (!order.colourway.empty() && colourwayNamed(design, order.colourway) == settingsId)
         return "the design has no colourway \"" + order.colourway + "\"; " +
                (names.empty() ? std::string("it has none") : "there are " + names);
-    if (!order.sheet)
+    if (!order.picture.look.sheet)
         return {};
     if (names.empty())
         return "the design has no colourways to put on a sheet";
-    std::size_t count = 0;
-    design.each<Colourway>([&](ElementId, const Colourway&) { ++count; });
-    const auto [columns, rows] = sheetGrid(count);
-    const std::int64_t height = order.options.height + sheetCaption(order.options.width, order.options.height);
-    if (columns * static_cast<std::int64_t>(order.options.width) * rows * height > mostPixels)
-        return "the sheet of " + std::to_string(count) + " colourways would have more than " +
-               std::to_string(mostPixels / 1'000'000) + " million pixels; choose a smaller --size";
+    if (sheetPixels(design, order.picture.options) > mostPicturePixels)
+        return "the sheet of all colourways would have more than " + std::to_string(mostPicturePixels / 1'000'000) +
+               " million pixels; choose a smaller --size";
     return {};
 }
 
-PreviewScene Studio::scene(ElementId colourway)
+bool Pictures::draw(const PictureOrder& order, const QString& path)
 {
-    if (m_order.map) {
-        const CoverMap map = coverMap(*m_order.map, *m_surface, m_opened.design, m_opened.files);
-        printMap(map);
-        return sceneWithMap(m_surface, m_cover, map);
-    }
-    if (m_order.checker)
-        return sceneWithChecker(m_surface, m_cover, m_opened.design, colourway);
-    return sceneInFabrics(m_surface, m_cover, m_opened.design, colourway,
-                          [this](ElementId id, const Fabric& fabric) { return m_bake(id, fabric); });
+    const Picture picture = m_studio.draw(order, m_stop);
+    if (!picture.problem.empty())
+        printError("warning: " + picture.problem);
+    if (picture.map && !std::exchange(m_mapPrinted, true))
+        printMap(*picture.map);
+    return write(picture.image, path);
 }
 
-PreviewImage Studio::draw(const PreviewRenderer& renderer, const PreviewScene& scene, double turn) const
+bool Pictures::drawAll()
 {
-    PictureDirection from = m_order.direction;
-    from.azimuth += turn;
-    const double aspect = static_cast<double>(m_order.options.width) / m_order.options.height;
-    return renderer.render(pictureView(scene, from, aspect), m_order.options, m_stop);
-}
-
-PreviewImage Studio::drawSheet()
-{
-    std::vector<SheetPicture> pictures;
-    m_opened.design.each<Colourway>([&](ElementId id, const Colourway& colourway) {
-        const PreviewScene shown = scene(id);
-        if (!m_stop.stop_requested())
-            pictures.push_back({draw(PreviewRenderer(shown), shown, 0), colourway.name});
-    });
-    if (m_stop.stop_requested())
-        return {};
-    std::string problem;
-    PreviewImage sheet = contactSheet(pictures, m_order.options.transparent, problem);
-    if (!problem.empty())
-        printError("warning: " + problem);
-    return sheet;
-}
-
-/// "chair.png" becomes "chair-001.png".
-QString Studio::turntablePath(int picture) const
-{
-    const QFileInfo info(m_order.image);
-    const QString number = QString::number(picture + 1).rightJustified(3, u'0');
-    return info.path() + "/" + info.completeBaseName() + "-" + number + "." + info.suffix();
-}
-
-bool Studio::drawTurntable()
-{
-    const PreviewScene shown = scene(colourwayNamed(m_opened.design, m_order.colourway));
-    const PreviewRenderer renderer(shown);
+    PictureOrder order = m_order.picture;
+    order.look.colourway = m_order.colourway.empty() ? m_opened.design.settings().colourway
+                                                     : colourwayNamed(m_opened.design, m_order.colourway);
+    if (m_order.turntable == 0)
+        return draw(order, m_order.image);
     for (int picture = 0; picture < m_order.turntable; ++picture) {
-        const double turn = 2 * std::numbers::pi * picture / m_order.turntable;
-        if (!write(draw(renderer, shown, turn), turntablePath(picture)))
+        order.turn = 2 * std::numbers::pi * picture / m_order.turntable;
+        if (!draw(order, QString::fromStdString(numberedPath(m_order.image.toStdString(), picture + 1))))
             return false;
     }
     return true;
 }
 
-bool Studio::drawAll()
-{
-    if (m_order.turntable > 0)
-        return drawTurntable();
-    if (m_order.sheet)
-        return write(drawSheet(), m_order.image);
-    const ElementId own = m_opened.design.settings().colourway;
-    const PreviewScene shown =
-        scene(m_order.colourway.empty() ? own : colourwayNamed(m_opened.design, m_order.colourway));
-    return write(draw(PreviewRenderer(shown), shown, 0), m_order.image);
-}
-
-/// Written into a temporary folder first, so that half a picture never takes the place of an older one.
-bool Studio::write(const PreviewImage& image, const QString& path) const
+bool Pictures::write(const PreviewImage& image, const QString& path) const
 {
     if (image.empty()) {
         printError("error: \"" + path.toStdString() + "\" was not drawn: interrupted");
@@ -201,39 +165,28 @@ bool Studio::write(const PreviewImage& image, const QString& path) const
     }
     const PictureNotes notes{QFileInfo(m_order.design).fileName().toStdString(),
                              hexText(hashOf(m_opened.design)).substr(0, 12), m_order.viewName};
-    const QTemporaryDir folder;
-    const QString temporary = folder.filePath("picture");
-    if (const std::string problem = writePicture(image, m_order.format, temporary.toStdString(), notes);
-        !problem.empty()) {
-        printError("error: \"" + path.toStdString() + "\" cannot be written: " + problem);
-        return false;
-    }
-    const WholeFile file = readWholeFile(temporary, std::numeric_limits<int>::max());
-    const Message problem = file.problem.empty() ? replaceWholeFile(path, file.bytes) : file.problem;
-    if (!problem.empty())
-        printError("error: " + problem.english());
-    else
+    const std::string problem = writePicture(image, m_order.format, path.toStdString(), notes);
+    if (problem.empty())
         printResult("wrote " + path.toStdString());
+    else
+        printError("error: \"" + path.toStdString() + "\" cannot be written: " + problem);
     return problem.empty();
 }
 
 /// What the colours mean, and where to look.
-void Studio::printMap(const CoverMap& map) const
+void Pictures::printMap(const CoverMap& map)
 {
-    const bool strain = !map.allowed.empty();
-    const std::string unit = strain ? " %" : map.kind == CoverMap::Kind::Thickness ? " mm" : " 1/m";
-    const auto number = [&](float value) { return numberText(static_cast<double>(value), 3) + unit; };
-    printResult("colours from " + number(map.scale.kind == MapScale::Kind::Diverging ? -map.scale.limit : 0) +
-                " to " + number(map.scale.limit));
-    for (const CoverSpot& spot : worstSpots(map, *m_surface, strain ? 5 : 0, 60)) {
-        std::string line = number(spot.value) + " in ";
+    const bool both = map.scale.kind == MapScale::Kind::Diverging;
+    printResult("colours from " + figure(map, both ? -map.scale.limit : 0) + " to " + figure(map, map.scale.limit));
+    for (const CoverSpot& spot : worstSpots(map, *m_surface, map.allowed.empty() ? 0 : 5, 60)) {
+        std::string line = figure(map, spot.value) + " in ";
         for (const SurfaceTopology::PatchRange& range : m_surface->topology->patches)
             if (spot.vertex >= range.firstVertex && spot.vertex < range.firstVertex + range.vertexCount)
                 line += elementLabel(range.patch, *m_opened.design.element(range.patch));
         const Vec2& at = m_surface->topology->pattern[spot.vertex];
         line += " at " + numberText(at.x(), 4) + ", " + numberText(at.y(), 4) + " mm";
         if (std::abs(spot.value) > map.allowedAt(spot.vertex))
-            line += ": over the fabric's limit of " + number(map.allowedAt(spot.vertex));
+            line += ": over the fabric's limit of " + figure(map, map.allowedAt(spot.vertex));
         printResult(line);
     }
 }
@@ -248,14 +201,14 @@ int render(std::span<const std::string> words)
     if (QFileInfo::exists(order.image) && QFileInfo(order.image) == QFileInfo(order.design))
         throw UsageError("--image would overwrite the design");
     SolveOptions options;
-    options.threads = order.options.threads;
+    options.threads = order.picture.options.threads;
     if (const std::string problem = opened.readable ? orderProblem(order, opened.design) : ""; !problem.empty())
         throw UsageError(problem);
     const SolveResult result = solveOpened(opened, options, interrupt.token());
     printFindings(result);
     if (!result.surface)
         return result.status == SolveResult::Status::Failed && !result.errors.empty() ? badInput : otherFailure;
-    if (!Studio(order, opened, result.surface, interrupt.token()).drawAll())
+    if (!Pictures(order, opened, result.surface, interrupt.token()).drawAll())
         return otherFailure;
     return result.status == SolveResult::Status::NotConverged ? notConverged : done;
 }

@@ -1,5 +1,7 @@
 #include "RenderOrder.h"
 
+#include "SavedViews.h"
+
 #include <array>
 #include <charconv>
 
@@ -36,20 +38,35 @@ void checkSize(const PreviewOptions& options)
     const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
     if (options.width > longest || options.height > longest)
         throw UsageError("--size " + size + " is too large: at most " + std::to_string(longest) + " pixels a side");
-    if (pixels > mostPixels)
+    if (pixels > mostPicturePixels)
         throw UsageError("--size " + size + " is too large: " + std::to_string(pixels / 1'000'000) +
-                         " million pixels, and at most " + std::to_string(mostPixels / 1'000'000) + " are drawn");
+                         " million pixels, and at most " + std::to_string(mostPicturePixels / 1'000'000) +
+                         " are drawn");
+}
+
+/// A word, two angles, or the name of a view that was saved in the window.
+std::variant<PictureDirection, PreviewView> parsedView(const std::string& name)
+{
+    if (const auto direction = pictureDirection(name))
+        return *direction;
+    if (const auto saved = SavedViews::find(QString::fromStdString(name)))
+        return PreviewView(*saved);
+    const QStringList names = SavedViews::names();
+    throw UsageError("unknown view \"" + name + "\"; there are " + pictureDirections +
+                     (names.isEmpty() ? std::string() : ", " + names.join(QStringLiteral(", ")).toStdString()) +
+                     ", or azimuth and elevation in degrees, like 30,20");
 }
 
 void takeMap(const Arguments& arguments, RenderOrder& order)
 {
     const std::string map = arguments.path("--map").toStdString();
-    order.checker = map == "checker";
-    order.map = coverMapKind(map);
-    if (!map.empty() && !order.checker && !order.map)
+    PictureLook& look = order.picture.look;
+    look.checker = map == "checker";
+    look.map = coverMapKind(map);
+    if (!map.empty() && !look.checker && !look.map)
         throw UsageError("unknown map \"" + map +
                          "\"; there are strain, along, across, shear, curvature, thickness and checker");
-    if (order.map && !order.colourway.empty())
+    if (look.map && !order.colourway.empty())
         throw UsageError("--map " + map + " and --fabric exclude each other: a map covers the fabric");
 }
 
@@ -59,6 +76,7 @@ RenderOrder RenderOrder::from(std::span<const std::string> words)
 {
     const Arguments arguments(words, rules);
     RenderOrder order;
+    PreviewOptions& options = order.picture.options;
     order.design = arguments.onlyFile("DESIGN");
     order.image = arguments.path("--image");
     if (order.image.isEmpty())
@@ -68,27 +86,24 @@ RenderOrder RenderOrder::from(std::span<const std::string> words)
         throw UsageError("--image must end in .png, .tif or .exr, and \"" + order.image.toStdString() +
                          "\" does not");
     order.format = *format;
-    order.options.light = needsLight(order.format);
-    order.options.samples = arguments.integer("--samples", 16, 1, 256);
-    order.options.threads = arguments.integer("--threads", 0, 0, 1024);
-    order.options.transparent = arguments.has("--transparent");
+    options.light = needsLight(order.format);
+    options.samples = arguments.integer("--samples", 16, 1, 256);
+    options.threads = arguments.integer("--threads", 0, 0, 1024);
+    options.transparent = arguments.has("--transparent");
     if (arguments.has("--size")) {
         const auto [width, height] = parsedSize(arguments.path("--size").toStdString());
-        order.options.width = width;
-        order.options.height = height;
+        options.width = width;
+        options.height = height;
     }
-    checkSize(order.options);
+    checkSize(options);
     order.viewName = arguments.has("--view") ? arguments.path("--view").toStdString() : "three-quarter";
-    const auto direction = pictureDirection(order.viewName);
-    if (!direction)
-        throw UsageError("unknown view \"" + order.viewName + "\"; there are " + pictureDirections +
-                         ", or azimuth and elevation in degrees, like 30,20");
-    order.direction = *direction;
+    order.picture.from = parsedView(order.viewName);
     order.colourway = arguments.path("--fabric").toStdString();
     takeMap(arguments, order);
-    order.sheet = arguments.has("--sheet");
+    const PictureLook& look = order.picture.look;
+    order.picture.look.sheet = arguments.has("--sheet");
     order.turntable = arguments.integer("--turntable", 0, 1, 999);
-    if (order.sheet && (order.turntable > 0 || order.map || order.checker || !order.colourway.empty()))
+    if (look.sheet && (order.turntable > 0 || look.map || look.checker || !order.colourway.empty()))
         throw UsageError(
             "--sheet shows all colourways in one picture: it goes neither with --fabric, nor with --map, "
             "nor with --turntable");

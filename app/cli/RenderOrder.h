@@ -4,7 +4,7 @@
 #include "Arguments.h"
 #include "CoverMap.h"
 #include "PictureFile.h"
-#include "PictureView.h"
+#include "PictureStudio.h"
 
 namespace bolster::cli {
 
@@ -12,20 +12,13 @@ struct RenderOrder {
     QString design;
     QString image;
     PictureFormat format = PictureFormat::Png;
-    PreviewOptions options; ///< size of one picture
-    PictureDirection direction;
+    PictureOrder picture; ///< all but the colourway
     std::string viewName;
     std::string colourway; ///< "": the design's own
-    bool checker = false;
-    std::optional<CoverMap::Kind> map;
-    bool sheet = false;
-    int turntable = 0; ///< pictures; 0: none
+    int turntable = 0;     ///< pictures; 0: none
 
     /// Throws UsageError.
     static RenderOrder from(std::span<const std::string> words);
 };
-
-/// Most pixels that a file may have.
-constexpr std::int64_t mostPixels = 64'000'000;
 
 } // namespace bolster::cli

@@ -1,5 +1,6 @@
 #include "CoverMap.h"
 
+#include "MeanCurvature.h"
 #include "TriangleStrain.h"
 #include "TriangleTree.h"
 
@@ -7,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <utility>
 
@@ -78,49 +78,13 @@ void measureStrain(CoverMap& map, const SurfaceMesh& surface, const Design& desi
     }
 }
 
-/// The integral of the mean curvature over an edge is half its length times the angle between its triangles; each
-/// end gets half of it (D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay triangulations and normal cycle",
-/// 2003).
 void measureCurvature(CoverMap& map, const SurfaceMesh& surface)
 {
-    const SurfaceTopology& topology = *surface.topology;
-    const bool sewn = topology.unknown.size() == topology.vertexCount();
-    const auto merged = [&](std::uint32_t v) { return sewn ? topology.unknown[v] : v; };
-    struct Side {
-        Vec3 normal;
-        Vec3 middle;
-    };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Side> open;
-    const std::size_t count = sewn ? topology.unknownCount : topology.vertexCount();
-    std::vector<double> area(count), bend(count);
-    for (const auto& triangle : topology.triangles) {
-        std::array<Vec3, 3> p;
-        for (std::size_t k = 0; k < 3; ++k)
-            p[k] = surface.positions[triangle[k]];
-        const Vec3 across = (p[1] - p[0]).cross(p[2] - p[0]);
-        if (!(across.squaredNorm() > 0))
-            continue;
-        const Side here{across.normalized(), (p[0] + p[1] + p[2]) / 3};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = merged(triangle[k]), b = merged(triangle[(k + 1) % 3]);
-            area[a] += across.norm() / 6;
-            const auto [other, isNew] = open.emplace(std::minmax(a, b), here);
-            if (isNew)
-                continue;
-            const double angle =
-                std::atan2(here.normal.cross(other->second.normal).norm(), here.normal.dot(other->second.normal));
-            const double outwards = (other->second.middle - here.middle).dot(here.normal) < 0 ? 1 : -1;
-            for (const std::uint32_t end : {a, b})
-                bend[end] += outwards * angle * (p[(k + 1) % 3] - p[k]).norm() / 4;
-            open.erase(other);
-        }
-    }
+    map.ofVertex = meanCurvature(surface);
     std::vector<double> sizes;
-    for (std::uint32_t v = 0; v < topology.vertexCount(); ++v)
-        if (area[merged(v)] > 0) {
-            map.ofVertex[v] = static_cast<float>(1000 * bend[merged(v)] / area[merged(v)]);
-            sizes.push_back(std::abs(static_cast<double>(map.ofVertex[v])));
-        }
+    for (const float value : map.ofVertex)
+        if (std::isfinite(value))
+            sizes.push_back(std::abs(static_cast<double>(value)));
     std::ranges::sort(sizes);
     if (!sizes.empty()) // seams and creases are few and sharp
         map.scale.limit = MapScale::usualLimit(std::max(sizes[sizes.size() * 9 / 10], 1.0));

@@ -58,7 +58,7 @@ PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, c
         if (!fabric)
             continue;
         if (!baked.contains(shown))
-            baked.emplace(shown, bake(shown, *fabric));
+            baked.emplace(shown, bake ? bake(shown, *fabric) : nullptr);
         look.maps = baked.at(shown);
         const double warp =
             design.find<Patch>(look.patch)->grain + fabric->look.rotation; // the maps' y runs along it

@@ -6,7 +6,7 @@
 
 namespace bolster {
 
-/// The maps of a fabric, or null for its plain colour. May take its time.
+/// The maps of a fabric, or null for its plain colour. May take its time. No function: all in their plain colours.
 using FabricBaker = std::function<FabricMapsPtr(ElementId, const Fabric&)>;
 
 /// Refined by two levels for a smooth silhouette; null where it cannot be: then the surface itself is drawn.

@@ -1,8 +1,7 @@
 #include "ContactSheet.h"
 
+#include "Lettering.h"
 #include "Srgb.h"
-
-#include <OpenImageIO/imagebufalgo.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,26 +12,6 @@ namespace {
 
 constexpr float textTone = 0.33f;   ///< as displayed
 constexpr float paperTone = 0.965f; ///< likewise
-
-/// How much of each pixel text covers, in the middle of a strip.
-std::vector<float> textMask(const std::string& text, int width, int height, std::string& problem)
-{
-    std::vector<float> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const int size = std::max(8, height * 5 / 9);
-    for (const char* const font : {"DejaVuSans", "LiberationSans-Regular", "NotoSans-Regular", "DroidSans"}) {
-        OIIO::ImageBuf strip(OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::FLOAT));
-        OIIO::ImageBufAlgo::zero(strip);
-        if (OIIO::ImageBufAlgo::render_text(strip, width / 2, height / 2, text, size, font, {1.f},
-                                            OIIO::ImageBufAlgo::TextAlignX::Center,
-                                            OIIO::ImageBufAlgo::TextAlignY::Center)) {
-            strip.get_pixels(OIIO::ROI::All(), OIIO::TypeDesc::FLOAT, mask.data());
-            return mask;
-        }
-        (void)strip.geterror();
-    }
-    problem = "there is no font to write names with; install DejaVu Sans";
-    return mask;
-}
 
 class Sheet {
 public:
@@ -66,27 +45,7 @@ public:
         }
     }
 
-    void write(const std::vector<float>& mask, int left, int top, int width)
-    {
-        for (std::size_t i = 0; i < mask.size(); ++i) {
-            const float share = std::clamp(mask[i], 0.f, 1.f);
-            if (share <= 0)
-                continue;
-            const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-            const std::size_t at = place(left + x, top + y);
-            const float before = static_cast<float>(m_image.rgba[at + 3]) / 255;
-            const float opacity = share + (1 - share) * before;
-            for (std::size_t c = at; c < at + 3; ++c) {
-                const float shown = (share * textTone * 255 + (1 - share) * before * m_image.rgba[c]) / opacity;
-                m_image.rgba[c] = static_cast<std::uint8_t>(std::lround(shown));
-                if (m_light)
-                    m_image.light[c] = share * linearFromSrgb(textTone) + (1 - share) * m_image.light[c];
-            }
-            m_image.rgba[at + 3] = static_cast<std::uint8_t>(std::lround(255 * opacity));
-            if (m_light)
-                m_image.light[at + 3] = opacity;
-        }
-    }
+    void write(const TextMask& mask, int left, int top) { coverWith(m_image, mask, left, top, greyTone(textTone)); }
 
     PreviewImage finished() && { return std::move(m_image); }
 
@@ -127,7 +86,7 @@ PreviewImage contactSheet(std::span<const SheetPicture> pictures, bool transpare
         const int left = static_cast<int>(i) % columns * width;
         const int top = static_cast<int>(i) / columns * (height + caption);
         sheet.put(pictures[i].image, left, top);
-        sheet.write(textMask(pictures[i].name, width, caption, problem), left, top + height, width);
+        sheet.write(textMask(pictures[i].name, width, caption, TextAlign::Center, problem), left, top + height);
     }
     return std::move(sheet).finished();
 }

@@ -90,6 +90,17 @@ bool needsLight(PictureFormat format)
     return format != PictureFormat::Png;
 }
 
+std::string numberedPath(const std::string& path, int number)
+{
+    const std::filesystem::path whole(path);
+    const std::string digits = std::to_string(number);
+    const std::string zeros(digits.size() < 3 ? 3 - digits.size() : 0, '0');
+    std::filesystem::path name = whole.stem();
+    name += "-" + zeros + digits;
+    name += whole.extension();
+    return (whole.parent_path() / name).string();
+}
+
 std::string writePicture(const PreviewImage& image, PictureFormat format, const std::string& path,
                          const PictureNotes& notes)
 {

@@ -18,6 +18,9 @@ std::optional<PictureFormat> pictureFormat(std::string_view path);
 /// Whether PreviewOptions::light is needed.
 bool needsLight(PictureFormat format);
 
+/// "chair.png" and 1 become "chair-001.png".
+std::string numberedPath(const std::string& path, int number);
+
 /// What is written beside the pixels, for those who find the file later.
 struct PictureNotes {
     std::string project;

@@ -6,6 +6,7 @@
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 #include "TrimMesh.h"
+#include "Viewpoint.h"
 
 #include <array>
 #include <cstdint>
@@ -18,14 +19,11 @@
 
 namespace bolster {
 
-/// How the scene is looked at; z is up. Angles in radians.
-struct PreviewView {
-    Vec3 target = Vec3::Zero(); ///< mm
-    double distance = 2000;     ///< from eye to target, mm
-    double azimuth = -0.7;      ///< of the eye about z; 0 is the front (from -y), positive to the right (+x)
-    double elevation = 0.35;    ///< of the eye above the horizontal plane
-    double fieldOfView = 0.6;   ///< vertical; it sets the scale at the target for both projections
-    bool perspective = true;
+struct PreviewView : Viewpoint {
+    PreviewView() = default;
+    explicit PreviewView(const Viewpoint& from)
+        : Viewpoint(from)
+    {}
 
     Vec3 eye() const;
     /// From the front and a little to the side and above, so that the whole box is seen. `front` is the azimuth

@@ -1,8 +1,10 @@
 #include "WindowTest.h"
 
+#include "FabricLink.h"
 #include "MapLink.h"
 #include "RenderDialog.h"
 
+#include <QComboBox>
 #include <QImage>
 #include <QMenu>
 #include <QMenuBar>
@@ -29,8 +31,16 @@ protected:
     }
     RenderDialog::Subject subject()
     {
-        return {window.solver().surface(), window.document().design(),   window.session().files(), {},
-                window.session().title(),  window.surfaceView().camera()};
+        return {window.solver().surface(),    window.document().design(),       window.session().files(),
+                window.fabricLink().baker(),  window.fabricLink().bakedByNow(), window.session().title(),
+                window.surfaceView().camera()};
+    }
+    static void setSize(const RenderDialog& dialog, int width, int height)
+    {
+        const QList<QSpinBox*> boxes = dialog.findChildren<QSpinBox*>();
+        ASSERT_GE(boxes.size(), 2);
+        boxes[0]->setValue(width);
+        boxes[1]->setValue(height);
     }
 
     QTemporaryDir m_folder;
@@ -71,8 +81,7 @@ TEST_F(PicturesTest, RenderShowsAPreviewAndWritesTheFile)
     QSignalSpy previews(&dialog, &RenderDialog::previewed);
     dialog.show();
     ASSERT_TRUE(previews.wait(30000));
-    for (QSpinBox* box : dialog.findChildren<QSpinBox*>())
-        box->setValue(64);
+    setSize(dialog, 64, 64);
     QSignalSpy ends(&dialog, &RenderDialog::rendered);
     const QString path = m_folder.filePath(QStringLiteral("picture.png"));
     dialog.renderTo(path);
@@ -88,14 +97,46 @@ TEST_F(PicturesTest, RenderShowsAPreviewAndWritesTheFile)
     EXPECT_NE(ends.back().front().toString(), QString()) << "a folder that is not there";
 }
 
+TEST_F(PicturesTest, RenderGoesAroundTheCoverAndPutsColourwaysOnASheet)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    Design design = window.document().design();
+    for (const char* const name : {"Black", "Cognac"})
+        design = design.with({{}, {{design.nextId(), nullptr, makeElement(Colourway{name, {}})}}});
+    RenderDialog::Subject all = subject();
+    all.design = design;
+    RenderDialog dialog(std::move(all));
+    dialog.show();
+    const QList<QSpinBox*> boxes = dialog.findChildren<QSpinBox*>();
+    ASSERT_EQ(boxes.size(), 3);
+    setSize(dialog, 64, 48);
+    boxes[2]->setValue(3);
+    QSignalSpy ends(&dialog, &RenderDialog::rendered);
+    dialog.renderTo(m_folder.filePath(QStringLiteral("turn.png")));
+    ASSERT_TRUE(ends.wait(60000));
+    EXPECT_EQ(ends.back().front().toString(), QString());
+    for (const char* const name : {"turn-001.png", "turn-002.png", "turn-003.png"})
+        EXPECT_EQ(QImage(m_folder.filePath(QLatin1String(name))).size(), QSize(64, 48)) << name;
+
+    auto* shown = dialog.findChild<QComboBox*>(QStringLiteral("shown"));
+    ASSERT_TRUE(shown);
+    const int sheet = shown->findText(QStringLiteral("All colourways on a sheet"));
+    ASSERT_GE(sheet, 0);
+    shown->setCurrentIndex(sheet);
+    dialog.renderTo(m_folder.filePath(QStringLiteral("sheet.png")));
+    ASSERT_TRUE(ends.wait(60000));
+    EXPECT_EQ(ends.back().front().toString(), QString());
+    EXPECT_EQ(QImage(m_folder.filePath(QStringLiteral("sheet.png"))).width(), 128);
+}
+
 TEST_F(PicturesTest, ARenderCanBeCancelled)
 {
     ASSERT_TRUE(open(sample("trapezoid")));
     ASSERT_TRUE(waitUntilSolved());
     RenderDialog dialog(subject());
     dialog.show();
-    for (QSpinBox* box : dialog.findChildren<QSpinBox*>())
-        box->setValue(5000);
+    setSize(dialog, 5000, 5000);
     const QString path = m_folder.filePath(QStringLiteral("large.png"));
     dialog.renderTo(path);
     EXPECT_TRUE(dialog.rendering());

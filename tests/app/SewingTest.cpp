@@ -55,8 +55,11 @@ TEST_F(SewingTest, SewsABox)
     }
     const auto sewn = seams();
     ASSERT_EQ(sewn.size(), expected.size());
-    for (std::size_t i = 0; i < sewn.size(); ++i)
-        EXPECT_EQ(sewn[i].second, expected[i].second) << i;
+    for (std::size_t i = 0; i < sewn.size(); ++i) {
+        Seam plain = expected[i].second;
+        plain.trim = {};
+        EXPECT_EQ(sewn[i].second, plain) << i;
+    }
     EXPECT_TRUE(waitUntilSolved());
     window.document().jumpTo(0);
     EXPECT_EQ(seams(), expected);

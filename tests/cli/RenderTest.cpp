@@ -1,5 +1,6 @@
 #include "../model/TestFiles.h"
 #include "ProgramRun.h"
+#include "SavedViews.h"
 
 #include <nlohmann/json.hpp>
 
@@ -82,6 +83,22 @@ TEST_F(Render, WritesATurntableAndASheet)
     const ProgramRun sheet = run("sheet.png", {"--sheet"});
     EXPECT_EQ(sheet.exitCode, 0) << sheet.err;
     EXPECT_GT(bytes("sheet.png").size(), 100U);
+}
+
+TEST_F(Render, LooksFromAViewThatTheWindowHasSaved)
+{
+    Viewpoint above;
+    above.target = {150, 157, 0};
+    above.distance = 900;
+    above.azimuth = 0.2;
+    above.elevation = 1.2;
+    SavedViews::save("Low & left", above);
+    ASSERT_EQ(run("own.png").exitCode, 0);
+    const ProgramRun saved = run("saved.png", {"--view", "Low & left"});
+    EXPECT_EQ(saved.exitCode, 0) << saved.err;
+    EXPECT_NE(bytes("own.png"), bytes("saved.png"));
+    SavedViews::remove("Low & left");
+    EXPECT_EQ(run("gone.png", {"--view", "Low & left"}).exitCode, 2);
 }
 
 TEST_F(Render, SaysWhatIsWrong)

@@ -1,10 +1,12 @@
 #include "ContactSheet.h"
 #include "PictureFile.h"
+#include "PictureLegend.h"
 #include "PreviewMeshes.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -210,6 +212,42 @@ TEST(FabricPicture, SheetsHaveAllPicturesAndTheirNames)
     EXPECT_LT(darkest(160, 120), 130);
     EXPECT_GT(darkest(0, 240 + caption), 240) << "no name, no writing";
     EXPECT_EQ(brightness(sheet, 80, 60), brightness(image, 80, 60));
+}
+
+TEST(FabricPicture, LegendsShowTheScaleInColoursAndLight)
+{
+    PreviewImage image;
+    image.width = 640;
+    image.height = 480;
+    image.rgba.assign(4 * 640 * 480, 255);
+    image.light.assign(4 * 640 * 480, 1.f);
+    const PreviewImage before = image;
+    const PictureLegend legend{{MapScale::Kind::Diverging, 10}, "Strain", "-10 %", "0", "10 %", "over the limit"};
+    std::string problem;
+    drawLegend(image, legend, problem);
+    EXPECT_EQ(problem, "");
+    const auto shows = [&](const MapScale::Rgba& color) { // where, nearly
+        for (std::size_t at = 0; at < image.rgba.size(); at += 4) {
+            int off = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+                off = std::max(off, std::abs(image.rgba[at + c] - color[c]));
+            if (off <= 3)
+                return at;
+        }
+        return image.rgba.size();
+    };
+    for (const float value : {-9.9f, 0.f, 9.9f})
+        EXPECT_LT(shows(legend.scale.color(value)), image.rgba.size()) << value;
+    const std::size_t over = shows(MapScale::over);
+    ASSERT_LT(over, image.rgba.size());
+    EXPECT_LT(image.light[over], 0.1f) << "the light, too";
+    EXPECT_EQ(brightness(image, 600, 20), brightness(before, 600, 20)) << "only a corner";
+
+    PreviewImage small;
+    small.width = small.height = 100;
+    small.rgba.assign(4 * 100 * 100, 255);
+    drawLegend(small, legend, problem);
+    EXPECT_EQ(std::ranges::count(small.rgba, 255), std::ssize(small.rgba));
 }
 
 } // namespace

@@ -113,6 +113,48 @@ TEST(CoverMap, CurvatureOfATube)
     }
 }
 
+TEST(CoverMap, CurvatureRunsAcrossSeamsAndWhereThreePatchesMeet)
+{
+    // Two flat strips of 10 x 10 mm, bent by 60 degrees along their seam; a third one stands on it.
+    const auto cover = [](bool third) {
+        auto topology = std::make_shared<SurfaceTopology>();
+        SurfaceMesh mesh;
+        const auto strip = [&](const Vec3& out, std::uint32_t firstFree, bool turned) {
+            const std::uint32_t at = topology->vertexCount();
+            for (const Vec3& p : {Vec3(0, 0, 0), Vec3(0, 10, 0), Vec3(out), Vec3(out + Vec3(0, 10, 0))}) {
+                topology->pattern.push_back(p.head<2>());
+                mesh.positions.push_back(p);
+            }
+            topology->unknown.insert(topology->unknown.end(), {0, 1, firstFree, firstFree + 1});
+            topology->triangles.push_back(turned ? std::array{at, at + 1, at + 2} : std::array{at, at + 2, at + 1});
+            topology->triangles.push_back(turned ? std::array{at + 1, at + 3, at + 2}
+                                                 : std::array{at + 1, at + 2, at + 3});
+            topology->unknownCount = firstFree + 2;
+        };
+        const double angle = std::numbers::pi / 3;
+        strip({-10, 0, 0}, 2, true);
+        strip({10 * std::cos(angle), 0, -10 * std::sin(angle)}, 4, false);
+        if (third)
+            strip({0, 0, 10}, 6, false);
+        mesh.topology = topology;
+        return mesh;
+    };
+    // The seam has 10 mm * 60 degrees / 2, shared by its two ends.
+    const SurfaceMesh bent = cover(false);
+    const CoverMap map = coverMap(CoverMap::Kind::Curvature, bent, {}, {});
+    double bend = 0;
+    for (const std::uint32_t v : {0U, 1U}) {
+        const double share = v == 0 ? 50.0 / 3 * 2 : 50.0 / 3 * 4; // triangles that meet there
+        bend += static_cast<double>(map.ofVertex[v]) / 1000 * share;
+    }
+    EXPECT_NEAR(bend, 10 * std::numbers::pi / 3 / 2, 1e-5);
+    EXPECT_EQ(map.ofVertex[0], map.ofVertex[4]) << "both sides of a seam";
+
+    const CoverMap three = coverMap(CoverMap::Kind::Curvature, cover(true), {}, {});
+    for (const float value : three.ofVertex)
+        EXPECT_TRUE(std::isfinite(value));
+}
+
 TEST(CoverMap, ThicknessIsTheDistanceToTheFrame)
 {
     DesignBuilder builder(20);

@@ -1,7 +1,7 @@
 // Views of the 3D window that the user has named, kept in the settings.
 #pragma once
 
-#include "Camera.h"
+#include "Viewpoint.h"
 
 #include <QStringList>
 
@@ -14,9 +14,9 @@ public:
     /// In the order of the alphabet.
     static QStringList names();
     /// Nothing when there is none of this name, or its numbers make no sense.
-    static std::optional<Camera> find(const QString& name);
+    static std::optional<Viewpoint> find(const QString& name);
     /// Replaces one of the same name.
-    static void save(const QString& name, const Camera& camera);
+    static void save(const QString& name, const Viewpoint& view);
     static void remove(const QString& name);
 };
 

@@ -31,7 +31,7 @@ QStringList SavedViews::names()
     return names;
 }
 
-std::optional<Camera> SavedViews::find(const QString& name)
+std::optional<Viewpoint> SavedViews::find(const QString& name)
 {
     const QStringList numbers = QSettings().value(keyOf(name)).toStringList();
     if (numbers.size() != 8)
@@ -43,24 +43,24 @@ std::optional<Camera> SavedViews::find(const QString& name)
         if (!ok || !std::isfinite(values[static_cast<std::size_t>(i)]))
             return std::nullopt;
     }
-    Camera camera;
-    camera.target = {values[0], values[1], values[2]};
-    camera.distance = values[3];
-    camera.azimuth = values[4];
-    camera.elevation = values[5];
-    camera.fieldOfView = values[6];
-    camera.perspective = values[7] != 0;
-    const bool sensible = camera.distance > 0 && camera.fieldOfView > 0 && camera.fieldOfView < 3 &&
-                          std::abs(camera.elevation) <= std::numbers::pi / 2 + 1e-9;
-    return sensible ? std::optional(camera) : std::nullopt;
+    Viewpoint view;
+    view.target = {values[0], values[1], values[2]};
+    view.distance = values[3];
+    view.azimuth = values[4];
+    view.elevation = values[5];
+    view.fieldOfView = values[6];
+    view.perspective = values[7] != 0;
+    const bool sensible = view.distance > 0 && view.fieldOfView > 0 && view.fieldOfView < 3 &&
+                          std::abs(view.elevation) <= std::numbers::pi / 2 + 1e-9;
+    return sensible ? std::optional(view) : std::nullopt;
 }
 
-void SavedViews::save(const QString& name, const Camera& camera)
+void SavedViews::save(const QString& name, const Viewpoint& view)
 {
     QStringList numbers;
     for (const double value :
-         {camera.target.x(), camera.target.y(), camera.target.z(), camera.distance, camera.azimuth,
-          camera.elevation, camera.fieldOfView, camera.perspective ? 1.0 : 0.0})
+         {view.target.x(), view.target.y(), view.target.z(), view.distance, view.azimuth,
+          view.elevation, view.fieldOfView, view.perspective ? 1.0 : 0.0})
         numbers << QString::number(value, 'g', 17);
     QSettings().setValue(keyOf(name), numbers);
 }
