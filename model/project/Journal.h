@@ -45,6 +45,10 @@ public:
     /// Keeps a file by its content. `name` is what an element is to say as its "file"; it is changed when the
     /// project knows another content by this name, for older versions of the design still mean that.
     Message addAsset(std::string& name, const QString& file);
+    /// Whether another file cannot have this name.
+    bool hasAsset(const std::string& name);
+    /// Writes a file that is kept here into a folder, under its name.
+    Message extractAsset(const std::string& name, const QString& folder);
     /// A picture of a node, which may get lost: nothing else depends on it.
     Message setThumbnail(NodeId node, const std::string& png);
     /// "" when there is none. It comes from the file: nobody has looked into it.
