@@ -199,9 +199,7 @@ protected:
         scene.checker = scene.ground = false;
         for (const SurfaceScene::PatchLook& look : request.scene.patches)
             scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
-        const Camera& camera = request.camera;
-        const PreviewView view{camera.target,    camera.distance,    camera.azimuth,
-                               camera.elevation, camera.fieldOfView, camera.perspective};
+        const PreviewView view(request.camera);
         PreviewOptions options;
         options.width = request.size.width();
         options.height = request.size.height();
