@@ -1298,6 +1298,18 @@
         <source>Choose another picture …</source>
         <translation>Anderes Bild wählen …</translation>
     </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points, one every %3</source>
+        <translation>%1 von %2 Punkten, einer alle %3</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -4285,6 +4297,14 @@
         <source>Shows two colourways side by side</source>
         <translation>Zeigt zwei Farbvarianten nebeneinander</translation>
     </message>
+    <message>
+        <source>Name this &amp;branch …</source>
+        <translation>Diesen &amp;Zweig benennen …</translation>
+    </message>
+    <message>
+        <source>Name the way that the history has gone since it forked (%1)</source>
+        <translation>Gibt dem Weg, den der Verlauf seit der letzten Gabelung genommen hat, einen Namen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -5080,6 +5100,10 @@
         <source>Go there</source>
         <translation>Dorthin gehen</translation>
     </message>
+    <message>
+        <source>What can be read goes into a new project beside it. This file stays as it is.</source>
+        <translation>Was lesbar ist, kommt in ein neues Projekt daneben. Diese Datei bleibt, wie sie ist.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -5218,6 +5242,18 @@
     <message>
         <source>&amp;Compare with now …</source>
         <translation>Mit jetzt &amp;vergleichen …</translation>
+    </message>
+    <message>
+        <source>Name of this branch</source>
+        <translation>Name dieses Zweigs</translation>
+    </message>
+    <message>
+        <source>Name of this version</source>
+        <translation>Name dieser Version</translation>
+    </message>
+    <message>
+        <source>Name this &amp;branch …</source>
+        <translation>Diesen &amp;Zweig benennen …</translation>
     </message>
 </context>
 <context>
@@ -5443,6 +5479,18 @@
     <message>
         <source>over the fabric&apos;s limit</source>
         <translation>über der Grenze des Stoffs</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>Deviation from the scan</source>
+        <translation>Abweichung vom Scan</translation>
     </message>
 </context>
 <context>
