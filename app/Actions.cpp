@@ -139,6 +139,9 @@ void Actions::addEdit()
     redo->setIconText(tr("Redo"));
     remove = add(tr("&Delete"), QStringLiteral("delete"), QKeySequence::Delete);
     rename = add(tr("Re&name"), {}, QKeySequence(Qt::Key_F2));
+    nameBranch = add(tr("Name this &branch \u2026"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F2));
+    nameBranch->setToolTip(tr("Name the way that the history has gone since it forked (%1)")
+                               .arg(nameBranch->shortcut().toString(QKeySequence::NativeText)));
     selectAll = add(tr("Select &all patches"), {}, QKeySequence::SelectAll);
     selectNone = add(tr("Select n&othing"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
 }

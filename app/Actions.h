@@ -39,6 +39,7 @@ public:
     QAction* redo;
     QAction* remove;
     QAction* rename;
+    QAction* nameBranch;
     QAction* selectAll;
     QAction* selectNone;
     QAction* cut;

@@ -27,10 +27,10 @@ constexpr int columnGap = 32; // pixels
 
 } // namespace
 
-CompareWindow::CompareWindow(Document& document, const DesignFiles& files, QWidget* parent)
+CompareWindow::CompareWindow(Document& document, FilesOf filesOf, QWidget* parent)
     : QWidget(parent, Qt::Window)
     , m_document(document)
-    , m_files(files)
+    , m_filesOf(std::move(filesOf))
     , m_left(new VersionPane)
     , m_right(new VersionPane)
     , m_list(new QTreeWidget)
@@ -99,7 +99,7 @@ bool CompareWindow::compareWith(NodeId node)
     if (!other)
         return false;
     m_other = *other;
-    m_left->setVersion(titleOf(node), m_other, m_files);
+    m_left->setVersion(titleOf(node), m_other, m_filesOf(m_other));
     refresh();
     return true;
 }
@@ -116,9 +116,17 @@ QString CompareWindow::titleOf(NodeId node) const
 
 void CompareWindow::refresh()
 {
-    m_right->setVersion(tr("Now"), m_document.committed(), m_files);
+    m_right->setVersion(tr("Now"), m_document.committed(), m_filesOf(m_document.committed()));
     fillList();
     selectionChanged();
+}
+
+void CompareWindow::updateFiles()
+{
+    if (!isVisible())
+        return;
+    m_left->setFiles(m_filesOf(m_other));
+    m_right->setFiles(m_filesOf(m_document.committed()));
 }
 
 void CompareWindow::fillList()

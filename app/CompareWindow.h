@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QCheckBox;
 class QPushButton;
 class QTreeWidget;
@@ -19,10 +21,13 @@ class CompareWindow : public QWidget {
     Q_OBJECT
 
 public:
-    CompareWindow(Document& document, const DesignFiles& files, QWidget* parent = nullptr);
+    using FilesOf = std::function<DesignFiles(const Design& design)>; ///< as far as they have been read
+    CompareWindow(Document& document, FilesOf filesOf, QWidget* parent = nullptr);
 
     /// The version at a node; false when it cannot be read any more.
     bool compareWith(NodeId node);
+    /// Some more have been read.
+    void updateFiles();
     QTreeWidget& differences() { return *m_list; }
     QPushButton& take() { return *m_take; }
     QCheckBox& together() { return *m_together; }
@@ -39,7 +44,7 @@ private:
     std::set<ElementId> chosen() const;
 
     Document& m_document;
-    const DesignFiles& m_files;
+    FilesOf m_filesOf;
     Design m_other;
     VersionPane* m_left;
     VersionPane* m_right;

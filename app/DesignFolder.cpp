@@ -34,12 +34,16 @@ bool sameContent(const QString& a, const QString& b)
 }
 
 /// `name`, or with a number behind it, such that the folder has no other file of that name.
-QString freeName(const QDir& folder, const QString& name, const QString& source)
+QString freeName(const QDir& folder, const QString& name, const QString& source,
+                 const std::function<bool(const QString&)>& taken = {})
 {
+    const auto isTaken = [&](const QString& candidate) {
+        const QString path = folder.filePath(candidate);
+        return QFileInfo::exists(path) ? !sameContent(path, source) : taken && taken(candidate);
+    };
     const QFileInfo info(name);
     QString candidate = name;
-    for (int i = 2;
-         QFileInfo::exists(folder.filePath(candidate)) && !sameContent(folder.filePath(candidate), source); ++i)
+    for (int i = 2; isTaken(candidate); ++i)
         candidate = QStringLiteral("%1-%2.%3").arg(info.completeBaseName()).arg(i).arg(info.suffix());
     return candidate;
 }
@@ -125,7 +129,8 @@ Message DesignFolder::makeOwnFolder(const Design& design)
     return problem;
 }
 
-Message DesignFolder::add(const QString& source, QString* name) const
+Message DesignFolder::add(const QString& source, QString* name,
+                          const std::function<bool(const QString& name)>& taken) const
 {
     const QDir folder(m_folder);
     const QString inside = folder.relativeFilePath(QFileInfo(source).absoluteFilePath());
@@ -133,7 +138,7 @@ Message DesignFolder::add(const QString& source, QString* name) const
         *name = inside;
         return {};
     }
-    *name = freeName(folder, QFileInfo(source).fileName(), source);
+    *name = freeName(folder, QFileInfo(source).fileName(), source, taken);
     return copyInto(folder, *name, source);
 }
 

@@ -6,6 +6,8 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
+
 namespace bolster {
 
 /// A saved design has its files beside it. Until it is saved they lie in a folder of their own in the user's local
@@ -32,8 +34,9 @@ public:
     static bool isOwnFolder(const QString& folder);
 
     /// Brings a file into the folder unless it is there, under a free name if its own is taken by another one.
-    /// `name` is what an element then refers to.
-    Message add(const QString& source, QString* name) const;
+    /// `name` is what an element then refers to. What `taken` says of a name that is free here: other versions of
+    /// the design mean another file by it.
+    Message add(const QString& source, QString* name, const std::function<bool(const QString& name)>& taken) const;
 
     /// The design as it must be written into the folder `target`: its elements' files are copied there, renamed
     /// where the name is taken by another file. Files that are missing here are left as they are.

@@ -128,6 +128,7 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     m_opened = opened.design.problems;
     m_known.clear();
     m_reading.clear();
+    m_names.clear();
     const Design& design = opened.design.design;
     const DesignFiles& files = opened.design.files;
     for (const auto& [id, element] : design.elements()) {
@@ -149,6 +150,8 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
         m_document.reset(design);
     }
     m_journal.start({path, folder}, opened.journal);
+    for (const auto& [id, element] : design.elements())
+        noteFile(*element);
     updateFiles();
     emit titleChanged();
     emit problemsChanged();
@@ -190,7 +193,10 @@ Message DesignSession::addWithFile(const QString& source, FileContent content, c
         m_journal.move({{}, m_folder.folder()});
     }
     QString name;
-    if (Message problem = m_folder.add(source, &name); !problem.empty())
+    const auto taken = [journal = m_journal.journal()](const QString& free) {
+        return journal && journal->hasAsset(free.toStdString());
+    };
+    if (Message problem = m_folder.add(source, &name, taken); !problem.empty())
         return problem;
     const ElementPtr added = withFile(element, name.toStdString());
     if (hasShapeFile(*added))
@@ -215,6 +221,9 @@ DesignSession::FileKey DesignSession::keyOf(const Element& element)
 
 void DesignSession::designChanged(const std::set<ElementId>& ids)
 {
+    for (const ElementId id : ids)
+        if (const ElementPtr element = m_document.design().element(id))
+            noteFile(*element);
     const auto concernsFiles = [this](ElementId id) {
         const ElementPtr element = m_document.design().element(id);
         return m_files.meshes.contains(id) || m_files.clouds.contains(id) || (element && hasShapeFile(*element));
@@ -223,10 +232,26 @@ void DesignSession::designChanged(const std::set<ElementId>& ids)
         updateFiles();
 }
 
-void DesignSession::updateFiles()
+/// All of them belong to the project. A picture that only an older version has is brought from there; whoever shows
+/// it reads it. Meshes and scans are read here: readMissing.
+void DesignSession::noteFile(const Element& element)
+{
+    const std::string* file = elementFile(element);
+    if (!file || !m_names.insert(QString::fromStdString(*file)).second || hasShapeFile(element) ||
+        !m_journal.journal() || !m_folder.ownFolder() || !m_folder.find(QString::fromStdString(*file)).isEmpty())
+        return;
+    besideEdits(
+        [name = *file, folder = m_folder.folder()](Journal& journal) { return journal.extractAsset(name, folder); },
+        [this](const Message& problem) {
+            if (problem.empty())
+                emit filesChanged();
+        });
+}
+
+DesignFiles DesignSession::filesOf(const Design& design)
 {
     DesignFiles files;
-    for (const auto& [id, element] : m_document.design().elements()) {
+    for (const auto& [id, element] : design.elements()) {
         if (!hasShapeFile(*element))
             continue;
         const FileKey key = keyOf(*element);
@@ -235,6 +260,12 @@ void DesignSession::updateFiles()
         else
             readMissing(key);
     }
+    return files;
+}
+
+void DesignSession::updateFiles()
+{
+    DesignFiles files = filesOf(m_document.design());
     if (files != m_files) {
         m_files = std::move(files);
         emit filesChanged();
@@ -245,19 +276,31 @@ void DesignSession::readMissing(const FileKey& key)
 {
     if (!m_reading.insert(key).second)
         return;
-    const QString path = m_folder.find(key.second);
     const int generation = m_generation;
-    inBackground<ImportedFile>([kind = key.first, path] {
-        return path.isEmpty() ? ImportedFile{{}, {QT_TRANSLATE_NOOP("Message", "the file is missing"), {}}}
-                              : importFile(kind, path);
+    inBackground<ImportedFile>([key, folder = m_folder, journal = m_journal.journal()] {
+        return readFile(key, folder, journal.get());
     }).then(this, [this, key, generation](const ImportedFile& imported) {
         if (generation != m_generation)
             return;
         m_reading.erase(key);
         m_known[key] = imported;
         updateFiles();
+        emit fileRead();
         emit problemsChanged();
     });
+}
+
+/// Older versions mean files that nobody has asked the project for yet.
+ImportedFile DesignSession::readFile(const FileKey& key, const DesignFolder& folder, Journal* journal)
+{
+    const auto& [kind, name] = key;
+    if (const QString path = folder.find(name); !path.isEmpty())
+        return importFile(kind, path);
+    if (!journal || !folder.ownFolder())
+        return {{}, {QT_TRANSLATE_NOOP("Message", "the file is missing"), {}}};
+    if (Message problem = journal->extractAsset(name.toStdString(), folder.folder()); !problem.empty())
+        return {{}, std::move(problem)};
+    return importFile(kind, folder.find(name));
 }
 
 Problems DesignSession::problems() const

@@ -33,6 +33,8 @@ public:
     QString title() const;
     /// What has been read by now.
     const DesignFiles& files() const { return m_files; }
+    /// The same of another version; the rest is read from now on, see fileRead().
+    DesignFiles filesOf(const Design& design);
     /// The file that an element means by this name, or "" when it is not there.
     QString findFile(const QString& name) const { return m_folder.find(name); }
     /// Of elements that could not be read and of their files: what only this class knows.
@@ -78,6 +80,8 @@ signals:
     void opened();
     void titleChanged();
     void filesChanged();
+    /// One more, of whatever version.
+    void fileRead();
     /// By the user, just now.
     void imported(bolster::ElementId id);
     void problemsChanged();
@@ -104,6 +108,8 @@ private:
     void designChanged(const std::set<ElementId>& ids);
     void updateFiles();
     void readMissing(const FileKey& key);
+    void noteFile(const Element& element);
+    static ImportedFile readFile(const FileKey& key, const DesignFolder& folder, Journal* journal);
 
     Document m_document;
     WorkJournal m_journal;
@@ -113,6 +119,7 @@ private:
     Problems m_opened;
     std::map<FileKey, ImportedFile> m_known;
     std::set<FileKey> m_reading;
+    std::set<QString> m_names; ///< of the files that the design has meant since it was opened
     DesignFiles m_files;
     std::optional<NodeId> m_saving; ///< what is being written
     bool m_changedByOthers = false;

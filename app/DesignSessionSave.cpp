@@ -141,7 +141,7 @@ void DesignSession::besideEdits(const std::function<Message(Journal&)>& work, co
     });
 }
 
-/// The files that the design uses become part of the project.
+/// The files that any version uses become part of the project.
 void DesignSession::addFiles(const Done& done)
 {
     if (const Message problem = m_journal.prepare(); !problem.empty()) {
@@ -149,9 +149,9 @@ void DesignSession::addFiles(const Done& done)
         return;
     }
     std::map<std::string, QString> files;
-    for (const auto& [key, imported] : m_known)
-        if (const QString file = m_folder.find(key.second); !file.isEmpty())
-            files[key.second.toStdString()] = file;
+    for (const QString& name : m_names)
+        if (const QString file = m_folder.find(name); !file.isEmpty())
+            files[name.toStdString()] = file;
     auto names = std::make_shared<std::map<std::string, std::string>>(); // as the project has them
     besideEdits(
         [files, names](Journal& journal) {

@@ -36,6 +36,7 @@ FabricLink::FabricLink(DesignSession& session, QObject* parent)
     , m_session(session)
 {
     connect(&session.document(), &Document::changed, this, &FabricLink::designChanged);
+    connect(&session, &DesignSession::filesChanged, this, &FabricLink::bakeNext); // a picture may have come
     connect(&session, &DesignSession::opened, this, [this] {
         m_stop.request_stop();
         m_stop = {};
@@ -74,7 +75,8 @@ bool FabricLink::stale(ElementId id) const
     const Fabric* fabric = m_session.document().design().find<Fabric>(id);
     const auto baked = m_baked.find(id);
     return fabric && (baked == m_baked.end() || !looksAlike(baked->second.fabric, *fabric) ||
-                      baked->second.fabric.look.rotation != fabric->look.rotation);
+                      baked->second.fabric.look.rotation != fabric->look.rotation ||
+                      baked->second.path != picturePath(*fabric));
 }
 
 std::optional<ElementId> FabricLink::nextStale() const

@@ -84,12 +84,16 @@ void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
     const QFileInfo file(path);
     QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
-                    QMessageBox::Ok, m_window);
+                    QMessageBox::Close, m_window);
     box.setInformativeText(translated(problem));
     const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
-    const QPushButton* rescue =
-        project ? box.addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole) : nullptr;
-    box.setDefaultButton(QMessageBox::Ok);
+    QPushButton* rescue = nullptr;
+    if (project) {
+        box.setInformativeText(translated(problem) + QStringLiteral("\n\n") +
+                               tr("What can be read goes into a new project beside it. This file stays as it is."));
+        rescue = box.addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
+        box.setDefaultButton(rescue);
+    }
     box.exec();
     if (rescue && box.clickedButton() == rescue)
         salvage(path);

@@ -71,7 +71,7 @@ private:
     void addEdit()
     {
         QMenu* menu = m_bar.addMenu(tr("&Edit"));
-        menu->addActions({m_actions.undo, m_actions.redo});
+        menu->addActions({m_actions.undo, m_actions.redo, m_actions.nameBranch});
         menu->addSeparator();
         menu->addActions({m_actions.cut, m_actions.copy, m_actions.paste, m_actions.duplicate});
         menu->addSeparator();

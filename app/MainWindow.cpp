@@ -146,6 +146,7 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
         m_surface->setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
+        m_inspector->setFiles(m_session->files());
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
@@ -249,6 +250,7 @@ void MainWindow::updateEditActions()
     m_actions->redo->setEnabled(history.canRedo());
     m_actions->redo->setText(history.canRedo() ? tr("&Redo: %1").arg(verb(history.node(current).lastVisitedChild))
                                                : tr("&Redo"));
+    m_actions->nameBranch->setEnabled(history.branchOf(current).has_value());
 
     const bool any = !m_selection.elements().empty();
     const bool patches = !selectedOf<Patch>(document().design(), m_selection.elements()).empty();

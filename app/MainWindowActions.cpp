@@ -7,6 +7,9 @@
 #include "FabricCommands.h"
 #include "FileFlow.h"
 #include "HelpDialogs.h"
+#include "HistoryModel.h"
+#include "HistoryPanel.h"
+#include "HistoryView.h"
 #include "Insert.h"
 #include "PatchEdits.h"
 #include "PatternView.h"
@@ -41,6 +44,12 @@ void MainWindow::connectActions()
 
     on(m_actions->undo, [this] { document().undo(); });
     on(m_actions->redo, [this] { document().redo(); });
+    on(m_actions->nameBranch, [this] {
+        Docks::reveal(m_docks->history);
+        HistoryView& view = m_history->view();
+        view.nameBranchOf(view.hasFocus() ? view.currentIndex().data(HistoryModel::NodeRole).toInt()
+                                          : document().history().current());
+    });
     on(m_actions->remove, [this] { removeSelection(); });
     on(m_actions->rename, [this] {
         Docks::reveal(m_docks->elements);

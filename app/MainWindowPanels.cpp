@@ -56,7 +56,9 @@ void MainWindow::compareWith(NodeId node)
 {
     auto* window = findChild<CompareWindow*>();
     if (!window) {
-        window = new CompareWindow(document(), m_session->files(), this);
+        const auto filesOf = [session = m_session.get()](const Design& design) { return session->filesOf(design); };
+        window = new CompareWindow(document(), filesOf, this);
+        connect(m_session.get(), &DesignSession::fileRead, window, &CompareWindow::updateFiles);
         connect(m_session.get(), &DesignSession::opened, window, &QWidget::close);
     }
     if (window->compareWith(node)) {

@@ -14,7 +14,8 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
     scene.cover = request.cover;
     scene.trims = request.trims;
     for (const auto& look : request.looks)
-        scene.looks.push_back({look.patch, look.color.name().toStdString()});
+        scene.looks.push_back({look.patch, look.color.name().toStdString(), look.maps, look.turn});
+    scene.piping = request.fabrics;
     for (const auto& look : request.frames)
         scene.frames.push_back({look.mesh, look.placement.scale, look.placement.position, look.placement.rotation});
     scene.frameOpacity = request.frameOpacity;
@@ -33,19 +34,12 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
 
 bool RayRenderer::prepared(const Request& request) const
 {
-    const auto sameLook = [](const Request::PatchLook& a, const Request::PatchLook& b) {
-        return a.patch == b.patch && a.color == b.color;
-    };
-    const auto sameFrame = [](const Request::FrameLook& a, const Request::FrameLook& b) {
-        return a.mesh == b.mesh && a.placement == b.placement;
-    };
     return m_last && m_renderer && m_last->surface == request.surface && m_last->cover == request.cover &&
            m_last->trims == request.trims && m_last->map == request.map &&
            m_last->frameOpacity == request.frameOpacity && m_last->section == request.section &&
            m_last->checker == request.checker && m_last->ground == request.ground &&
            m_last->backgroundTop == request.backgroundTop && m_last->backgroundBottom == request.backgroundBottom &&
-           std::ranges::equal(m_last->looks, request.looks, sameLook) &&
-           std::ranges::equal(m_last->frames, request.frames, sameFrame);
+           m_last->looks == request.looks && m_last->fabrics == request.fabrics && m_last->frames == request.frames;
 }
 
 SoftwareRenderer::Picture RayRenderer::render(const Request& request, std::stop_token stop)

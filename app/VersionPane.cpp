@@ -64,6 +64,12 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_fitCover = true;
 }
 
+void VersionPane::setFiles(const DesignFiles& files)
+{
+    m_solver->setFiles(files);
+    m_surface->setFiles(files);
+}
+
 /// What would begin to change something moves the picture instead.
 bool VersionPane::eventFilter(QObject* view, QEvent* event)
 {

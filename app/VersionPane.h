@@ -28,6 +28,8 @@ public:
     ~VersionPane() override;
 
     void setVersion(const QString& title, const Design& design, const DesignFiles& files);
+    /// Of the same version, more of them.
+    void setFiles(const DesignFiles& files);
     const Design& design() const { return m_document.design(); }
     Selection& selection() { return m_selection; }
     SurfaceView& surface() { return *m_surface; }

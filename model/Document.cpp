@@ -93,7 +93,16 @@ void Document::nameVersion(NodeId node, std::string name)
     if (node < 0 || node >= m_history.count() || m_history.node(node).name == name)
         return;
     m_history.setName(node, std::move(name));
-    emit versionNamed(node);
+    emit named(node);
+    emit historyChanged();
+}
+
+void Document::nameBranch(NodeId node, std::string name)
+{
+    if (node < 0 || node >= m_history.count() || m_history.node(node).branch == name)
+        return;
+    m_history.setBranch(node, std::move(name));
+    emit named(node);
     emit historyChanged();
 }
 

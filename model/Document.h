@@ -49,6 +49,8 @@ public:
     void takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits);
     /// A label in the history, "" for none. The design stays as it is.
     void nameVersion(NodeId node, std::string name);
+    /// The same for the branch that begins with `node`.
+    void nameBranch(NodeId node, std::string name);
 
     /// The current node is not the saved one.
     bool dirty() const;
@@ -72,8 +74,8 @@ signals:
     void changed(const bolster::ChangeSet& ids);
     /// Nodes were added or named, or the current node moved.
     void historyChanged();
-    /// Comes before historyChanged.
-    void versionNamed(bolster::NodeId node);
+    /// A version, or the branch that begins with it. Comes before historyChanged.
+    void named(bolster::NodeId node);
     /// The history is another one now. Comes before historyChanged.
     void historyReplaced();
     void dirtyChanged(bool dirty);

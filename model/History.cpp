@@ -30,7 +30,7 @@ History::History(std::vector<Node> nodes, NodeId current, std::shared_ptr<Stored
 NodeId History::append(Edit edit)
 {
     const NodeId id = count();
-    m_nodes.push_back({m_current, {}, -1, std::move(edit), QDateTime::currentDateTimeUtc(), {}});
+    m_nodes.push_back({m_current, {}, -1, std::move(edit), QDateTime::currentDateTimeUtc(), {}, {}});
     Node& parent = m_nodes[static_cast<std::size_t>(m_current)];
     parent.children.push_back(id);
     parent.lastVisitedChild = id;
@@ -89,6 +89,14 @@ std::optional<Design> History::step(NodeId id, const Design& design, StoredEdits
         return std::nullopt;
     const Edit& edit = stored ? *stored : through.edit;
     return design.with(known == StoredEdits::Known::Parent ? edit : edit.inverse());
+}
+
+std::optional<NodeId> History::branchOf(NodeId id) const
+{
+    for (; id > 0; id = node(id).parent)
+        if (node(node(id).parent).children.size() > 1)
+            return id;
+    return std::nullopt;
 }
 
 std::vector<NodeId> History::pathTo(NodeId id) const

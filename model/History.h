@@ -36,6 +36,7 @@ public:
         Edit edit;                    ///< that leads from the parent to this node; of a stored one only the verb
         QDateTime time;
         std::string name;    ///< that the user gave this version, or ""
+        std::string branch;  ///< that the user gave the branch that begins with this node, or ""
         bool stored = false; ///< the changes lie in the project
     };
 
@@ -61,6 +62,10 @@ public:
     /// The design of `id`, without going there.
     std::optional<Design> designAt(NodeId id, const Design& design) const;
     void setName(NodeId id, std::string name) { m_nodes[static_cast<std::size_t>(id)].name = std::move(name); }
+    void setBranch(NodeId id, std::string name) { m_nodes[static_cast<std::size_t>(id)].branch = std::move(name); }
+    /// Where the branch begins that `id` is on: the nearest node with siblings, from `id` upwards. Nothing where
+    /// nobody has gone another way.
+    std::optional<NodeId> branchOf(NodeId id) const;
     /// The nodes from the root to `id`, both included.
     std::vector<NodeId> pathTo(NodeId id) const;
 

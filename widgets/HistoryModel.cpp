@@ -15,7 +15,7 @@ HistoryModel::HistoryModel(Document& document, QObject* parent)
 {
     connect(&document, &Document::historyReplaced, this, &HistoryModel::rebuild);
     connect(&document, &Document::historyChanged, this, &HistoryModel::follow);
-    connect(&document, &Document::versionNamed, this, [this](NodeId node) {
+    connect(&document, &Document::named, this, [this](NodeId node) {
         if (const QModelIndex named = indexOf(node); named.isValid())
             emit dataChanged(named, named);
     });
@@ -155,6 +155,8 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
     case NameRole:
         return QString::fromStdString(m_document.history().node(row.node).name);
+    case BranchRole:
+        return QString::fromStdString(m_document.history().node(row.node).branch);
     case NodeRole:
         return row.node;
     case DepthRole:
@@ -174,10 +176,14 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
 
 bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (!index.isValid() || role != Qt::EditRole)
+    if (!index.isValid() || (role != Qt::EditRole && role != BranchRole))
         return false;
     const NodeId node = m_rows[static_cast<std::size_t>(index.row())].node;
-    m_document.nameVersion(node, value.toString().trimmed().toStdString());
+    const std::string name = value.toString().trimmed().toStdString();
+    if (role == BranchRole)
+        m_document.nameBranch(node, name);
+    else
+        m_document.nameVersion(node, name);
     return true;
 }
 

@@ -26,13 +26,14 @@ public:
         FirstOfBranchRole,       ///< bool: the line comes from a less indented one
         LaneBitsRole,            ///< quint32: at which depths a line passes on downwards
         NameRole,                ///< QString: what the user calls this version, or ""
+        BranchRole,              ///< QString: what the user calls the branch that begins here, or ""
     };
 
     explicit HistoryModel(Document& document, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    /// A version can be named.
+    /// Qt::EditRole names a version, BranchRole the branch that begins there.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QModelIndex indexOf(NodeId node) const;

@@ -5,6 +5,7 @@
 #include "ViewColors.h"
 
 #include <QContextMenuEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
@@ -20,6 +21,7 @@ namespace {
 constexpr int laneWidth = 16;
 constexpr int leftMargin = 14;
 constexpr int rowHeight = 26;
+constexpr int branchGap = 8;
 
 /// A line with dots, as in a plan of an underground railway.
 class HistoryDelegate : public QStyledItemDelegate {
@@ -30,6 +32,7 @@ public:
     {
         const int depth = index.data(HistoryModel::DepthRole).toInt();
         const int width = option.fontMetrics.horizontalAdvance(index.data().toString()) +
+                          option.fontMetrics.horizontalAdvance(index.data(HistoryModel::BranchRole).toString()) +
                           option.fontMetrics.horizontalAdvance(index.data(HistoryModel::NameRole).toString());
         return {leftMargin + (depth + 1) * laneWidth + width + 12,
                 std::max(rowHeight, option.fontMetrics.height() + 8)};
@@ -58,7 +61,10 @@ public:
         painter->setBrush(current ? accent : done ? mixed(base, accent, 0.5) : base);
         painter->drawEllipse(dot, current ? 5 : 3.5, current ? 5 : 3.5);
 
-        paintText(*painter, option, index, textPlace(option.rect, depth), text);
+        QRect place = textPlace(option.rect, depth);
+        if (const QString branch = index.data(HistoryModel::BranchRole).toString(); !branch.isEmpty())
+            place.setLeft(paintBranch(*painter, option, branch, place, done) + branchGap);
+        paintText(*painter, option, index, place, text);
         painter->restore();
     }
 
@@ -69,11 +75,55 @@ public:
     }
 
     void setFiltered(bool filtered) { m_filtered = filtered; }
+    /// What the next editor is for: Qt::EditRole or BranchRole.
+    void setEdited(int role) { m_edited = role; }
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override
+    {
+        QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+        if (auto* line = qobject_cast<QLineEdit*>(editor))
+            line->setPlaceholderText(m_edited == HistoryModel::BranchRole
+                                         ? HistoryView::tr("Name of this branch")
+                                         : HistoryView::tr("Name of this version"));
+        return editor;
+    }
+
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override
+    {
+        if (auto* line = qobject_cast<QLineEdit*>(editor))
+            line->setText(index.data(m_edited).toString());
+    }
+
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override
+    {
+        if (auto* line = qobject_cast<QLineEdit*>(editor))
+            model->setData(index, line->text(), m_edited);
+    }
 
 private:
     static QRect textPlace(const QRect& rect, int depth)
     {
         return rect.adjusted(static_cast<int>(laneX(rect, depth)) - rect.left() + 13, 0, -4, 0);
+    }
+
+    /// A label with round ends. Returns where it ends.
+    static int paintBranch(QPainter& painter, const QStyleOptionViewItem& option, const QString& name,
+                           const QRect& place, bool done)
+    {
+        const QColor base = option.palette.color(QPalette::Base);
+        const QColor accent = option.palette.color(QPalette::Highlight);
+        const int width = std::min(option.fontMetrics.horizontalAdvance(name) + 16, place.width());
+        const int height = option.fontMetrics.height() + 2;
+        const QRectF label(place.left() + 0.5, place.center().y() - height / 2 + 0.5, width, height);
+        painter.setPen(QPen(mixed(base, accent, done ? 0.8 : 0.4), 1));
+        painter.setBrush(mixed(base, accent, done ? 0.25 : 0.1));
+        painter.drawRoundedRect(label, label.height() / 2, label.height() / 2);
+        painter.setFont(option.font);
+        painter.setPen(mixed(base, option.palette.color(QPalette::Text), done ? 1.0 : 0.6));
+        painter.drawText(label.adjusted(8, 0, -6, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         option.fontMetrics.elidedText(name, Qt::ElideRight, width - 14));
+        return place.left() + width;
     }
 
     /// A name stands bold before what was done.
@@ -128,6 +178,7 @@ private:
     }
 
     bool m_filtered = false;
+    int m_edited = Qt::EditRole;
 };
 
 } // namespace
@@ -161,6 +212,8 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
                 applyFilter(first.row(), last.row());
                 showCurrent();
             });
+    connect(itemDelegate(), &QAbstractItemDelegate::closeEditor, this,
+            [this] { static_cast<HistoryDelegate*>(itemDelegate())->setEdited(Qt::EditRole); });
     showCurrent();
 }
 
@@ -176,7 +229,8 @@ void HistoryView::applyFilter(int first, int last)
 {
     for (int row = first; row <= last; ++row) {
         const QModelIndex index = m_model->index(row);
-        const QString text = index.data().toString() + u' ' + index.data(HistoryModel::NameRole).toString();
+        const QString text = index.data().toString() + u' ' + index.data(HistoryModel::NameRole).toString() + u' ' +
+                             index.data(HistoryModel::BranchRole).toString();
         const bool found = std::ranges::all_of(
             m_filter, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
         setRowHidden(row, !found);
@@ -189,6 +243,19 @@ bool HistoryView::event(QEvent* event)
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2)
         event->accept();
     return QListView::event(event);
+}
+
+void HistoryView::nameBranchOf(NodeId node)
+{
+    const auto first = m_document.history().branchOf(node);
+    if (!first)
+        return;
+    const QModelIndex index = m_model->indexOf(*first);
+    setRowHidden(index.row(), false); // a search may have
+    scrollTo(index);
+    auto* delegate = static_cast<HistoryDelegate*>(itemDelegate());
+    delegate->setEdited(HistoryModel::BranchRole);
+    edit(index);
 }
 
 void HistoryView::contextMenuEvent(QContextMenuEvent* event)
@@ -209,6 +276,10 @@ void HistoryView::contextMenuEvent(QContextMenuEvent* event)
     QAction* forget = menu->addAction(tr("&Remove its name"));
     forget->setEnabled(!index.data(HistoryModel::NameRole).toString().isEmpty());
     connect(forget, &QAction::triggered, this, [this, node] { m_document.nameVersion(node, {}); });
+    menu->addSeparator();
+    QAction* branch = menu->addAction(tr("Name this &branch \u2026"));
+    branch->setEnabled(m_document.history().branchOf(node).has_value());
+    connect(branch, &QAction::triggered, this, [this, node] { nameBranchOf(node); });
     menu->popup(event->reason() == QContextMenuEvent::Mouse ? event->globalPos()
                                                             : viewport()->mapToGlobal(visualRect(index).center()));
 }

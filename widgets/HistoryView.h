@@ -1,4 +1,5 @@
-// The list of edits: a click jumps to the design as it was then, a double click or F2 names that version.
+// The list of edits: a click jumps to the design as it was then, a double click or F2 names that version, Shift+F2
+// its branch.
 #pragma once
 
 #include <QListView>
@@ -20,6 +21,9 @@ public:
     /// Shows only what has these words in its text or name; everything when there are none.
     void setFilter(const QString& words);
     HistoryModel& history() { return *m_model; }
+    /// Asks for the name of the branch that a version is on, in its first line. Does nothing where the history has
+    /// not forked yet.
+    void nameBranchOf(NodeId node);
 
 signals:
     /// With the present one.

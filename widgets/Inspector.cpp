@@ -45,6 +45,12 @@ void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
     refresh();
 }
 
+void Inspector::setFiles(DesignFiles files)
+{
+    m_forms.setFiles(std::move(files));
+    refresh();
+}
+
 void Inspector::rebuild()
 {
     m_form = m_forms.make().release();

@@ -1,6 +1,7 @@
 // What the inspector shows for each kind of element.
 #pragma once
 
+#include "DesignFiles.h"
 #include "ElementText.h"
 #include "PropertyForm.h"
 #include "ScanFigures.h"
@@ -30,6 +31,7 @@ public:
 
     /// As measured last.
     void setScanFigures(std::map<ElementId, ScanFigures> figures) { m_scanFigures = std::move(figures); }
+    void setFiles(DesignFiles files) { m_files = std::move(files); }
 
     std::unique_ptr<PropertyForm> make() const;
     /// Of the selected fabrics: their forms differ.
@@ -73,6 +75,8 @@ private:
     void addPatternPoints(PropertyForm& form, const Selection::Points& points) const;
     void addSpacePoints(PropertyForm& form, const Selection::Points& points) const;
     void addFabricChoice(PropertyForm& form, const Ids& patches) const;
+    /// How many points of its file there are.
+    void addScanSize(PropertyForm& form, ElementId id) const;
     void addScanReport(PropertyForm& form, ElementId id) const;
     void addScanCuts(PropertyForm& form, ElementId id) const;
     static QStringList matchNames();
@@ -83,6 +87,7 @@ private:
     std::function<void(ElementId)> m_chooseFile;
     std::function<void(ElementId, ScanWish)> m_scanWish;
     std::map<ElementId, ScanFigures> m_scanFigures;
+    DesignFiles m_files;
 };
 
 } // namespace bolster

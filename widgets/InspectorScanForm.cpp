@@ -19,6 +19,8 @@ void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
     const InspectorSubject<Scan> scan(m_document, ids, form);
     scan.name(tr("Name"));
     scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
+    if (!scan.several())
+        addScanSize(form, ids.front());
     scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
     scan.slider(tr("Strength"), {{}, 2, 0, 100, 0.25}, 0, greatestStrength, &Scan::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
@@ -35,6 +37,23 @@ void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
     form.addButton(tr("Place on the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
     addScanCuts(form, id);
     form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
+}
+
+void InspectorForms::addScanSize(PropertyForm& form, ElementId id) const
+{
+    form.addInfo(tr("Contents"), [this, id] {
+        const auto* scan = m_document.design().find<Scan>(id);
+        const auto found = m_files.clouds.find(id);
+        if (!scan || found == m_files.clouds.end())
+            return QStringLiteral("\u2013");
+        const PointCloud& cloud = *found->second;
+        const auto count = [](std::uint64_t number) { return QLocale().toString(static_cast<qulonglong>(number)); };
+        const QString kept = count(cloud.points.size());
+        return cloud.thinnedFrom == 0
+                   ? tr("%1 points").arg(kept)
+                   : tr("%1 of %2 points, one every %3")
+                         .arg(kept, count(cloud.thinnedFrom), lengthText(cloud.spacing * scan->scale));
+    });
 }
 
 void InspectorForms::addScanReport(PropertyForm& form, ElementId id) const

@@ -48,8 +48,12 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
     const QColor veil = mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5);
     for (const SurfaceScene::PatchLook& look : m_scene.patches) {
         // Only outlines show what is selected: they need no new picture.
-        request.looks.push_back({look.patch, m_scene.dimmed ? mixed(look.fabric, veil, 0.5) : look.fabric});
+        if (m_scene.dimmed)
+            request.looks.push_back({look.patch, mixed(look.fabric, veil, 0.5)});
+        else
+            request.looks.push_back({look.patch, look.fabric, look.maps, look.turn});
     }
+    request.fabrics = m_scene.fabrics;
     request.frames = m_scene.frames;
     request.frameOpacity = m_scene.frameOpacity;
     request.section = m_scene.section;

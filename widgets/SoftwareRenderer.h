@@ -3,6 +3,7 @@
 
 #include "Camera.h"
 #include "CoverMesh.h"
+#include "FabricMaps.h"
 #include "Frame.h"
 #include "SectionPlane.h"
 #include "SurfaceMap.h"
@@ -13,6 +14,7 @@
 #include <QColor>
 #include <QImage>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -26,6 +28,8 @@ public:
         struct PatchLook {
             ElementId patch{};
             QColor color;
+            FabricMapsPtr maps = nullptr; ///< instead of the colour, unless null
+            double turn = 0; ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
 
             friend bool operator==(const PatchLook&, const PatchLook&) = default;
         };
@@ -40,9 +44,10 @@ public:
         TrimMeshPtr trims;      ///< stitches and piping on it; may be null
         CoverMeshPtr cover;     ///< drawn in its place, with the same patches; null: not refined yet
         std::vector<PatchLook> looks;
-        SurfaceMapPtr map;             ///< null, or of another topology: plain cloth
-        std::vector<FrameLook> frames; ///< see-through where there is a cover
-        double frameOpacity = 1;       ///< times the usual one over a cover
+        std::map<ElementId, FabricMapsPtr> fabrics; ///< what piping is made of; others are plain
+        SurfaceMapPtr map;                          ///< null, or of another topology: plain cloth
+        std::vector<FrameLook> frames;              ///< see-through where there is a cover
+        double frameOpacity = 1;                    ///< times the usual one over a cover
         std::optional<SectionPlane> section;
         Camera camera; ///< its size is the size of the picture
         QColor backgroundTop;

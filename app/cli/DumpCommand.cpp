@@ -71,6 +71,8 @@ std::string nodeText(const OpenedProject& project, NodeId id)
     text.append(", \"verb\": ").append(quoted(verb.key)).append(", \"args\": [").append(args).append("]");
     if (!node.name.empty())
         text.append(", \"name\": ").append(quoted(node.name));
+    if (!node.branch.empty())
+        text.append(", \"branch\": ").append(quoted(node.branch));
     text.append(", \"design_hash\": \"").append(hexText(stored.designHash));
     text.append("\", \"row_hash\": \"").append(hexText(stored.rowHash)).append("\", \"changes\": ");
     return text.append(changesText(storedChanges(project, id).value_or(FieldChanges()))).append("}");

@@ -9,7 +9,8 @@ const char* const historyHelp = R"(Usage: bolster history FILE
 Lists the edits of a project, one per line, the oldest first: the number of the
 edit and of the one before it, when it was made, the beginnings of two hashes
 (of the design after it, and of the edit with all before it), what was done, and
-the name of the version in quotes if it has one. "*" is the current one.
+the name of the branch that begins there in brackets, and that of the version in
+quotes, if they have one. "*" is the current one.
 
 Exit code:
   0  done
@@ -34,6 +35,8 @@ int history(std::span<const std::string> words)
         line.append(hexText(stored.designHash).substr(0, 12)).append(" ");
         line.append(hexText(stored.rowHash).substr(0, 12)).append(" ");
         line.append(id == 0 ? "(begin)" : node.edit.verb.english());
+        if (!node.branch.empty())
+            line.append(" [").append(node.branch).append("]");
         if (!node.name.empty())
             line.append(" \"").append(node.name).append("\"");
         printResult(line);

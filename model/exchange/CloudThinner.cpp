@@ -12,7 +12,9 @@ namespace {
 
 using Cube = std::array<std::int64_t, 3>;
 
-constexpr std::size_t pointsBetweenChecks = 1 << 15; // some milliseconds of work
+// A millisecond of work, or less: a busy machine makes it several.
+constexpr std::size_t pointsBetweenChecks = 1 << 13;
+constexpr std::size_t slotsBetweenChecks = 1 << 19;
 
 Cube cubeOf(const Vec3& point, double edge)
 {
@@ -56,16 +58,16 @@ void CloudThinner::reserve(std::uint64_t count)
 
 void CloudThinner::add(const Vec3& point)
 {
-    ++m_count;
+    if (++m_count % pointsBetweenChecks == 0)
+        m_watch.checkStop();
     if (m_taken.empty()) {
         if (!isFull()) {
+            grow();
             m_cloud.points.push_back(point);
             return;
         }
         chooseGrid();
     }
-    if (m_count % pointsBetweenChecks == 0)
-        m_watch.checkStop();
     while (!keep(point)) {
         m_cloud.spacing *= 2;
         thin();
@@ -78,8 +80,32 @@ PointCloud CloudThinner::take()
         m_cloud.thinnedFrom = m_count;
     m_taken = {};
     if (m_cloud.points.size() < m_cloud.points.capacity() / 4 * 3)
-        m_cloud.points.shrink_to_fit();
+        shrink();
     return std::move(m_cloud);
+}
+
+/// Of many points all that may come get their room at once, before it is used: moving them again and again could
+/// not be stopped.
+void CloudThinner::grow()
+{
+    constexpr std::size_t many = 100'000;
+    std::vector<Vec3>& points = m_cloud.points;
+    if (points.size() == points.capacity() && points.size() >= many)
+        points.reserve(m_most);
+}
+
+void CloudThinner::shrink()
+{
+    const std::vector<Vec3>& points = m_cloud.points;
+    std::vector<Vec3> fitting;
+    fitting.reserve(points.size());
+    while (fitting.size() < points.size()) {
+        m_watch.checkStop();
+        const auto from = points.begin() + static_cast<std::ptrdiff_t>(fitting.size());
+        const std::size_t count = std::min(pointsBetweenChecks, points.size() - fitting.size());
+        fitting.insert(fitting.end(), from, from + static_cast<std::ptrdiff_t>(count));
+    }
+    m_cloud.points = std::move(fitting);
 }
 
 /// The finest one that leaves some room.
@@ -95,7 +121,6 @@ void CloudThinner::chooseGrid()
             low = probe + 1;
     }
     m_cloud.spacing = edgeNumber(high);
-    m_taken.assign(std::bit_ceil(m_most + m_most / 2), 0);
     thin();
 }
 
@@ -114,11 +139,22 @@ std::size_t CloudThinner::estimateCubes(double edge) const
     return found.size() * sampled;
 }
 
+void CloudThinner::emptyCubes()
+{
+    const std::size_t slots = std::bit_ceil(m_most + m_most / 2);
+    m_taken.clear();
+    m_taken.reserve(slots);
+    while (m_taken.size() < slots) {
+        m_watch.checkStop();
+        m_taken.resize(std::min(slots, m_taken.size() + slotsBetweenChecks));
+    }
+}
+
 /// What there is, by the present grid; until it is not too many.
 void CloudThinner::thin()
 {
     for (bool fits = false; !fits;) {
-        std::fill(m_taken.begin(), m_taken.end(), 0);
+        emptyCubes();
         std::vector<Vec3>& points = m_cloud.points;
         const std::size_t count = points.size();
         std::size_t kept = 0;

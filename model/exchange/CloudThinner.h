@@ -20,7 +20,10 @@ public:
     PointCloud take();
 
 private:
+    void grow();
+    void shrink();
     void chooseGrid();
+    void emptyCubes();
     void thin();
     bool keep(const Vec3& point);
     std::size_t slotOf(const Vec3& point) const;

@@ -3,7 +3,8 @@
 namespace bolster {
 namespace {
 
-constexpr std::uint64_t largestRatio = 264 / 2; // the longest copy from the fewest bytes
+constexpr std::uint64_t stepsBetweenChecks = 1 << 12; // each makes less than 300 bytes
+constexpr std::uint64_t largestRatio = 264 / 2;       // the longest copy from the fewest bytes
 
 } // namespace
 
@@ -13,7 +14,8 @@ bool lzfMayHold(std::uint64_t packedSize, std::uint64_t size)
 }
 
 LzfReader::LzfReader(FileBytes bytes, std::uint64_t start, std::uint64_t packedSize)
-    : m_packed(std::move(bytes), false, start)
+    : m_watch(bytes.watch())
+    , m_packed(std::move(bytes), false, start)
     , m_start(m_packed.place())
     , m_left(packedSize)
 {
@@ -44,6 +46,8 @@ void LzfReader::take(char* to, std::uint64_t count)
 
 void LzfReader::unpackMore()
 {
+    if (++m_steps % stepsBetweenChecks == 0)
+        m_watch.checkStop(); // a window of packed bytes may become a hundred of unpacked ones
     const auto next = [this] {
         if (m_left-- == 0)
             refuse();

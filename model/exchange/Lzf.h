@@ -33,9 +33,11 @@ private:
     void unpackMore();
     void put(char byte) { m_recent[m_made++ % m_recent.size()] = byte; }
 
+    ImportWatch m_watch;
     ByteReader m_packed;
     FilePlace m_start;
-    std::uint64_t m_left;                 // packed bytes
+    std::uint64_t m_left; // packed bytes
+    std::uint64_t m_steps = 0;
     std::uint64_t m_made = 0;             // unpacked bytes
     std::uint64_t m_given = 0;            // of them
     std::array<char, 1 << 14> m_recent{}; // copies reach back 8 KB, and one step makes less than 300 bytes

@@ -2,6 +2,8 @@
 
 #include <QCryptographicHash>
 #include <QDir>
+#include <QFileInfo>
+#include <QTemporaryFile>
 
 #include <algorithm>
 #include <array>
@@ -151,19 +153,36 @@ void removeUnfinishedBlobs(Database& database)
     }
 }
 
-void readBlob(Database& database, std::int64_t blob, QIODevice* target)
+namespace {
+
+struct BlobFacts {
+    std::string hash;
+    std::int64_t bytes = 0;
+};
+
+BlobFacts factsOf(Database& database, std::int64_t blob)
 {
     Query facts(database, "SELECT hash, bytes FROM blob WHERE id = ?", {Value::integer(blob)});
     if (!facts.next())
         refuse(blob);
+    return {std::string(facts.blob(0)), facts.integer(1)};
+}
+
+} // namespace
+
+/// Other threads have their turn between the pieces: a scan may be large.
+void readBlob(Database& database, std::int64_t blob, QIODevice* target)
+{
+    const BlobFacts facts = factsOf(database, blob);
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     std::int64_t size = 0;
     std::int64_t index = 0;
-    Query chunks(database, "SELECT id, data, crc FROM chunk WHERE id >= ? AND id < ? ORDER BY id",
-                 {Value::integer(chunkId(blob, 0)), Value::integer(chunkId(blob + 1, 0))});
-    for (; chunks.next(); ++index) {
-        const std::string_view data = chunks.blob(1);
-        if (chunks.integer(0) != chunkId(blob, index) || chunks.integer(2) != crcOf(data))
+    for (; size < facts.bytes; ++index) {
+        Query chunk(database, "SELECT data, crc FROM chunk WHERE id = ?", {Value::integer(chunkId(blob, index))});
+        if (index == mostChunks || !chunk.next())
+            refuse(blob);
+        const std::string_view data = chunk.blob(0);
+        if (data.empty() || chunk.integer(1) != crcOf(data))
             refuse(blob);
         const QByteArray bytes = QByteArray::fromRawData(data.data(), static_cast<qsizetype>(data.size()));
         hash.addData(bytes);
@@ -172,8 +191,27 @@ void readBlob(Database& database, std::int64_t blob, QIODevice* target)
             throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a file of the project cannot be written out (%1)"),
                                  {target->errorString().toStdString()}});
     }
-    if (size != facts.integer(1) || bytesOf(resultOf(hash)) != facts.blob(0))
+    const std::int64_t more = firstChunkFrom(database, chunkId(blob, index));
+    if (size != facts.bytes || (more >= 0 && more < chunkId(blob + 1, 0)) || bytesOf(resultOf(hash)) != facts.hash)
         refuse(blob);
+}
+
+void extractBlob(Database& database, std::int64_t blob, const QString& path)
+{
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    QTemporaryFile file(path + QStringLiteral(".XXXXXX")); // whoever looks for the file finds all of it, or none
+    const auto refuseUnless = [&](bool worked) {
+        if (!worked)
+            throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"),
+                                 {path.toStdString(), file.errorString().toStdString()}});
+    };
+    refuseUnless(file.open());
+    readBlob(database, blob, &file);
+    refuseUnless(file.flush());
+    file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::ReadOther);
+    QFile::remove(path);
+    refuseUnless(file.rename(path));
+    file.setAutoRemove(false);
 }
 
 void removeBlob(Database& database, SealedRows& rows, std::int64_t blob)

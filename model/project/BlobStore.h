@@ -36,6 +36,9 @@ void removeUnfinishedBlobs(Database& database);
 /// Writes a content to the device, or only checks it without one. Throws when it is not whole.
 void readBlob(Database& database, std::int64_t blob, QIODevice* target);
 
+/// As a whole file, in the place of one that is there. Throws, too.
+void extractBlob(Database& database, std::int64_t blob, const QString& path);
+
 void removeBlob(Database& database, SealedRows& rows, std::int64_t blob);
 
 /// "frames/chair.obj", "./chair.obj" and so on: a name below a folder, not beside or above.

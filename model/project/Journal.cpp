@@ -7,6 +7,7 @@
 #include "Schema.h"
 #include "TemporaryFile.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -58,6 +59,13 @@ void makeRoom(std::vector<T>& list, std::size_t more)
 {
     if (list.capacity() < list.size() + more)
         list.reserve(std::max(list.size() + more, 2 * list.capacity()));
+}
+
+/// The content that goes by this name.
+std::optional<std::int64_t> assetNumber(Database& database, const std::string& name)
+{
+    Query asset(database, "SELECT blob FROM asset WHERE name = ?", {Value::text(name)});
+    return asset.next() ? std::optional(asset.integer(0)) : std::nullopt;
 }
 
 /// "frames/chair.obj" becomes "frames/chair-2.obj".
@@ -267,14 +275,11 @@ void Journal::accept(Step& step, NodeId current)
     m_current = current;
 }
 
-Message Journal::setName(NodeId node, const std::string& name)
+Message Journal::setNames(NodeId node, const std::string& version, const std::string& branch)
 {
     return guarded([&] {
         Step step(*m_database, m_seal);
-        if (name.empty())
-            step.rows.erase("label", node);
-        else
-            putLabel(step.rows, node, name);
+        putLabel(step.rows, node, version, branch);
         accept(step, m_current);
     });
 }
@@ -295,16 +300,32 @@ Message Journal::addAsset(std::string& name, const QString& path)
         const std::int64_t blob = content.finish(step.rows);
         std::string free = name;
         for (int number = 2;; ++number) {
-            Query known(*m_database, "SELECT blob FROM asset WHERE name = ?", {Value::text(free)});
-            const bool there = known.next();
-            if (!there)
+            const auto known = assetNumber(*m_database, free);
+            if (!known)
                 putAsset(*m_database, step.rows, free, blob);
-            if (!there || known.integer(0) == blob)
+            if (!known || *known == blob)
                 break;
             free = numbered(name, number);
         }
         accept(step, m_current);
         name = free;
+    });
+}
+
+bool Journal::hasAsset(const std::string& name)
+{
+    bool found = true; // not to be taken when that cannot be told
+    guarded([&] { found = assetNumber(*m_database, name).has_value(); });
+    return found;
+}
+
+Message Journal::extractAsset(const std::string& name, const QString& folder)
+{
+    return caught([&] { // edits go on between its pieces
+        const auto blob = isAssetName(name) ? assetNumber(*m_database, name) : std::nullopt;
+        if (!blob)
+            throw DatabaseError({QT_TRANSLATE_NOOP("Message", "the file is missing"), {}});
+        extractBlob(*m_database, *blob, QDir(folder).filePath(QDir::cleanPath(QString::fromStdString(name))));
     });
 }
 

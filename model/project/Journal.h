@@ -40,11 +40,15 @@ public:
     /// The design is that of the current node. Whoever makes an edit asks refusal(edit) before it gets into the
     /// history.
     Message record(const History& history, const Design& design);
-    /// Labels a node; "" for none.
-    Message setName(NodeId node, const std::string& name);
+    /// What a version is called, and the branch that begins with it; "" for nothing.
+    Message setNames(NodeId node, const std::string& version, const std::string& branch = {});
     /// Keeps a file by its content. `name` is what an element is to say as its "file"; it is changed when the
     /// project knows another content by this name, for older versions of the design still mean that.
     Message addAsset(std::string& name, const QString& file);
+    /// Whether another file cannot have this name.
+    bool hasAsset(const std::string& name);
+    /// Writes a file that is kept here into a folder, under its name.
+    Message extractAsset(const std::string& name, const QString& folder);
     /// A picture of a node, which may get lost: nothing else depends on it.
     Message setThumbnail(NodeId node, const std::string& png);
     /// "" when there is none. It comes from the file: nobody has looked into it.
@@ -65,9 +69,10 @@ public:
     Theirs compare(const OpenedProject& theirs);
     /// Versions of somebody else that are stored here now.
     struct TakenIn {
-        std::vector<History::Node> nodes;    ///< for the history, after all that it has
-        std::map<NodeId, std::string> names; ///< of versions that were here, and had none
-        NodeId tip = 0;                      ///< where they were
+        std::vector<History::Node> nodes;       ///< for the history, after all that it has
+        std::map<NodeId, std::string> names;    ///< of versions that were here, and had none
+        std::map<NodeId, std::string> branches; ///< the same of branches
+        NodeId tip = 0;                         ///< where they were
         std::shared_ptr<StoredEdits> edits;
     };
     /// Takes in all of their versions, names and files that are not here; they hang where they were made. Where

@@ -72,20 +72,7 @@ OpenedDesign unreadable(Message why)
 void extractAsset(const OpenedProject& project, const std::string& name, const QString& folder)
 {
     const QString path = QDir(folder).filePath(QDir::cleanPath(QString::fromStdString(name)));
-    QDir().mkpath(QFileInfo(path).absolutePath());
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"),
-                             {path.toStdString(), file.errorString().toStdString()}});
-    try {
-        readBlob(*project.database, project.assets.at(name), &file);
-    } catch (...) {
-        file.remove(); // half of it would be read as if it were all
-        throw;
-    }
-    if (!file.flush())
-        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"),
-                             {path.toStdString(), file.errorString().toStdString()}});
+    extractBlob(*project.database, project.assets.at(name), path);
 }
 
 } // namespace

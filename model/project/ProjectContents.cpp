@@ -77,7 +77,9 @@ void readWhatRefersToNodes(Database& database, ProjectContents& contents)
     eachRow(database, "label", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]))
             refuse("label", row[0].number);
-        nodeAt(static_cast<NodeId>(row[0].number)).name = row[1].bytes;
+        History::Node& node = nodeAt(static_cast<NodeId>(row[0].number));
+        node.name = row[1].bytes;
+        node.branch = row[2].bytes;
     });
     eachRow(database, "redo", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]) || !isNode(contents, row[1]) ||

@@ -49,9 +49,13 @@ void putSavePoint(Database& database, SealedRows& rows, NodeId node)
                             Value::integer(QDateTime::currentMSecsSinceEpoch()), Value::integer(node)});
 }
 
-void putLabel(SealedRows& rows, NodeId node, const std::string& version)
+void putLabel(SealedRows& rows, NodeId node, const std::string& version, const std::string& branch)
 {
-    rows.put("label", {Value::integer(node), Value::text(version), Value::null(), Value::integer(0)});
+    const auto named = [](const std::string& name) { return name.empty() ? Value::null() : Value::text(name); };
+    if (version.empty() && branch.empty())
+        rows.erase("label", node);
+    else
+        rows.put("label", {Value::integer(node), named(version), named(branch), Value::integer(0)});
 }
 
 void putAsset(Database& database, SealedRows& rows, const std::string& name, std::int64_t blob)

@@ -28,7 +28,8 @@ Hash putNode(SealedRows& rows, const NewNode& node, const Hash& chain);
 void putProject(SealedRows& rows, const std::string& uuid, const std::optional<Hash>& base);
 void putSnapshot(SealedRows& rows, NodeId node, const Design& design);
 void putSavePoint(Database& database, SealedRows& rows, NodeId node);
-void putLabel(SealedRows& rows, NodeId node, const std::string& version);
+/// No row when there is neither name.
+void putLabel(SealedRows& rows, NodeId node, const std::string& version, const std::string& branch);
 void putAsset(Database& database, SealedRows& rows, const std::string& name, std::int64_t blob);
 
 /// 16 bytes, never the same again.

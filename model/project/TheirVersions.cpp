@@ -89,8 +89,12 @@ Journal::Theirs Journal::compare(const OpenedProject& theirs)
         const NodeId place = places[static_cast<std::size_t>(node)];
         if (place < 0)
             return Theirs::MoreVersions;
-        Query name(*m_database, "SELECT 1 FROM label WHERE node = ?", {Value::integer(place)});
-        if (!theirs.history.node(node).name.empty() && !name.next())
+        Query ours(*m_database, "SELECT version, branch FROM label WHERE node = ?", {Value::integer(place)});
+        const bool named = ours.next();
+        const auto lacks = [&](int column, const std::string& name) {
+            return !name.empty() && (!named || ours.value(column).bytes.empty());
+        };
+        if (lacks(0, theirs.history.node(node).name) || lacks(1, theirs.history.node(node).branch))
             return Theirs::MoreVersions;
     }
     return Theirs::NothingNew;
@@ -142,10 +146,10 @@ void Journal::takeNode(Step& step, const OpenedProject& theirs, NodeId node, std
     if (withSnapshot)
         step.rows.put("snapshot", {Value::integer(place), snapshot.value(0), snapshot.value(1)});
     step.sinceSnapshot.push_back(withSnapshot ? 0 : since + 1);
-    taken.nodes.push_back({parent, {}, -1, {facts.edit.verb, {}}, facts.time, {}});
+    taken.nodes.push_back({parent, {}, -1, {facts.edit.verb, {}}, facts.time, {}, {}});
 }
 
-/// Ours stay where both have named a version.
+/// Ours stay where both have named something.
 void Journal::takeNames(Step& step, const OpenedProject& theirs, const std::vector<NodeId>& places,
                         const History& history, const std::string& name, TakenIn& taken)
 {
@@ -155,13 +159,22 @@ void Journal::takeNames(Step& step, const OpenedProject& theirs, const std::vect
         const bool known = place < history.count();
         if (text.empty() && place == taken.tip && !known)
             text = name;
-        if (text.empty() || (known && !history.node(place).name.empty()))
+        const std::string& branch = theirs.history.node(node).branch;
+        if (!known) {
+            putLabel(step.rows, place, text, branch);
+            History::Node& added = taken.nodes[static_cast<std::size_t>(place - history.count())];
+            added.name = text;
+            added.branch = branch;
             continue;
-        putLabel(step.rows, place, text);
-        if (known)
+        }
+        const History::Node& ours = history.node(place);
+        if (ours.name.empty() && !text.empty())
             taken.names[place] = text;
-        else
-            taken.nodes[static_cast<std::size_t>(place - history.count())].name = text;
+        if (ours.branch.empty() && !branch.empty())
+            taken.branches[place] = branch;
+        if (taken.names.contains(place) || taken.branches.contains(place))
+            putLabel(step.rows, place, ours.name.empty() ? text : ours.name,
+                     ours.branch.empty() ? branch : ours.branch);
     }
 }
 

@@ -215,7 +215,7 @@ WorkJournal::WorkJournal(Document& document, QObject* parent)
     , m_document(document)
 {
     connect(&document, &Document::historyChanged, this, &WorkJournal::follow);
-    connect(&document, &Document::versionNamed, this, [this](NodeId node) { m_renamed.insert(node); });
+    connect(&document, &Document::named, this, [this](NodeId node) { m_renamed.insert(node); });
 }
 
 WorkJournal::~WorkJournal()
@@ -302,10 +302,11 @@ Message WorkJournal::record()
     if (Message problem = m_journal->record(history, m_document.committed()); !problem.empty())
         return problem;
     while (!m_renamed.empty()) {
-        const NodeId node = *m_renamed.begin();
-        if (Message problem = m_journal->setName(node, history.node(node).name); !problem.empty())
+        const NodeId id = *m_renamed.begin();
+        const History::Node& node = history.node(id);
+        if (Message problem = m_journal->setNames(id, node.name, node.branch); !problem.empty())
             return problem;
-        m_renamed.erase(node);
+        m_renamed.erase(id);
     }
     return {};
 }
@@ -321,6 +322,8 @@ Message WorkJournal::takeIn(const OpenedProject& theirs, const std::string& name
     m_document.takeIn(std::move(taken.nodes), std::move(taken.edits));
     for (const auto& [node, text] : taken.names)
         m_document.nameVersion(node, text);
+    for (const auto& [node, text] : taken.branches)
+        m_document.nameBranch(node, text);
     return {};
 }
 

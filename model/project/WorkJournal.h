@@ -96,7 +96,7 @@ private:
     QString m_base;
     std::shared_ptr<QLockFile> m_lock;
     std::shared_ptr<Journal> m_journal;
-    std::set<NodeId> m_renamed; ///< their names are not in the journal yet
+    std::set<NodeId> m_renamed; ///< these names are not in the journal yet
     std::optional<NodeId> m_savedAsText;
     bool m_following = false;
     bool m_failing = false;

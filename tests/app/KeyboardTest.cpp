@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTemporaryDir>
 #include <QTreeView>
 
 namespace bolster {
@@ -165,6 +166,33 @@ TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().node(1).name == "Belt notch"; }));
     EXPECT_EQ(window.document().history().current(), 1);
+}
+
+TEST_F(KeyboardTest, ShiftF2NamesTheBranchOfTheHistory)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.selection().set({ElementId{2}});
+    EXPECT_FALSE(window.actions().nameBranch->isEnabled());
+    window.actions().turnLeft->trigger();
+    window.actions().undo->trigger();
+    window.actions().turnRight->trigger();
+    window.actions().turnRight->trigger();
+    ASSERT_TRUE(window.actions().nameBranch->isEnabled());
+    key(Qt::Key_F2, Qt::ShiftModifier);
+    EXPECT_EQ(part(), window.docks().history);
+    HistoryView& history = window.findChild<HistoryPanel*>()->view();
+    auto* editor = history.findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    QTest::keyClicks(editor, "Turned right");
+    QTest::keyClick(editor, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().node(2).branch == "Turned right"; }));
+    EXPECT_EQ(window.document().history().current(), 3);
+
+    // It is in the journal already.
+    const QTemporaryDir folder;
+    ASSERT_TRUE(window.session().journal().journal());
+    ASSERT_EQ(window.session().journal().journal()->save(folder.filePath("a.bolster")).english(), "");
+    EXPECT_EQ(openProject(folder.filePath("a.bolster")).history.node(2).branch, "Turned right");
 }
 
 } // namespace

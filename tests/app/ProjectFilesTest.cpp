@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTreeWidget>
@@ -459,6 +460,134 @@ TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
     window.open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
     EXPECT_TRUE(window.document().design() == before);
+}
+
+/// What only older versions mean is not laid out when a project is opened.
+class OlderFilesTest : public ProjectFilesTest {
+protected:
+    QString write(const QString& name, const QByteArray& bytes)
+    {
+        const QString path = folder.filePath(name);
+        QDir().mkpath(QFileInfo(path).absolutePath());
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        return path;
+    }
+    /// A scan "room.xyz" of so many points.
+    void importScan(int points, std::optional<ElementId> replaced = {})
+    {
+        QByteArray text;
+        for (int i = 0; i < points; ++i)
+            text += QByteArray::number(i) + " 0 0\n";
+        const QString path = write(QString::number(points) + "/room.xyz", text);
+        EXPECT_EQ(window.session()
+                      .addWithFile(path, importFile(FileKind::Cloud, path).content, Scan(), replaced)
+                      .english(),
+                  "");
+    }
+    void setPicture(ElementId fabric, QColor color)
+    {
+        QImage image(20, 20, QImage::Format_RGB32);
+        image.fill(color);
+        const QString path = write(color.name().mid(1) + "/cloth.png", {});
+        EXPECT_TRUE(image.save(path));
+        Fabric changed = *window.document().design().find<Fabric>(fabric);
+        changed.look = usualLook(FabricLook::Kind::Image);
+        EXPECT_EQ(window.session().addWithFile(path, {}, changed, fabric).english(), "");
+    }
+    bool hasPoints(ElementId scan, std::size_t count)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                const auto& clouds = window.session().files().clouds;
+                return clouds.contains(scan) && clouds.at(scan)->points.size() == count;
+            },
+            120000);
+    }
+    QColor picture(ElementId fabric)
+    {
+        const QString file = QString::fromStdString(window.document().design().find<Fabric>(fabric)->look.file);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !window.session().findFile(file).isEmpty(); }, 30000));
+        return QImage(window.session().findFile(file)).pixelColor(5, 5);
+    }
+    void reopen()
+    {
+        const QString path = folder.filePath("room.bolster");
+        ASSERT_EQ(save(path).english(), "");
+        ASSERT_TRUE(open(sample("box-cushion")));
+        ASSERT_TRUE(open(path));
+    }
+};
+
+TEST_F(OlderFilesTest, ComeFromTheProject)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const ElementId scan = window.document().design().nextId();
+    importScan(4);
+    const NodeId four = window.document().history().current();
+    importScan(6, scan);
+    const NodeId six = window.document().history().current();
+    reopen();
+    EXPECT_TRUE(hasPoints(scan, 6));
+    window.document().jumpTo(four);
+    ASSERT_EQ(window.document().history().current(), four);
+    EXPECT_TRUE(hasPoints(scan, 4));
+    EXPECT_TRUE(window.session().problems().empty());
+    window.document().jumpTo(six);
+    EXPECT_TRUE(hasPoints(scan, 6));
+}
+
+TEST_F(OlderFilesTest, AreNotMistakenForANewOneOfTheSameName)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const ElementId scan = window.document().design().nextId();
+    importScan(4);
+    const NodeId four = window.document().history().current();
+    importScan(6, scan);
+    reopen();
+    importScan(8, scan);
+    EXPECT_TRUE(hasPoints(scan, 8));
+    const NodeId eight = window.document().history().current();
+    window.document().jumpTo(four);
+    EXPECT_TRUE(hasPoints(scan, 4));
+    window.document().jumpTo(eight);
+    reopen();
+    EXPECT_TRUE(hasPoints(scan, 8));
+    window.document().jumpTo(four);
+    EXPECT_TRUE(hasPoints(scan, 4));
+}
+
+TEST_F(OlderFilesTest, PicturesOfFabricsAreInTheProjectToo)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ElementId fabric{};
+    window.document().design().each<Fabric>([&](ElementId id, const Fabric&) { fabric = id; });
+    setPicture(fabric, QColor(200, 0, 0));
+    const NodeId red = window.document().history().current();
+    setPicture(fabric, QColor(0, 0, 200));
+    reopen();
+    EXPECT_EQ(picture(fabric), QColor(0, 0, 200));
+    window.document().jumpTo(red);
+    EXPECT_EQ(picture(fabric), QColor(200, 0, 0));
+}
+
+TEST_F(OlderFilesTest, AreShownBesideThePresentOnes)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const ElementId scan = window.document().design().nextId();
+    importScan(4);
+    const NodeId four = window.document().history().current();
+    importScan(6, scan);
+    reopen();
+    Design older = *window.document().history().designAt(four, window.document().committed());
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+            const DesignFiles files = window.session().filesOf(older);
+            return files.clouds.contains(scan) && files.clouds.at(scan)->points.size() == 4;
+        },
+        30000));
+    EXPECT_TRUE(hasPoints(scan, 6));
 }
 
 } // namespace

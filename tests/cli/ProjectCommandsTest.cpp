@@ -46,7 +46,7 @@ protected:
         }
         design = *history.moveTo(1, design);
         EXPECT_TRUE(opened.journal->record(history, design).empty());
-        EXPECT_TRUE(opened.journal->setName(1, "Cheap one").empty());
+        EXPECT_TRUE(opened.journal->setNames(1, "Cheap one", "Fabrics").empty());
         EXPECT_TRUE(opened.journal->save(path("a.bolster")).empty());
         return path("a.bolster");
     }
@@ -120,7 +120,7 @@ TEST_F(ProjectCommands, ListsTheHistoryAndDumpsIt)
     const QStringList lines = QString::fromStdString(run.out).split('\n', Qt::SkipEmptyParts);
     ASSERT_EQ(lines.size(), 3);
     EXPECT_TRUE(lines[0].startsWith("  0 - ") && lines[0].endsWith("(begin)")) << run.out;
-    EXPECT_TRUE(lines[1].startsWith("* 1 0 ") && lines[1].endsWith("\"Cheap one\"")) << run.out;
+    EXPECT_TRUE(lines[1].startsWith("* 1 0 ") && lines[1].endsWith(" [Fabrics] \"Cheap one\"")) << run.out;
     EXPECT_TRUE(lines[2].startsWith("  2 1 ")) << run.out;
 
     const Json dump = Json::parse(callCommandLine({"dump", file, "--history"}).out);
@@ -129,6 +129,8 @@ TEST_F(ProjectCommands, ListsTheHistoryAndDumpsIt)
     ASSERT_EQ(dump["nodes"].size(), 3u);
     EXPECT_EQ(dump["nodes"][2]["changes"], Json::parse(R"([[1, "name", "Wool", "Silk"]])"));
     EXPECT_EQ(dump["nodes"][1]["name"], "Cheap one");
+    EXPECT_EQ(dump["nodes"][1]["branch"], "Fabrics");
+    EXPECT_FALSE(dump["nodes"][2].contains("branch"));
     EXPECT_EQ(dump["design"]["elements"][0]["name"], "Wool");
     EXPECT_EQ(lines[1].section(' ', 4, 4).toStdString(),
               dump["nodes"][1]["design_hash"].get<std::string>().substr(0, 12));

@@ -1,10 +1,12 @@
 // What a decoder of pictures that has been taken over may send, and the first look at a picture.
 #include "ImageStream.h"
+#include "TimedRun.h"
 
 #include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
+    const bolster::test::TimedRun run;
     using namespace bolster;
     const std::string_view all(reinterpret_cast<const char*>(bytes), size);
     imageKindOf(all);

@@ -199,7 +199,8 @@ protected:
         scene.checker = scene.ground = false;
         for (const SurfaceScene::PatchLook& look : request.scene.patches)
             scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
-        const PreviewView view(request.camera);
+        const Camera& camera = request.camera;
+        const PreviewView view(camera);
         PreviewOptions options;
         options.width = request.size.width();
         options.height = request.size.height();

@@ -1,6 +1,7 @@
 // What becomes of scans with more points than are kept.
 #include "CloudThinner.h"
 #include "CloudImport.h"
+#include "CloudReaders.h"
 #include "ReaderFuzz.h"
 #include "TestFiles.h"
 
@@ -119,6 +120,21 @@ TEST_F(CloudWatchTest, SaysHowFarItIsAndStopsWhenToldTo)
     EXPECT_FALSE(stopped.cloud);
     EXPECT_TRUE(stopped.problem.empty()) << "whoever stopped it knows";
     EXPECT_EQ(seen, 2u);
+}
+
+/// On a busy machine even a piece of a file takes its time.
+TEST_F(CloudWatchTest, StopsWithinWhatIsReadAtOnce)
+{
+    std::string text;
+    for (int i = 0; i < 50'000; ++i)
+        text += std::to_string(i) + " 0 0\n";
+    std::stop_source stop;
+    const auto read = [&](std::uint64_t at, char* to, std::size_t count) {
+        text.copy(to, count, at);
+        stop.request_stop(); // asked when nothing more will be read
+        return true;
+    };
+    EXPECT_THROW(readXyz(FileBytes(read, text.size(), {stop.get_token(), {}}, text.size())), ImportStopped);
 }
 
 TEST_F(CloudWatchTest, LinesMayBeLongerThanWhatIsReadAtOnce)

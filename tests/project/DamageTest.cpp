@@ -21,7 +21,7 @@ protected:
         write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + std::string(20'000, '#'));
         std::string name = "chair.obj";
         expectFine(opened.journal->addAsset(name, path("chair.obj")));
-        expectFine(opened.journal->setName(2, "Two"));
+        expectFine(opened.journal->setNames(2, "Two"));
         expectFine(opened.journal->save(path("a.bolster")));
         m_bytes = read("a.bolster");
         m_content = content(path("a.bolster"));

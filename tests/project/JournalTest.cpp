@@ -52,12 +52,41 @@ TEST_F(JournalTest, EverythingComesBackWhenItIsOpenedAgain)
     Document document;
     auto journal = work(document, 200);
     document.nameVersion(3, "Before the \"big\" change");
-    expectFine(journal->setName(3, document.history().node(3).name));
+    expectFine(journal->setNames(3, document.history().node(3).name));
     journal.reset();
     const Journal::Opened opened = Journal::open(path("journal"));
     ASSERT_TRUE(opened.journal);
     expectSame(opened.project, document);
     expectSameVersions(opened.project, document);
+}
+
+TEST_F(JournalTest, NamesOfBranchesAreThereAfterUndoAndReopening)
+{
+    Document document;
+    auto journal = work(document, 60);
+    const auto name = [&](NodeId node, const char* version, const char* branch) {
+        document.nameVersion(node, version);
+        document.nameBranch(node, branch);
+        expectFine(journal->setNames(node, version, branch));
+    };
+    name(3, "Shown to the customer", "Leather");
+    name(2, "", "Wool");
+    name(2, "Final", "Felt"); // each keeps the other one
+    name(4, "Both", "Gone");
+    name(4, "", "");
+    document.undo();
+    document.redo();
+    expectFine(journal->record(document.history(), document.committed()));
+    EXPECT_EQ(document.history().node(3).branch, "Leather");
+    expectFine(journal->save(path("a.bolster")));
+    journal.reset();
+    for (const OpenedProject& project :
+         {Journal::open(path("journal")).project, openProject(path("a.bolster"), ProjectCheck::Everything)}) {
+        expectSame(project, document);
+        EXPECT_EQ(project.history.node(2).branch, "Felt");
+        EXPECT_EQ(project.history.node(2).name, "Final");
+        EXPECT_EQ(project.history.node(4).branch + project.history.node(4).name, "");
+    }
 }
 
 TEST_F(JournalTest, TheDifferentRunsOfAProgramContinueEachOther)
@@ -84,7 +113,7 @@ TEST_F(JournalTest, SavedProjectsAreAtRestAndHoldEverything)
 {
     Document document;
     auto journal = work(document, 150);
-    expectFine(journal->setName(0, "Start"));
+    expectFine(journal->setNames(0, "Start"));
     document.nameVersion(0, "Start");
     expectFine(journal->save(path("a.bolster")));
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden).filter("a.bolster").size(), 1);

@@ -27,7 +27,7 @@ protected:
         write("chair.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         for (std::string name : {"chair.obj", "second.obj"})
             expectFine(opened.journal->addAsset(name, path("chair.obj")));
-        expectFine(opened.journal->setName(3, "Three"));
+        expectFine(opened.journal->setNames(3, "Three", "Third way"));
         expectFine(opened.journal->save(path("a.bolster")));
         m_bytes = read("a.bolster");
     }
@@ -68,6 +68,7 @@ TEST_F(SalvageTest, OfASoundProjectEverythingIsSaved)
     EXPECT_EQ(project.history.count(), m_document.history().count());
     EXPECT_EQ(project.assets.size(), 2u);
     EXPECT_EQ(project.history.node(3).name, "Three");
+    EXPECT_EQ(project.history.node(3).branch, "Third way");
 }
 
 TEST_F(SalvageTest, ADamagedEditCostsItAndWhatFollowsFromIt)

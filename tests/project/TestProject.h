@@ -122,6 +122,8 @@ inline std::string historyText(const History& history, bool withTimes = true)
                                     withTimes ? node.time.toMSecsSinceEpoch() : 0})
             text += std::to_string(number) + ' ';
         text += node.edit.verb.english() + ' ' + node.name;
+        if (!node.branch.empty())
+            text += " [" + node.branch + ']';
         for (const NodeId child : node.children)
             text += ' ' + std::to_string(child);
     }

@@ -37,6 +37,8 @@ protected:
             document.takeIn(taken.nodes, taken.edits);
             for (const auto& [node, text] : taken.names)
                 document.nameVersion(node, text);
+            for (const auto& [node, text] : taken.branches)
+                document.nameBranch(node, text);
             record();
             return taken.tip;
         }
@@ -60,7 +62,7 @@ TEST_F(TheirVersions, BecomeABranchAndSavingWorksAgain)
 {
     theirs.work(2, 20);
     theirs.document.nameVersion(theirs.document.history().current() - 2, "Softer");
-    expectFine(theirs.journal->setName(theirs.document.history().current() - 2, "Softer"));
+    expectFine(theirs.journal->setNames(theirs.document.history().current() - 2, "Softer"));
     theirs.save(file);
     ours.work(3, 5);
     const Design mine = ours.document.committed();
@@ -117,11 +119,11 @@ TEST_F(TheirVersions, RedoStillGoesWhereItWent)
 
 TEST_F(TheirVersions, NamesAloneAreTakenInToo)
 {
-    expectFine(theirs.journal->setName(3, "Theirs"));
-    expectFine(theirs.journal->setName(4, "Theirs"));
+    expectFine(theirs.journal->setNames(3, "Theirs"));
+    expectFine(theirs.journal->setNames(4, "Theirs"));
     theirs.save(file);
     ours.document.nameVersion(4, "Ours");
-    expectFine(ours.journal->setName(4, "Ours"));
+    expectFine(ours.journal->setNames(4, "Ours"));
     EXPECT_EQ(compare(), Journal::Theirs::MoreVersions);
     const NodeId count = ours.document.history().count();
     ours.takeIn(file);
@@ -129,6 +131,33 @@ TEST_F(TheirVersions, NamesAloneAreTakenInToo)
     EXPECT_EQ(ours.document.history().node(3).name, "Theirs");
     EXPECT_EQ(ours.document.history().node(4).name, "Ours");
     EXPECT_EQ(compare(), Journal::Theirs::NothingNew);
+}
+
+TEST_F(TheirVersions, NamesOfBranchesAreTakenInToo)
+{
+    theirs.work(2, 2);
+    const NodeId last = theirs.document.history().current();
+    for (const NodeId node : {3, 4, 5, last})
+        expectFine(theirs.journal->setNames(node, node == 5 ? "Their version" : "", "Their branch"));
+    theirs.save(file);
+    ours.document.nameBranch(4, "Our branch");
+    expectFine(ours.journal->setNames(4, "", "Our branch"));
+    ours.document.nameVersion(5, "Our version");
+    expectFine(ours.journal->setNames(5, "Our version"));
+    EXPECT_EQ(compare(), Journal::Theirs::MoreVersions);
+    const NodeId tip = ours.takeIn(file);
+    const auto expectNames = [&](const History& history) {
+        EXPECT_EQ(history.node(3).branch, "Their branch");
+        EXPECT_EQ(history.node(4).branch, "Our branch");
+        EXPECT_EQ(history.node(5).branch, "Their branch");
+        EXPECT_EQ(history.node(5).name, "Our version");
+        EXPECT_EQ(history.node(tip).branch, "Their branch");
+        EXPECT_EQ(history.node(tip).name, "From the file");
+    };
+    expectNames(ours.document.history());
+    EXPECT_EQ(compare(), Journal::Theirs::NothingNew);
+    ours.save(file);
+    expectNames(openProject(file, ProjectCheck::Everything).history);
 }
 
 TEST_F(TheirVersions, TheirFilesComeAlong)

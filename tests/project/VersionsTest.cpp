@@ -42,7 +42,8 @@ TEST_F(Versions, ProjectsOfVersion1OpenForEver)
     }
 }
 
-/// Made the file above, once: BOLSTER_WRITE_CORPUS names the folder.
+/// Made the file above, once: BOLSTER_WRITE_CORPUS names the folder. BOLSTER_CORPUS_STEPS=4 made that of the
+/// fuzzer.
 TEST_F(Versions, WritesACorpusFileWhenAsked)
 {
     const QString folder = qEnvironmentVariable("BOLSTER_WRITE_CORPUS");
@@ -57,7 +58,8 @@ TEST_F(Versions, WritesACorpusFileWhenAsked)
     for (std::string name : {"chair.obj", "scans/room.xyz"})
         expectFine(opened.journal->addAsset(name, path(QString::fromStdString(name).section('/', -1))));
     Hands hands(2026);
-    for (int step = 0; step < 220; ++step) {
+    const int steps = rounds("BOLSTER_CORPUS_STEPS", 220);
+    for (int step = 0; step < steps; ++step) {
         hands.step(document);
         expectFine(opened.journal->record(document.history(), document.committed()));
         if (step == 100) {
@@ -68,7 +70,7 @@ TEST_F(Versions, WritesACorpusFileWhenAsked)
             document.reset(opened.project.design, opened.project.history);
         }
     }
-    expectFine(opened.journal->setName(7, "Für den Kunden"));
+    expectFine(opened.journal->setNames(std::min(7, document.history().count() - 1), "Für den Kunden", "Leder"));
     expectFine(opened.journal->save(folder + "/small.bolster"));
     const OpenedProject project = openProject(folder + "/small.bolster", ProjectCheck::Everything);
     expectFine(replaceWholeFile(folder + "/small.bolster.txt", everything(project)));

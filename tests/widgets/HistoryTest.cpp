@@ -79,13 +79,69 @@ TEST_F(HistoryTest, ASearchLeavesWhatHasTheWords)
     EXPECT_EQ(shown().size(), 5);
 }
 
+TEST_F(HistoryTest, ABranchIsNamedInItsFirstLineFromAnyOfItsVersions)
+{
+    const QAbstractItemModelTester tester(view.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    EXPECT_FALSE(document.history().branchOf(3)) << "there is one way only";
+    view.nameBranchOf(3);
+    EXPECT_FALSE(view.findChild<QLineEdit*>());
+    document.jumpTo(1);
+    rename("Lid");
+    rename("Cover");
+    rename("Top"); // 4 to 6, beside 2 and 3
+    EXPECT_EQ(document.history().branchOf(6), 4);
+    EXPECT_EQ(document.history().branchOf(3), 2);
+    EXPECT_FALSE(document.history().branchOf(1));
+
+    const auto type = [&](NodeId node, const char* name) {
+        view.nameBranchOf(node);
+        auto* editor = view.findChild<QLineEdit*>();
+        ASSERT_TRUE(editor);
+        EXPECT_FALSE(editor->placeholderText().isEmpty());
+        editor->selectAll();
+        QTest::keyClicks(editor, name);
+        QTest::keyClick(editor, Qt::Key_Return);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChildren<QLineEdit*>().isEmpty(); }));
+    };
+    type(6, " Leather ");
+    type(3, "Wool");
+    EXPECT_EQ(document.history().node(4).branch, "Leather");
+    EXPECT_EQ(document.history().node(2).branch, "Wool");
+    document.nameVersion(2, "Shown to the customer");
+    keepPicture(panel, "history-branches");
+    type(3, "Felt");
+    EXPECT_EQ(document.history().node(2).branch, "Felt");
+    EXPECT_EQ(document.history().node(2).name, "Shown to the customer");
+    EXPECT_EQ(document.history().current(), 6) << "naming goes nowhere";
+
+    // A name is no edit: undo leaves it alone, and what is edited next by double click is a version again.
+    document.undo();
+    document.jumpTo(3);
+    EXPECT_EQ(document.history().node(4).branch, "Leather");
+    const QPoint line = view.visualRect(view.history().indexOf(4)).center();
+    QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, line);
+    QTest::mouseDClick(view.viewport(), Qt::LeftButton, {}, line);
+    auto* editor = view.findChild<QLineEdit*>();
+    ASSERT_TRUE(editor);
+    EXPECT_EQ(editor->text(), "") << "the version has no name";
+    QTest::keyClick(editor, Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.findChildren<QLineEdit*>().isEmpty(); }));
+
+    const auto shown = [&](NodeId node) { return !view.isRowHidden(view.history().indexOf(node).row()); };
+    QTest::keyClicks(&panel.search(), "leath");
+    EXPECT_TRUE(shown(4));
+    EXPECT_FALSE(shown(2));
+    view.nameBranchOf(3);
+    EXPECT_TRUE(shown(2)) << "the line in which its name is asked for";
+}
+
 /// All that a history model says.
 QStringList linesOf(const HistoryModel& model)
 {
     QStringList lines;
     for (int row = 0; row < model.rowCount(); ++row) {
         QStringList line{model.index(row).data().toString()};
-        for (int role = HistoryModel::NodeRole; role <= HistoryModel::NameRole; ++role)
+        for (int role = HistoryModel::NodeRole; role <= HistoryModel::BranchRole; ++role)
             line << model.index(row).data(role).toString();
         lines << line.join(u'|');
     }
@@ -111,6 +167,7 @@ TEST_F(HistoryTest, FollowingTheDocumentGivesTheSameLinesAsReadingItAnew)
             break;
         case 3:
             document.nameVersion(pick(document.history().count()), "Version " + std::to_string(step));
+            document.nameBranch(pick(document.history().count()), "Branch " + std::to_string(step));
             break;
         case 4:
             if (random() % 50 == 0)

@@ -243,5 +243,31 @@ TEST(NumberBoxExpressions, TakesUnitsWhereLengthsAre)
     EXPECT_DOUBLE_EQ(typed(angle, "2 cm"), 7) << "no angle";
 }
 
+TEST_F(InspectorTest, OfAScanItIsSaidHowManyPointsAreThereAndWhenItWasThinned)
+{
+    const QLocale locale;
+    Scan scan;
+    scan.scale = 1000; // a file in metres
+    const ElementId id = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(scan)));
+    selection.set({id});
+    const auto says = [&](const QString& text) {
+        const auto labels = inspector.widget()->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; });
+    };
+    auto cloud = std::make_shared<PointCloud>();
+    cloud->points.assign(1234, Vec3(0, 0, 0));
+    inspector.setFiles({{}, {{id, cloud}}});
+    EXPECT_TRUE(says(locale.toString(1234) + " points"));
+    auto thinned = std::make_shared<PointCloud>(*cloud);
+    thinned->thinnedFrom = 10'000'000;
+    thinned->spacing = 0.00283;
+    inspector.setFiles({{}, {{id, thinned}}});
+    EXPECT_TRUE(says(QString("%1 of %2 points, one every %3 mm")
+                         .arg(locale.toString(1234), locale.toString(10'000'000), locale.toString(2.8, 'f', 1))));
+    inspector.setFiles({});
+    EXPECT_FALSE(says(locale.toString(1234) + " points"));
+}
+
 } // namespace
 } // namespace bolster
