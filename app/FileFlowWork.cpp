@@ -83,10 +83,10 @@ void FileFlow::announceRestored()
 void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
     const QFileInfo file(path);
-    QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
-                    QMessageBox::Close, m_window);
-    box.setInformativeText(translated(problem));
     const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
+    QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
+                    project ? QMessageBox::Close : QMessageBox::Ok, m_window);
+    box.setInformativeText(translated(problem));
     QPushButton* rescue = nullptr;
     if (project) {
         box.setInformativeText(translated(problem) + QStringLiteral("\n\n") +
