@@ -51,6 +51,17 @@ QColor withAlpha(QColor color, float alpha)
     return color;
 }
 
+/// Cloth has a valley at its seams, which a line must not hide.
+bool showsCloth(const SurfaceScene& scene)
+{
+    return !scene.checker && !scene.map;
+}
+
+QColor seamColor(const SurfaceScene& scene)
+{
+    return {18, 14, 12, showsCloth(scene) ? 70 : 190};
+}
+
 } // namespace
 
 QColor fixationCurveColor(const ViewColors& colors)
@@ -103,7 +114,7 @@ void SurfaceMarks::addSeams(SurfaceScene& scene) const
 {
     const SurfaceMesh& mesh = *scene.surface;
     for (const SurfaceTopology::Chain& chain : mesh.topology->seams) {
-        SurfaceLine line{pointsOf(scene, chain.a), QColor(18, 14, 12, 190), 1.3F};
+        SurfaceLine line{pointsOf(scene, chain.a), seamColor(scene), showsCloth(scene) ? 0.9F : 1.3F};
         if (m_selection.contains(chain.seam))
             line = {line.points, scene.colors.accent, 3, 0.35F, 1};
         else if (m_selection.hovered() == chain.seam)
@@ -143,7 +154,7 @@ void SurfaceMarks::addOutlines(SurfaceScene& scene) const
     };
     if (m_shown.seams)
         for (const SurfaceRun& run : unsewnOutlines(*mesh.topology))
-            add(run, QColor(18, 14, 12, 140), 1.0F, 0);
+            add(run, seamColor(scene), 1.0F, 0);
     for (const SurfaceTopology::PatchRange& range : mesh.topology->patches) {
         if (m_selection.contains(range.patch))
             add(outlineOf(range), scene.colors.accent, 2.4F, 0.25F);

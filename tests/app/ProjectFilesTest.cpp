@@ -456,7 +456,7 @@ TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
     file.write(QByteArray(4000, 'x'));
     file.close();
     const Design before = window.document().design();
-    answer(QMessageBox::Ok);
+    answer(QMessageBox::Close);
     window.open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
     EXPECT_TRUE(window.document().design() == before);
