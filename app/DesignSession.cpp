@@ -280,14 +280,21 @@ void DesignSession::readMissing(const FileKey& key)
     inBackground<ImportedFile>([key, folder = m_folder, journal = m_journal.journal()] {
         return readFile(key, folder, journal.get());
     }).then(this, [this, key, generation](const ImportedFile& imported) {
-        if (generation != m_generation)
-            return;
-        m_reading.erase(key);
-        m_known[key] = imported;
-        updateFiles();
-        emit fileRead();
-        emit problemsChanged();
+        // What was read before this could be said is told at once: before whoever asked has gone on.
+        QMetaObject::invokeMethod(
+            this, [this, key, generation, imported] { takeRead(key, generation, imported); }, Qt::QueuedConnection);
     });
+}
+
+void DesignSession::takeRead(const FileKey& key, int generation, const ImportedFile& imported)
+{
+    if (generation != m_generation)
+        return;
+    m_reading.erase(key);
+    m_known[key] = imported;
+    updateFiles();
+    emit fileRead();
+    emit problemsChanged();
 }
 
 /// Older versions mean files that nobody has asked the project for yet.

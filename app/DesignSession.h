@@ -108,6 +108,7 @@ private:
     void designChanged(const std::set<ElementId>& ids);
     void updateFiles();
     void readMissing(const FileKey& key);
+    void takeRead(const FileKey& key, int generation, const ImportedFile& imported);
     void noteFile(const Element& element);
     static ImportedFile readFile(const FileKey& key, const DesignFolder& folder, Journal* journal);
 
