@@ -58,9 +58,8 @@ std::optional<Viewpoint> SavedViews::find(const QString& name)
 void SavedViews::save(const QString& name, const Viewpoint& view)
 {
     QStringList numbers;
-    for (const double value :
-         {view.target.x(), view.target.y(), view.target.z(), view.distance, view.azimuth,
-          view.elevation, view.fieldOfView, view.perspective ? 1.0 : 0.0})
+    for (const double value : {view.target.x(), view.target.y(), view.target.z(), view.distance, view.azimuth,
+                               view.elevation, view.fieldOfView, view.perspective ? 1.0 : 0.0})
         numbers << QString::number(value, 'g', 17);
     QSettings().setValue(keyOf(name), numbers);
 }

@@ -65,8 +65,8 @@ float crease(const Cell& pebble, float width)
     return std::exp(-away * away);
 }
 
-/// Full grain: soft pebbles of unequal size in shallow creases that come and go. Where a crease fades, two pebbles are
-/// one; finer creases part others. So no net of even lines arises, which would look like dried mud.
+/// Full grain: soft pebbles of unequal size in shallow creases that come and go. Where a crease fades, two pebbles
+/// are one; finer creases part others. So no net of even lines arises, which would look like dried mud.
 Texel grained(const Leather& leather, const Spot& at)
 {
     const int n = leather.cells, fine = (9 * n) / 5;
