@@ -59,7 +59,7 @@ private:
     int merged(std::uint32_t v) const { return static_cast<int>(m_sewn ? m_surface.topology->unknown[v] : v); }
     std::size_t source(Vertex vertex) const { return static_cast<std::size_t>(m_source[vertex.idx()]); }
 
-    Vertex add(int source, const OpenMesh::Vec3d& at)
+    Vertex add(int source, OpenMesh::Vec3d at) // of the mesh itself, perhaps, which grows
     {
         m_source.push_back(source);
         return m_mesh.add_vertex(at);
