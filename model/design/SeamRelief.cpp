@@ -74,8 +74,9 @@ private:
 
     std::optional<std::size_t> following(std::size_t edge, std::uint32_t vertex) const
     {
-        const auto here = std::ranges::equal_range(m_at, vertex, {}, &std::pair<std::uint32_t, std::size_t>::first);
-        if (here.size() != 2)
+        const auto here = std::lower_bound(m_at.begin(), m_at.end(), std::pair(vertex, std::size_t{0}));
+        const auto end = std::lower_bound(here, m_at.end(), std::pair(vertex + 1, std::size_t{0}));
+        if (end - here != 2)
             return std::nullopt;
         const std::size_t next = here[0].second == edge ? here[1].second : here[0].second;
         const Vec2f in = m_pattern[vertex] - m_pattern[otherEnd(edge, vertex)];
