@@ -61,12 +61,15 @@ void FabricCommands::duplicate()
 
 void FabricCommands::rename()
 {
-    const ElementId id = fabric();
-    if (!design().find<Fabric>(id))
-        return;
+    if (const ElementId id = fabric(); design().find<Fabric>(id))
+        askName(id, tr("Rename fabric"));
+}
+
+void FabricCommands::askName(ElementId id, const QString& title)
+{
     bool ok = false;
-    const QString name = QInputDialog::getText(m_window, tr("Rename fabric"), tr("Name:"), QLineEdit::Normal,
-                                               displayName(design(), id), &ok);
+    const QString name =
+        QInputDialog::getText(m_window, title, tr("Name:"), QLineEdit::Normal, displayName(design(), id), &ok);
     if (ok && !name.trimmed().isEmpty())
         commit(edits::renameElement(design(), id, name.trimmed().toStdString()));
 }
@@ -133,14 +136,8 @@ void FabricCommands::newColourway()
 
 void FabricCommands::renameColourway()
 {
-    const ElementId shown = design().settings().colourway;
-    if (!design().find<Colourway>(shown))
-        return;
-    bool ok = false;
-    const QString name = QInputDialog::getText(m_window, tr("Rename colourway"), tr("Name:"), QLineEdit::Normal,
-                                               displayName(design(), shown), &ok);
-    if (ok && !name.trimmed().isEmpty())
-        commit(edits::renameElement(design(), shown, name.trimmed().toStdString()));
+    if (const ElementId shown = design().settings().colourway; design().find<Colourway>(shown))
+        askName(shown, tr("Rename colourway"));
 }
 
 void FabricCommands::removeColourway()

@@ -40,6 +40,7 @@ signals:
 
 private:
     const Design& design() const { return m_session.document().design(); }
+    void askName(ElementId id, const QString& title);
     bool commit(const Edit& edit);
     void fail(const QString& title, const Message& why);
     void takePicture(const QString& path, ElementId fabric);

@@ -169,11 +169,10 @@ void RenderDialog::build()
     connect(m_transparent, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
 }
 
-/// Data: where the look is in m_looks.
 void RenderDialog::fillShown()
 {
     const auto add = [this](const QString& text, const PictureLook& look) {
-        m_shown->addItem(text, QVariant::fromValue(qlonglong(std::ssize(m_looks))));
+        m_shown->addItem(text);
         m_looks.push_back(look);
     };
     const Design& design = m_subject.design;
@@ -205,11 +204,16 @@ void RenderDialog::fillShown()
     }
 }
 
+const PictureLook& RenderDialog::chosenLook() const
+{
+    return m_looks.at(static_cast<std::size_t>(m_shown->currentIndex()));
+}
+
 RenderDialog::Request RenderDialog::request(QSize size) const
 {
     Request asked;
     PictureOrder& picture = asked.picture;
-    picture.look = m_looks.at(static_cast<std::size_t>(m_shown->currentData().toLongLong()));
+    picture.look = chosenLook();
     picture.options.width = size.width();
     picture.options.height = size.height();
     picture.options.transparent = m_transparent->isChecked();
@@ -243,7 +247,7 @@ void RenderDialog::requestPreview()
     const QString problem = sizeProblem();
     m_render->setEnabled(problem.isEmpty());
     m_message->setText(problem);
-    m_turntable->setEnabled(!m_looks.at(static_cast<std::size_t>(m_shown->currentData().toLongLong())).sheet);
+    m_turntable->setEnabled(!chosenLook().sheet);
     const QSize whole(m_width->value(), m_height->value());
     const auto asLargeAs = [&](QSize space) {
         return request(whole.scaled(space, Qt::KeepAspectRatio).expandedTo({1, 1}));

@@ -66,6 +66,7 @@ private:
 
     void build();
     void fillShown();
+    const PictureLook& chosenLook() const;
     Request request(QSize size) const;
     QString sizeProblem() const;
     /// Of a look that was not seen yet a rough picture comes first.
@@ -88,7 +89,7 @@ private:
     QPushButton* m_render;
     QTimer m_pause; ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
-    std::vector<PictureLook> m_looks;  ///< that can be chosen
+    std::vector<PictureLook> m_looks;  ///< in the order of the list
     std::vector<PictureLook> m_seen;   ///< as rough pictures
     SurfaceJob<Request, Result> m_job; ///< last: it uses the others
 };
