@@ -52,7 +52,6 @@ PackedFactor::PackedFactor(SymbolicFactor symbolic)
         node.first = shape.first;
         node.width = shape.width;
         node.below = shape.below;
-        node.rows = shape.rows;
         node.diagonal = m_valueCount;
         node.panel = node.diagonal + diagonalSize(node.width);
         m_valueCount = node.panel + inChunks(node.below) * static_cast<std::size_t>(node.width);
@@ -60,12 +59,35 @@ PackedFactor::PackedFactor(SymbolicFactor symbolic)
         longest = std::max({longest, node.below, node.width});
         m_nodes.push_back(node);
     }
-    const auto size = static_cast<std::size_t>(m_symbolic.size());
     m_values = allocate(m_valueCount);
-    m_x = allocate(4 * size);
-    for (int h = 0; h < 2; ++h) {
-        m_spill[h] = allocate(4 * (size - static_cast<std::size_t>(m_symbolic.outside())));
-        m_scratch[h] = allocate(4 * static_cast<std::size_t>(longest) + lineSize);
+    m_x = allocate(4 * static_cast<std::size_t>(m_symbolic.size() + 2 * (shared() + 1)));
+    for (Memory& scratch : m_scratch)
+        scratch = allocate(4 * static_cast<std::size_t>(longest) + lineSize);
+    placeRows();
+}
+
+/// The columns that part the halves, as this half sees them.
+float* PackedFactor::ownShared(int half) const
+{
+    return m_x.get() + 4 * static_cast<std::size_t>(m_symbolic.size() + half * (shared() + 1));
+}
+
+void PackedFactor::placeRows()
+{
+    const int outside = m_symbolic.outside();
+    for (int p = 0; p < 3; ++p) {
+        const auto own = static_cast<std::uint32_t>(ownShared(p == 1 ? 1 : 0) - m_x.get());
+        const std::uint32_t zeros = own + 4 * static_cast<std::uint32_t>(shared());
+        for (std::size_t n = m_symbolic.partStart[p]; n < m_symbolic.partStart[p + 1]; ++n) {
+            const SupernodeShape& shape = m_symbolic.nodes[n];
+            m_nodes[n].rows = m_rows.size();
+            for (int k = 0; k < shape.below; ++k) {
+                const int row = m_symbolic.rows[shape.rows + static_cast<std::size_t>(k)];
+                m_rows.push_back(p < 2 && row >= outside ? own + 4 * static_cast<std::uint32_t>(row - outside)
+                                                         : 4 * static_cast<std::uint32_t>(row));
+            }
+            m_rows.resize(m_nodes[n].rows + inChunks(shape.below), zeros);
+        }
     }
 }
 
@@ -102,20 +124,22 @@ std::span<const PackedNode> PackedFactor::part(int part) const
 
 void PackedFactor::solve(WorkerPool& pool)
 {
-    const PackedView view{m_values.get(), m_symbolic.rows.data(), bytes() > cached};
-    const int outside = m_symbolic.outside();
-    float* const work = m_x.get();
-    const std::size_t spilled = 4 * static_cast<std::size_t>(m_symbolic.size() - outside);
+    const PackedView view{m_values.get(), m_rows.data(), bytes() > cached};
+    float* const x = m_x.get();
+    float* const above = x + 4 * static_cast<std::size_t>(m_symbolic.outside());
+    const std::size_t count = 4 * static_cast<std::size_t>(shared());
     pool.forTasks(2, [&](int half) {
-        std::fill_n(m_spill[half].get(), spilled, 0.0F);
-        solveForward(view, part(half), work, outside, m_spill[half].get());
+        std::fill_n(ownShared(half), count + 4, 0.0F);
+        solveForward(view, part(half), x);
     });
-    float* const above = work + 4 * static_cast<std::size_t>(outside);
-    for (std::size_t i = 0; i < spilled; ++i)
-        above[i] += m_spill[0][i] + m_spill[1][i];
-    solveForward(view, part(2), work, m_symbolic.size(), nullptr);
-    solveBackward(view, part(2), work, m_scratch[0].get());
-    pool.forTasks(2, [&](int half) { solveBackward(view, part(half), work, m_scratch[half].get()); });
+    for (std::size_t i = 0; i < count; ++i)
+        above[i] += ownShared(0)[i] + ownShared(1)[i];
+    solveForward(view, part(2), x);
+    solveBackward(view, part(2), x, m_scratch[0].get());
+    pool.forTasks(2, [&](int half) {
+        std::copy_n(above, count, ownShared(half));
+        solveBackward(view, part(half), x, m_scratch[half].get());
+    });
 }
 
 } // namespace bolster

@@ -41,14 +41,21 @@ private:
     using Memory = std::unique_ptr<float[], Free>;
     static Memory allocate(std::size_t count);
 
+    void placeRows();
     void pack(const PackedNode& node, const Eigen::Ref<const Eigen::MatrixXd>& block);
     std::span<const PackedNode> part(int part) const;
+    int shared() const { return m_symbolic.size() - m_symbolic.outside(); }
+    float* ownShared(int half) const;
 
     SymbolicFactor m_symbolic;
-    std::vector<PackedNode> m_nodes; // as in m_symbolic
+    std::vector<PackedNode> m_nodes;   // as in m_symbolic
+    std::vector<std::uint32_t> m_rows; // where they lie in m_x
     Memory m_values;
     std::size_t m_valueCount = 0;
-    Memory m_x, m_spill[2], m_scratch[2];
+    /// One column per unknown, and for each half those that part them once more, then one of zeros: halves do not
+    /// write to the same place, and rows that fill up a chunk have one.
+    Memory m_x;
+    Memory m_scratch[2];
 };
 
 } // namespace bolster

@@ -94,21 +94,17 @@ HWY_INLINE void firstRows(const Vector* sums, int count, Visit visit)
 }
 
 template <int Chunks>
-HWY_INLINE void pushDown(const Spread& spread, const PackedNode& node, const float* panel, const int* rows,
-                         int from, const float* own, float* x, int outside, float* spill)
+HWY_INLINE void pushDown(const Spread& spread, const PackedNode& node, const float* panel,
+                         const std::uint32_t* rows, int from, const float* own, float* x)
 {
     Vector sums[Chunks * parts];
     multiply<Chunks>(spread, panel + static_cast<std::size_t>(from) * node.width,
                      4 * static_cast<std::size_t>(node.width), node.width, own, sums);
-    for (int chunk = 0; chunk < Chunks; ++chunk) {
-        const int* at = rows + from + 4 * chunk;
-        const auto lessen = [&](int row, auto product) {
-            float* to = at[row] >= outside ? spill + 4 * static_cast<std::size_t>(at[row] - outside)
-                                           : x + 4 * static_cast<std::size_t>(at[row]);
+    for (int v = 0; v < Chunks * parts; ++v)
+        eachRow(sums[v], from + v * rowsInVector, [&](int row, auto product) {
+            float* const to = x + rows[row];
             hn::Store(hn::Sub(hn::Load(four, to), product), four, to);
-        };
-        firstRows(sums + chunk * parts, node.below - from - 4 * chunk, lessen);
-    }
+        });
 }
 
 std::size_t chunkSize(const PackedNode& node, int chunk)
@@ -132,7 +128,7 @@ HWY_INLINE void prefetchBefore(const PackedView& factor, const PackedNode& node)
         hwy::Prefetch(from + i);
 }
 
-void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill)
+void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float* x)
 {
     const Spread spread;
     for (const PackedNode& node : nodes) {
@@ -149,14 +145,14 @@ void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float*
                       [&](int row, auto numbers) { hn::Store(numbers, four, own + 16 * chunk + 4 * row); });
         }
         const float* const panel = factor.values + node.panel;
-        const int* const rows = factor.rows + node.rows;
+        const std::uint32_t* const rows = factor.rows + node.rows;
         int from = 0;
         for (; from + 4 * chunksAtOnce < node.below + 4; from += 4 * chunksAtOnce)
-            pushDown<chunksAtOnce>(spread, node, panel, rows, from, own, x, outside, spill);
+            pushDown<chunksAtOnce>(spread, node, panel, rows, from, own, x);
         for (; from + 4 < node.below; from += 8)
-            pushDown<2>(spread, node, panel, rows, from, own, x, outside, spill);
+            pushDown<2>(spread, node, panel, rows, from, own, x);
         if (from < node.below)
-            pushDown<1>(spread, node, panel, rows, from, own, x, outside, spill);
+            pushDown<1>(spread, node, panel, rows, from, own, x);
     }
 }
 
@@ -231,16 +227,6 @@ HWY_INLINE void multiplyColumns(const Spread& spread, const float* block, int wi
         multiplyTransposed<1, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
 }
 
-/// Rows from + part * rowsInVector ... of a node, zeros behind the last.
-template <class At>
-HWY_INLINE Vector gathered(int from, int part, int count, At at)
-{
-    return sideBySide<rowsInVector>([&](int i) {
-        const int row = from + part * rowsInVector + i;
-        return row < count ? hn::Load(four, at(row)) : hn::Zero(four);
-    });
-}
-
 void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
 {
     const Spread spread;
@@ -248,21 +234,21 @@ void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float
         float* const own = x + 4 * static_cast<std::size_t>(node->first);
         prefetchBefore(factor, *node);
         if (node->below > 0) {
-            const int* const rows = factor.rows + node->rows;
-            const auto below = [&](int row) { return x + 4 * static_cast<std::size_t>(rows[row]); };
+            const std::uint32_t* const rows = factor.rows + node->rows;
+            const auto gathered = [&](int from) {
+                return sideBySide<rowsInVector>([&](int i) { return hn::Load(four, x + rows[from + i]); });
+            };
             const int chunks = (node->below + 3) / 4;
             const float* const panel = factor.values + node->panel;
             const auto offset = [&](int chunk) { return 4 * static_cast<std::size_t>(chunk) * node->width; };
             const auto all = [](int) { return 0; };
             constexpr int narrow = 8;
             if (node->width <= narrow) {
-                const auto gather = [&](int chunk, int part) {
-                    return gathered(4 * chunk, part, node->below, below);
-                };
+                const auto gather = [&](int chunk, int part) { return gathered(4 * chunk + part * rowsInVector); };
                 multiplyColumns<true>(spread, panel, node->width, offset, all, chunks, gather, own);
             } else {
                 for (int row = 0; row < 4 * chunks; row += rowsInVector)
-                    hn::Store(gathered(row, 0, node->below, below), wide, scratch + 4 * row);
+                    hn::Store(gathered(row), wide, scratch + 4 * row);
                 const auto load = [&](int chunk, int part) {
                     return hn::Load(wide, scratch + 16 * chunk + part * lanes);
                 };
@@ -275,7 +261,9 @@ void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float
             const int row = 4 * chunk + part * rowsInVector;
             return row + rowsInVector <= node->width
                        ? hn::LoadU(wide, own + 4 * row)
-                       : gathered(row, 0, node->width, [own](int r) { return own + 4 * r; });
+                       : sideBySide<rowsInVector>([&](int i) {
+                             return row + i < node->width ? hn::Load(four, own + 4 * (row + i)) : hn::Zero(four);
+                         });
         };
         multiplyColumns<false>(
             spread, factor.values + node->diagonal, node->width, offset, [](int k) { return k / 4; },
@@ -299,9 +287,9 @@ HWY_EXPORT(Forward);
 HWY_EXPORT(Backward);
 HWY_EXPORT(Instructions);
 
-void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill)
+void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x)
 {
-    HWY_DYNAMIC_DISPATCH(Forward)(factor, nodes, x, outside, spill);
+    HWY_DYNAMIC_DISPATCH(Forward)(factor, nodes, x);
 }
 
 void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch)

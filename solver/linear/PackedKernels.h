@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace bolster {
@@ -14,19 +15,18 @@ struct PackedNode {
     int below = 0;            ///< rows under the diagonal block
     std::size_t diagonal = 0; ///< in the values: the inverted diagonal block, chunk c up to column 4 c + 3
     std::size_t panel = 0;    ///< in the values: what lies under it
-    std::size_t rows = 0;     ///< in the row numbers
+    std::size_t rows = 0;     ///< in the places of rows, which fill up the last chunk, too
 };
 
 /// Vectors hold four numbers per unknown and are aligned to 64 bytes, with 16 numbers of room behind the last.
 struct PackedView {
     const float* values = nullptr;
-    const int* rows = nullptr;
-    bool streamed = false; ///< whether the values are too many for a cache
+    const std::uint32_t* rows = nullptr; ///< where the numbers of a row begin in x; any that are 0 fill up a chunk
+    bool streamed = false;               ///< whether the values are too many for a cache
 };
 
-/// x := L^-1 x for these nodes, in this order. What they add to rows of later nodes from `outside` on goes to
-/// `spill` (row `outside` first) instead of x.
-void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, int outside, float* spill);
+/// x := L^-1 x for these nodes, in this order.
+void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x);
 /// x := L^-T x for these nodes, last first. `scratch` has room for the longest list of rows and columns.
 void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch);
 

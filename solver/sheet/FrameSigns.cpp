@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <utility>
-#include <vector>
 
 namespace bolster {
 
@@ -22,10 +21,11 @@ bool agree(const SewnMesh& mesh, WorkerPool& pool, const Eigen::Matrix4Xd& frame
 
 } // namespace
 
-void alignSigns(const SewnMesh& mesh, WorkerPool& pool, Eigen::Matrix4Xd& frames)
+std::vector<int> alignSigns(const SewnMesh& mesh, WorkerPool& pool, Eigen::Matrix4Xd& frames)
 {
+    std::vector<int> flipped;
     if (agree(mesh, pool, frames))
-        return;
+        return flipped;
     // From the last vertex of each patch: it lies inside, where rings are whole.
     std::vector<char> reached(mesh.vertexCount(), 0);
     std::vector<int> front;
@@ -38,12 +38,15 @@ void alignSigns(const SewnMesh& mesh, WorkerPool& pool, Eigen::Matrix4Xd& frames
                 const int neighbour = mesh.ring[k].vertex;
                 if (std::exchange(reached[neighbour], 1))
                     continue;
-                if (frames.col(v).dot(frames.col(neighbour)) < 0)
+                if (frames.col(v).dot(frames.col(neighbour)) < 0) {
                     frames.col(neighbour) *= -1;
+                    flipped.push_back(neighbour);
+                }
                 front.push_back(neighbour);
             }
         }
     }
+    return flipped;
 }
 
 } // namespace bolster

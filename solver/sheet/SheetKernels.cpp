@@ -193,6 +193,31 @@ HWY_INLINE void store(Vector w, Vector x, Vector y, Vector z, double* columns)
     hn::StoreInterleaved4(w, x, y, z, wide, columns);
 }
 
+/// A rough start, and Newton's method until it is right but for the last bits: a fourth of the time that divisions
+/// and roots take. Not for numbers beyond what single precision can hold.
+template <class Step>
+HWY_INLINE Vector refined(hn::Vec<hn::Rebind<float, Wide>> rough, const Step& step)
+{
+    return step(step(hn::PromoteTo(wide, rough)));
+}
+
+/// 1 / x.
+HWY_INLINE Vector reciprocal(Vector x)
+{
+    constexpr hn::Rebind<float, Wide> narrow;
+    return refined(hn::ApproximateReciprocal(hn::DemoteTo(narrow, x)),
+                   [&](Vector r) { return hn::Mul(r, hn::NegMulAdd(x, r, hn::Set(wide, 2.0))); });
+}
+
+/// 1 / sqrt(x).
+HWY_INLINE Vector reciprocalRoot(Vector x)
+{
+    constexpr hn::Rebind<float, Wide> narrow;
+    const Vector half = hn::Mul(hn::Set(wide, 0.5), x);
+    return refined(hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, x)),
+                   [&](Vector r) { return hn::Mul(r, hn::NegMulAdd(hn::Mul(half, r), r, hn::Set(wide, 1.5))); });
+}
+
 struct Rotated {
     Vector x, y, z;
 };
@@ -261,13 +286,14 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Rotated g1 = regular(Rows(in.covariance[1].numbers[from]), before.second);
     const Rotated normal{hn::MulSub(g0.y, g1.z, hn::Mul(g0.z, g1.y)), hn::MulSub(g0.z, g1.x, hn::Mul(g0.x, g1.z)),
                          hn::MulSub(g0.x, g1.y, hn::Mul(g0.y, g1.x))};
-    const Vector area = hn::Sqrt(inner(normal, normal));
+    const Vector squaredArea = inner(normal, normal);
+    const Vector unit = reciprocalRoot(squaredArea), area = hn::Mul(squaredArea, unit);
     const Vector m00 = hn::Add(inner(g0, g0), area), m11 = hn::Add(inner(g1, g1), area), m01 = inner(g0, g1);
     const Vector determinant = hn::MulSub(m00, m11, hn::Mul(m01, m01));
-    const Vector scale = hn::Div(hn::Sqrt(hn::Add(m00, m11)), determinant);
+    const Vector trace = hn::Add(m00, m11);
+    const Vector scale = hn::Mul(hn::Mul(trace, reciprocalRoot(trace)), reciprocal(determinant));
     const Vector s00 = hn::Mul(m11, scale), s11 = hn::Mul(m00, scale), s01 = hn::Neg(hn::Mul(m01, scale));
     const Rotated r0 = combine(g0, s00, g1, s01), r1 = combine(g0, s01, g1, s11);
-    const Vector unit = hn::Div(one, area);
     const Rotated r2{hn::Mul(normal.x, unit), hn::Mul(normal.y, unit), hn::Mul(normal.z, unit)};
 
     // (K + I) q, see quaternionNear().
@@ -282,9 +308,9 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
                    row(wy, xy, hn::Add(minus, difference), yz), row(wz, xz, yz, hn::Sub(minus, difference))};
     const Vector square =
         hn::MulAdd(f[0], f[0], hn::MulAdd(f[1], f[1], hn::MulAdd(f[2], f[2], hn::Mul(f[3], f[3]))));
-    const Vector length = hn::Div(one, hn::Sqrt(square));
+    const Vector toUnit = reciprocalRoot(square);
     for (Vector& number : f)
-        number = hn::Mul(number, length);
+        number = hn::Mul(number, toUnit);
     store(f[0], f[1], f[2], f[3], in.fitted.numbers[from]);
     const Vector weight = hn::LoadU(wide, rings.weight.data() + vertex);
     const Rows neighbours(in.smoothing.numbers[from]);
@@ -306,8 +332,9 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Vector nu = hn::Set(wide, poisson);
     const Vector xxStrain = clamped(hn::Sub(inner(r0, f0), one)), yyStrain = clamped(hn::Sub(inner(r1, f1), one));
     const Vector xyStrain = clamped(hn::Mul(hn::Set(wide, 0.5), hn::Add(inner(r0, f1), inner(r1, f0))));
-    const auto sound = hn::And(hn::And(hn::Gt(determinant, hn::Zero(wide)), hn::Gt(area, hn::Zero(wide))),
-                               hn::Gt(square, hn::Set(wide, 1e-12)));
+    const auto sound =
+        hn::And(hn::And(hn::Gt(area, hn::Zero(wide)), hn::Gt(square, hn::Set(wide, 1e-12))),
+                hn::And(hn::Gt(determinant, hn::Zero(wide)), hn::Lt(determinant, hn::Set(wide, 1e36))));
     found.sound = found.sound && hn::AllTrue(wide, sound);
     store(hn::Neg(hn::Mul(nu, yyStrain)), hn::Mul(nu, xyStrain), hn::Neg(hn::Mul(nu, xxStrain)),
           hn::IfThenElse(sound, hn::Zero(wide), hn::Set(wide, -1.0)), in.stretch.numbers[from]);
@@ -318,7 +345,8 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
                double bending, int begin, int end, const SheetResults& to, bool& agree)
 {
     FitBlock in{};
-    BlockColumns rest{}; // frames of a block that is not full
+    BlockColumns rest; // frames of a block that is not full
+    std::fill_n(rest.numbers[0], 4 * block, 0.5);
     Found found;
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
@@ -363,7 +391,7 @@ HWY_INLINE Rows sum(const Rows& a, Vector p, const Rows& b, Vector q)
 
 HWY_INLINE Rows normalised(const Rows& q)
 {
-    const Vector by = hn::Div(hn::Set(wide, 1.0), hn::Sqrt(inner(q, q)));
+    const Vector by = reciprocalRoot(inner(q, q));
     return {hn::Mul(q.w, by), hn::Mul(q.x, by), hn::Mul(q.y, by), hn::Mul(q.z, by)};
 }
 
@@ -374,25 +402,27 @@ HWY_INLINE void store(const Rows& rows, double* columns)
 
 struct TurnBlock {
     BlockColumns turns, stretch; // in
+    BlockColumns back;           // in and out
     BlockColumns maps[2];        // out
 };
 
-/// Turns `ahead`, and makes of it the frames `beta` of the step from `before` to `turned` further on. The signs of
-/// these two may be opposite.
-HWY_INLINE void turn(TurnBlock& in, int from, double beta, const double* before, double* turned, double* ahead)
+/// Turns `ahead`, and makes of it the frames `beta` of the step further on.
+HWY_INLINE void turn(TurnBlock& in, int from, double beta, double* ahead)
 {
     const Vector one = hn::Set(wide, 1.0);
-    const std::ptrdiff_t numbers = 4 * static_cast<std::ptrdiff_t>(from);
-    const Rows asked(ahead + numbers), was(before + numbers);
+    double* const numbers = at(ahead, from);
+    const Rows asked(numbers), before = sum(asked, one, Rows(in.back.numbers[from]), one);
     const Rows wanted = sum(Rows(in.turns.numbers[from]), one, asked, one);
-    const auto turns = hn::Gt(inner(wanted, wanted), hn::Set(wide, 1e-24));
+    const Vector square = inner(wanted, wanted);
+    const auto turns = hn::And(hn::Gt(square, hn::Set(wide, 1e-24)), hn::Lt(square, hn::Set(wide, 1e24)));
     const auto choose = [&](Vector now, Vector otherwise) { return hn::IfThenElse(turns, now, otherwise); };
     const Rows q = normalised({choose(wanted.w, asked.w), choose(wanted.x, asked.x), choose(wanted.y, asked.y),
                                choose(wanted.z, asked.z)});
-    store(q, turned + numbers);
-
-    const Vector back = hn::CopySign(hn::Set(wide, beta), inner(q, was));
-    store(normalised(sum(q, hn::Set(wide, 1 + beta), was, hn::Neg(back))), ahead + numbers);
+    // Their signs may be opposite.
+    const Vector less = hn::CopySign(hn::Set(wide, -beta), hn::Neg(inner(q, before)));
+    const Rows next = normalised(sum(q, hn::Set(wide, 1 + beta), before, less));
+    store(next, numbers);
+    store(sum(q, one, next, hn::Set(wide, -1.0)), in.back.numbers[from]);
 
     const Rows t(in.stretch.numbers[from]);
     const TwoColumns r = rotated(q);
@@ -402,29 +432,27 @@ HWY_INLINE void turn(TurnBlock& in, int from, double beta, const double* before,
     store(m1.x, m1.y, m1.z, hn::Zero(wide), in.maps[1].numbers[from]);
 }
 
-void TurnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps)
+void TurnFrames(double beta, int begin, int end, const SheetResults& results, Columns& ahead,
+                Eigen::Matrix4Xf& back, Eigen::Matrix4Xf& maps)
 {
     TurnBlock in{};
-    BlockColumns wasRest{}, turnedRest{}, aheadRest{}; // of a block that is not full
+    BlockColumns rest{}; // frames of a block that is not full
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
         for (int i = 0; i < count; ++i) {
             widen(at(results.turns, results.turnSlots[first + i]), in.turns[i]);
             widen(at(results.stretch, first + i), in.stretch[i]);
+            widen(at(back.data(), first + i), in.back[i]);
         }
-        if (count == block) {
-            for (int from = 0; from < count; from += lanes)
-                turn(in, from, beta, at(before.data(), first), at(turned.data(), first), at(ahead.data(), first));
-        } else {
-            std::copy_n(at(before.data(), first), 4 * count, wasRest.numbers[0]);
-            std::copy_n(at(ahead.data(), first), 4 * count, aheadRest.numbers[0]);
-            for (int from = 0; from < count; from += lanes)
-                turn(in, from, beta, wasRest.numbers[0], turnedRest.numbers[0], aheadRest.numbers[0]);
-            std::copy_n(turnedRest.numbers[0], 4 * count, at(turned.data(), first));
-            std::copy_n(aheadRest.numbers[0], 4 * count, at(ahead.data(), first));
-        }
+        double* const frames = at(ahead.data(), first);
+        if (count < block)
+            std::copy_n(frames, 4 * count, rest.numbers[0]);
+        for (int from = 0; from < count; from += lanes)
+            turn(in, from, beta, count < block ? rest.numbers[0] : frames);
+        if (count < block)
+            std::copy_n(rest.numbers[0], 4 * count, frames);
         for (int i = 0; i < count; ++i) {
+            narrow(in.back[i], at(back.data(), first + i));
             narrow(in.maps[0][i], at(maps.data(), 2 * (first + i)));
             narrow(in.maps[1][i], at(maps.data(), 2 * (first + i) + 1));
         }
@@ -462,6 +490,32 @@ void RingForces(const SheetRings& rings, const Columns& positions, const Eigen::
     }
 }
 
+Moved MovePositions(const PositionSlots& unknowns, const float* moves, double step, double beta, int begin, int end,
+                    Columns& ahead, Eigen::Matrix4Xf& back)
+{
+    Moved moved;
+    Four overshoot{};
+    for (int u = begin; u < end; ++u) {
+        Four stepped, was;
+        widen(at(moves, unknowns.slots[u]), stepped);
+        stepped *= step;
+        widen(at(back.data(), u), was);
+        const Four move = stepped - was, squares = move * move;
+        const double size = ((squares[0] + squares[1]) + (squares[2] + squares[3])) * unknowns.scale[u];
+        if (!(size < mostMove * mostMove)) {
+            moved.bounded = false;
+            continue;
+        }
+        const Four beyond = move * beta;
+        column(ahead, u) += stepped + beyond;
+        narrow(-beyond, at(back.data(), u));
+        overshoot -= stepped * move;
+        moved.farthest = std::max(moved.farthest, size);
+    }
+    moved.overshoot = (overshoot[0] + overshoot[1]) + (overshoot[2] + overshoot[3]);
+    return moved;
+}
+
 } // namespace
 } // namespace bolster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -472,6 +526,7 @@ namespace bolster {
 HWY_EXPORT(FitFrames);
 HWY_EXPORT(TurnFrames);
 HWY_EXPORT(RingForces);
+HWY_EXPORT(MovePositions);
 
 namespace {
 
@@ -554,16 +609,22 @@ bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns&
     return agree;
 }
 
-void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps)
+void turnFrames(double beta, int begin, int end, const SheetResults& results, Columns& ahead,
+                Eigen::Matrix4Xf& back, Eigen::Matrix4Xf& maps)
 {
-    HWY_DYNAMIC_DISPATCH(TurnFrames)(before, beta, begin, end, results, turned, ahead, maps);
+    HWY_DYNAMIC_DISPATCH(TurnFrames)(beta, begin, end, results, ahead, back, maps);
 }
 
 void ringForces(const SheetRings& rings, const Columns& positions, const Eigen::Matrix4Xf& maps, double stiffness,
                 int begin, int end, const SheetResults& to)
 {
     HWY_DYNAMIC_DISPATCH(RingForces)(rings, positions, maps, stiffness, begin, end, to);
+}
+
+Moved movePositions(const PositionSlots& unknowns, const float* moves, double step, double beta, int begin, int end,
+                    Columns& ahead, Eigen::Matrix4Xf& back)
+{
+    return HWY_DYNAMIC_DISPATCH(MovePositions)(unknowns, moves, step, beta, begin, end, ahead, back);
 }
 
 } // namespace bolster

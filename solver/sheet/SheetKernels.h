@@ -61,12 +61,32 @@ bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns&
                double bending, int begin, int end, const SheetResults& to);
 
 /// Frames after L2 has answered, normalised, and the two columns of every R(q_i) T_i. `ahead` are the frames that
-/// it was asked at; they become those for the next time, `beta` of the step from `before` to `turned` further on.
-void turnFrames(const Columns& before, double beta, int begin, int end, const SheetResults& results,
-                Columns& turned, Columns& ahead, Eigen::Matrix4Xf& maps);
+/// it was asked at; they become those for the next time, `beta` of the step further on. `back` leads from them to
+/// the frames before the step, and then to those after it.
+void turnFrames(double beta, int begin, int end, const SheetResults& results, Columns& ahead,
+                Eigen::Matrix4Xf& back, Eigen::Matrix4Xf& maps);
 
 /// The force on every vertex: stiffness * sum w_ij (2 (p_j - p_i) - (M_i + M_j) e_ij), and the outer one.
 void ringForces(const SheetRings& rings, const Columns& positions, const Eigen::Matrix4Xf& maps, double stiffness,
                 int begin, int end, const SheetResults& to);
+
+/// Of the free unknowns.
+struct PositionSlots {
+    const int* slots = nullptr;    ///< where each lies in L1's solution
+    const double* scale = nullptr; ///< 1 / D^2
+};
+
+struct Moved {
+    double overshoot = 0; ///< above 0: against the acceleration
+    double farthest = 0;  ///< move, squared, relative to D
+    bool bounded = true;  ///< false when a move is not finite or longer than `mostMove`: there nothing has moved
+};
+/// Relative to D: what goes further has been thrown away by an instability.
+inline constexpr double mostMove = 1e4;
+
+/// `step` times the moves that L1 asks for, from where the unknowns were `ahead`; what `ahead` and `back` become is
+/// told at turnFrames().
+Moved movePositions(const PositionSlots& unknowns, const float* moves, double step, double beta, int begin, int end,
+                    Columns& ahead, Eigen::Matrix4Xf& back);
 
 } // namespace bolster

@@ -22,8 +22,6 @@ namespace {
 constexpr double stableGain = 1.3;
 // Of the rest shape against that in the matrices, below 4/3 for L2, too.
 constexpr double mostDistortion = 1.2;
-// A vertex further out than this many D has been thrown away by an instability.
-constexpr double farthest = 1e4;
 
 } // namespace
 
@@ -133,7 +131,7 @@ void SheetOptimizer::precomputeRings()
     m_forces.setZero(4, vertices);
     m_displacements.setZero(4, vertices);
     m_stretch.setZero(4, vertices);
-    m_sums.resize(WorkerPool::chunkCount(m_mesh.freeCount));
+    m_moved.resize(WorkerPool::chunkCount(m_mesh.freeCount));
 }
 
 /// When both systems are there.
@@ -201,33 +199,36 @@ void SheetOptimizer::forParts(const Body& body)
 
 SheetState SheetOptimizer::state() const
 {
-    return {m_state.positions.topRows<3>(), m_state.frames};
+    return {m_ahead.positions.topRows<3>() + m_back.positions.topRows<3>().cast<double>(),
+            (m_ahead.frames + m_back.frames.cast<double>()).colwise().normalized()};
 }
 
 void SheetOptimizer::report(SolveReport& report) const
 {
+    const Columns positions = m_ahead.positions + m_back.positions.cast<double>();
+    const SheetView now{m_mesh, positions, m_ahead.frames, &m_back.frames};
     for (const auto& source : m_ghosts) {
         for (const SewnMesh::Part& part : m_mesh.parts)
             report.constraints.ghost += acts(*source) && source->gamma(part) > 0 ? part.vertexCount : 0;
-        source->report({m_mesh, m_state.positions, m_state.frames}, report);
+        source->report(now, report);
     }
 }
 
 void SheetOptimizer::restart(SheetState state)
 {
-    m_state.positions.setZero(4, state.positions.cols());
-    m_state.positions.topRows<3>() = state.positions;
-    m_state.frames = std::move(state.frames);
-    m_ahead = m_state;
+    m_ahead.positions.setZero(4, state.positions.cols());
+    m_ahead.positions.topRows<3>() = state.positions;
+    m_ahead.frames = std::move(state.frames);
+    m_back.positions.setZero(4, m_ahead.positions.cols());
+    m_back.frames.setZero(4, m_ahead.frames.cols());
     retarget();
 }
 
 void SheetOptimizer::retarget()
 {
+    startHere();
     for (std::size_t k = 0; k < m_mesh.targets.size(); ++k)
-        m_state.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)).head<3>() = m_mesh.targets[k];
-    m_other = m_state;
-    m_aheadIsReady = false;
+        m_ahead.positions.col(m_mesh.freeCount + static_cast<Eigen::Index>(k)).head<3>() = m_mesh.targets[k];
     m_signsAgree = false;
     findCorrectable();
 }
@@ -235,13 +236,11 @@ void SheetOptimizer::retarget()
 void SheetOptimizer::relaxPositions()
 {
     startHere();
-    m_other.frames = m_state.frames;
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
-        m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_state.frames.col(v)).leftCols<2>().cast<float>();
+        m_map.middleCols<2>(2 * v).topRows<3>() = rotationOf(m_ahead.frames.col(v)).leftCols<2>().cast<float>();
     solvePositions();
     movePositions(1);
-    accept(); // else the next iteration fails, too
-    m_aheadIsReady = false;
+    startHere();
 }
 
 /// Smooth seams and held normals may be others than before.
@@ -260,27 +259,33 @@ void SheetOptimizer::findCorrectable()
 
 std::optional<double> SheetOptimizer::iterate()
 {
-    if (!std::exchange(m_aheadIsReady, false)) // until the iteration has succeeded
+    if (m_overshot)
         startHere();
     m_momentum = nextMomentum();
     if (!m_signsAgree)
-        alignSigns(m_mesh, m_pool, m_ahead.frames);
+        for (const int v : alignSigns(m_mesh, m_pool, m_ahead.frames))
+            m_back.frames.col(v) *= -1;
     fit();
     solveFrames();
     solvePositions();
-    movePositions(stableStep());
-    return accept();
+    return movePositions(stableStep());
 }
 
 /// Without acceleration, from the present state.
 void SheetOptimizer::startHere()
 {
     m_momentum = 1;
+    m_overshot = false;
+    const auto returnTo = [&](Columns& ahead, Eigen::Matrix4Xf& back, int begin, int end) {
+        if (begin < end) {
+            ahead.middleCols(begin, end - begin) += back.middleCols(begin, end - begin).cast<double>();
+            back.middleCols(begin, end - begin).setZero();
+        }
+    };
     m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
-        m_ahead.frames.middleCols(begin, end - begin) = m_state.frames.middleCols(begin, end - begin);
+        returnTo(m_ahead.frames, m_back.frames, begin, end);
         // There are at least as many vertices as unknowns.
-        if (const int count = std::min(end, m_mesh.unknownCount()) - begin; count > 0)
-            m_ahead.positions.middleCols(begin, count) = m_state.positions.middleCols(begin, count);
+        returnTo(m_ahead.positions, m_back.positions, begin, std::min(end, m_mesh.unknownCount()));
     });
 }
 
@@ -330,7 +335,7 @@ void SheetOptimizer::solveFrames()
     m_frames->solve(m_pool);
     const double further = beta();
     forParts([&](const SewnMesh::Part&, int begin, int end) {
-        turnFrames(m_state.frames, further, begin, end, m_results, m_other.frames, m_ahead.frames, m_map);
+        turnFrames(further, begin, end, m_results, m_ahead.frames, m_back.frames, m_map);
     });
 }
 
@@ -374,7 +379,7 @@ void SheetOptimizer::addOuterForces()
         return;
     m_outer.resize(4, m_mesh.vertexCount());
     m_results.outer = m_outer.data();
-    const SheetView sheet{m_mesh, m_ahead.positions, m_other.frames};
+    const SheetView sheet{m_mesh, m_ahead.positions, m_ahead.frames, &m_back.frames};
     for (const auto& source : m_ghosts)
         if (acts(*source))
             source->follow(sheet, m_pool);
@@ -395,43 +400,22 @@ void SheetOptimizer::addOuterForces()
     });
 }
 
-/// `step` times the move that L1 asks for, and what accept() needs to know of it.
-void SheetOptimizer::movePositions(double step)
+/// `step` times the move that L1 asks for. Returns what iterate() does.
+std::optional<double> SheetOptimizer::movePositions(double step)
 {
-    const std::vector<int>& slots = m_positions->slots();
-    const PackedFactor::Workspace moves = m_positions->x();
     const double further = beta();
     m_pool.forChunks(m_mesh.freeCount, [&](int chunk, int begin, int end) {
-        double farthestMove = 0;
-        Eigen::Array4d overshoot = Eigen::Array4d::Zero();
-        for (int u = begin; u < end; ++u) {
-            const Eigen::Array4d stepped = step * moves.col(slots[u]).cast<double>().array();
-            const Eigen::Array4d next = m_ahead.positions.col(u).array() + stepped;
-            const Eigen::Array4d move = next - m_state.positions.col(u).array();
-            m_other.positions.col(u) = next.matrix();
-            m_ahead.positions.col(u) = (next + further * move).matrix();
-            overshoot -= stepped * move;
-            farthestMove = std::max(farthestMove, move.square().sum() * m_scale[u]);
-        }
-        m_sums[chunk] = {overshoot.sum(), farthestMove};
+        m_moved[chunk] = bolster::movePositions({m_positions->slots().data(), m_scale.data()}, m_results.moves,
+                                                step, further, begin, end, m_ahead.positions, m_back.positions);
     });
-}
-
-/// Makes the new state the present one, and restarts the acceleration when it has overshot. Returns the largest
-/// move.
-std::optional<double> SheetOptimizer::accept()
-{
-    Sums total;
-    for (const Sums& s : m_sums) {
-        total.overshoot += s.overshoot;
-        total.farthestMove = std::max(total.farthestMove, s.farthestMove);
+    Moved total;
+    for (const Moved& moved : m_moved) {
+        total.overshoot += moved.overshoot;
+        total.farthest = std::max(total.farthest, moved.farthest);
+        total.bounded = total.bounded && moved.bounded;
     }
-    const bool bounded = total.farthestMove < farthest * farthest && std::isfinite(total.overshoot);
-    m_aheadIsReady = bounded && !(total.overshoot > 0);
-    if (!bounded)
-        return std::nullopt;
-    std::swap(m_state, m_other);
-    return std::sqrt(total.farthestMove);
+    m_overshot = total.overshoot > 0;
+    return total.bounded ? std::optional(std::sqrt(total.farthest)) : std::nullopt;
 }
 
 } // namespace bolster

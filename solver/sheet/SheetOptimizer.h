@@ -50,8 +50,8 @@ public:
     /// Off: plain iterations, slower but never circling.
     void setAccelerated(bool on) { m_accelerated = on; }
 
-    /// One iteration. Returns the largest move of a vertex relative to D, or nothing when the result is not finite
-    /// or has left every bound; the state before is kept then.
+    /// One iteration. Returns the largest move of a vertex relative to D, or nothing when a move is not finite or
+    /// leaves every bound; vertices that would make one stay where they are.
     std::optional<double> iterate();
 
     SheetState state() const;
@@ -73,13 +73,12 @@ private:
     void correctFits();
     void solveFrames();
     void solvePositions();
-    void movePositions(double step);
+    std::optional<double> movePositions(double step);
     void addOuterForces();
     bool acts(const GhostSource& source) const { return m_fitting || !source.misfit(); }
     bool updateGhostWeights();
     std::vector<double> ghostWeights() const;
     double stableStep() const;
-    std::optional<double> accept();
 
     const SewnMesh& m_mesh;
     WorkerPool& m_pool;
@@ -108,22 +107,21 @@ private:
     std::optional<SmoothSeams> m_smoothSeams;
     std::vector<FreeBody> m_freeBodies; // components that nothing holds
 
-    struct State {
-        Columns positions; // x y z 0
-        Columns frames;    // w x y z
+    // Of positions (x y z 0) and frames (w x y z). The present state is their sum. Steps vanish as the cover comes
+    // to rest, so single precision does for them.
+    struct Ahead {
+        Columns positions, frames;
     };
-    State m_state;
-    State m_ahead; // y: the extrapolated state from which an iteration starts
-    State m_other; // becomes the next one
+    struct Back {
+        Eigen::Matrix4Xf positions, frames;
+    };
+    Ahead m_ahead; // y: the extrapolated state from which an iteration starts
+    Back m_back;   // from there to the present state
     bool m_accelerated = true;
     bool m_signsAgree = false;
-    bool m_aheadIsReady = false; // else it is the present state
-    double m_momentum = 1;       // t_k of Nesterov's scheme
-    struct Sums {
-        double overshoot = 0;
-        double farthestMove = 0; // squared, relative to D
-    };
-    std::vector<Sums> m_sums;       // of a move, per chunk of free unknowns
+    double m_momentum = 1;          // t_k of Nesterov's scheme
+    bool m_overshot = false;        // the next iteration starts from the present state
+    std::vector<Moved> m_moved;     // per chunk of free unknowns
     Eigen::Matrix4Xf m_map;         // the two columns of R(q_i) T_i, per vertex
     Eigen::Matrix4Xf m_forces;      // per vertex, where several have one unknown
     Columns m_outer;                // per vertex: ghosts and pressure

@@ -4,6 +4,7 @@
 #include "FrameSigns.h"
 #include "LocalStep.h"
 #include "PreparedSheet.h"
+#include "SheetKernels.h"
 #include "TestDesigns.h"
 #include "UnionFind.h"
 #include "WorkerPool.h"
@@ -62,6 +63,55 @@ TEST(LocalStep, HalfTurnsAreFoundToo)
     const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
     const LocalFit fit = fitVertex(halfTurn.leftCols<2>(), rest, 0, previous, 0);
     EXPECT_TRUE(rotationOf(fit.frame).isApprox(halfTurn, 1e-9));
+}
+
+/// However large or small the triangles are: most of the arithmetic begins in single precision.
+TEST(SheetKernels, FitFramesLikeTheLocalStepOfOneVertex)
+{
+    TriangulationCache cache;
+    const std::optional<PreparedSheet> sheet = prepareSheet(test::tube(200, 100, 20, 10), cache);
+    ASSERT_TRUE(sheet);
+    for (const double scale : {1e-8, 1e-5, 1e-3, 1.0, 1e3, 3e3, 1e4, 1e6}) {
+        SewnMesh mesh = sheet->mesh;
+        for (SewnMesh::RingEdge& edge : mesh.ring)
+            edge.rest *= scale;
+        for (double& area : mesh.area)
+            area *= scale * scale;
+        const SheetRings rings(mesh);
+        const int count = mesh.vertexCount();
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> unit(-1, 1);
+        Columns positions = Columns::Zero(4, mesh.unknownCount()), frames(4, count), fitted(4, count);
+        Eigen::Matrix4Xf turns(4, count), stretch(4, count);
+        for (int u = 0; u < mesh.unknownCount(); ++u)
+            positions.col(u).head<3>() = 30 * scale * Vec3(unit(random), unit(random), unit(random));
+        std::vector<int> slots(count);
+        for (int v = 0; v < count; ++v) {
+            frames.col(v) = randomQuaternion(random);
+            slots[v] = v;
+        }
+        SheetResults to;
+        to.turnSlots = slots.data();
+        to.turns = turns.data();
+        to.stretch = stretch.data();
+        to.fitted = fitted.data();
+        fitFrames(rings, positions, frames, 0.3, 1, 0, count, to);
+        for (int v = 0; v < count; ++v) {
+            Eigen::Matrix<double, 3, 2> covariance = Eigen::Matrix<double, 3, 2>::Zero();
+            Eigen::Matrix2d rest = Eigen::Matrix2d::Zero();
+            const auto position = [&](int w) -> Vec3 { return positions.col(mesh.topology->unknown[w]).head<3>(); };
+            for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
+                const SewnMesh::RingEdge& edge = mesh.ring[k];
+                covariance += edge.weight * (position(edge.vertex) - position(v)) * edge.rest.transpose();
+                rest += edge.weight * edge.rest * edge.rest.transpose();
+            }
+            const LocalFit fit = fitVertex(covariance, rest, mesh.area[v], frames.col(v), 0.3);
+            ASSERT_LT((fitted.col(v) / mesh.area[v] - fit.frame).norm(), 1e-3) << scale << " vertex " << v;
+            ASSERT_NEAR(stretch(0, v), fit.stretch(0, 0) - 1, 1e-3) << scale << " vertex " << v;
+            ASSERT_NEAR(stretch(1, v), fit.stretch(0, 1), 1e-3) << scale << " vertex " << v;
+            ASSERT_NEAR(stretch(2, v), fit.stretch(1, 1) - 1, 1e-3) << scale << " vertex " << v;
+        }
+    }
 }
 
 Eigen::SparseMatrix<double> chain(int n, double diagonal)
