@@ -401,17 +401,32 @@ HWY_INLINE void store(const Rows& rows, double* columns)
 }
 
 struct TurnBlock {
-    BlockColumns turns, stretch; // in
-    BlockColumns back;           // in and out
-    BlockColumns maps[2];        // out
+    BlockColumns turns;   // in
+    BlockColumns maps[2]; // out
 };
 
+constexpr hn::Rebind<float, Wide> wideFloats;
+
+/// Columns in single precision.
+HWY_INLINE Rows widened(const float* columns)
+{
+    hn::Vec<hn::Rebind<float, Wide>> w, x, y, z;
+    hn::LoadInterleaved4(wideFloats, columns, w, x, y, z);
+    return {hn::PromoteTo(wide, w), hn::PromoteTo(wide, x), hn::PromoteTo(wide, y), hn::PromoteTo(wide, z)};
+}
+
+HWY_INLINE void storeNarrow(const Rows& rows, float* columns)
+{
+    hn::StoreInterleaved4(hn::DemoteTo(wideFloats, rows.w), hn::DemoteTo(wideFloats, rows.x),
+                          hn::DemoteTo(wideFloats, rows.y), hn::DemoteTo(wideFloats, rows.z), wideFloats, columns);
+}
+
 /// Turns `ahead`, and makes of it the frames `beta` of the step further on.
-HWY_INLINE void turn(TurnBlock& in, int from, double beta, double* ahead)
+HWY_INLINE void turn(TurnBlock& in, int from, double beta, const float* stretch, double* ahead, float* back)
 {
     const Vector one = hn::Set(wide, 1.0);
     double* const numbers = at(ahead, from);
-    const Rows asked(numbers), before = sum(asked, one, Rows(in.back.numbers[from]), one);
+    const Rows asked(numbers), before = sum(asked, one, widened(at(back, from)), one);
     const Rows wanted = sum(Rows(in.turns.numbers[from]), one, asked, one);
     const Vector square = inner(wanted, wanted);
     const auto turns = hn::And(hn::Gt(square, hn::Set(wide, 1e-24)), hn::Lt(square, hn::Set(wide, 1e24)));
@@ -422,9 +437,9 @@ HWY_INLINE void turn(TurnBlock& in, int from, double beta, double* ahead)
     const Vector less = hn::CopySign(hn::Set(wide, -beta), hn::Neg(inner(q, before)));
     const Rows next = normalised(sum(q, hn::Set(wide, 1 + beta), before, less));
     store(next, numbers);
-    store(sum(q, one, next, hn::Set(wide, -1.0)), in.back.numbers[from]);
+    storeNarrow(sum(q, one, next, hn::Set(wide, -1.0)), at(back, from));
 
-    const Rows t(in.stretch.numbers[from]);
+    const Rows t = widened(at(stretch, from));
     const TwoColumns r = rotated(q);
     const Rotated m0 = combine(r.first, hn::Add(one, t.w), r.second, t.x);
     const Rotated m1 = combine(r.first, t.x, r.second, hn::Add(one, t.y));
@@ -436,23 +451,29 @@ void TurnFrames(double beta, int begin, int end, const SheetResults& results, Co
                 Eigen::Matrix4Xf& back, Eigen::Matrix4Xf& maps)
 {
     TurnBlock in{};
-    BlockColumns rest{}; // frames of a block that is not full
+    // Of a block that is not full.
+    BlockColumns frames{};
+    alignas(64) float steps[4 * block] = {}, stretch[4 * block] = {};
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count; ++i)
             widen(at(results.turns, results.turnSlots[first + i]), in.turns[i]);
-            widen(at(results.stretch, first + i), in.stretch[i]);
-            widen(at(back.data(), first + i), in.back[i]);
+        double* const aheadHere = at(ahead.data(), first);
+        float* const backHere = at(back.data(), first);
+        const float* const stretchHere = at(results.stretch, first);
+        if (count == block) {
+            for (int from = 0; from < count; from += lanes)
+                turn(in, from, beta, stretchHere, aheadHere, backHere);
+        } else {
+            std::copy_n(aheadHere, 4 * count, frames.numbers[0]);
+            std::copy_n(backHere, 4 * count, steps);
+            std::copy_n(stretchHere, 4 * count, stretch);
+            for (int from = 0; from < count; from += lanes)
+                turn(in, from, beta, stretch, frames.numbers[0], steps);
+            std::copy_n(frames.numbers[0], 4 * count, aheadHere);
+            std::copy_n(steps, 4 * count, backHere);
         }
-        double* const frames = at(ahead.data(), first);
-        if (count < block)
-            std::copy_n(frames, 4 * count, rest.numbers[0]);
-        for (int from = 0; from < count; from += lanes)
-            turn(in, from, beta, count < block ? rest.numbers[0] : frames);
-        if (count < block)
-            std::copy_n(rest.numbers[0], 4 * count, frames);
         for (int i = 0; i < count; ++i) {
-            narrow(in.back[i], at(back.data(), first + i));
             narrow(in.maps[0][i], at(maps.data(), 2 * (first + i)));
             narrow(in.maps[1][i], at(maps.data(), 2 * (first + i) + 1));
         }
