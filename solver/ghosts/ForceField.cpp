@@ -40,8 +40,9 @@ ForceField::Push ForceField::at(const Vec3& point, std::span<const double> stren
 {
     std::array<int, 3> cell{};
     std::array<float, 3> share{};
+    const double perEdge = 1 / m_grid.edge;
     for (int k = 0; k < 3; ++k) {
-        const double place = point[k] / m_grid.edge - m_grid.low[k] - 0.5;
+        const double place = point[k] * perEdge - m_grid.low[k] - 0.5;
         if (!(place >= 0 && place < m_grid.size[k] - 1))
             return {};
         cell[k] = static_cast<int>(place);
@@ -50,6 +51,7 @@ ForceField::Push ForceField::at(const Vec3& point, std::span<const double> stren
     const std::size_t first = m_grid.index(cell[0], cell[1], cell[2]);
     const std::size_t row = static_cast<std::size_t>(m_grid.size[0]);
     const std::size_t layer = row * static_cast<std::size_t>(m_grid.size[1]);
+    const bool owned = !m_owners.empty() && !strengths.empty();
     Eigen::Array4f sum = Eigen::Array4f::Zero(); // force, depth
     for (std::size_t corner = 0; corner < 8; ++corner) {
         const std::size_t dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
@@ -57,7 +59,7 @@ ForceField::Push ForceField::at(const Vec3& point, std::span<const double> stren
             (dx ? share[0] : 1 - share[0]) * (dy ? share[1] : 1 - share[1]) * (dz ? share[2] : 1 - share[2]);
         const std::size_t i = first + dx + dy * row + dz * layer;
         Eigen::Array4f c = Eigen::Map<const Eigen::Array4f>(m_cells[i].force);
-        if (!m_owners.empty() && !strengths.empty())
+        if (owned)
             c.head<3>() *= static_cast<float>(strengths[m_owners[i]]);
         sum += weight * c;
     }

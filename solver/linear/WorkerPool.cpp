@@ -72,10 +72,10 @@ WorkerPool::~WorkerPool()
     m_region.notify_all();
 }
 
-void WorkerPool::forChunks(int count, const std::function<void(int, int, int)>& body)
+void WorkerPool::forChunks(int count, const std::function<void(int, int, int)>& body, int size)
 {
-    forTasks(chunkCount(count),
-             [&](int chunk) { body(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize)); });
+    forTasks(chunkCount(count, size),
+             [&](int chunk) { body(chunk, chunk * size, std::min(count, (chunk + 1) * size)); });
 }
 
 void WorkerPool::forTasks(int count, const std::function<void(int)>& body)

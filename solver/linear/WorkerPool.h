@@ -19,14 +19,14 @@ public:
     WorkerPool& operator=(const WorkerPool&) = delete;
 
     static constexpr int chunkSize = 512;
-    static int chunkCount(int count) { return (count + chunkSize - 1) / chunkSize; }
+    static int chunkCount(int count, int size = chunkSize) { return (count + size - 1) / size; }
 
     /// Calls body(0) ... body(count - 1), each once, and returns when all are done. Throws one of the exceptions
     /// that bodies have thrown.
     void forTasks(int count, const std::function<void(int)>& body);
     /// Calls body(chunk, begin, end) for every chunk of 0 .. count-1 and returns when all are done. Chunks must
-    /// not write to the same place.
-    void forChunks(int count, const std::function<void(int, int, int)>& body);
+    /// not write to the same place. What takes longer than a vertex wants smaller ones.
+    void forChunks(int count, const std::function<void(int, int, int)>& body, int size = chunkSize);
 
 private:
     void work(int thread);

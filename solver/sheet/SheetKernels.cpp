@@ -160,8 +160,8 @@ using Wide = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Wide>;
 constexpr Wide wide;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
-// Of a ring's weight: so far its frames are apart where one may be of opposite sign.
-constexpr double suspicious = 0.05;
+// Of a ring's weight: so far its frames are apart where one may lie in the opposite hemisphere.
+constexpr double farApart = 0.05;
 
 /// A column of each vertex of a block.
 struct alignas(64) BlockColumns {
@@ -262,7 +262,7 @@ struct FitBlock {
 
 /// What is found of some vertices, or of all of them.
 struct Found {
-    bool agree = true; ///< no neighbours' quaternions lie in opposite hemispheres
+    bool near = true;  ///< neighbours' frames are near each other
     bool sound = true; ///< the closed form has worked
 };
 
@@ -317,7 +317,7 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
     const Rows smoothing(hn::NegMulAdd(weight, q.w, neighbours.w), hn::NegMulAdd(weight, q.x, neighbours.x),
                          hn::NegMulAdd(weight, q.y, neighbours.y), hn::NegMulAdd(weight, q.z, neighbours.z));
     const Vector along = inner(q, smoothing);
-    found.agree = found.agree && hn::AllFalse(wide, hn::Lt(along, hn::Mul(hn::Set(wide, -suspicious), weight)));
+    found.near = found.near && hn::AllFalse(wide, hn::Lt(along, hn::Mul(hn::Set(wide, -farApart), weight)));
     const auto residual = [&](Vector wanted, Vector now, Vector smooth) {
         return hn::MulAdd(ringArea, hn::Sub(wanted, now), hn::Mul(hn::Set(wide, bending), smooth));
     };
@@ -340,6 +340,16 @@ HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex,
           hn::IfThenElse(sound, hn::Zero(wide), hn::Set(wide, -1.0)), in.stretch.numbers[from]);
 }
 
+/// Whether the frames of these vertices lie in their neighbours' hemispheres.
+bool hemispheresAgree(const SheetRings& rings, const Columns& frames, int begin, int end)
+{
+    for (int v = begin; v < end; ++v)
+        for (int k = rings.vertices[v].firstEdge; k < rings.vertices[v + 1].firstEdge; ++k)
+            if (frames.col(v).dot(frames.col(rings.edges[k].vertex)) < 0)
+                return false;
+    return true;
+}
+
 /// False when the closed form has failed somewhere. Tells whether all neighbours' quaternions `agree`.
 bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
                double bending, int begin, int end, const SheetResults& to, bool& agree)
@@ -347,9 +357,10 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
     FitBlock in{};
     BlockColumns rest; // frames of a block that is not full
     std::fill_n(rest.numbers[0], 4 * block, 0.5);
-    Found found;
+    bool sound = true;
     for (int first = begin; first < end; first += block) {
         const int count = std::min(block, end - first);
+        Found found;
         for (int i = 0; i < count; ++i) {
             const SheetRings::Vertex* const vertex = &rings.vertices[first + i];
             const Four here = column(positions, vertex->unknown);
@@ -371,6 +382,8 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
         }
         for (int from = 0; from < count; from += lanes)
             fit(in, from, rings, first + from, poisson, bending, found);
+        sound = sound && found.sound;
+        agree = agree && (found.near || hemispheresAgree(rings, frames, first, first + count));
         for (int i = 0; i < count; ++i) {
             narrow(in.residual[i], at(to.turns, to.turnSlots[first + i]));
             narrow(in.stretch[i], at(to.stretch, first + i));
@@ -379,8 +392,7 @@ bool FitFrames(const SheetRings& rings, const Columns& positions, const Columns&
                     in.fitted[i] * static_cast<double>(rings.area[first + i]);
         }
     }
-    agree = found.agree;
-    return found.sound;
+    return sound;
 }
 
 HWY_INLINE Rows sum(const Rows& a, Vector p, const Rows& b, Vector q)

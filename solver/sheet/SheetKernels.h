@@ -55,8 +55,7 @@ struct SheetResults {
 // All for the vertices begin .. end - 1 of one part, so that parts of a mesh can be given to threads.
 
 /// The local step and the residual of L2, A_i (qhat_i - q_i) + bending * sum w_ij (q_j - q_i). `poisson` is nu,
-/// `bending` is 2 lambda^2. False when neighbours are so far apart that their quaternions may lie in
-/// opposite hemispheres.
+/// `bending` is 2 lambda^2. False when quaternions of neighbours lie in opposite hemispheres.
 bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,
                double bending, int begin, int end, const SheetResults& to);
 

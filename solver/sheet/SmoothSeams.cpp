@@ -22,6 +22,8 @@ constexpr int lopsidedRows = 4;
 constexpr double enoughDamping = 4;
 // So many edges apart the two sides of a closed corner can be joined.
 constexpr double tipEdges = 4;
+// A vertex of a seam takes a microsecond.
+constexpr int chunk = 32;
 
 double cross(const Vec2& a, const Vec2& b)
 {
@@ -318,29 +320,38 @@ void SmoothSeams::correct(const SheetView& sheet, WorkerPool& pool, Columns& rig
 {
     const auto present = [&](int v) -> Eigen::Vector4d { return sheet.frames.col(v); };
     const auto fitted = [&](int v) -> Eigen::Vector4d { return right.col(v) / m_mesh.area[v]; };
-    pool.forChunks(static_cast<int>(m_lopsided.size()), [&](int, int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            const Lopsided& l = m_lopsided[i];
-            const Eigen::Vector4d step = ringSum(l.vertex, l.offset, present);
-            right.col(l.vertex) = m_mesh.area[l.vertex] * (fitted(l.vertex) - step).normalized();
-        }
-    });
+    pool.forChunks(
+        static_cast<int>(m_lopsided.size()),
+        [&](int, int begin, int end) {
+            for (int i = begin; i < end; ++i) {
+                const Lopsided& l = m_lopsided[i];
+                const Eigen::Vector4d step = ringSum(l.vertex, l.offset, present);
+                right.col(l.vertex) = m_mesh.area[l.vertex] * (fitted(l.vertex) - step).normalized();
+            }
+        },
+        chunk);
     const int count = static_cast<int>(m_joints.size());
     std::vector<double> share(count);
-    pool.forChunks(count, [&](int, int begin, int end) {
-        for (int i = begin; i < end; ++i)
-            share[i] = fitBothSides(m_joints[i], sheet, right);
-    });
+    pool.forChunks(
+        count,
+        [&](int, int begin, int end) {
+            for (int i = begin; i < end; ++i)
+                share[i] = fitBothSides(m_joints[i], sheet, right);
+        },
+        chunk);
     // Smoothing ends at the border; on one sheet it would take from the other side what is added here. All fits
     // first, then the additions, because these look at the neighbours' fits.
     Columns added = Columns::Zero(4, count);
-    pool.forChunks(count, [&](int, int begin, int end) {
-        for (int i = begin; i < end; ++i)
-            if (share[i] > 0)
-                added.col(i) = turnToPartners(m_joints[i], sheet.frames) -
-                               2 * m_mesh.parts[m_joints[i].part].bendingSquared() * share[i] *
-                                   ringSum(m_joints[i].vertex, m_joints[i].flux, fitted);
-    });
+    pool.forChunks(
+        count,
+        [&](int, int begin, int end) {
+            for (int i = begin; i < end; ++i)
+                if (share[i] > 0)
+                    added.col(i) = turnToPartners(m_joints[i], sheet.frames) -
+                                   2 * m_mesh.parts[m_joints[i].part].bendingSquared() * share[i] *
+                                       ringSum(m_joints[i].vertex, m_joints[i].flux, fitted);
+        },
+        chunk);
     for (int i = 0; i < count; ++i)
         right.col(m_joints[i].vertex) += added.col(i);
 }
