@@ -375,6 +375,13 @@ void Actions::addFabrics()
     renameFabric = addWith(tr("Rename fa&bric \u2026"), {}, tr("Gives the fabric another name"));
     removeFabric = addWith(tr("&Delete fabric \u2026"), QStringLiteral("delete"),
                            tr("Removes the fabric; asks what patches get instead"));
+    fabricsOnCushions = addToggle(tr("On &cushions"), QStringLiteral("pillow"), true);
+    fabricsOnCushions->setToolTip(tr("Shows the fabrics of the library on cushions"));
+    fabricsOnBalls = addToggle(tr("On &balls"), QStringLiteral("ball"), false);
+    fabricsOnBalls->setToolTip(tr("Shows the fabrics of the library on balls"));
+    auto* shapes = new QActionGroup(this);
+    shapes->addAction(fabricsOnCushions);
+    shapes->addAction(fabricsOnBalls);
     newColourway = addWith(tr("New &colourway \u2026"), QStringLiteral("colourway"),
                            tr("Adds a set of fabrics for the patches; it begins as what is shown now"));
     showColourway = addWith(tr("&Show colourway"), {}, tr("Chooses which fabrics are seen; the shape stays"));

@@ -129,6 +129,8 @@ public:
     QAction* duplicateFabric;
     QAction* renameFabric;
     QAction* removeFabric;
+    QAction* fabricsOnCushions; ///< this or the other
+    QAction* fabricsOnBalls;
     QAction* newColourway;
     QAction* showColourway; ///< its menu has them all
     QAction* renameColourway;

@@ -12,12 +12,15 @@ namespace bolster {
 
 namespace {
 
-constexpr int previewPixels = 176;   ///< drawn at half of that where the screen is not that fine
+using Shape = FabricPreviewOptions::Shape;
+
+constexpr int previewPixels = 240;   ///< as sharp as the finest screen wants it in the properties
 constexpr double previewWidth = 110; ///< mm
 
-QImage drawn(const Fabric& fabric, const FabricMaps& maps, int pixels)
+QImage drawn(const Fabric& fabric, const FabricMaps& maps, Shape shape, int pixels)
 {
     FabricPreviewOptions options;
+    options.shape = shape;
     options.pixels = pixels;
     options.width = previewWidth;
     options.rotation = fabric.look.rotation * std::numbers::pi / 180;
@@ -130,7 +133,8 @@ FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, Im
     try {
         baked.maps = cache.get(fabric, baked.image);
         baked.color = QColor(QString::fromStdString(meanColor(*baked.maps)));
-        baked.preview = drawn(fabric, *baked.maps, previewPixels);
+        baked.pictures.cushion = drawn(fabric, *baked.maps, Shape::Cushion, previewPixels);
+        baked.pictures.ball = drawn(fabric, *baked.maps, Shape::Ball, previewPixels);
     } catch (const std::bad_alloc&) {
         baked.problem = {QT_TRANSLATE_NOOP("Message", "there is not enough memory to show this fabric"), {}};
     }
@@ -139,7 +143,7 @@ FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, Im
 
 QImage FabricLink::previewOf(const Fabric& fabric, int pixels)
 {
-    return drawn(fabric, *bakeFabric(fabric, nullptr, {512, 1}), pixels);
+    return drawn(fabric, *bakeFabric(fabric, nullptr, {512, 1}), Shape::Cushion, pixels);
 }
 
 std::map<ElementId, FabricMapsPtr> FabricLink::maps() const
@@ -181,10 +185,12 @@ std::map<ElementId, QColor> FabricLink::colors() const
     return colors;
 }
 
-QImage FabricLink::preview(ElementId fabric) const
+std::map<ElementId, FabricPictures> FabricLink::pictures() const
 {
-    const auto baked = m_baked.find(fabric);
-    return baked == m_baked.end() ? QImage() : baked->second.preview;
+    std::map<ElementId, FabricPictures> pictures;
+    for (const auto& [id, baked] : m_baked)
+        pictures[id] = baked.pictures;
+    return pictures;
 }
 
 bool FabricLink::upToDate() const

@@ -3,11 +3,11 @@
 
 #include "Design.h"
 #include "FabricCache.h"
+#include "FabricPictures.h"
 #include "PictureScene.h"
 #include "Problem.h"
 
 #include <QColor>
-#include <QImage>
 #include <QObject>
 
 #include <map>
@@ -35,14 +35,14 @@ public:
     FabricBaker bakedByNow() const;
     /// What a fabric looks like from far away; of those whose maps are up to date.
     std::map<ElementId, QColor> colors() const;
-    /// On a cushion; null while there is none yet.
-    QImage preview(ElementId fabric) const;
+    /// Of those that are drawn by now; until a changed one is baked, as it was.
+    std::map<ElementId, FabricPictures> pictures() const;
     /// Everything is baked as it is now.
     bool upToDate() const;
     /// Pictures that could not be read, and why.
     Problems problems() const;
 
-    /// The same picture for a fabric that is in no design. Blocks: not for the GUI thread.
+    /// A fabric that is in no design, on a cushion. Blocks: not for the GUI thread.
     static QImage previewOf(const Fabric& fabric, int pixels);
 
 signals:
@@ -57,7 +57,7 @@ private:
         Message problem;
         FabricMapsPtr maps;
         QColor color;
-        QImage preview;
+        FabricPictures pictures;
     };
 
     void designChanged(const std::set<ElementId>& ids);

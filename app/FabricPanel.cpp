@@ -56,6 +56,29 @@ QLabel* heading(const QString& text)
     return label;
 }
 
+/// With a switch between some actions, of which their icons say enough.
+QWidget* headingWith(const QString& text, const QList<QAction*>& actions)
+{
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 4, 6, 0);
+    layout->setSpacing(0);
+    QLabel* label = heading(text);
+    label->setContentsMargins(8, 0, 8, 0);
+    layout->addWidget(label, 1);
+    for (QAction* action : actions) {
+        auto* button = new QToolButton;
+        button->setDefaultAction(action);
+        button->setObjectName(action->objectName());
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        button->setIconSize({16, 16});
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        layout->addWidget(button);
+    }
+    return row;
+}
+
 /// The actions' own words are too long for a narrow dock.
 QWidget* buttons(const QList<std::pair<QAction*, QString>>& actions)
 {
@@ -156,7 +179,8 @@ FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& l
                                {actions.renameColourway, tr("Rename \u2026")},
                                {actions.removeColourway, tr("Delete")},
                                {actions.compareColourways, tr("Compare")}}));
-    layout->addWidget(heading(tr("Fabrics: drag them onto patches")));
+    layout->addWidget(
+        headingWith(tr("Fabrics: drag them onto patches"), {actions.fabricsOnCushions, actions.fabricsOnBalls}));
     layout->addWidget(m_fabrics, 1);
     layout->addWidget(buttons({{actions.newFabric, tr("New")},
                                {actions.assignFabric, tr("Assign")},
@@ -165,6 +189,7 @@ FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& l
 
     connect(&document, &Document::changed, this, &FabricPanel::fill);
     connect(&link, &FabricLink::changed, this, &FabricPanel::fillFabrics);
+    connect(actions.fabricsOnBalls, &QAction::toggled, this, &FabricPanel::fillFabrics);
     connect(&selection, &Selection::changed, this, &FabricPanel::followSelection);
     connect(m_fabrics, &QListWidget::currentItemChanged, this,
             [this](const QListWidgetItem* item) { emit fabricChosen(idOf(item)); });
@@ -224,6 +249,9 @@ void FabricPanel::fillFabrics()
     std::vector<ElementId> ids;
     design.each<Fabric>([&](ElementId id, const Fabric&) { ids.push_back(id); });
     const ElementId before = fabric();
+    std::map<ElementId, FabricPictures> drawn = m_link.pictures();
+    const QImage FabricPictures::*shape =
+        m_actions.fabricsOnBalls->isChecked() ? &FabricPictures::ball : &FabricPictures::cushion;
     {
         const QSignalBlocker quiet(m_fabrics);
         while (m_fabrics->count() > static_cast<int>(ids.size()))
@@ -236,7 +264,7 @@ void FabricPanel::fillFabrics()
             item->setData(idRole, static_cast<int>(id));
             item->setText(displayName(design, id));
             item->setToolTip(describe(id));
-            setPicture(*item, m_link.preview(id), QColor(QString::fromStdString(design.find<Fabric>(id)->color)));
+            setPicture(*item, drawn[id].*shape, QColor(QString::fromStdString(design.find<Fabric>(id)->color)));
             if (id == before)
                 m_fabrics->setCurrentRow(i);
         }

@@ -175,6 +175,8 @@ private:
         menu->addSeparator();
         menu->addActions({m_actions.importFabrics, m_actions.exportFabric});
         menu->addSeparator();
+        menu->addMenu(tr("Pre&views"))->addActions({m_actions.fabricsOnCushions, m_actions.fabricsOnBalls});
+        menu->addSeparator();
         menu->addActions({m_actions.showColourway, m_actions.newColourway, m_actions.renameColourway,
                           m_actions.removeColourway, m_actions.compareColourways});
     }

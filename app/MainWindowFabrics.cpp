@@ -18,12 +18,14 @@
 #include <QActionGroup>
 #include <QListWidget>
 #include <QMenu>
+#include <QSettings>
 
 namespace bolster {
 
 namespace {
 
 constexpr int presetPixels = 64;
+const QString ballsKey = QStringLiteral("fabrics/balls");
 
 /// The pictures of presets are drawn once, when the menu is first wanted.
 void addPresets(QMenu& menu, FabricCommands& commands)
@@ -68,6 +70,9 @@ void MainWindow::connectFabrics()
     on(m_actions->removeColourway, [&commands] { commands.removeColourway(); });
     on(m_actions->compareColourways, [this] { compareColourways(); });
     fillFabricMenus();
+    QAction* balls = m_actions->fabricsOnBalls;
+    balls->setChecked(QSettings().value(ballsKey, false).toBool());
+    connect(balls, &QAction::toggled, this, [](bool checked) { QSettings().setValue(ballsKey, checked); });
 
     connect(&commands, &FabricCommands::done, m_status, &StatusLine::flash);
     connect(&commands, &FabricCommands::added, this, [this](ElementId id) { m_fabricPanel->setFabric(id); });
@@ -77,6 +82,7 @@ void MainWindow::connectFabrics()
     connect(m_fabricLink.get(), &FabricLink::changed, this, [this] {
         m_pattern->setFabricColors(m_fabricLink->colors());
         m_surface->setFabricMaps(m_fabricLink->maps());
+        m_inspector->setFabricPictures(m_fabricLink->pictures());
         updateProblems();
     });
     const auto takeDrops = [&](QWidget& view, std::function<ElementId(QPointF)> patchAt) {

@@ -45,6 +45,12 @@ void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
     refresh();
 }
 
+void Inspector::setFabricPictures(std::map<ElementId, FabricPictures> pictures)
+{
+    m_forms.setFabricPictures(std::move(pictures));
+    refresh();
+}
+
 void Inspector::setFiles(DesignFiles files)
 {
     m_forms.setFiles(std::move(files));

@@ -17,6 +17,7 @@ public:
     /// The keyboard goes to the first field.
     void focusFirst();
     void setScanFigures(std::map<ElementId, ScanFigures> figures);
+    void setFabricPictures(std::map<ElementId, FabricPictures> pictures);
     void setFiles(DesignFiles files);
 
 signals:

@@ -64,6 +64,8 @@ std::vector<FabricLook::Kind> InspectorForms::fabricKinds() const
 void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    if (!fabric.several())
+        addFabricPictures(form, ids.front());
     fabric.name(tr("Name"));
     addFabricLook(form, ids);
     form.addHeading(tr("Behaviour"), icon(QStringLiteral("fabric")));
@@ -86,6 +88,17 @@ void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
     limit(tr("Most along the grain"), &StretchLimits::along);
     limit(tr("Most across"), &StretchLimits::across);
     limit(tr("Most shear"), &StretchLimits::shear);
+}
+
+void InspectorForms::addFabricPictures(PropertyForm& form, ElementId id) const
+{
+    form.addPictures(tr("The fabric on a cushion and on a ball"),
+                     tr("The fabric on a cushion and on a ball, at its real scale"), [this, id] {
+                         const auto found = m_fabricPictures.find(id);
+                         const FabricPictures drawn =
+                             found == m_fabricPictures.end() ? FabricPictures{} : found->second;
+                         return std::vector<QImage>{drawn.cushion, drawn.ball};
+                     });
 }
 
 void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const

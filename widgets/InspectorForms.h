@@ -3,6 +3,7 @@
 
 #include "DesignFiles.h"
 #include "ElementText.h"
+#include "FabricPictures.h"
 #include "PropertyForm.h"
 #include "ScanFigures.h"
 #include "Selection.h"
@@ -31,6 +32,8 @@ public:
 
     /// As measured last.
     void setScanFigures(std::map<ElementId, ScanFigures> figures) { m_scanFigures = std::move(figures); }
+    /// As drawn last.
+    void setFabricPictures(std::map<ElementId, FabricPictures> pictures) { m_fabricPictures = std::move(pictures); }
     void setFiles(DesignFiles files) { m_files = std::move(files); }
 
     std::unique_ptr<PropertyForm> make() const;
@@ -46,6 +49,7 @@ private:
     void addKind(PropertyForm& form, ElementKind kind, const Ids& ids) const;
     void addSettings(PropertyForm& form) const;
     void addFabric(PropertyForm& form, const Ids& ids) const;
+    void addFabricPictures(PropertyForm& form, ElementId id) const;
     void addFabricLook(PropertyForm& form, const Ids& ids) const;
     void addFabricKind(PropertyForm& form, const Ids& ids) const;
     void addPatch(PropertyForm& form, const Ids& ids) const;
@@ -87,6 +91,7 @@ private:
     std::function<void(ElementId)> m_chooseFile;
     std::function<void(ElementId, ScanWish)> m_scanWish;
     std::map<ElementId, ScanFigures> m_scanFigures;
+    std::map<ElementId, FabricPictures> m_fabricPictures;
     DesignFiles m_files;
 };
 

@@ -1,6 +1,7 @@
 #include "PropertyForm.h"
 
 #include "Icons.h"
+#include "PictureStrip.h"
 #include "ViewColors.h"
 
 #include <QCheckBox>
@@ -92,6 +93,15 @@ void PropertyForm::addHeading(const QString& text, const QIcon& sign)
     layout->addWidget(picture);
     layout->addWidget(title, 1);
     m_layout->addRow(row);
+}
+
+void PropertyForm::addPictures(const QString& name, const QString& tip,
+                               const std::function<std::vector<QImage>()>& read)
+{
+    auto* strip = new PictureStrip(this);
+    strip->setAccessibleName(name);
+    strip->setToolTip(tip);
+    addField({}, strip, [strip, read] { strip->setPictures(read()); });
 }
 
 void PropertyForm::addInfo(const QString& label, const std::function<QString()>& read)

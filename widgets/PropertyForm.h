@@ -4,6 +4,7 @@
 #include "NumberBox.h"
 
 #include <QColor>
+#include <QImage>
 #include <QWidget>
 
 #include <functional>
@@ -23,6 +24,8 @@ public:
     explicit PropertyForm(QWidget* parent = nullptr);
 
     void addHeading(const QString& text, const QIcon& sign);
+    /// Side by side; `name` says what they show.
+    void addPictures(const QString& name, const QString& tip, const std::function<std::vector<QImage>()>& read);
     /// A line that only informs.
     void addInfo(const QString& label, const std::function<QString()>& read);
     enum class Tone { Muted, Warning, Error };

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,36 +17,58 @@ namespace {
 using Vec = Eigen::Vector3f;
 using Shape = FabricPreviewOptions::Shape;
 
-constexpr int samplesAcross = 5; ///< per pixel and direction: the maps are finer than the picture
+constexpr float shapeSize = 0.94f; ///< of the picture
 
-/// A place of the shape seen from straight ahead: where on the fabric, half widths, and how it faces.
+/// Per pixel and direction: the maps are finer than the picture.
+int samplesAcross(int pixels)
+{
+    return std::clamp(600 / pixels + 1, 3, 6);
+}
+
+/// A place of the shape seen from straight ahead: where on the fabric, half widths of the picture, and how it
+/// faces.
 struct Place {
     Spot cloth;
     Vec normal;
 };
 
-/// How high a cushion rises over a square, and over a ball's disc; x and y from -1 to 1.
-std::optional<Place> placeAt(Shape shape, Spot at)
+/// The fabric lies on the ball as on a globe seen from above its pole: what faces the eye has its real size.
+std::optional<Place> onBall(const Spot& at)
 {
-    if (shape == Shape::Flat)
-        return Place{at, Vec::UnitZ()};
-    at /= 0.94f;
-    if (shape == Shape::Ball) {
-        const float r2 = at.squaredNorm();
-        if (r2 >= 1)
-            return std::nullopt;
-        const float r = std::sqrt(std::max(r2, 1e-8f));
-        return Place{at * (std::asin(r) / r), Vec(at.x(), at.y(), std::sqrt(1 - r2))};
-    }
-    // Its sides are drawn in between the corners, as those of a filled cushion are.
-    const Spot drawn(at.x() * (1 + 0.10f * (1 - at.y() * at.y())), at.y() * (1 + 0.10f * (1 - at.x() * at.x())));
+    const float r2 = at.squaredNorm();
+    if (r2 >= 1)
+        return std::nullopt;
+    const float r = std::sqrt(std::max(r2, 1e-8f));
+    return Place{at * (shapeSize * std::asin(r) / r), Vec(at.x(), at.y(), std::sqrt(1 - r2))};
+}
+
+/// A square panel, filled: its sides are drawn in between the corners, and the fabric goes with them.
+std::optional<Place> onCushion(const Spot& at)
+{
+    constexpr float drawnIn = 0.10f;
+    const Spot drawn(at.x() * (1 + drawnIn * (1 - at.y() * at.y())),
+                     at.y() * (1 + drawnIn * (1 - at.x() * at.x())));
     const float x2 = drawn.x() * drawn.x(), y2 = drawn.y() * drawn.y();
     if (x2 >= 1 || y2 >= 1)
         return std::nullopt;
     const float height = 0.62f * std::sqrt((1 - x2) * (1 - y2));
     const float over = std::max(height, 0.05f);
     const Vec slope(0.38f * drawn.x() * (1 - y2) / over, 0.38f * drawn.y() * (1 - x2) / over, 1);
-    return Place{drawn * (1 + 0.12f * drawn.squaredNorm()), slope.normalized()};
+    return Place{drawn * ((1 + 0.12f * drawn.squaredNorm()) * shapeSize / (1 + drawnIn)), slope.normalized()};
+}
+
+/// x and y from -1 to 1 over the picture.
+std::optional<Place> placeAt(Shape shape, const Spot& at)
+{
+    switch (shape) {
+    case Shape::Ball:
+        return onBall(at / shapeSize);
+    case Shape::Cushion:
+        return onCushion(at / shapeSize);
+    case Shape::Flat:
+        break;
+    }
+    return Place{at, Vec::UnitZ()};
 }
 
 struct Cloth {
@@ -53,6 +76,18 @@ struct Cloth {
     Vec relief;
     float roughness;
 };
+
+/// Of a byte of the albedo: a curve that is too slow for each sample.
+float lightOfByte(std::uint8_t encoded)
+{
+    static const auto lights = [] {
+        std::array<float, 256> table{};
+        for (std::size_t i = 0; i < table.size(); ++i)
+            table[i] = toLinear(static_cast<float>(i) / 255);
+        return table;
+    }();
+    return lights[encoded];
+}
 
 Cloth clothAt(const FabricMaps& maps, const Spot& mm)
 {
@@ -65,69 +100,160 @@ Cloth clothAt(const FabricMaps& maps, const Spot& mm)
     const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(maps.width) + x;
     Cloth cloth{};
     for (std::size_t c = 0; c < 3; ++c) {
-        cloth.color[static_cast<Eigen::Index>(c)] = toLinear(static_cast<float>(maps.albedo[4 * i + c]) / 255);
+        cloth.color[static_cast<Eigen::Index>(c)] = lightOfByte(maps.albedo[4 * i + c]);
         cloth.relief[static_cast<Eigen::Index>(c)] = static_cast<float>(maps.normal[3 * i + c]) / 127.5f - 1;
     }
     cloth.roughness = static_cast<float>(maps.roughness[i]) / 255;
     return cloth;
 }
 
-/// GGX for a light that is large, with the visibility term of B. Karis, "Real shading in Unreal Engine 4", 2013.
-float highlight(const Vec& n, const Vec& light, float roughness, float lightSize)
+/// A light with a surface, seen with the eye straight ahead.
+struct Lamp {
+    Lamp(const Vec& towards, const Light& ofColor, float addsToHighlights)
+        : direction(towards.normalized())
+        , half((direction + Vec::UnitZ()).normalized())
+        , falloff(std::max(0.1f, direction.dot(half) * direction.dot(half)))
+        , size(addsToHighlights)
+        , color(ofColor)
+    {}
+
+    /// Light from an area goes a little round the edge.
+    float wrapped(const Vec& n, float by) const
+    {
+        return std::max(0.f, n.dot(direction) + by) / ((1 + by) * (1 + by));
+    }
+
+    /// GGX with the visibility term of B. Karis, "Real shading in Unreal Engine 4", 2013.
+    float highlight(const Vec& n, float roughness) const
+    {
+        const float a = std::min(1.f, roughness * roughness + size), a2 = a * a;
+        const float nh = std::max(0.f, n.dot(half));
+        const float d = nh * nh * (a2 - 1) + 1;
+        return std::max(0.f, n.dot(direction)) * a2 / (d * d * falloff * (4 * roughness + 2));
+    }
+
+    Vec direction, half;
+    float falloff, size;
+    Light color;
+};
+
+/// The room of studio.glsl, with the key light to the left as in a catalogue.
+const Lamp key(Vec(-0.45f, 0.62f, 0.64f), Light(1.02f, 0.98f, 0.92f), 0.22f);
+const Lamp rim(Vec(0.75f, 0.35f, -0.1f), Light(0.30f, 0.32f, 0.37f), 0.15f);
+const Light sky(0.50f, 0.52f, 0.56f), ground(0.25f, 0.235f, 0.22f), ceiling(1.30f, 1.28f, 1.24f);
+
+/// The room in the mirror, its lamp above.
+Light mirrored(const Vec& n, float nv, float roughness)
 {
-    const Vec half = (light + Vec::UnitZ()).normalized();
-    const float a = std::min(1.f, roughness * roughness + lightSize), a2 = a * a;
-    const float nh = std::max(0.f, n.dot(half)), lh = std::max(0.f, light.dot(half));
-    const float d = nh * nh * (a2 - 1) + 1;
-    return std::max(0.f, n.dot(light)) * a2 / (d * d * std::max(0.1f, lh * lh) * (4 * roughness + 2));
+    const float up = 2 * n.z() * n.y(); // of the eye's direction, reflected
+    const float blur = 0.15f + 0.85f * roughness;
+    const Light room =
+        ground + ramp(-blur, blur, up) * (sky - ground) + ramp(0.6f - blur, 0.6f + blur, up) * ceiling;
+    const float x = 1 - roughness;
+    const float a = std::min(x * x, std::exp2(-9.28f * nv)) * x + 0.0425f - 0.0275f * roughness;
+    return room *
+           std::max(0.f, 0.04f * (1.04f - 0.572f * roughness - 1.04f * a) + 1.04f * a - 0.04f + 0.022f * roughness);
 }
 
 Light shaded(const Cloth& cloth, const Vec& n, float sheen)
 {
-    static const Vec key = Vec(-0.45f, 0.62f, 0.64f).normalized(), rim = Vec(0.75f, 0.35f, -0.1f).normalized();
-    static const Light keyLight(1.02f, 0.98f, 0.92f), sky(0.50f, 0.52f, 0.56f), floor(0.25f, 0.235f, 0.22f),
-        rimLight(0.30f, 0.32f, 0.37f);
-    const float nv = std::clamp(n.z(), 0.03f, 1.f);
-    const auto wrapped = [&](const Vec& light, float by) {
-        return std::max(0.f, n.dot(light) + by) / ((1 + by) * (1 + by));
-    };
-    const Light fuzz = sheen * std::pow(1 - nv, 3.f) * (0.75f * cloth.color + 0.25f);
-    const Light room = floor + (0.5f + 0.5f * n.y()) * (sky - floor);
-    return keyLight * (cloth.color * wrapped(key, 0.15f) + fuzz * wrapped(key, 0.5f) +
-                       0.04f * highlight(n, key, cloth.roughness, 0.22f)) +
-           rimLight * (cloth.color * wrapped(rim, 0.1f) + fuzz * wrapped(rim, 0.5f) +
-                       0.08f * highlight(n, rim, cloth.roughness, 0.15f)) +
-           room * (cloth.color + fuzz + 0.04f * (1 - 0.6f * cloth.roughness));
+    const float nv = std::clamp(n.z(), 0.03f, 1.f), across = 1 - nv;
+    const Light fuzz = sheen * across * across * across * (0.75f * cloth.color + 0.25f);
+    const Light room = ground + (0.5f + 0.5f * n.y()) * (sky - ground);
+    return key.color * (cloth.color * key.wrapped(n, 0.15f) + fuzz * key.wrapped(n, 0.5f) +
+                        0.04f * key.highlight(n, cloth.roughness)) +
+           rim.color * (cloth.color * rim.wrapped(n, 0.1f) + fuzz * rim.wrapped(n, 0.5f) +
+                        0.08f * rim.highlight(n, cloth.roughness)) +
+           room * (cloth.color + fuzz) + mirrored(n, std::max(nv, 0.15f), cloth.roughness);
 }
 
-struct Sample {
-    Light light = Light::Zero();
-    float opacity = 0;
+/// The fabric as it lies on the shape.
+class Laid {
+public:
+    Laid(const FabricMaps& maps, const FabricPreviewOptions& options)
+        : m_maps(maps)
+        , m_halfWidth(static_cast<float>(options.width / 2))
+        , m_turn(Eigen::Rotation2Df(static_cast<float>(options.rotation)).toRotationMatrix())
+    {}
+
+    Light lightAt(const Place& place) const
+    {
+        const Cloth cloth = clothAt(m_maps, m_turn.transpose() * place.cloth * m_halfWidth);
+        const Spot relief = m_turn * cloth.relief.head<2>();
+        const Vec& n = place.normal;
+        const Vec right = Vec(1 - n.x() * n.x(), -n.x() * n.y(), -n.x() * n.z()).normalized(), up = n.cross(right);
+        return shaded(cloth, (relief.x() * right + relief.y() * up + cloth.relief.z() * n).normalized(),
+                      static_cast<float>(m_maps.sheen));
+    }
+
+private:
+    const FabricMaps& m_maps;
+    float m_halfWidth; ///< mm
+    Eigen::Matrix2f m_turn;
 };
 
-Sample sampleAt(const FabricMaps& maps, const FabricPreviewOptions& options, const Spot& at)
-{
-    const std::optional<Place> place = placeAt(options.shape, at);
-    if (!place)
-        return {};
-    const auto c = static_cast<float>(std::cos(options.rotation)),
-               s = static_cast<float>(std::sin(options.rotation));
-    const Spot mm = place->cloth * static_cast<float>(options.width / 2);
-    const Cloth cloth = clothAt(maps, {c * mm.x() + s * mm.y(), c * mm.y() - s * mm.x()});
-    const Vec relief(c * cloth.relief.x() - s * cloth.relief.y(), s * cloth.relief.x() + c * cloth.relief.y(),
-                     cloth.relief.z());
-    const Vec& n = place->normal;
-    const Vec right = (Vec::UnitX() - n.x() * n).normalized(), up = n.cross(right);
-    return {shaded(cloth, (relief.x() * right + relief.y() * up + relief.z() * n).normalized(),
-                   static_cast<float>(maps.sheen)),
-            1};
-}
+/// Samples count for the pixels around them by their distance (a tent two pixels wide): averages over single
+/// pixels would let fine weaves beat against the pixels.
+class Film {
+public:
+    explicit Film(int size)
+        : m_size(size)
+        , m_pixels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size))
+    {}
 
-/// Bright light is drawn in gently, so that highlights keep their colour.
-float displayed(float light)
-{
-    return toEncoded(light < 0.7f ? light : 0.7f + 0.3f * (1 - std::exp(-(light - 0.7f) / 0.3f)));
-}
+    /// `at` in pixels; without light it is see-through.
+    void add(const Spot& at, const std::optional<Light>& light)
+    {
+        const Spot from = at.array() - 0.5f;
+        const int left = static_cast<int>(std::floor(from.x())), top = static_cast<int>(std::floor(from.y()));
+        const float right = from.x() - static_cast<float>(left), below = from.y() - static_cast<float>(top);
+        addTo(left, top, (1 - right) * (1 - below), light);
+        addTo(left + 1, top, right * (1 - below), light);
+        addTo(left, top + 1, (1 - right) * below, light);
+        addTo(left + 1, top + 1, right * below, light);
+    }
+
+    std::vector<std::uint8_t> rgba() const
+    {
+        std::vector<std::uint8_t> bytes;
+        bytes.reserve(4 * m_pixels.size());
+        for (const Pixel& pixel : m_pixels) {
+            const Light light = pixel.covered > 0 ? Light(pixel.light / pixel.covered) : Light::Zero();
+            for (int c = 0; c < 3; ++c)
+                bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * displayed(light[c]))));
+            bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * pixel.covered / pixel.weight)));
+        }
+        return bytes;
+    }
+
+private:
+    struct Pixel {
+        Light light = Light::Zero();
+        float covered = 0;
+        float weight = 0;
+    };
+
+    void addTo(int x, int y, float weight, const std::optional<Light>& light)
+    {
+        if (x < 0 || y < 0 || x >= m_size || y >= m_size)
+            return;
+        Pixel& pixel = m_pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size) + x];
+        pixel.weight += weight;
+        if (!light)
+            return;
+        pixel.light += weight * *light;
+        pixel.covered += weight;
+    }
+
+    /// Bright light is drawn in gently, so that highlights keep their colour.
+    static float displayed(float light)
+    {
+        return toEncoded(light < 0.7f ? light : 0.7f + 0.3f * (1 - std::exp(-(light - 0.7f) / 0.3f)));
+    }
+
+    int m_size;
+    std::vector<Pixel> m_pixels;
+};
 
 } // namespace
 
@@ -137,23 +263,17 @@ ImagePixelsPtr fabricPreview(const FabricMaps& maps, const FabricPreviewOptions&
     picture->width = picture->height = std::clamp(options.pixels, 8, 1024);
     if (!maps.complete())
         return picture;
-    const int size = picture->width, fine = size * samplesAcross;
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            Sample sum;
-            for (int i = 0; i < samplesAcross * samplesAcross; ++i) {
-                const auto sx = static_cast<float>(x * samplesAcross + i % samplesAcross) + 0.5f;
-                const auto sy = static_cast<float>(y * samplesAcross + i / samplesAcross) + 0.5f;
-                const Sample one = sampleAt(maps, options, Spot(2 * sx / fine - 1, 1 - 2 * sy / fine));
-                sum.light += one.light;
-                sum.opacity += one.opacity;
-            }
-            const Light light = sum.opacity > 0 ? Light(sum.light / sum.opacity) : Light::Zero();
-            for (int c = 0; c < 3; ++c)
-                picture->rgba.push_back(static_cast<std::uint8_t>(std::lround(255 * displayed(light[c]))));
-            picture->rgba.push_back(
-                static_cast<std::uint8_t>(std::lround(255 * sum.opacity / (samplesAcross * samplesAcross))));
+    const int size = picture->width, samples = samplesAcross(size), fine = size * samples;
+    const Laid fabric(maps, options);
+    Film film(size);
+    for (int y = 0; y < fine; ++y)
+        for (int x = 0; x < fine; ++x) {
+            const Spot at = (Spot(x, y).array() + 0.5f) / static_cast<float>(samples); // pixels
+            const std::optional<Place> place =
+                placeAt(options.shape, Spot(2 * at.x() / size - 1, 1 - 2 * at.y() / size));
+            film.add(at, place ? std::optional(fabric.lightAt(*place)) : std::nullopt);
         }
+    picture->rgba = film.rgba();
     return picture;
 }
 

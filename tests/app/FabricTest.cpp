@@ -4,12 +4,14 @@
 #include "ColourwayEdits.h"
 #include "ColourwayWindow.h"
 #include "Designer.h"
+#include "ElementEdits.h"
 #include "FabricCommands.h"
 #include "FabricLink.h"
 #include "FabricPanel.h"
 #include "FabricPresets.h"
 #include "FabricShown.h"
 #include "Inspector.h"
+#include "PictureStrip.h"
 
 #include <QComboBox>
 #include <QDropEvent>
@@ -17,6 +19,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QToolButton>
 
 namespace bolster {
 namespace {
@@ -107,7 +110,7 @@ TEST_F(FabricTest, PresetsAreBakedAndShownInTheLibrary)
     const ElementId leather = preset(0);
     EXPECT_EQ(window.fabricPanel().fabric(), leather) << "what is new is chosen";
     ASSERT_TRUE(baked());
-    const QImage picture = window.fabricLink().preview(leather);
+    const QImage picture = window.fabricLink().pictures()[leather].cushion;
     ASSERT_FALSE(picture.isNull());
     const QColor middle = picture.pixelColor(picture.width() / 2, picture.height() / 2);
     EXPECT_GT(middle.red(), middle.blue() + 30) << "cognac";
@@ -282,6 +285,61 @@ TEST_F(FabricTest, ItsKindIsChangedInTheProperties)
     EXPECT_EQ(design().find<Fabric>(plain)->look.scale, usualLook(FabricLook::Kind::Velvet).scale);
     ASSERT_TRUE(baked());
     EXPECT_GT(window.fabricLink().maps().at(plain)->sheen, 0.5);
+}
+
+TEST_F(FabricTest, TheLibraryShowsCushionsOrBallsAsItWasLeft)
+{
+    const ElementId leather = preset(0);
+    ASSERT_TRUE(baked());
+    const QListWidgetItem& item = *window.fabricPanel().fabrics().currentItem();
+    const auto icon = [&] { return item.icon().pixmap(84).toImage(); };
+    auto* cushions = window.fabricPanel().findChild<QToolButton*>(window.actions().fabricsOnCushions->objectName());
+    auto* balls = window.fabricPanel().findChild<QToolButton*>(window.actions().fabricsOnBalls->objectName());
+    ASSERT_TRUE(cushions && balls);
+    EXPECT_TRUE(cushions->isChecked());
+    EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 255) << "the corner of a cushion";
+
+    QTest::mouseClick(balls, Qt::LeftButton);
+    EXPECT_FALSE(cushions->isChecked());
+    EXPECT_TRUE(window.actions().fabricsOnBalls->isChecked());
+    EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 0) << "beside a ball";
+    EXPECT_EQ(icon().pixelColor(42, 42).alpha(), 255);
+    EXPECT_EQ(window.fabricPanel().fabric(), leather) << "what is chosen stays";
+    {
+        MainWindow next;
+        EXPECT_TRUE(next.actions().fabricsOnBalls->isChecked());
+    }
+    QTest::mouseClick(cushions, Qt::LeftButton);
+    EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 255);
+}
+
+TEST_F(FabricTest, ItsPropertiesShowItAndFollowItsColour)
+{
+    const ElementId leather = preset(0);
+    window.selection().set({leather});
+    Docks::reveal(window.docks().inspector);
+    ASSERT_TRUE(baked());
+    const auto strip = [&] { return window.inspector().findChild<PictureStrip*>(); };
+    const auto red = [&](std::size_t i) {
+        const QImage& picture = strip()->pictures().at(i);
+        return picture.isNull() ? 0 : picture.pixelColor(picture.rect().center()).red();
+    };
+    ASSERT_TRUE(strip());
+    ASSERT_EQ(strip()->pictures().size(), 2U) << "a cushion and a ball";
+    const int cushion = red(0), ball = red(1);
+    EXPECT_GT(cushion, 100);
+    EXPECT_GT(ball, 100);
+
+    Fabric dark = *design().find<Fabric>(leather);
+    dark.color = "#101820";
+    window.document().commit(edits::replaceElement(design(), leather, makeElement(dark), {"Change"}));
+    EXPECT_EQ(red(0), cushion) << "the old ones stay until it is baked";
+    ASSERT_TRUE(baked());
+    EXPECT_LT(red(0), cushion - 50);
+    EXPECT_LT(red(1), ball - 50);
+
+    window.selection().set({leather, preset(5)});
+    EXPECT_FALSE(strip()) << "several have none";
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +15,7 @@ namespace bolster {
 namespace {
 
 using Kind = FabricLook::Kind;
+using Shape = FabricPreviewOptions::Shape;
 
 Fabric fabricOf(Kind kind, const std::string& color = "#7a4a2b")
 {
@@ -277,17 +279,96 @@ TEST(FabricCache, ForgetsWhatWasNotAskedForTheLongest)
     EXPECT_FALSE(cache.find(colored("#000002"), nullptr, options));
 }
 
-TEST(FabricPreview, ShowsTheFabricOnSomethingRound)
-{
-    const FabricMapsPtr maps = bakeFabric(fabricOf(Kind::Plain, "#2050c0"));
-    for (const auto shape : {FabricPreviewOptions::Shape::Ball, FabricPreviewOptions::Shape::Cushion}) {
-        const ImagePixelsPtr picture = fabricPreview(*maps, {shape, 64, 60, 0});
-        ASSERT_TRUE(picture->complete());
-        const auto* middle = &picture->rgba[static_cast<std::size_t>(4 * (32 * 64 + 32))];
-        EXPECT_GT(middle[2], middle[0]);
-        EXPECT_EQ(middle[3], 255);
-        EXPECT_EQ(picture->rgba[3], 0); // beside it nothing
+class FabricPreviewTest : public testing::Test {
+protected:
+    static constexpr int size = 220; ///< pixels
+    static constexpr double widthMm = 110;
+
+    static ImagePixelsPtr drawn(const Fabric& fabric, Shape shape)
+    {
+        const ImagePixelsPtr picture = fabricPreview(*bakeFabric(fabric), {shape, size, widthMm, 0});
+        EXPECT_TRUE(picture->complete());
+        return picture;
     }
+    static const std::uint8_t* pixel(const ImagePixels& picture, int x, int y)
+    {
+        return &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + x)];
+    }
+    static int brightness(const ImagePixels& picture, int x, int y)
+    {
+        const std::uint8_t* rgb = pixel(picture, x, y);
+        return rgb[0] + rgb[1] + rgb[2];
+    }
+};
+
+TEST_F(FabricPreviewTest, TheMiddleHasTheColourOfTheFabric)
+{
+    for (const Shape shape : {Shape::Ball, Shape::Cushion, Shape::Flat}) {
+        const ImagePixelsPtr picture = drawn(fabricOf(Kind::Plain, "#2050c0"), shape);
+        const std::uint8_t* middle = pixel(*picture, size / 2, size / 2);
+        EXPECT_NEAR(middle[0], 0x20, 40);
+        EXPECT_NEAR(middle[1], 0x50, 40);
+        EXPECT_NEAR(middle[2], 0xc0, 40);
+        EXPECT_EQ(middle[3], 255);
+    }
+}
+
+TEST_F(FabricPreviewTest, ABallIsRoundAndSeeThroughBesideIt)
+{
+    const ImagePixelsPtr picture = drawn(fabricOf(Kind::Plain), Shape::Ball);
+    const double radius = 0.94 * size / 2;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const double r = std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0);
+            const int opacity = pixel(*picture, x, y)[3];
+            ASSERT_TRUE(r > radius - 1.8 || opacity == 255) << x << ", " << y;
+            ASSERT_TRUE(r < radius + 1.8 || opacity == 0) << x << ", " << y;
+        }
+    EXPECT_GT(brightness(*picture, size * 3 / 8, size / 4), brightness(*picture, size * 5 / 8, size * 7 / 8))
+        << "lit from above, from the left";
+}
+
+TEST_F(FabricPreviewTest, ACushionReachesIntoItsCorners)
+{
+    const ImagePixelsPtr picture = drawn(fabricOf(Kind::Plain), Shape::Cushion);
+    constexpr int corner = size * 5 / 100; // beside a ball
+    EXPECT_EQ(pixel(*picture, corner, corner)[3], 255);
+    EXPECT_EQ(pixel(*picture, size - 1 - corner, size - 1 - corner)[3], 255);
+    EXPECT_EQ(pixel(*picture, 1, size / 2)[3], 0) << "its sides are drawn in";
+}
+
+TEST_F(FabricPreviewTest, WhatFacesTheEyeHasItsRealSizeOnAnyShape)
+{
+    Fabric squares = fabricOf(Kind::Checker);
+    squares.look.secondColor = "#f0f0f0";
+    squares.look.scale = 20; // mm: 40 pixels
+    for (const Shape shape : {Shape::Ball, Shape::Cushion, Shape::Flat}) {
+        const ImagePixelsPtr picture = drawn(squares, shape);
+        const int y = size / 2 + 8;
+        int x = size / 2 + 4;
+        const int square = brightness(*picture, x, y);
+        while (std::abs(brightness(*picture, x, y) - square) < 100 && x < size - 1)
+            ++x;
+        EXPECT_NEAR(x - size / 2, 40, 3);
+    }
+}
+
+/// What is as fine as the pixels must not beat against them.
+TEST_F(FabricPreviewTest, AFinePatternMakesNoBands)
+{
+    Fabric squares = fabricOf(Kind::Checker, "#404040");
+    squares.look.secondColor = "#e0e0e0";
+    squares.look.scale = 0.55; // 1.1 pixels
+    const ImagePixelsPtr picture = drawn(squares, Shape::Flat);
+    double darkest = 1e9, brightest = 0;
+    for (int y = 4; y < size - 4; ++y) {
+        double row = 0;
+        for (int x = 0; x < size; ++x)
+            row += brightness(*picture, x, y) / 3.0 / size;
+        darkest = std::min(darkest, row);
+        brightest = std::max(brightest, row);
+    }
+    EXPECT_LT(brightest - darkest, 6);
 }
 
 /// Pictures to look at, with BOLSTER_TILES=folder; times are printed for the record.
@@ -320,13 +401,13 @@ TEST(BakeFabric, SaysHowLongItTakes)
         };
         write("albedo", maps->width, maps->height, 4, maps->albedo.data());
         write("normal", maps->width, maps->height, 3, maps->normal.data());
-        const auto preview = [&](const char* what, FabricPreviewOptions::Shape shape, int pixels, double mm) {
+        const auto preview = [&](const char* what, Shape shape, int pixels, double mm) {
             const ImagePixelsPtr picture = fabricPreview(*maps, {shape, pixels, mm, 0});
             write(what, pixels, pixels, 4, picture->rgba.data());
         };
-        preview("flat", FabricPreviewOptions::Shape::Flat, 400, 60);
-        preview("ball", FabricPreviewOptions::Shape::Ball, 200, 70);
-        preview("cushion", FabricPreviewOptions::Shape::Cushion, 200, 120);
+        preview("flat", Shape::Flat, 400, 60);
+        preview("ball", Shape::Ball, 200, 70);
+        preview("cushion", Shape::Cushion, 200, 120);
     }
 }
 
