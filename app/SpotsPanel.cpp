@@ -19,6 +19,7 @@ namespace bolster {
 namespace {
 
 constexpr int colorRole = Qt::UserRole; // of the icon
+constexpr QSize signSize(14, 14);
 
 /// The list is filled with every step of a drag: what is there already stays.
 void mark(QTreeWidgetItem& row, int column, const QColor& color, const QIcon& icon)
@@ -27,6 +28,20 @@ void mark(QTreeWidgetItem& row, int column, const QColor& color, const QIcon& ic
         return;
     row.setData(column, colorRole, color);
     row.setIcon(column, icon);
+}
+
+/// Orange is lost on a selected row.
+QIcon warningSign(const QColor& color, const QPalette& palette)
+{
+    const auto sign = [](const QColor& in) { return icon(QStringLiteral("warning"), in).pixmap(signSize); };
+    QIcon result(sign(color));
+    result.addPixmap(sign(palette.color(QPalette::HighlightedText)), QIcon::Selected);
+    return result;
+}
+
+int rowHeight(const QWidget& table)
+{
+    return table.fontMetrics().height() + 7;
 }
 
 QAction& strainMap(const Actions& actions)
@@ -109,7 +124,7 @@ void SpotsPanel::buildTable()
     m_table->setRootIsDecorated(false);
     m_table->setUniformRowHeights(true);
     m_table->setAllColumnsShowFocus(true);
-    m_table->setIconSize({14, 14});
+    m_table->setIconSize(signSize);
     m_table->setColumnCount(ColumnCount);
     m_table->setHeaderLabels({tr("Patch"), tr("Value"), tr("Limit")});
     QTreeWidgetItem& head = *m_table->headerItem();
@@ -126,6 +141,12 @@ void SpotsPanel::buildTable()
     const int digit = m_table->fontMetrics().horizontalAdvance(u'0');
     header->resizeSection(Value, 9 * digit);
     header->resizeSection(Limit, 8 * digit + 14 + 12); // with the sign of warning
+}
+
+QSize SpotsPanel::sizeHint() const
+{
+    constexpr int rows = 9; // with the head
+    return {260, m_title->sizeHint().height() + m_summary->sizeHint().height() + rows * rowHeight(*m_table) + 4};
 }
 
 void SpotsPanel::changeEvent(QEvent* event)
@@ -179,14 +200,14 @@ void SpotsPanel::fillRow(QTreeWidgetItem& row, const MapLink::Spot& spot)
     const QColor color(r, g, b);
     mark(row, Where, color, colorSpot(color));
     const QColor warning = spot.over() ? ViewColors::of(palette()).warning : QColor();
-    mark(row, Limit, warning, spot.over() ? icon(QStringLiteral("warning"), warning) : QIcon());
+    mark(row, Limit, warning, spot.over() ? warningSign(warning, palette()) : QIcon());
     row.setText(Value, m_maps.figure(spot.value));
     row.setText(Limit, m_maps.figure(spot.allowed));
     row.setText(Where, spot.patch);
     QFont font = m_table->font();
     font.setBold(spot.over());
     row.setFont(Value, font);
-    row.setSizeHint(Where, {0, m_table->fontMetrics().height() + 7});
+    row.setSizeHint(Where, {0, rowHeight(*m_table)});
     for (const Column column : {Value, Limit})
         row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     for (int column = 0; column < ColumnCount; ++column)

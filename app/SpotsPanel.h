@@ -26,6 +26,8 @@ public:
 
     /// A row for each of MapLink::spots().
     QTreeWidget& table() { return *m_table; }
+    /// Room for all rows, even while there are none.
+    QSize sizeHint() const override;
 
 signals:
     /// By a click, by Enter or by walking through the list.
