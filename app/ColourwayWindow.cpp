@@ -22,7 +22,7 @@ ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, F
     auto* panes = new QSplitter(Qt::Horizontal);
     for (Side& side : m_sides) {
         side = {new QComboBox, new VersionPane};
-        side.pane->surface().setLayerVisible(SurfaceView::Layer::Checker, false); // it would hide them
+        side.pane->showForLooks();
         auto* part = new QWidget;
         auto* layout = new QVBoxLayout(part);
         layout->setContentsMargins(6, 6, 6, 6);

@@ -58,8 +58,8 @@ signals:
     void historyWanted();
 
 private:
-    void restore(const WorkJournal::Left& left);
-    void announceRestored();
+    void restore(const WorkJournal::Left& left, int others = 0);
+    void announceRestored(int others);
     QString chooseSaveTarget();
     void openNow(const QString& path);
     void offerSalvage(const QString& path, const Message& problem);

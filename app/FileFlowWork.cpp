@@ -54,24 +54,27 @@ void FileFlow::recover()
     WorkJournal::emptyBin();
     const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
     if (crashed != all.end())
-        restore(*crashed);
+        restore(*crashed, static_cast<int>(all.size()) - 1);
 }
 
-void FileFlow::restore(const WorkJournal::Left& left)
+void FileFlow::restore(const WorkJournal::Left& left, int others)
 {
     const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.restore(left, replace, [this](const Message& problem) {
+    m_session.restore(left, replace, [this, others](const Message& problem) {
         if (!problem.empty())
             fail(tr("The unsaved work could not be restored."), problem);
         else
-            announceRestored();
+            announceRestored(others);
     });
 }
 
-void FileFlow::announceRestored()
+void FileFlow::announceRestored(int others)
 {
     const Document& document = m_session.document();
-    m_banner->announce(Banner::Kind::Information, tr("%n unsaved edits restored.", nullptr, unsavedSteps(document)),
+    QString text = tr("%n unsaved edits restored.", nullptr, unsavedSteps(document));
+    if (others > 0)
+        text += QLatin1Char(' ') + tr("%n more designs are under File > Unsaved work.", nullptr, others);
+    m_banner->announce(Banner::Kind::Information, text,
                        {{tr("Show"), [this] { emit historyWanted(); }},
                         {tr("Go back to saved"), [this] {
                              m_session.document().jumpTo(m_session.document().saved().value_or(0));

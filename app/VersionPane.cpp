@@ -20,6 +20,7 @@ VersionPane::VersionPane(QWidget* parent)
     , m_solver(std::make_unique<SolverLink>(m_document))
     , m_covers(std::make_unique<CoverLink>())
     , m_title(new QLabel)
+    , m_views(new QSplitter(Qt::Vertical))
     , m_pattern(new PatternView(m_document, m_selection, m_problems))
     , m_surface(new SurfaceView(m_document, m_selection))
 {
@@ -29,15 +30,14 @@ VersionPane::VersionPane(QWidget* parent)
     m_title->setFont(bold);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setContentsMargins(8, 6, 8, 6);
-    auto* views = new QSplitter(Qt::Vertical);
-    views->addWidget(m_pattern);
-    views->addWidget(m_surface);
-    views->setSizes({100, 130});
+    m_views->addWidget(m_pattern);
+    m_views->addWidget(m_surface);
+    m_views->setSizes({100, 130});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_title);
-    layout->addWidget(views, 1);
+    layout->addWidget(m_views, 1);
     m_pattern->installEventFilter(this);
     m_surface->installEventFilter(this);
     connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
@@ -62,6 +62,15 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_surface->setFiles(files);
     m_pattern->fitAll();
     m_fitCover = true;
+}
+
+void VersionPane::showForLooks()
+{
+    m_title->hide();
+    m_views->setSizes({100, 300});
+    using Layer = SurfaceView::Layer;
+    for (const Layer layer : {Layer::Checker, Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
+        m_surface->setLayerVisible(layer, false);
 }
 
 void VersionPane::setFiles(const DesignFiles& files)

@@ -10,6 +10,7 @@
 #include <memory>
 
 class QLabel;
+class QSplitter;
 
 namespace bolster {
 
@@ -30,6 +31,8 @@ public:
     void setVersion(const QString& title, const Design& design, const DesignFiles& files);
     /// Of the same version, more of them.
     void setFiles(const DesignFiles& files);
+    /// For looking at fabrics: most of the room for the cover, without what holds it; the title is said elsewhere.
+    void showForLooks();
     const Design& design() const { return m_document.design(); }
     Selection& selection() { return m_selection; }
     SurfaceView& surface() { return *m_surface; }
@@ -45,6 +48,7 @@ private:
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<CoverLink> m_covers;
     QLabel* m_title;
+    QSplitter* m_views;
     PatternView* m_pattern;
     SurfaceView* m_surface;
     bool m_fitCover = false;

@@ -33,9 +33,8 @@ PreviewScene sceneInColors(const SurfaceMeshPtr& surface, CoverMeshPtr cover, co
     });
     if (scene.cover) {
         scene.trims = SeamTrims().make(design.with(edits::showColourway(design, colourway)), *scene.cover);
-        auto sewn = std::make_shared<CoverMesh>(*scene.cover);
-        sewn->relief = seamRelief(design, *sewn->topology);
-        scene.cover = std::move(sewn);
+        if (!scene.cover->relief)
+            scene.cover = withSeams(scene.cover, design);
     }
     return scene;
 }
@@ -49,6 +48,15 @@ CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface)
     } catch (const std::runtime_error&) { // positions that are not finite, or triangles that OpenSubdiv refuses
         return nullptr;
     }
+}
+
+CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design)
+{
+    if (!cover)
+        return nullptr;
+    auto sewn = std::make_shared<CoverMesh>(*cover);
+    sewn->relief = seamRelief(design, *sewn->topology);
+    return sewn;
 }
 
 PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,

@@ -11,6 +11,9 @@ using FabricBaker = std::function<FabricMapsPtr(ElementId, const Fabric&)>;
 
 /// Refined by two levels for a smooth silhouette; null where it cannot be: then the surface itself is drawn.
 CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface);
+/// With valleys and allowances along its seams, as the design trims them; colourways don't change them. Scenes in
+/// fabrics or with a checker make them of a cover that has none.
+CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design);
 
 /// `colourway`: settingsId for the patches' own fabrics.
 PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,

@@ -45,12 +45,14 @@ PictureStudio::Stage PictureStudio::staged(const PictureLook& look)
     const auto& [surface, design, files, bake, atOnce, legend] = m_subject;
     if (look.refined && !m_cover)
         m_cover = refinedForPicture(surface);
-    const CoverMeshPtr cover = look.refined ? m_cover : nullptr;
     if (look.map) {
         CoverMap map = coverMap(*look.map, *surface, design, files);
-        PreviewScene scene = sceneWithMap(surface, cover, map);
+        PreviewScene scene = sceneWithMap(surface, look.refined ? m_cover : nullptr, map);
         return {look, std::move(map), std::move(scene)};
     }
+    if (look.refined && !m_sewn)
+        m_sewn = withSeams(m_cover, design);
+    const CoverMeshPtr cover = look.refined ? m_sewn : nullptr;
     if (look.checker)
         return {look, {}, sceneWithChecker(surface, cover, design, look.colourway)};
     return {look, {}, sceneInFabrics(surface, cover, design, look.colourway, look.refined ? bake : atOnce)};

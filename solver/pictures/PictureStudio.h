@@ -67,7 +67,7 @@ private:
     Picture drawSheet(const PictureOrder& order, const std::stop_token& stop);
 
     Subject m_subject;
-    CoverMeshPtr m_cover;
+    CoverMeshPtr m_cover, m_sewn;   ///< the same without and with its seams
     std::unique_ptr<Stage> m_stage; ///< the last one
 };
 

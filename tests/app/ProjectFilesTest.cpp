@@ -145,6 +145,15 @@ TEST_F(ProjectFilesTest, ANewDesignThatWasNeverSavedIsFoundAgain)
     EXPECT_EQ(window.document().history().count(), 3);
 }
 
+TEST_F(ProjectFilesTest, OfSeveralCrashedProgramsTheOthersAreSaidToBeThere)
+{
+    for (const char* name : {"pillow", "box-cushion"})
+        ASSERT_TRUE(ProgramThatDies::run(sample(name), 2, 0));
+    window.recover();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().contains("1 more")) << qPrintable(window.banner().text());
+}
+
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
 {
     ASSERT_TRUE(open(sample("box-cushion")));

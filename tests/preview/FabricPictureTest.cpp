@@ -40,17 +40,6 @@ PreviewScene striped(const SurfaceMeshPtr& surface, double size, double turn = 0
     return scene;
 }
 
-PreviewView fromAbove(const Vec3& target, double pixel, int height)
-{
-    PreviewView view;
-    view.target = target;
-    view.azimuth = 0;
-    view.elevation = std::numbers::pi / 2;
-    view.perspective = false;
-    view.distance = pixel * height / (2 * std::tan(view.fieldOfView / 2));
-    return view;
-}
-
 PreviewOptions sized(int width, int height, int samples)
 {
     PreviewOptions options;

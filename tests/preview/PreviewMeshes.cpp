@@ -1,5 +1,8 @@
 #include "PreviewMeshes.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace bolster::test {
 
 namespace {
@@ -61,6 +64,17 @@ SurfaceMeshPtr corner(double size)
     }
     builder.topology->seams.push_back(seam);
     return builder.finish();
+}
+
+PreviewView fromAbove(const Vec3& target, double pixel, int height)
+{
+    PreviewView view;
+    view.target = target;
+    view.azimuth = 0;
+    view.elevation = std::numbers::pi / 2;
+    view.perspective = false;
+    view.distance = pixel * height / (2 * std::tan(view.fieldOfView / 2));
+    return view;
 }
 
 int brightness(const PreviewImage& image, int x, int y)

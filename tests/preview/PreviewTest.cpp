@@ -32,18 +32,6 @@ PreviewScene sceneOf(SurfaceMeshPtr surface)
     return scene;
 }
 
-/// Straight down; one pixel is `pixel` mm wide at the plane z = 0.
-PreviewView fromAbove(const Vec3& target, double pixel, int height)
-{
-    PreviewView view;
-    view.target = target;
-    view.azimuth = 0;
-    view.elevation = std::numbers::pi / 2;
-    view.perspective = false;
-    view.distance = pixel * height / (2 * std::tan(view.fieldOfView / 2));
-    return view;
-}
-
 TEST(Preview, IsTheSameOnAnyNumberOfThreads)
 {
     const PreviewScene scene = sceneOf(corner(300));
