@@ -32,7 +32,10 @@ void MainWindow::connectMaps()
         connect(spots, &QMenu::aboutToShow, this, [this, spots] { fillWorstSpots(*spots); });
     connect(m_spots, &SpotsPanel::chosen, this, &MainWindow::showSpot);
     connect(m_actions->showSpotList, &QAction::triggered, this, [this] {
+        const bool hidden = m_docks->spots->isHidden();
         Docks::reveal(m_docks->spots);
+        if (hidden) // else it is as large as somebody made it
+            resizeDocks({m_docks->spots}, {m_docks->spots->sizeHint().height()}, Qt::Vertical);
         m_spots->setFocus();
     });
 }

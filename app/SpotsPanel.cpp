@@ -145,7 +145,7 @@ void SpotsPanel::buildTable()
 
 QSize SpotsPanel::sizeHint() const
 {
-    constexpr int rows = 9; // with the head
+    constexpr int rows = 10; // with head and margins
     return {260, m_title->sizeHint().height() + m_summary->sizeHint().height() + rows * rowHeight(*m_table) + 4};
 }
 
