@@ -203,6 +203,7 @@ void Actions::addView()
         mapGroup->addAction(action);
         maps.append(action);
     }
+    showSpotList = add(tr("Show worst spots as a l&ist"), {});
     showGround = addToggle(tr("Gr&ound"), {}, true);
     showField = addToggle(tr("Cushionin&g"), QStringLiteral("cushion"), false, QKeySequence(Qt::Key_U));
 

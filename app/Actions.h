@@ -63,6 +63,7 @@ public:
     QAction* showScanPairs;
     QAction* showDeviation;
     QList<QAction*> maps; ///< data: CoverMap::Kind
+    QAction* showSpotList;
     QAction* showGround;
     QAction* showField;
     QAction* showHandles;

@@ -35,6 +35,8 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
     , seams(newDock(window, QStringLiteral("seams"), QCoreApplication::translate("Docks", "Seams"), parts.seams))
     , fabrics(newDock(window, QStringLiteral("fabrics"), QCoreApplication::translate("Docks", "Fabrics"),
                       parts.fabrics))
+    , spots(newDock(window, QStringLiteral("spots"), QCoreApplication::translate("Docks", "Worst spots"),
+                    parts.spots))
     , m_window(window)
 {
     window.setDockNestingEnabled(true);
@@ -52,12 +54,13 @@ void Docks::reset()
     m_window.splitDockWidget(pattern, cover, Qt::Horizontal);
     m_window.splitDockWidget(cover, elements, Qt::Horizontal);
     m_window.splitDockWidget(elements, inspector, Qt::Vertical);
+    m_window.splitDockWidget(elements, spots, Qt::Vertical);
     m_window.tabifyDockWidget(elements, history);
     m_window.tabifyDockWidget(history, seams);
     m_window.tabifyDockWidget(seams, fabrics);
     m_window.splitDockWidget(pattern, problems, Qt::Vertical);
     for (QDockWidget* dock : all())
-        dock->setVisible(dock != problems);
+        dock->setVisible(dock != problems && dock != spots);
     elements->raise();
     m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
     m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);

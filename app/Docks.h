@@ -21,6 +21,7 @@ public:
         QWidget* problems;
         QWidget* seams;
         QWidget* fabrics;
+        QWidget* spots;
     };
 
     Docks(QMainWindow& window, const Parts& parts);
@@ -33,9 +34,10 @@ public:
     QDockWidget* problems;
     QDockWidget* seams;
     QDockWidget* fabrics;
+    QDockWidget* spots;
     QList<QDockWidget*> all() const
     {
-        return {pattern, cover, elements, history, inspector, problems, seams, fabrics};
+        return {pattern, cover, elements, history, inspector, problems, seams, fabrics, spots};
     }
 
     void reset();

@@ -104,6 +104,7 @@ private:
         map->addAction(m_actions.showDeviation);
         map->addSeparator();
         map->addMenu(tr("&Worst spots"))->setObjectName(QStringLiteral("worst-spots")); // filled by the window
+        map->addAction(m_actions.showSpotList);
         QMenu* grid = menu->addMenu(tr("&Grid and snapping"));
         grid->addActions({m_actions.showGrid, m_actions.snapping, m_actions.showRulers, m_actions.showGuides,
                           m_actions.removeGuides});

@@ -20,6 +20,7 @@
 #include "SeamsView.h"
 #include "SelectionEdits.h"
 #include "Shortcuts.h"
+#include "SpotsPanel.h"
 #include "StatusLine.h"
 #include "Thumbnails.h"
 #include "Translated.h"
@@ -40,7 +41,7 @@ namespace {
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
-constexpr int layoutVersion = 3; // larger when docks are added or renamed
+constexpr int layoutVersion = 4; // larger when docks are added or renamed
 
 } // namespace
 
@@ -62,6 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_problemList(new ProblemsView(m_problems))
     , m_seams(new SeamsView(document(), m_selection))
     , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_actions))
+    , m_spots(new SpotsPanel(*m_maps, *m_actions))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
@@ -71,7 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
     buildToolBars();
     m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
-                                                          m_problemList, m_seams, m_fabricPanel});
+                                                          m_problemList, m_seams, m_fabricPanel, m_spots});
     buildMenus(*this, *m_actions, *m_files, *m_docks);
     connectDocument();
     connectViews();

@@ -34,6 +34,7 @@ class ScanLink;
 class Thumbnails;
 class SeamsView;
 class Shortcuts;
+class SpotsPanel;
 class StatusLine;
 
 class MainWindow : public QMainWindow {
@@ -67,6 +68,7 @@ public:
     FabricLink& fabricLink() { return *m_fabricLink; }
     FabricCommands& fabricCommands() { return *m_fabricCommands; }
     FabricPanel& fabricPanel() { return *m_fabricPanel; }
+    SpotsPanel& spotsPanel() { return *m_spots; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -120,6 +122,7 @@ private:
     void fitScanPlacement(ElementId scan);
     void connectMaps();
     void fillWorstSpots(QMenu& menu);
+    void showSpot(const CoverPoint& place);
     void readMap(const std::optional<CoverPoint>& place);
     void renderPicture();
     void connectPattern();
@@ -152,6 +155,7 @@ private:
     ProblemsView* m_problemList;
     SeamsView* m_seams;
     FabricPanel* m_fabricPanel;
+    SpotsPanel* m_spots;
     StatusLine* m_status;
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;

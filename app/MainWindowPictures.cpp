@@ -2,10 +2,12 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "Docks.h"
 #include "FabricLink.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "RenderDialog.h"
+#include "SpotsPanel.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -28,6 +30,14 @@ void MainWindow::connectMaps()
     connect(m_pattern, &PatternView::patchPointed, this, &MainWindow::readMap);
     if (auto* spots = menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots")))
         connect(spots, &QMenu::aboutToShow, this, [this, spots] { fillWorstSpots(*spots); });
+    connect(m_spots, &SpotsPanel::chosen, this, &MainWindow::showSpot);
+    connect(m_actions->showSpotList, &QAction::triggered, this, [this] {
+        const bool hidden = m_docks->spots->isHidden();
+        Docks::reveal(m_docks->spots);
+        if (hidden) // else it is as large as somebody made it
+            resizeDocks({m_docks->spots}, {m_docks->spots->sizeHint().height()}, Qt::Vertical);
+        m_spots->setFocus();
+    });
 }
 
 void MainWindow::readMap(const std::optional<CoverPoint>& place)
@@ -41,17 +51,20 @@ void MainWindow::fillWorstSpots(QMenu& menu)
 {
     menu.clear();
     for (const MapLink::Spot& spot : m_maps->spots()) {
-        QAction* action = menu.addAction(spot.text);
+        QAction* action = menu.addAction(QString(spot.text).replace(u'&', QStringLiteral("&&")));
         action->setToolTip(tr("Show this place in both windows"));
-        connect(action, &QAction::triggered, this, [this, place = spot.place] {
-            m_surface->reveal(place);
-            m_pattern->reveal(place);
-            m_surface->showPlace(place);
-            m_pattern->showPlace(place);
-        });
+        connect(action, &QAction::triggered, this, [this, place = spot.place] { showSpot(place); });
     }
     if (menu.isEmpty())
         menu.addAction(tr("Choose a map of strain first"))->setEnabled(false);
+}
+
+void MainWindow::showSpot(const CoverPoint& place)
+{
+    m_surface->reveal(place);
+    m_pattern->reveal(place);
+    m_surface->showPlace(place);
+    m_pattern->showPlace(place);
 }
 
 void MainWindow::renderPicture()

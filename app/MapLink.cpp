@@ -1,6 +1,7 @@
 #include "MapLink.h"
 
 #include "DesignSession.h"
+#include "ElementText.h"
 #include "PatternLocator.h"
 #include "Units.h"
 
@@ -12,7 +13,6 @@ namespace bolster {
 namespace {
 
 constexpr std::size_t mostSpots = 8;
-constexpr double apart = 60; // mm between spots
 
 QString unitOf(CoverMap::Kind kind)
 {
@@ -122,6 +122,8 @@ PictureLegend MapLink::legend(const CoverMap& map)
 void MapLink::setSurface(SurfaceMeshPtr surface)
 {
     m_surface = std::move(surface);
+    if (!m_surface && m_map)
+        forget();
     request();
 }
 
@@ -130,10 +132,26 @@ void MapLink::setKind(std::optional<CoverMap::Kind> kind)
     if (kind == m_kind)
         return;
     m_kind = kind;
+    forget();
+    request();
+}
+
+void MapLink::forget()
+{
     m_map.reset();
     m_spots.clear();
     emit measured();
-    request();
+}
+
+bool MapLink::hasSpots(CoverMap::Kind kind)
+{
+    return kind == CoverMap::Kind::Strain || kind == CoverMap::Kind::Along || kind == CoverMap::Kind::Across ||
+           kind == CoverMap::Kind::Shear;
+}
+
+bool MapLink::Spot::over() const
+{
+    return std::abs(value) > allowed;
 }
 
 void MapLink::request()
@@ -168,14 +186,17 @@ void MapLink::receive(const Result& result)
     m_spots.clear();
     for (const CoverSpot& spot : result.spots) {
         const SurfaceTopology::PatchRange* range = rangeOf(topology, spot.vertex);
-        const Patch* patch = range ? result.request.design.find<Patch>(range->patch) : nullptr;
-        if (!patch)
+        if (!range || !result.request.design.find<Patch>(range->patch))
             continue;
-        const QString text = tr("%1 in %2").arg(figure(spot.value), QString::fromStdString(patch->name));
-        const float allowed = measured.allowed[spot.vertex];
-        m_spots.push_back(
-            {{range->patch, topology.pattern[spot.vertex]},
-             std::abs(spot.value) > allowed ? tr("%1, over the limit of %2").arg(text, figure(allowed)) : text});
+        Spot found{{range->patch, topology.pattern[spot.vertex]},
+                   static_cast<double>(spot.value),
+                   static_cast<double>(measured.allowed[spot.vertex]),
+                   displayName(result.request.design, range->patch),
+                   {}};
+        found.text = tr("%1 in %2").arg(figure(found.value), found.patch);
+        if (found.over())
+            found.text = tr("%1, over the limit of %2").arg(found.text, figure(found.allowed));
+        m_spots.push_back(std::move(found));
     }
     emit this->measured();
 }

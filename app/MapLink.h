@@ -21,15 +21,27 @@ public:
     void setSurface(SurfaceMeshPtr surface);
     /// Which one is wanted; nothing: none.
     void setKind(std::optional<CoverMap::Kind> kind);
+    std::optional<CoverMap::Kind> kind() const { return m_kind; }
 
     /// Null while nothing is measured.
     const SurfaceMapPtr& map() const { return m_map; }
+    /// Whether there will be a map soon.
+    bool measuring() const { return m_kind && m_surface && !m_map; }
     struct Spot {
         CoverPoint place;
-        QString text; ///< "12.3 % in Seat, over the limit of 8 %"
+        double value = 0;   ///< in the map's unit
+        double allowed = 0; ///< what the fabric may suffer, whichever the sign
+        QString patch;      ///< its name
+        QString text;       ///< "12.3 % in Seat, over the limit of 8 %"
+
+        bool over() const;
     };
-    /// The worst first; only of strains.
+    static constexpr double apart = 60; ///< mm between spots, at least
+    /// The worst first, measured by what is allowed; only of strains.
     const std::vector<Spot>& spots() const { return m_spots; }
+    static bool hasSpots(CoverMap::Kind kind);
+    /// A number of the map with its unit.
+    QString figure(double value) const;
     /// What the map says at a place, "" where nothing is known.
     QString reading(const CoverPoint& place) const;
 
@@ -55,7 +67,7 @@ private:
 
     void request();
     void receive(const Result& result);
-    QString figure(double value) const;
+    void forget();
 
     DesignSession& m_session;
     SurfaceMeshPtr m_surface;

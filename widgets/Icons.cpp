@@ -86,7 +86,8 @@ public:
         QRectF spot(0, 0, size, size);
         spot.moveCenter(QRectF(rect).center());
         painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(QPen(m_color.darker(130), 1));
+        // Nearly black is not lost on a dark background.
+        painter->setPen(QPen(m_color.lightness() < 40 ? QColor(Qt::gray) : m_color.darker(130), 1));
         painter->setBrush(m_color);
         painter->drawRoundedRect(spot, 0.3 * size, 0.3 * size);
     }

@@ -78,6 +78,8 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
         apply(Camera::between(m_flightFrom, m_flightTo, t.toDouble()));
     });
     connect(&m_occlusionDelay, &QTimer::timeout, this, &SurfaceView::requestOcclusion);
+    // The cross-hair stays with the cover when that has moved.
+    connect(&m_occlusionDelay, &QTimer::timeout, this, [this] { showPlace(m_shown); });
     connect(m_cube, &SurfaceViewCube::viewChosen, this, [this](double azimuth, double elevation) {
         Camera camera = m_camera;
         camera.azimuth = azimuth;

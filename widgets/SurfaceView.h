@@ -262,8 +262,9 @@ private:
     SectionPanel* m_sectionPanel;
     Crosshair* m_crosshair;
     PointerNote* m_note;
-    std::optional<Vec3> m_place; ///< of the cross-hair, mm
-    QPointF m_pressedAt;         ///< the left button
+    std::optional<CoverPoint> m_shown; ///< the place of the cross-hair in its patch
+    std::optional<Vec3> m_place;       ///< and on the cover, mm
+    QPointF m_pressedAt;               ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;

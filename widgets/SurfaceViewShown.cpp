@@ -109,6 +109,7 @@ std::optional<CoverPoint> SurfaceView::coverPointOf(const SurfaceHit& solid) con
 
 void SurfaceView::showPlace(const std::optional<CoverPoint>& point)
 {
+    m_shown = point;
     m_place = point ? m_places.onCover(*point) : std::nullopt;
     placeCrosshair();
 }
