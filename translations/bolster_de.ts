@@ -150,6 +150,10 @@
         <source>Fabrics</source>
         <translation>Stoffe</translation>
     </message>
+    <message>
+        <source>Worst spots</source>
+        <translation>Schlimmste Stellen</translation>
+    </message>
 </context>
 <context>
     <name>ElementText</name>
@@ -1310,6 +1314,14 @@
         <source>%1 of %2 points, one every %3</source>
         <translation>%1 von %2 Punkten, einer alle %3</translation>
     </message>
+    <message>
+        <source>The fabric on a cushion and on a ball</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel</translation>
+    </message>
+    <message>
+        <source>The fabric on a cushion and on a ball, at its real scale</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -1428,6 +1440,10 @@
     <message>
         <source>F&amp;abric</source>
         <translation>S&amp;toff</translation>
+    </message>
+    <message>
+        <source>Pre&amp;views</source>
+        <translation>&amp;Vorschau</translation>
     </message>
 </context>
 <context>
@@ -4305,6 +4321,26 @@
         <source>Name the way that the history has gone since it forked (%1)</source>
         <translation>Gibt dem Weg, den der Verlauf seit der letzten Gabelung genommen hat, einen Namen (%1)</translation>
     </message>
+    <message>
+        <source>Show worst spots as a l&amp;ist</source>
+        <translation>Schlimmste Stellen als L&amp;iste zeigen</translation>
+    </message>
+    <message>
+        <source>On &amp;cushions</source>
+        <translation>Auf K&amp;issen</translation>
+    </message>
+    <message>
+        <source>Shows the fabrics of the library on cushions</source>
+        <translation>Zeigt die Stoffe der Bibliothek auf Kissen</translation>
+    </message>
+    <message>
+        <source>On &amp;balls</source>
+        <translation>Auf &amp;Kugeln</translation>
+    </message>
+    <message>
+        <source>Shows the fabrics of the library on balls</source>
+        <translation>Zeigt die Stoffe der Bibliothek auf Kugeln</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -5103,6 +5139,13 @@
     <message>
         <source>What can be read goes into a new project beside it. This file stays as it is.</source>
         <translation>Was lesbar ist, kommt in ein neues Projekt daneben. Diese Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n weiterer Entwurf liegt unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
+            <numerusform>%n weitere Entwürfe liegen unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5911,6 +5954,57 @@
     <message>
         <source>%1 it is.</source>
         <translation>%1 ist vergeben.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SpotsPanel</name>
+    <message>
+        <source>Show the largest strain</source>
+        <translation>Größte Dehnung zeigen</translation>
+    </message>
+    <message>
+        <source>Worst spots</source>
+        <translation>Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Negative where the fabric is pressed together</source>
+        <translation>Negativ, wo der Stoff gestaucht ist</translation>
+    </message>
+    <message>
+        <source>What the fabric there may suffer. The spots are sorted by how much of it they take</source>
+        <translation>Was der Stoff dort aushalten darf. Die Stellen sind danach geordnet, wie viel davon sie brauchen</translation>
+    </message>
+    <message>
+        <source>As soon as there is a cover, its worst spots will be listed here.</source>
+        <translation>Sobald es einen Bezug gibt, stehen seine schlimmsten Stellen hier.</translation>
+    </message>
+    <message>
+        <source>A map of strain or shear shows what the fabric suffers. Its worst spots will be listed here.</source>
+        <translation>Eine Karte der Dehnung oder Scherung zeigt, was der Stoff aushalten muss. Ihre schlimmsten Stellen stehen dann hier.</translation>
+    </message>
+    <message>
+        <source>Nothing is over the limit of its fabric.</source>
+        <translation>Nichts liegt über der Grenze seines Stoffs.</translation>
+    </message>
+    <message>
+        <source>Over the limit of the fabric: %1 of %2</source>
+        <translation>Über der Grenze des Stoffs: %1 von %2</translation>
+    </message>
+    <message>
+        <source>over the limit of %1</source>
+        <translation>über der Grenze von %1</translation>
     </message>
 </context>
 <context>

@@ -71,6 +71,13 @@
             <numerusform>%n unsaved edits restored.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n more designs are under File &gt; Unsaved work.</source>
+        <translation>
+            <numerusform>%n more design is under File &gt; Unsaved work.</numerusform>
+            <numerusform>%n more designs are under File &gt; Unsaved work.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::StatusLine</name>
