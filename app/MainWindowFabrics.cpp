@@ -19,6 +19,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QSettings>
+#include <QTimer>
 
 namespace bolster {
 
@@ -27,22 +28,34 @@ namespace {
 constexpr int presetPixels = 64;
 const QString ballsKey = QStringLiteral("fabrics/balls");
 
-/// The pictures of presets are drawn once, when the menu is first wanted.
+void drawPreset(QAction* action, const Fabric& preset)
+{
+    inBackground<QImage>([preset] {
+        return FabricLink::previewOf(preset, presetPixels);
+    }).then(action, [action](const QImage& picture) { action->setIcon(QPixmap::fromImage(picture)); });
+}
+
 void addPresets(QMenu& menu, FabricCommands& commands)
 {
+    QList<QAction*> actions;
     for (const Fabric& preset : fabricPresets()) {
         QAction* action = menu.addAction(QString::fromStdString(preset.name), &commands,
                                          [&commands, preset] { commands.add(preset); });
         action->setToolTip(FabricPanel::tr("Adds this fabric to the library of the design"));
-        QObject::connect(&menu, &QMenu::aboutToShow, action, [action, preset] {
-            if (!action->icon().isNull() || action->property("asked").toBool())
-                return;
-            action->setProperty("asked", true);
-            inBackground<QImage>([preset] {
-                return FabricLink::previewOf(preset, presetPixels);
-            }).then(action, [action](const QImage& picture) { action->setIcon(QPixmap::fromImage(picture)); });
-        });
+        actions.append(action);
     }
+    // Their pictures take seconds of work, so they are drawn when the menu is first seen: lists of commands ask
+    // menus to be filled without showing them.
+    QObject::connect(&menu, &QMenu::aboutToShow, &menu, [&menu, actions] {
+        QTimer::singleShot(0, &menu, [&menu, actions] {
+            if (!menu.isVisible() || menu.property("drawn").toBool())
+                return;
+            menu.setProperty("drawn", true);
+            const std::vector<Fabric> presets = fabricPresets();
+            for (qsizetype i = 0; i < actions.size(); ++i)
+                drawPreset(actions[i], presets[static_cast<std::size_t>(i)]);
+        });
+    });
 }
 
 } // namespace

@@ -18,6 +18,7 @@
 #include <QInputDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
 
@@ -103,6 +104,17 @@ protected:
         return image.save(path) ? path : QString();
     }
 };
+
+TEST_F(FabricTest, PresetsAreDrawnWhenTheirMenuIsSeen)
+{
+    QMenu* menu = window.actions().newFabric->menu();
+    const QAction* first = menu->actions().front();
+    QTest::qWait(300);
+    EXPECT_TRUE(first->icon().isNull()) << "nobody has asked for them";
+    menu->popup(window.mapToGlobal(QPoint(100, 100)));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !first->icon().isNull(); }, 30000));
+    menu->close();
+}
 
 TEST_F(FabricTest, PresetsAreBakedAndShownInTheLibrary)
 {
