@@ -92,8 +92,10 @@ protected:
         const float allowed = static_cast<float>(percent);
         ASSERT_TRUE(QTest::qWaitFor(
             [&] {
-                const std::vector<float>& now = window.maps().map()->allowed;
-                return waitUntilAtRest() && std::ranges::find(now, allowed) != now.end();
+                if (!waitUntilAtRest())
+                    return false;
+                const std::vector<float>& now = window.maps().map()->allowed; // replaced with every measurement
+                return std::ranges::find(now, allowed) != now.end();
             },
             60000));
     }
