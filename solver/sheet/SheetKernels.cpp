@@ -193,8 +193,8 @@ HWY_INLINE void store(Vector w, Vector x, Vector y, Vector z, double* columns)
     hn::StoreInterleaved4(w, x, y, z, wide, columns);
 }
 
-/// A rough start, and Newton's method until it is right but for the last bits: a fourth of the time that divisions
-/// and roots take. Not for numbers beyond what single precision can hold.
+/// A rough start, and Newton's method until it is right but for the last bits: quicker than divisions and roots.
+/// Not for numbers beyond what single precision can hold.
 template <class Step>
 HWY_INLINE Vector refined(hn::Vec<hn::Rebind<float, Wide>> rough, const Step& step)
 {

@@ -22,7 +22,7 @@ constexpr int lopsidedRows = 4;
 constexpr double enoughDamping = 4;
 // So many edges apart the two sides of a closed corner can be joined.
 constexpr double tipEdges = 4;
-// A vertex of a seam takes a microsecond.
+// A vertex of a seam takes much longer than others.
 constexpr int chunk = 32;
 
 double cross(const Vec2& a, const Vec2& b)
