@@ -158,7 +158,9 @@ constexpr int block = 32;
 // One number of each vertex of a block.
 using Wide = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Wide>;
+using WideFloats = hn::Rebind<float, Wide>;
 constexpr Wide wide;
+constexpr WideFloats wideFloats;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(Wide()));
 // Of a ring's weight: so far its frames are apart where one may lie in the opposite hemisphere.
 constexpr double farApart = 0.05;
@@ -196,7 +198,7 @@ HWY_INLINE void store(Vector w, Vector x, Vector y, Vector z, double* columns)
 /// A rough start, and Newton's method until it is right but for the last bits: quicker than divisions and roots.
 /// Not for numbers beyond what single precision can hold.
 template <class Step>
-HWY_INLINE Vector refined(hn::Vec<hn::Rebind<float, Wide>> rough, const Step& step)
+HWY_INLINE Vector refined(hn::Vec<WideFloats> rough, const Step& step)
 {
     return step(step(hn::PromoteTo(wide, rough)));
 }
@@ -204,17 +206,15 @@ HWY_INLINE Vector refined(hn::Vec<hn::Rebind<float, Wide>> rough, const Step& st
 /// 1 / x.
 HWY_INLINE Vector reciprocal(Vector x)
 {
-    constexpr hn::Rebind<float, Wide> narrow;
-    return refined(hn::ApproximateReciprocal(hn::DemoteTo(narrow, x)),
+    return refined(hn::ApproximateReciprocal(hn::DemoteTo(wideFloats, x)),
                    [&](Vector r) { return hn::Mul(r, hn::NegMulAdd(x, r, hn::Set(wide, 2.0))); });
 }
 
 /// 1 / sqrt(x).
 HWY_INLINE Vector reciprocalRoot(Vector x)
 {
-    constexpr hn::Rebind<float, Wide> narrow;
     const Vector half = hn::Mul(hn::Set(wide, 0.5), x);
-    return refined(hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, x)),
+    return refined(hn::ApproximateReciprocalSqrt(hn::DemoteTo(wideFloats, x)),
                    [&](Vector r) { return hn::Mul(r, hn::NegMulAdd(hn::Mul(half, r), r, hn::Set(wide, 1.5))); });
 }
 
@@ -270,9 +270,8 @@ struct Found {
 HWY_INLINE void fit(FitBlock& in, int from, const SheetRings& rings, int vertex, double poisson, double bending,
                     Found& found)
 {
-    constexpr hn::Rebind<float, Wide> narrow;
     const auto load = [&](const std::vector<float>& numbers) {
-        return hn::PromoteTo(wide, hn::LoadU(narrow, numbers.data() + vertex));
+        return hn::PromoteTo(wide, hn::LoadU(wideFloats, numbers.data() + vertex));
     };
     const Vector one = hn::Set(wide, 1.0);
     const Rows q(in.frames + 4 * static_cast<std::ptrdiff_t>(from));
@@ -417,12 +416,10 @@ struct TurnBlock {
     BlockColumns maps[2]; // out
 };
 
-constexpr hn::Rebind<float, Wide> wideFloats;
-
 /// Columns in single precision.
 HWY_INLINE Rows widened(const float* columns)
 {
-    hn::Vec<hn::Rebind<float, Wide>> w, x, y, z;
+    hn::Vec<WideFloats> w, x, y, z;
     hn::LoadInterleaved4(wideFloats, columns, w, x, y, z);
     return {hn::PromoteTo(wide, w), hn::PromoteTo(wide, x), hn::PromoteTo(wide, y), hn::PromoteTo(wide, z)};
 }
