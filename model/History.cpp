@@ -69,6 +69,8 @@ std::optional<Design> History::moveTo(NodeId id, const Design& design)
 std::optional<Design> History::designAt(NodeId id, const Design& design) const
 {
     assert(id >= 0 && id < count());
+    if (id == m_current) // as with every edit that is recorded: no need to go up to the root
+        return design;
     const std::vector<NodeId> here = pathTo(m_current);
     const std::vector<NodeId> there = pathTo(id);
     const auto [up, down] = std::mismatch(here.begin(), here.end(), there.begin(), there.end());
