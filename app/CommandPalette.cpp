@@ -21,11 +21,11 @@ namespace bolster {
 
 namespace {
 
-const QString recentKey = QStringLiteral("palette/recent");
-constexpr int mostRecent = 12;
+const QString recentCommandsKey = QStringLiteral("palette/recent");
+constexpr int mostRecentCommands = 12;
 // Pixels.
 constexpr int paletteWidth = 600;
-constexpr int rowHeight = 30;
+constexpr int commandRowHeight = 30;
 constexpr int mostRows = 12;
 
 enum Role { PathRole = Qt::UserRole, KeysRole, EnabledRole };
@@ -42,7 +42,7 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
     {
-        return {option.rect.width(), std::max(rowHeight, option.fontMetrics.height() + 10)};
+        return {option.rect.width(), std::max(commandRowHeight, option.fontMetrics.height() + 10)};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -116,7 +116,7 @@ void CommandPalette::open()
 {
     if (isVisible())
         return;
-    const QStringList recent = QSettings().value(recentKey).toStringList();
+    const QStringList recent = QSettings().value(recentCommandsKey).toStringList();
     const auto rank = [&recent](const Command& command) {
         const qsizetype place = recent.indexOf(idOf(*command.action));
         return place < 0 ? recent.size() : place;
@@ -146,7 +146,7 @@ void CommandPalette::close(bool giveFocusBack)
 void CommandPalette::place()
 {
     const int rows = std::clamp(static_cast<int>(m_shown.size()), 1, mostRows);
-    const int row = m_list->count() > 0 ? m_list->sizeHintForRow(0) : rowHeight;
+    const int row = m_list->count() > 0 ? m_list->sizeHintForRow(0) : commandRowHeight;
     m_list->setFixedHeight(rows * row + 2);
     layout()->activate();
     const int width = std::min(paletteWidth, m_window.width() - 24);
@@ -185,10 +185,10 @@ void CommandPalette::run(int row)
     if (row < 0 || row >= m_shown.size() || !m_shown[row].action || !m_shown[row].action->isEnabled())
         return;
     const QPointer<QAction> action = m_shown[row].action;
-    QStringList recent = QSettings().value(recentKey).toStringList();
+    QStringList recent = QSettings().value(recentCommandsKey).toStringList();
     recent.removeAll(idOf(*action));
     recent.prepend(idOf(*action));
-    QSettings().setValue(recentKey, QStringList(recent.mid(0, mostRecent)));
+    QSettings().setValue(recentCommandsKey, QStringList(recent.mid(0, mostRecentCommands)));
     close(true);
     action->trigger();
 }

@@ -19,11 +19,11 @@ namespace bolster {
 
 namespace {
 
-const QString recentKey = QStringLiteral("recent");
+const QString recentFilesKey = QStringLiteral("recent");
 const QString folderKey = QStringLiteral("folder");
 const QString projectEnding = QStringLiteral("bolster");
 const QString designEnding = QStringLiteral("json");
-constexpr qsizetype mostRecent = 10;
+constexpr qsizetype mostRecentFiles = 10;
 
 QString openFilter()
 {
@@ -260,18 +260,18 @@ void FileFlow::saveTo(const QString& path, const Then& then)
 void FileFlow::remember(const QString& path)
 {
     QSettings settings;
-    QStringList recent = settings.value(recentKey).toStringList();
+    QStringList recent = settings.value(recentFilesKey).toStringList();
     const QString file = QFileInfo(path).absoluteFilePath();
     recent.removeAll(file);
     recent.prepend(file);
-    settings.setValue(recentKey, QStringList(recent.mid(0, mostRecent)));
+    settings.setValue(recentFilesKey, QStringList(recent.mid(0, mostRecentFiles)));
     settings.setValue(folderKey, QFileInfo(file).absolutePath());
 }
 
 void FileFlow::fillRecent(QMenu& menu)
 {
     menu.clear();
-    const QStringList recent = QSettings().value(recentKey).toStringList();
+    const QStringList recent = QSettings().value(recentFilesKey).toStringList();
     for (const QString& file : recent) {
         if (!QFileInfo::exists(file))
             continue;

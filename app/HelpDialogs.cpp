@@ -22,7 +22,7 @@ class HelpDialogs {
 
 using Rows = QList<std::pair<QString, QString>>;
 
-QString heading(const QString& text)
+QString headingText(const QString& text)
 {
     return QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3>").arg(text.toHtmlEscaped());
 }
@@ -133,9 +133,9 @@ void showShortcuts(QWidget* parent, const Actions& actions)
         keys.append({name.remove(u'&').remove(QStringLiteral(" \u2026")),
                      action->shortcut().toString(QKeySequence::NativeText)});
     }
-    const QString html = heading(HelpDialogs::tr("In the pattern")) + table(mouseInPattern()) +
-                         heading(HelpDialogs::tr("In the 3D view")) + table(mouseInCover()) +
-                         heading(HelpDialogs::tr("Keys")) + table(keys);
+    const QString html = headingText(HelpDialogs::tr("In the pattern")) + table(mouseInPattern()) +
+                         headingText(HelpDialogs::tr("In the 3D view")) + table(mouseInCover()) +
+                         headingText(HelpDialogs::tr("Keys")) + table(keys);
     showText(parent, HelpDialogs::tr("Keys and mouse"), html, {560, 620});
 }
 
@@ -166,8 +166,9 @@ void showFigures(QWidget* parent, const SolveReport& report)
         {HelpDialogs::tr("Triangulation"), time(report.time.triangulate)},
         {HelpDialogs::tr("Assembly and factorisation"), time(report.time.assemble + report.time.factor)},
         {HelpDialogs::tr("One iteration"), time(report.time.perIteration)}};
-    const QString html = heading(HelpDialogs::tr("Mesh")) + table(mesh) + heading(HelpDialogs::tr("Surface")) +
-                         table(quality) + heading(HelpDialogs::tr("Computation")) + table(times);
+    const QString html = headingText(HelpDialogs::tr("Mesh")) + table(mesh) +
+                         headingText(HelpDialogs::tr("Surface")) + table(quality) +
+                         headingText(HelpDialogs::tr("Computation")) + table(times);
     showText(parent, HelpDialogs::tr("Figures of the surface"), html, {520, 560});
 }
 

@@ -11,8 +11,12 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    # What one checkout has compiled, another one finds: no path outside of the cache's base counts, and none gets into
+    # debug information. (Here and not in the environment, so that it holds for CMake called by hand, too.)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+        CCACHE_SLOPPINESS=pch_defines,time_macros "${CCACHE_PROGRAM}")
 endif()
+add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 
 find_program(LLD_PROGRAM ld.lld)
 if(LLD_PROGRAM AND NOT BOLSTER_SANITIZE)
@@ -56,7 +60,16 @@ function(bolster_library name)
     bolster_warnings(${name})
 endfunction()
 
+# In a unity build a file sees the names of those before it, which no local name shadows in earnest: there only
+# locals are compared. The ordinary build (dev) compares all.
 function(bolster_warnings name)
-    target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    if(NOT CMAKE_UNITY_BUILD)
+        set(shadow -Wshadow)
+    elseif(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+        set(shadow -Wshadow=local)
+    else()
+        set(shadow "")
+    endif()
+    target_compile_options(${name} PRIVATE -Wall -Wextra ${shadow} -Wnon-virtual-dtor -Woverloaded-virtual
                                            $<$<BOOL:${BOLSTER_WERROR}>:-Werror>)
 endfunction()

@@ -52,5 +52,8 @@ if(BOLSTER_TESTS)
     find_package(benchmark REQUIRED CONFIG)
     if(NOT BOLSTER_HEADLESS)
         find_package(Qt6 REQUIRED COMPONENTS Test)
+        # Qt would give each test the folders it is built from and in, which nobody asks for, and which would make the
+        # same test another one in each checkout.
+        set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
     endif()
 endif()

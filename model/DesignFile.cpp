@@ -11,7 +11,6 @@ namespace bolster {
 namespace {
 
 constexpr std::int64_t largestDesignFile = 64'000'000;
-constexpr double largestCoordinate = 1e7; // mm
 
 OpenedDesign unreadable(Message why)
 {

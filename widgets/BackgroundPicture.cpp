@@ -11,8 +11,8 @@ namespace bolster {
 
 namespace {
 
-constexpr int mostPixels = 4096; // along a side; larger pictures are read smaller
-constexpr double share = 0.8;    // of the place that the picture gets
+constexpr int mostPicturePixels = 4096; // along a side; larger pictures are read smaller
+constexpr double share = 0.8;           // of the place that the picture gets
 
 } // namespace
 
@@ -41,8 +41,8 @@ BackgroundPicture readBackground(const QString& path, const Box2& into, QString*
 {
     QImageReader reader(path);
     reader.setAutoTransform(true);
-    if (const QSize size = reader.size(); std::max(size.width(), size.height()) > mostPixels)
-        reader.setScaledSize(size.scaled(mostPixels, mostPixels, Qt::KeepAspectRatio));
+    if (const QSize size = reader.size(); std::max(size.width(), size.height()) > mostPicturePixels)
+        reader.setScaledSize(size.scaled(mostPicturePixels, mostPicturePixels, Qt::KeepAspectRatio));
     BackgroundPicture picture;
     picture.image = reader.read();
     if (picture.empty()) {

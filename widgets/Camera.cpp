@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double nearest = 1;    ///< mm
 constexpr double farthest = 1e8; ///< mm
-constexpr double fitMargin = 1.12;
+constexpr double frameMargin = 1.12;
 
 double wrappedAngle(double angle)
 {
@@ -146,7 +146,7 @@ void Camera::fit(const Box3& box)
 {
     if (box.isEmpty())
         return;
-    const double tangentUp = std::tan(fieldOfView / 2) / fitMargin;
+    const double tangentUp = std::tan(fieldOfView / 2) / frameMargin;
     const Vec2 tangent(tangentUp * std::max(size.x(), 1.0) / std::max(size.y(), 1.0), tangentUp);
     Eigen::Matrix3d basis;
     basis << rightward(), upward(), backward();

@@ -9,8 +9,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr int reach = 16;
-constexpr double gap = 4.5;
+constexpr int crossReach = 16;
+constexpr double crossGap = 4.5;
 constexpr double ring = 8;
 
 } // namespace
@@ -21,7 +21,7 @@ Crosshair::Crosshair(QWidget* parent)
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
-    resize(2 * reach + 1, 2 * reach + 1);
+    resize(2 * crossReach + 1, 2 * crossReach + 1);
     hide();
 }
 
@@ -34,7 +34,7 @@ void Crosshair::showAt(const std::optional<QPointF>& pixel, bool faint)
     m_faint = faint;
     const QPoint place(static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
     m_rest = *pixel - place;
-    move(place - QPoint(reach, reach));
+    move(place - QPoint(crossReach, crossReach));
     show();
     raise();
     update();
@@ -46,12 +46,12 @@ void Crosshair::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setOpacity(m_faint ? 0.45 : 1);
-    painter.translate(QPointF(reach, reach) + m_rest);
+    painter.translate(QPointF(crossReach, crossReach) + m_rest);
     const auto draw = [&](const QColor& color, double width) {
         painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
         painter.drawEllipse(QPointF(), ring, ring);
         for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-            painter.drawLine(gap * way, (reach - 1) * way);
+            painter.drawLine(crossGap * way, (crossReach - 1) * way);
     };
     draw(QColor(255, 255, 255, 200), 3.4);
     draw(colors.accent, 1.6);

@@ -17,7 +17,7 @@ QByteArray resource(const char* name)
     return file.readAll();
 }
 
-QByteArray source(const char* name)
+QByteArray shaderSource(const char* name)
 {
     QByteArray text = resource(name);
     for (const char* part : {"studio.glsl", "fabric.glsl"})
@@ -33,8 +33,9 @@ GlProgram::GlProgram(const char* vertexShader, const char* fragmentShader)
 {
     if (!m_gl)
         throw std::runtime_error("no OpenGL 3.3");
-    if (!m_program->addShaderFromSourceCode(QOpenGLShader::Vertex, source(vertexShader)) ||
-        !m_program->addShaderFromSourceCode(QOpenGLShader::Fragment, source(fragmentShader)) || !m_program->link())
+    if (!m_program->addShaderFromSourceCode(QOpenGLShader::Vertex, shaderSource(vertexShader)) ||
+        !m_program->addShaderFromSourceCode(QOpenGLShader::Fragment, shaderSource(fragmentShader)) ||
+        !m_program->link())
         throw std::runtime_error(std::string(fragmentShader) + ": " + m_program->log().toStdString());
 }
 

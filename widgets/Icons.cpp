@@ -14,7 +14,7 @@ namespace bolster {
 
 namespace {
 
-QByteArray source(const QString& name)
+QByteArray iconSource(const QString& name)
 {
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -26,7 +26,7 @@ public:
     explicit PaletteIconEngine(const QString& name, const QColor& color = {})
         : m_name(name)
         , m_color(color)
-        , m_source(source(name))
+        , m_source(iconSource(name))
     {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override

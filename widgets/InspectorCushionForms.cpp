@@ -13,7 +13,7 @@ const NumberBox::Range paddingRange{QStringLiteral(" mm"), 2, 0, 1000, 5};
 const NumberBox::Range strengthRange{{}, 3, 0, 10, 0.1};
 // What the sliders cover; the boxes beside them take more.
 constexpr double thickestPadding = 100;
-constexpr double greatestStrength = 2;
+constexpr double greatestForce = 2;
 
 /// "Seat; Back" and back: names may have commas.
 QString joined(const std::vector<std::string>& parts)
@@ -113,7 +113,7 @@ void InspectorForms::addCushion(PropertyForm& form, const Ids& ids) const
     addCoverChoice(form, ids);
     cushion.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Cushion::dilation,
                    QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
-    cushion.slider(tr("Strength"), strengthRange, 0, greatestStrength, &Cushion::strength,
+    cushion.slider(tr("Strength"), strengthRange, 0, greatestForce, &Cushion::strength,
                    QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
     cushion.choice(tr("Distance"), {tr("City block \u2013 along the axes"), tr("Euclidean \u2013 straight")},
                    &Cushion::distance, QT_TRANSLATE_NOOP("Message", "Change the distance of %1"));
@@ -149,7 +149,7 @@ void InspectorForms::addFoam(PropertyForm& form, const Ids& ids) const
     foam.check(tr("Cut away"), &Foam::cut, QT_TRANSLATE_NOOP("Message", "Add or cut %1"));
     foam.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Foam::dilation,
                 QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
-    foam.slider(tr("Strength"), strengthRange, 0, greatestStrength, &Foam::strength,
+    foam.slider(tr("Strength"), strengthRange, 0, greatestForce, &Foam::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
 }
 

@@ -10,7 +10,7 @@ namespace bolster {
 
 namespace {
 
-constexpr double greatestStrength = 5; // of the slider; the box takes more
+constexpr double greatestPull = 5; // of the slider; the box takes more
 
 } // namespace
 
@@ -22,7 +22,7 @@ void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
     if (!scan.several())
         addScanSize(form, ids.front());
     scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
-    scan.slider(tr("Strength"), {{}, 2, 0, 100, 0.25}, 0, greatestStrength, &Scan::strength,
+    scan.slider(tr("Strength"), {{}, 2, 0, 100, 0.25}, 0, greatestPull, &Scan::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
     scan.number(tr("Threshold"), {QStringLiteral(" mm"), 1, 0.1, 1e4, 5}, &Scan::threshold,
                 QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"));

@@ -9,8 +9,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr int margin = 12;
-constexpr int padding = 10;
+constexpr int legendMargin = 12;
+constexpr int legendPadding = 10;
 constexpr int barWidth = 220;
 constexpr int barHeight = 12;
 
@@ -43,13 +43,13 @@ void MapLegend::place()
 {
     resize(sizeHint());
     const QSize space = parentWidget()->size();
-    move(space.width() - width() - margin, space.height() - height() - margin);
+    move(space.width() - width() - legendMargin, space.height() - height() - legendMargin);
 }
 
 QSize MapLegend::sizeHint() const
 {
     const int line = fontMetrics().height();
-    return {barWidth + 2 * padding, (hasLimits() ? 4 : 3) * line + barHeight + 2 * padding + 6};
+    return {barWidth + 2 * legendPadding, (hasLimits() ? 4 : 3) * line + barHeight + 2 * legendPadding + 6};
 }
 
 QString MapLegend::number(double value) const
@@ -72,7 +72,7 @@ void MapLegend::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(rect(), 6, 6);
 
     const int line = fontMetrics().height();
-    const QRect inside = rect().adjusted(padding, padding, -padding, -padding);
+    const QRect inside = rect().adjusted(legendPadding, legendPadding, -legendPadding, -legendPadding);
     painter.setPen(palette().color(QPalette::WindowText));
     const QString title = fontMetrics().elidedText(m_map->title, Qt::ElideRight, inside.width());
     painter.drawText(QRect(inside.topLeft(), QSize(inside.width(), line)), Qt::AlignLeft | Qt::AlignVCenter, title);

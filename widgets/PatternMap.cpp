@@ -7,8 +7,8 @@ namespace bolster {
 
 namespace {
 
-constexpr double finest = 2;       // mm per pixel
-constexpr double mostPixels = 400; // along a patch
+constexpr double finest = 2;          // mm per pixel
+constexpr double mostMapPixels = 400; // along a patch
 
 /// Colours between the corners, where the pixel's middle lies inside.
 void fillTriangle(QImage& image, const std::array<Vec2, 3>& at, const std::array<SurfaceMap::Rgba, 3>& colors)
@@ -66,7 +66,7 @@ PatternMap::Picture PatternMap::paint(const SurfaceTopology::PatchRange& range) 
     Box2 box;
     for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v)
         box.extend(topology.pattern[v]);
-    const double pixel = std::max(finest, box.sizes().maxCoeff() / mostPixels);
+    const double pixel = std::max(finest, box.sizes().maxCoeff() / mostMapPixels);
     const Vec2 size = (box.sizes() / pixel).array().ceil().max(1);
     Picture picture{QImage(static_cast<int>(size.x()), static_cast<int>(size.y()), QImage::Format_ARGB32),
                     QRectF(box.min().x(), box.min().y(), size.x() * pixel, size.y() * pixel)};

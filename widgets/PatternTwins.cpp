@@ -11,7 +11,7 @@ namespace bolster {
 
 namespace {
 
-const std::vector<Vec2>* pointsOf(const PatternScene& scene, ElementId id)
+const std::vector<Vec2>* curvePointsOf(const PatternScene& scene, ElementId id)
 {
     if (const PatternPatch* patch = scene.patch(id))
         return &patch->points;
@@ -46,7 +46,7 @@ std::optional<Vec2> PatternTwins::follower(const PatternScene& scene, ElementId 
     const auto other = others.find(id);
     if (other == others.end() || isReleased(id, point))
         return std::nullopt;
-    const std::vector<Vec2>* points = pointsOf(scene, other->second);
+    const std::vector<Vec2>* points = curvePointsOf(scene, other->second);
     if (!points || point < 0 || static_cast<std::size_t>(point) >= points->size())
         return std::nullopt;
     return (*points)[static_cast<std::size_t>(point)];

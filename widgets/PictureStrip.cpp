@@ -12,8 +12,8 @@ namespace {
 
 // Pixels.
 constexpr int stripHeight = 128;
-constexpr int padding = 6;
-constexpr int gap = 10;
+constexpr int stripPadding = 6;
+constexpr int stripGap = 10;
 constexpr int leastSide = 60;
 constexpr double cornerRadius = 4;
 
@@ -29,7 +29,7 @@ PictureStrip::PictureStrip(QWidget* parent)
     : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setMinimumWidth(2 * leastSide + gap + 2 * padding);
+    setMinimumWidth(2 * leastSide + stripGap + 2 * stripPadding);
 }
 
 void PictureStrip::setPictures(std::vector<QImage> pictures)
@@ -55,8 +55,9 @@ void PictureStrip::paintEvent(QPaintEvent* /*event*/)
     const int count = static_cast<int>(m_pictures.size());
     if (count == 0)
         return;
-    const int side = std::min(height() - 2 * padding, (width() - 2 * padding - (count - 1) * gap) / count);
-    QPoint at((width() - count * side - (count - 1) * gap) / 2, (height() - side) / 2);
+    const int side =
+        std::min(height() - 2 * stripPadding, (width() - 2 * stripPadding - (count - 1) * stripGap) / count);
+    QPoint at((width() - count * side - (count - 1) * stripGap) / 2, (height() - side) / 2);
     for (const QImage& picture : m_pictures) {
         if (!picture.isNull()) {
             // A painter would skip pixels of what is more than twice as fine.
@@ -65,7 +66,7 @@ void PictureStrip::paintEvent(QPaintEvent* /*event*/)
             fitting.setDevicePixelRatio(devicePixelRatioF());
             painter.drawImage(at, fitting);
         }
-        at.rx() += side + gap;
+        at.rx() += side + stripGap;
     }
 }
 

@@ -13,7 +13,7 @@ namespace bolster {
 namespace {
 
 /// The patch in whose coordinates the element's curve is given, or null.
-const Patch* patchOf(const Design& design, ElementId id)
+const Patch* patchWith(const Design& design, ElementId id)
 {
     const ElementPtr element = design.element(id);
     const PatchCurve* drawn = element ? patchCurve(*element) : nullptr;
@@ -23,7 +23,7 @@ const Patch* patchOf(const Design& design, ElementId id)
 std::optional<Vec2> placeInLayout(const Design& design, const Selection::Point& point)
 {
     const int index = planePoint(design, point);
-    const Patch* patch = patchOf(design, point.first);
+    const Patch* patch = patchWith(design, point.first);
     if (index < 0 || !patch)
         return std::nullopt;
     return toLayout(*patch, planeCurve(*design.element(point.first))->points()[static_cast<std::size_t>(index)]);
@@ -94,7 +94,7 @@ Edit placeInLayout(const Design& design, const Selection::Points& points, int ax
         const std::optional<Vec2> place = placeInLayout(design, point);
         if (!place)
             return std::nullopt;
-        const Patch& patch = *patchOf(design, point.first);
+        const Patch& patch = *patchWith(design, point.first);
         Vec2 there = *place;
         there[axis] = value;
         return Vec2(fromLayout(patch, there) - fromLayout(patch, *place));

@@ -11,8 +11,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr int gap = 16;
-constexpr int padding = 6;
+constexpr int noteGap = 16;
+constexpr int notePadding = 6;
 constexpr int leastTyped = 64;
 
 } // namespace
@@ -36,13 +36,13 @@ void PointerNote::showNote(const std::optional<SurfaceNote>& note)
         return;
     }
     const int caret = note->typed ? 3 : 0;
-    const int width = fontMetrics().horizontalAdvance(note->text) + 2 * padding + caret;
-    resize(std::max(width, note->typed ? leastTyped : 0), fontMetrics().height() + 2 * padding);
-    QPoint at = note->beside.toPoint() + QPoint(gap, gap);
+    const int width = fontMetrics().horizontalAdvance(note->text) + 2 * notePadding + caret;
+    resize(std::max(width, note->typed ? leastTyped : 0), fontMetrics().height() + 2 * notePadding);
+    QPoint at = note->beside.toPoint() + QPoint(noteGap, noteGap);
     if (at.x() + this->width() > parentWidget()->width())
-        at.setX(static_cast<int>(note->beside.x()) - gap - this->width());
+        at.setX(static_cast<int>(note->beside.x()) - noteGap - this->width());
     if (at.y() + height() > parentWidget()->height())
-        at.setY(static_cast<int>(note->beside.y()) - gap - height());
+        at.setY(static_cast<int>(note->beside.y()) - noteGap - height());
     move(std::max(0, at.x()), std::max(0, at.y()));
     show();
     raise();
@@ -60,7 +60,7 @@ void PointerNote::paintEvent(QPaintEvent*)
     painter.setBrush(m_note->typed ? colors.pointFill : colors.canvas);
     painter.drawRoundedRect(box, 3, 3);
     painter.setPen(m_note->good ? colors.label : colors.error);
-    const QRectF inside = QRectF(rect()).adjusted(padding, padding, -padding, -padding);
+    const QRectF inside = QRectF(rect()).adjusted(notePadding, notePadding, -notePadding, -notePadding);
     painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, m_note->text);
     if (!m_note->typed)
         return;

@@ -16,7 +16,7 @@ constexpr double arrowStart = 5;
 constexpr double arrowEnd = 46;
 constexpr double headLength = 13;
 constexpr double headWidth = 6;
-constexpr double reach = 8;
+constexpr double handleReach = 8;
 constexpr double inside = 60; // from the border of the picture
 constexpr double turnWay = 30;
 
@@ -69,7 +69,7 @@ bool SectionHandle::hover(QPointF pixel)
     m_hovered = false;
     if (m_scene.section && !m_scene.box.isEmpty())
         for (const std::vector<Vec3>& arrow : arrows())
-            m_hovered = m_hovered || distanceInPicture(m_camera, arrow, {pixel.x(), pixel.y()}) < reach;
+            m_hovered = m_hovered || distanceInPicture(m_camera, arrow, {pixel.x(), pixel.y()}) < handleReach;
     return m_hovered;
 }
 

@@ -16,8 +16,8 @@ namespace bolster {
 
 namespace {
 
-constexpr int steps = 1000; // of the slider
-constexpr int margin = 10;  // pixels
+constexpr int steps = 1000;     // of the slider
+constexpr int panelMargin = 10; // pixels
 
 } // namespace
 
@@ -96,8 +96,8 @@ void SectionPanel::setOn(bool on)
 void SectionPanel::place()
 {
     adjustSize();
-    resize(std::min(width(), std::max(parentWidget()->width() - 2 * margin, 1)), height());
-    move(margin, parentWidget()->height() - height() - margin);
+    resize(std::min(width(), std::max(parentWidget()->width() - 2 * panelMargin, 1)), height());
+    move(panelMargin, parentWidget()->height() - height() - panelMargin);
 }
 
 /// What faces the viewer is cut away.

@@ -47,7 +47,7 @@ QString hintText(const SnapHint& hint)
     return {};
 }
 
-void paintLine(QPainter& painter, QPointF from, QPointF to)
+void paintHintLine(QPainter& painter, QPointF from, QPointF to)
 {
     const QPointF way = to - from;
     const double length = std::hypot(way.x(), way.y());
@@ -105,7 +105,7 @@ void paintSnapHints(QPainter& painter, const ViewColors& colors, const PatternTr
         painter.setPen(QPen(colors.snap, 1, Qt::DashLine));
         if (hint.kind == SnapHint::Kind::Alignment || hint.kind == SnapHint::Kind::Direction ||
             hint.kind == SnapHint::Kind::Perpendicular)
-            paintLine(painter, from, to);
+            paintHintLine(painter, from, to);
         painter.setPen(QPen(colors.snap, 1.4));
         if (hint.kind == SnapHint::Kind::Perpendicular)
             paintRightAngle(painter, from, to);

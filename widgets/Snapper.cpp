@@ -8,18 +8,21 @@
 
 namespace bolster {
 
+/// A rail near a place.
+struct RailTangent {
+    Vec2 point;
+    Vec2 along; ///< unit
+};
+
 namespace {
 
 // Pixels.
-constexpr double pointReach = 9;
+constexpr double snapPointReach = 9;
 constexpr double lineReach = 6;
 constexpr double gridReach = 4;
 constexpr double farthestAligned = 700; // what is farther away than a view is wide nobody means
 
-struct Tangent {
-    Vec2 point;
-    Vec2 along; ///< unit
-};
+using Tangent = RailTangent;
 
 Tangent onLine(const Vec2& origin, const Vec2& along, const Vec2& at)
 {
@@ -57,7 +60,7 @@ void eachCorner(const PatternPatch& patch, F function)
 struct Snapper::Rail {
     SnapHint hint;
     double rank; ///< of two at the same distance the lower one is meant
-    std::function<Tangent(const Vec2&)> nearest;
+    std::function<RailTangent(const Vec2&)> nearest;
 
     /// Where both meet near `at`: by Newton's method, exact at once for two lines.
     std::optional<Vec2> meet(const Rail& other, Vec2 at, double tolerance) const
@@ -79,7 +82,7 @@ Snapper::Snapper(const PatternScene& scene, const PatternTransform& transform, c
     : m_scene(scene)
     , m_transform(transform)
     , m_settings(settings)
-    , m_reach(transform.millimetres(pointReach))
+    , m_reach(transform.millimetres(snapPointReach))
     , m_lineReach(transform.millimetres(lineReach))
 {}
 

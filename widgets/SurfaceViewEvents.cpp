@@ -13,9 +13,9 @@ namespace bolster {
 
 namespace {
 
-constexpr double turnSpeed = 0.0075; ///< radians per pixel
-constexpr double clickReach = 5;     ///< pixels
-constexpr double wheelStep = 0.88;   ///< distance after one notch
+constexpr double orbitSpeed = 0.0075;   ///< radians per pixel
+constexpr double surfaceClickReach = 5; ///< pixels
+constexpr double wheelStep = 0.88;      ///< distance after one notch
 
 SurfacePointer pointerOf(const QMouseEvent& event)
 {
@@ -52,7 +52,7 @@ void SurfaceView::navigate(QPointF pixel)
     m_navigationLast = pixel;
     Camera camera = m_camera;
     if (m_navigation == Navigation::Turn)
-        camera.orbit(-turnSpeed * by.x(), turnSpeed * by.y(), m_navigationAnchor);
+        camera.orbit(-orbitSpeed * by.x(), orbitSpeed * by.y(), m_navigationAnchor);
     else
         camera.pan({by.x(), by.y()}, m_navigationAnchor);
     apply(camera);
@@ -104,7 +104,7 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
         }
     } else if (event->button() == Qt::LeftButton && !releaseSection(*event)) {
         m_tool->release(pointerOf(*event));
-        const bool click = (event->position() - m_pressedAt).manhattanLength() < clickReach;
+        const bool click = (event->position() - m_pressedAt).manhattanLength() < surfaceClickReach;
         if (const auto point = coverPointOf(m_hitTest.hitSolid(m_camera, event->position()));
             point && click && m_toolKind == SurfaceToolKind::Select)
             emit coverClicked(*point);

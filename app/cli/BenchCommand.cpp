@@ -29,7 +29,7 @@ Exit code:
 
 namespace {
 
-constexpr std::array rules = {
+constexpr std::array benchOptions = {
     OptionRule{"--json", true}, OptionRule{"--markdown", true}, OptionRule{"--quick", false},
     OptionRule{"--smoke", false}, // for tests: tiny meshes, figures that say nothing
 };
@@ -72,7 +72,7 @@ bool write(const Arguments& arguments, const char* option, const std::string& te
 
 int bench(std::span<const std::string> words)
 {
-    const Arguments arguments(words, rules);
+    const Arguments arguments(words, benchOptions);
     arguments.expectNoFile();
     const bench::Extent extent = extentOf(arguments);
 

@@ -29,7 +29,7 @@ Exit code:
 
 namespace {
 
-constexpr std::array rules = {OptionRule{"--history", false}, OptionRule{"--assets", true}};
+constexpr std::array dumpOptions = {OptionRule{"--history", false}, OptionRule{"--assets", true}};
 constexpr std::int64_t largestDesign = 64'000'000;
 
 std::string quoted(const std::string& text)
@@ -117,7 +117,7 @@ int dumpText(const QString& path)
 
 int dump(std::span<const std::string> words)
 {
-    const Arguments arguments(words, rules);
+    const Arguments arguments(words, dumpOptions);
     const QString path = arguments.onlyFile("FILE");
     if (!looksLikeProject(path)) {
         if (arguments.has("--history") || arguments.has("--assets"))

@@ -21,7 +21,7 @@ Exit code:
 
 namespace {
 
-constexpr std::int64_t largestDesign = 64'000'000;
+constexpr std::int64_t largestImported = 64'000'000;
 
 /// Reports files that are not there: the project goes without them.
 Message addFiles(Journal& journal, const Design& design, const QString& folder)
@@ -63,7 +63,7 @@ int importDesign(std::span<const std::string> words)
         printError("error: \"" + files[1].toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
-    const WholeFile text = readWholeFile(files[0], largestDesign);
+    const WholeFile text = readWholeFile(files[0], largestImported);
     if (!text.problem.empty()) {
         printError("error: " + text.problem.english());
         return badInput;

@@ -9,7 +9,7 @@ namespace bolster::cli {
 
 namespace {
 
-constexpr std::array rules = {
+constexpr std::array renderOptions = {
     OptionRule{"--image", true},     OptionRule{"--size", true},    OptionRule{"--view", true},
     OptionRule{"--samples", true},   OptionRule{"--fabric", true},  OptionRule{"--map", true},
     OptionRule{"--turntable", true}, OptionRule{"--threads", true}, OptionRule{"--transparent", false},
@@ -74,7 +74,7 @@ void takeMap(const Arguments& arguments, RenderOrder& order)
 
 RenderOrder RenderOrder::from(std::span<const std::string> words)
 {
-    const Arguments arguments(words, rules);
+    const Arguments arguments(words, renderOptions);
     RenderOrder order;
     PreviewOptions& options = order.picture.options;
     order.design = arguments.onlyFile("DESIGN");

@@ -38,7 +38,7 @@ Exit code:
 
 namespace {
 
-constexpr std::array rules = {
+constexpr std::array solveRules = {
     OptionRule{"--obj", true},     OptionRule{"--ply", true},       OptionRule{"--image", true},
     OptionRule{"--report", true},  OptionRule{"--tolerance", true}, OptionRule{"--max-iterations", true},
     OptionRule{"--threads", true}, OptionRule{"--lenient", false},
@@ -79,7 +79,7 @@ void printSummary(const SolveResult& result)
 
 int solve(std::span<const std::string> words)
 {
-    const Arguments arguments(words, rules);
+    const Arguments arguments(words, solveRules);
     const QString path = arguments.onlyFile("DESIGN");
     const SolveOptions options = solveOptions(arguments);
     const SolveOutputs outputs(arguments, options.threads);

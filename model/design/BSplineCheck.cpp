@@ -7,12 +7,6 @@
 
 namespace bolster {
 
-namespace {
-
-constexpr double largestCoordinate = 1e7;
-
-} // namespace
-
 template <int Dim>
 std::optional<Message> BSpline<Dim>::problem(int degree, bool closed, const std::vector<Point>& points,
                                              const std::vector<double>& knots)

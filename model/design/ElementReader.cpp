@@ -7,7 +7,6 @@ namespace bolster::json {
 
 namespace {
 
-constexpr double largestCoordinate = 1e7;
 constexpr std::size_t mostScanCuts = 1000;
 constexpr std::size_t mostScanPlanes = 100;
 

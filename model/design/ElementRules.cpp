@@ -17,7 +17,6 @@ constexpr double resolvedShare = 0.35;  // of the edge length: the smallest bend
 constexpr double leastPressure = -1000;
 constexpr double mostPressure = 1000;
 constexpr std::size_t mostDirections = 10'000;
-constexpr double shortestDirection = 1e-6;
 constexpr double mostNormalWeight = 100;
 constexpr double leastFancySize = 0.1; // mm: of a fancy seam
 constexpr double mostFancySize = 1000;

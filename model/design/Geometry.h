@@ -12,4 +12,7 @@ using Quat = Eigen::Quaterniond;
 using Box2 = Eigen::AlignedBox2d;
 using Box3 = Eigen::AlignedBox3d;
 
+inline constexpr double largestCoordinate = 1e7;  ///< mm: no place of a design is farther from the origin
+inline constexpr double shortestDirection = 1e-6; ///< of a vector that is only a direction
+
 } // namespace bolster

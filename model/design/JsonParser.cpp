@@ -14,7 +14,7 @@ bool isSpace(char c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-bool isDigit(char c)
+bool isJsonDigit(char c)
 {
     return c >= '0' && c <= '9';
 }
@@ -99,7 +99,7 @@ private:
         }
         if (c == '"')
             return string();
-        if (c == '-' || isDigit(c))
+        if (c == '-' || isJsonDigit(c))
             return number();
         return word("null", Kind::Null) || word("false", Kind::False) || word("true", Kind::True) ||
                fail(QT_TRANSLATE_NOOP("Message",
@@ -201,7 +201,7 @@ private:
     bool digits()
     {
         const std::size_t first = m_at;
-        while (!ended() && isDigit(m_text[m_at]))
+        while (!ended() && isJsonDigit(m_text[m_at]))
             ++m_at;
         return m_at > first;
     }
@@ -210,7 +210,7 @@ private:
     {
         const std::size_t node = open(Kind::Number);
         accept('-');
-        bool valid = accept('0') ? ended() || !isDigit(m_text[m_at]) : digits();
+        bool valid = accept('0') ? ended() || !isJsonDigit(m_text[m_at]) : digits();
         if (valid && accept('.'))
             valid = digits();
         if (valid && (accept('e') || accept('E'))) {

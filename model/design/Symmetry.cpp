@@ -7,9 +7,6 @@ namespace bolster {
 
 namespace {
 
-constexpr double largestCoordinate = 1e7;
-constexpr double shortestDirection = 1e-6;
-
 template <class Vector>
 bool usable(const Vector& point, const Vector& direction)
 {

@@ -10,17 +10,6 @@ namespace bolster::edits {
 
 namespace {
 
-const BSpline2* curveOf(const Design& design, ElementId id)
-{
-    const ElementPtr element = design.element(id);
-    return element ? planeCurve(*element) : nullptr; // alive as long as the design
-}
-
-Edit withCurve(const Design& design, ElementId id, BSpline2 curve, Message verb)
-{
-    return replaceElement(design, id, withPlaneCurve(*design.element(id), std::move(curve)), std::move(verb));
-}
-
 bool isEnd(const BSpline2& curve, int i)
 {
     return !curve.closed() && (i == 0 || i == curve.pointCount() - 1);
@@ -129,7 +118,7 @@ std::pair<int, int> shorterWay(const BSpline2& curve, int a, int b)
 
 Edit makeCorners(const Design& design, ElementId id, std::span<const int> points)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     if (!curve || curve->empty())
         return {};
     std::vector<Place> places = placesOf(*curve, points);
@@ -138,13 +127,13 @@ Edit makeCorners(const Design& design, ElementId id, std::span<const int> points
     const std::size_t added = places.size() * static_cast<std::size_t>(curve->degree());
     if (places.empty() || static_cast<std::size_t>(curve->pointCount()) + added > mostCurvePoints)
         return {};
-    return withCurve(design, id, withCorners(*curve, places),
-                     {QT_TRANSLATE_NOOP("Message", "Make a corner in %1"), {displayName(design, id)}});
+    return replaceCurve(design, id, withCorners(*curve, places),
+                        {QT_TRANSLATE_NOOP("Message", "Make a corner in %1"), {displayName(design, id)}});
 }
 
 Edit makeSmooth(const Design& design, ElementId id, std::span<const int> points)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     if (!curve || curve->empty() || 3 * curve->pointCount() > mostCurvePoints)
         return {};
     std::vector<Place> places = placesOf(*curve, points);
@@ -155,13 +144,13 @@ Edit makeSmooth(const Design& design, ElementId id, std::span<const int> points)
     BSpline2 result = curve->degree() == 1 ? raisedToCubic(*curve) : *curve;
     for (const Place& place : places)
         result = withoutCorner(result, result.pointAt(place.parameter));
-    return withCurve(design, id, std::move(result),
-                     {QT_TRANSLATE_NOOP("Message", "Make %1 smooth"), {displayName(design, id)}});
+    return replaceCurve(design, id, std::move(result),
+                        {QT_TRANSLATE_NOOP("Message", "Make %1 smooth"), {displayName(design, id)}});
 }
 
 Edit straighten(const Design& design, ElementId id, int pointA, int pointB)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     const auto exists = [&](int i) { return i >= 0 && i < curve->pointCount(); };
     if (!curve || curve->empty() || pointA == pointB || !exists(pointA) || !exists(pointB) ||
         curve->pointCount() + 2 * curve->degree() > mostCurvePoints)
@@ -171,13 +160,13 @@ Edit straighten(const Design& design, ElementId id, int pointA, int pointB)
     const std::vector<int> ends = {from, to};
     const BSpline2 cornered = withCorners(*curve, placesOf(*curve, ends));
     BSpline2 straight = straightBetween(cornered, cornered.pointAt(start), cornered.pointAt(end));
-    return withCurve(design, id, std::move(straight),
-                     {QT_TRANSLATE_NOOP("Message", "Straighten a stretch of %1"), {displayName(design, id)}});
+    return replaceCurve(design, id, std::move(straight),
+                        {QT_TRANSLATE_NOOP("Message", "Straighten a stretch of %1"), {displayName(design, id)}});
 }
 
 bool isCornerPoint(const Design& design, ElementId id, int point)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     return curve && point >= 0 && point < curve->pointCount() && (isEnd(*curve, point) || isCorner(*curve, point));
 }
 

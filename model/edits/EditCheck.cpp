@@ -11,9 +11,9 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr double shortest = 1e-3;   // mm, as in the rules for designs
-constexpr double reachShare = 0.25; // of the edge length: ends of handles this near to the outline lie on it
-constexpr int chords = 8;           // of a curved span
+constexpr double shortestPiece = 1e-3; // mm, as in the rules for designs
+constexpr double reachShare = 0.25;    // of the edge length: ends of handles this near to the outline lie on it
+constexpr int chords = 8;              // of a curved span
 
 /// A curve as straight pieces; of a closed one the first point is repeated.
 struct Polyline {
@@ -123,7 +123,7 @@ bool vanishes(const Design& design, const Stretch& stretch)
     const Vec2 start = outline.at(outline.wrapped(stretch.from));
     for (int k = 1; k <= chords; ++k) {
         const double t = stretch.from + (end - stretch.from) * k / chords;
-        if ((outline.at(outline.wrapped(t)) - start).norm() >= shortest)
+        if ((outline.at(outline.wrapped(t)) - start).norm() >= shortestPiece)
             return false;
     }
     return true;

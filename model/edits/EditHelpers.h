@@ -25,6 +25,22 @@ Edit replaceWith(const Design& design, ElementId id, T value, Message verb)
     return replaceElement(design, id, makeElement(std::move(value)), std::move(verb));
 }
 
+/// The outline, handle or fancy seam as a curve in the pattern, alive as long as the design; null for anything
+/// else.
+inline const BSpline2* curveInPattern(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    return element ? planeCurve(*element) : nullptr;
+}
+
+/// Gives the element another curve; empty without one.
+inline Edit replaceCurve(const Design& design, ElementId id, std::optional<BSpline2> curve, Message verb)
+{
+    if (!curve)
+        return {};
+    return replaceElement(design, id, withPlaneCurve(*design.element(id), std::move(*curve)), std::move(verb));
+}
+
 /// The curve with some control points moved, or nothing if a point would leave the sensible range.
 template <int Dim>
 std::optional<BSpline<Dim>> withMovedPoints(const BSpline<Dim>& curve, std::span<const int> indices,

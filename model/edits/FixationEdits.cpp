@@ -13,18 +13,18 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr double shortest = 0.1; // mm, of what can be fixed
-constexpr int waySteps = 32;     // samples along a stretch that tell where it lies
+constexpr double shortestFixed = 0.1; // mm, of what can be fixed
+constexpr int waySteps = 32;          // samples along a stretch that tell where it lies
 
-using Range = std::pair<double, double>;
+using WayRange = std::pair<double, double>;
 
-const BSpline2* outlineOf(const Design& design, const Stretch& stretch)
+const BSpline2* outlineUnder(const Design& design, const Stretch& stretch)
 {
     const auto* patch = design.find<Patch>(stretch.patch);
     return patch && !patch->outline.empty() ? &patch->outline : nullptr; // alive as long as the design
 }
 
-const BSpline3* curveOf(const Design& design, ElementId id)
+const BSpline3* fixationCurveOf(const Design& design, ElementId id)
 {
     const auto* found = design.find<FixationCurve>(id);
     return found && !found->curve.empty() ? &found->curve : nullptr;
@@ -36,7 +36,7 @@ double extent(const Stretch& stretch, const BSpline2& outline)
 }
 
 /// Whether two stretches of one outline have more than end points in common.
-bool overlap(const Stretch& a, const Stretch& b, const BSpline2& outline)
+bool overlapOn(const Stretch& a, const Stretch& b, const BSpline2& outline)
 {
     const double period = outline.period(), offset = b.from - a.from, slack = 1e-9 * period;
     double ahead = offset - period * std::floor(offset / period); // of b's start, seen from a's
@@ -89,7 +89,7 @@ std::vector<Vec3> wayOf(const SurfaceMesh* surface, const Stretch& stretch, cons
 }
 
 /// How far the way would have to go: its mean square distance from where it would be fixed.
-double farness(const std::vector<Vec3>& way, const BSpline3& curve, const Range& range, bool reversed)
+double farness(const std::vector<Vec3>& way, const BSpline3& curve, const WayRange& range, bool reversed)
 {
     const ArcLength3 length(curve);
     const double start = length.at(range.first);
@@ -106,12 +106,12 @@ double farness(const std::vector<Vec3>& way, const BSpline3& curve, const Range&
 }
 
 struct Part {
-    std::optional<Range> range;
+    std::optional<WayRange> range;
     bool reversed = false;
 };
 
 /// The part of a curve, or with `range` of that part, and the direction in which the way is nearest to it.
-Part nearestPart(const std::vector<Vec3>& way, const BSpline3& curve, std::optional<Range> range)
+Part nearestPart(const std::vector<Vec3>& way, const BSpline3& curve, std::optional<WayRange> range)
 {
     if (way.empty())
         return {range, false};
@@ -119,12 +119,12 @@ Part nearestPart(const std::vector<Vec3>& way, const BSpline3& curve, std::optio
     if (curve.closed() && !range) {
         const double from = curve.wrapped(curve.closest(way.front()).parameter);
         const double to = curve.wrapped(curve.closest(way.back()).parameter);
-        candidates = {{Range(from, to), false}, {Range(to, from), true}};
+        candidates = {{WayRange(from, to), false}, {WayRange(to, from), true}};
     } else {
         candidates = {{range, false}, {range, true}};
     }
     const auto far = [&](const Part& part) {
-        return farness(way, curve, part.range.value_or(Range(curve.domainStart(), curve.domainEnd())),
+        return farness(way, curve, part.range.value_or(WayRange(curve.domainStart(), curve.domainEnd())),
                        part.reversed);
     };
     return far(candidates[1]) < far(candidates[0]) ? candidates[1] : candidates[0];
@@ -133,7 +133,7 @@ Part nearestPart(const std::vector<Vec3>& way, const BSpline3& curve, std::optio
 /// The design with the stretch fixed to a part of the curve, or the same one when that cannot be.
 Design attached(const Design& design, const Stretch& stretch, ElementId curve, const Part& part)
 {
-    const BSpline2* outline = outlineOf(design, stretch);
+    const BSpline2* outline = outlineUnder(design, stretch);
     if (!outline || fixationProblem(design, stretch))
         return design;
     FixationSeam seam;
@@ -192,16 +192,16 @@ Message attachVerb(const Design& design, const Stretch& stretch, ElementId curve
 
 std::optional<Message> fixationProblem(const Design& design, const Stretch& stretch)
 {
-    const BSpline2* outline = outlineOf(design, stretch);
+    const BSpline2* outline = outlineUnder(design, stretch);
     if (!outline || !std::isfinite(stretch.from) || !std::isfinite(stretch.to))
         return Message{QT_TRANSLATE_NOOP("Message", "There is no such stretch of an outline."), {}};
     const ArcLength2 length(*outline);
-    if (!(length.between(stretch.from, stretch.from + extent(stretch, *outline)) >= shortest))
+    if (!(length.between(stretch.from, stretch.from + extent(stretch, *outline)) >= shortestFixed))
         return Message{QT_TRANSLATE_NOOP("Message", "The stretch has no length."), {}};
     std::optional<Message> problem;
     design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
         if (!problem && seam.hasCurve() && seam.stretch.patch == stretch.patch &&
-            !same(seam.stretch, stretch, *outline) && overlap(seam.stretch, stretch, *outline))
+            !same(seam.stretch, stretch, *outline) && overlapOn(seam.stretch, stretch, *outline))
             problem = Message{
                 QT_TRANSLATE_NOOP("Message", "A part of this stretch is fixed to %1 already: remove that fixation "
                                              "or choose another stretch."),
@@ -213,7 +213,7 @@ std::optional<Message> fixationProblem(const Design& design, const Stretch& stre
 Edit addFixationFromSurface(const Design& design, const SurfaceMesh& surface, const Stretch& stretch,
                             const std::string& name)
 {
-    const BSpline2* outline = outlineOf(design, stretch);
+    const BSpline2* outline = outlineUnder(design, stretch);
     if (!outline || !surface.topology || fixationProblem(design, stretch))
         return {};
     const double all = extent(stretch, *outline), slack = 1e-9 * outline->period();
@@ -224,7 +224,7 @@ Edit addFixationFromSurface(const Design& design, const SurfaceMesh& surface, co
         return {};
     Part part;
     if (whole && std::abs(stretch.from - outline->domainStart()) > slack)
-        part.range = Range(curve->wrapped(stretch.from), curve->wrapped(stretch.from));
+        part.range = WayRange(curve->wrapped(stretch.from), curve->wrapped(stretch.from));
     FixationCurve fixation{name, std::move(*curve)};
     const Edit added = addElement(design, makeElement(std::move(fixation)));
     const ElementId id = added.changes.front().id;
@@ -250,13 +250,13 @@ Edit attachStretch(const Design& design, const Stretch& stretch, ElementId curve
 Edit attachStretches(const Design& design, std::span<const Stretch> stretches, ElementId curve,
                      const SurfaceMesh* surface)
 {
-    const BSpline3* target = curveOf(design, curve);
+    const BSpline3* target = fixationCurveOf(design, curve);
     if (!target || stretches.empty())
         return {};
     std::vector<std::vector<Vec3>> ways;
     std::vector<double> lengths, places;
     for (const Stretch& stretch : stretches) {
-        const BSpline2* outline = outlineOf(design, stretch);
+        const BSpline2* outline = outlineUnder(design, stretch);
         if (!outline || fixationProblem(design, stretch))
             return {};
         lengths.push_back(ArcLength2(*outline).between(stretch.from, stretch.from + extent(stretch, *outline)));
@@ -280,7 +280,7 @@ Edit attachStretches(const Design& design, std::span<const Stretch> stretches, E
         const double end = at + scale * lengths[i];
         const auto parameter = [&](double s) { return target->wrapped(length.parameterAt(s)); };
         const bool last = !target->closed() && i == order.back();
-        const Range range(parameter(at), last ? target->domainEnd() : parameter(end));
+        const WayRange range(parameter(at), last ? target->domainEnd() : parameter(end));
         if (fixationProblem(now, stretches[i])) // they overlap each other
             return {};
         now = attached(now, stretches[i], curve, nearestPart(ways[i], *target, range));
@@ -296,13 +296,13 @@ Edit attachToCurves(const Design& design, const Stretch& stretch, std::span<cons
 {
     if (curves.size() == 1)
         return attachStretch(design, stretch, curves[0], surface);
-    const BSpline2* outline = outlineOf(design, stretch);
+    const BSpline2* outline = outlineUnder(design, stretch);
     if (!outline || curves.empty() || fixationProblem(design, stretch))
         return {};
     const std::vector<Vec3> way = wayOf(surface, stretch, *outline);
     std::vector<double> lengths, places;
     for (const ElementId id : curves) {
-        const BSpline3* curve = curveOf(design, id);
+        const BSpline3* curve = fixationCurveOf(design, id);
         if (!curve)
             return {};
         const ArcLength3 length(*curve);
@@ -324,7 +324,7 @@ Edit attachToCurves(const Design& design, const Stretch& stretch, std::span<cons
         const double to = i == order.back() ? stretch.to : outline->wrapped(length.parameterAt(at));
         const Stretch piece{stretch.patch, from, to};
         now = attached(now, piece, curves[i],
-                       nearestPart(wayOf(surface, piece, *outline), *curveOf(now, curves[i]), {}));
+                       nearestPart(wayOf(surface, piece, *outline), *fixationCurveOf(now, curves[i]), {}));
         from = to;
     }
     return editBetween(design, now,

@@ -11,15 +11,15 @@ namespace bolster::edits {
 
 namespace {
 
-struct Placed {
+struct PlacedPatch {
     ElementId id{};
     Box2 box;
     Vec2 delta = Vec2::Zero();
 };
 
-std::vector<Placed> placedOf(const Design& design, std::span<const ElementId> ids)
+std::vector<PlacedPatch> placedOf(const Design& design, std::span<const ElementId> ids)
 {
-    std::vector<Placed> placed;
+    std::vector<PlacedPatch> placed;
     for (const ElementId id : std::set<ElementId>(ids.begin(), ids.end()))
         if (const Patch* patch = design.find<Patch>(id))
             if (const Box2 box = layoutBox(*patch); !box.isEmpty())
@@ -27,18 +27,18 @@ std::vector<Placed> placedOf(const Design& design, std::span<const ElementId> id
     return placed;
 }
 
-Box2 around(const std::vector<Placed>& placed)
+Box2 around(const std::vector<PlacedPatch>& placed)
 {
     Box2 box;
-    for (const Placed& one : placed)
+    for (const PlacedPatch& one : placed)
         box.extend(one.box);
     return box;
 }
 
-Edit moved(const Design& design, const std::vector<Placed>& placed, Message verb)
+Edit moved(const Design& design, const std::vector<PlacedPatch>& placed, Message verb)
 {
     EditBuilder builder(design);
-    for (const Placed& one : placed) {
+    for (const PlacedPatch& one : placed) {
         Patch patch = *design.find<Patch>(one.id);
         patch.position += one.delta;
         if (one.delta.norm() > 1e-6)
@@ -47,7 +47,7 @@ Edit moved(const Design& design, const std::vector<Placed>& placed, Message verb
     return builder.result(std::move(verb));
 }
 
-Message countVerb(const char* key, const std::vector<Placed>& placed)
+Message countVerb(const char* key, const std::vector<PlacedPatch>& placed)
 {
     return {key, {std::to_string(placed.size())}};
 }
@@ -59,10 +59,10 @@ double edge(const Box2& box, int axis, double share)
 }
 
 /// About as wide as high, but never narrower than the widest.
-double rowWidth(const std::vector<Placed>& placed, double gap)
+double rowWidth(const std::vector<PlacedPatch>& placed, double gap)
 {
     double area = 0, widest = 0;
-    for (const Placed& one : placed) {
+    for (const PlacedPatch& one : placed) {
         const Vec2 size = one.box.sizes();
         area += (size.x() + gap) * (size.y() + gap);
         widest = std::max(widest, size.x());
@@ -89,7 +89,7 @@ Box2 layoutBox(const Design& design, std::span<const ElementId> patches)
 
 Edit alignPatches(const Design& design, std::span<const ElementId> patches, Alignment alignment)
 {
-    std::vector<Placed> placed = placedOf(design, patches);
+    std::vector<PlacedPatch> placed = placedOf(design, patches);
     if (placed.size() < 2)
         return {};
     const bool x = alignment == Alignment::Left || alignment == Alignment::Right || alignment == Alignment::CentreX;
@@ -98,27 +98,27 @@ Edit alignPatches(const Design& design, std::span<const ElementId> patches, Alig
     const int axis = x ? 0 : 1;
     const double share = low ? 0 : high ? 1 : 0.5;
     const double line = edge(around(placed), axis, share);
-    for (Placed& one : placed)
+    for (PlacedPatch& one : placed)
         one.delta[axis] = line - edge(one.box, axis, share);
     return moved(design, placed, countVerb(QT_TRANSLATE_NOOP("Message", "Align %1 patches"), placed));
 }
 
 Edit distributePatches(const Design& design, std::span<const ElementId> patches, Direction direction)
 {
-    std::vector<Placed> placed = placedOf(design, patches);
+    std::vector<PlacedPatch> placed = placedOf(design, patches);
     if (placed.size() < 3)
         return {};
     const int axis = direction == Direction::Horizontal ? 0 : 1;
-    std::stable_sort(placed.begin(), placed.end(), [axis](const Placed& a, const Placed& b) {
+    std::stable_sort(placed.begin(), placed.end(), [axis](const PlacedPatch& a, const PlacedPatch& b) {
         return a.box.center()[axis] < b.box.center()[axis];
     });
-    const double sizes = std::accumulate(placed.begin(), placed.end(), 0.0, [axis](double sum, const Placed& one) {
-        return sum + one.box.sizes()[axis];
-    });
+    const double sizes =
+        std::accumulate(placed.begin(), placed.end(), 0.0,
+                        [axis](double sum, const PlacedPatch& one) { return sum + one.box.sizes()[axis]; });
     const double start = placed.front().box.min()[axis], end = placed.back().box.max()[axis];
     const double gap = (end - start - sizes) / static_cast<double>(placed.size() - 1);
     double at = start;
-    for (Placed& one : placed) {
+    for (PlacedPatch& one : placed) {
         one.delta[axis] = at - one.box.min()[axis];
         at += one.box.sizes()[axis] + gap;
     }
@@ -130,18 +130,20 @@ Edit arrangePatches(const Design& design, std::span<const ElementId> patches, do
     std::vector<ElementId> all(patches.begin(), patches.end());
     if (all.empty())
         design.each<Patch>([&](ElementId id, const Patch&) { all.push_back(id); });
-    std::vector<Placed> placed = placedOf(design, all);
+    std::vector<PlacedPatch> placed = placedOf(design, all);
     if (placed.empty() || !(gap >= 0))
         return {};
     const Box2 whole = around(placed);
-    const auto height = [](const Placed& one) { return std::round(1e3 * one.box.sizes().y()); }; // not its rounding
+    const auto height = [](const PlacedPatch& one) {
+        return std::round(1e3 * one.box.sizes().y());
+    }; // not its rounding
     std::stable_sort(placed.begin(), placed.end(),
-                     [&](const Placed& a, const Placed& b) { return height(a) > height(b); });
+                     [&](const PlacedPatch& a, const PlacedPatch& b) { return height(a) > height(b); });
     const double width = rowWidth(placed, gap);
     const Vec2 corner(whole.min().x(), whole.max().y());
     Vec2 at = corner; // the next one's upper left corner
     double rowHeight = 0;
-    for (Placed& one : placed) {
+    for (PlacedPatch& one : placed) {
         const Vec2 size = one.box.sizes();
         if (at.x() > corner.x() && at.x() + size.x() > corner.x() + width) {
             at = {corner.x(), at.y() - rowHeight - gap};

@@ -9,9 +9,9 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr double shortest = 1e-3;  // mm
-constexpr double longest = 1e6;    // mm
-constexpr double exactness = 1e-9; // of the length
+constexpr double shortestWay = 1e-3; // mm
+constexpr double longestWay = 1e6;   // mm
+constexpr double exactness = 1e-9;   // of the length
 
 /// From one control point on to another one.
 struct Way {
@@ -32,7 +32,7 @@ std::optional<Way> wayBetween(const BSpline2* curve, int a, int b)
     return 2 * there <= length.total() * (1 + exactness) ? Way{a, b} : Way{b, a};
 }
 
-double lengthOf(const BSpline2& curve, const Way& way)
+double lengthOfWay(const BSpline2& curve, const Way& way)
 {
     const double start = curve.parameterOfPoint(way.from), end = curve.parameterOfPoint(way.to);
     return ArcLength2(curve).between(start, end > start || !curve.closed() ? end : end + curve.period());
@@ -53,32 +53,26 @@ std::optional<BSpline2> scaled(const BSpline2& curve, const Way& way, double fac
     return curve.withPoints(std::move(points));
 }
 
-const BSpline2* curveOf(const Design& design, ElementId id)
-{
-    const ElementPtr element = design.element(id);
-    return element ? planeCurve(*element) : nullptr; // alive as long as the design
-}
-
 } // namespace
 
 double lengthBetween(const Design& design, ElementId id, int pointA, int pointB)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     const std::optional<Way> way = wayBetween(curve, pointA, pointB);
-    return way ? lengthOf(*curve, *way) : 0;
+    return way ? lengthOfWay(*curve, *way) : 0;
 }
 
 Edit setLengthBetween(const Design& design, ElementId id, int pointA, int pointB, double length)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     const std::optional<Way> way = wayBetween(curve, pointA, pointB);
-    if (!way || !(length >= shortest && length <= longest))
+    if (!way || !(length >= shortestWay && length <= longestWay))
         return {};
     // Between corners the first step is exact; a smooth end bends with what lies beyond it.
     double factor = 1;
     std::optional<BSpline2> changed = *curve;
     for (int step = 0; step < 60; ++step) {
-        const double now = lengthOf(*changed, *way);
+        const double now = lengthOfWay(*changed, *way);
         if (std::abs(now - length) <= exactness * length)
             return replaceElement(
                 design, id, withPlaneCurve(*design.element(id), *changed),

@@ -13,7 +13,7 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr int samples = 96;
+constexpr int twinSamples = 96;
 constexpr double mostDeviation = 0.05; // rms, of the size: more are different shapes
 constexpr double snapDistance = 2;     // mm
 constexpr double straight = 1e-5;      // radians: what is turned less is not turned
@@ -24,9 +24,9 @@ template <int Dim>
 std::vector<typename BSpline<Dim>::Point> spread(const BSpline<Dim>& curve, double start, bool backwards = false)
 {
     const ArcLength<Dim> length(curve);
-    const double step = length.total() / (curve.closed() ? samples : samples - 1) * (backwards ? -1 : 1);
+    const double step = length.total() / (curve.closed() ? twinSamples : twinSamples - 1) * (backwards ? -1 : 1);
     std::vector<typename BSpline<Dim>::Point> points;
-    for (int i = 0; i < samples; ++i)
+    for (int i = 0; i < twinSamples; ++i)
         points.push_back(curve.at(length.parameterAt(length.at(start) + i * step)));
     return points;
 }
@@ -240,7 +240,7 @@ private:
             ahead += (p[i] - q[i]).squaredNorm();
             back += (p[i] - q[p.size() - 1 - i]).squaredNorm();
         }
-        const double rms = std::sqrt(std::min(ahead, back) / samples);
+        const double rms = std::sqrt(std::min(ahead, back) / twinSamples);
         if (!curve->closed() && rms > mostDeviation * ArcLength3(*curve).total())
             return tooDifferent(rms);
         FixationCurve moved = before;

@@ -9,19 +9,6 @@ namespace bolster::edits {
 
 namespace {
 
-Edit withCurve(const Design& design, ElementId id, std::optional<BSpline2> curve, Message verb)
-{
-    if (!curve)
-        return {};
-    return replaceElement(design, id, withPlaneCurve(*design.element(id), std::move(*curve)), std::move(verb));
-}
-
-const BSpline2* curveOf(const Design& design, ElementId id)
-{
-    const ElementPtr element = design.element(id);
-    return element ? planeCurve(*element) : nullptr; // alive as long as the design
-}
-
 // Changes the place of each patch by place(Patch&).
 template <class Place>
 Edit replaced(const Design& design, std::span<const ElementId> patches, Place place, Message verb)
@@ -44,27 +31,27 @@ Edit replaced(const Design& design, std::span<const ElementId> patches, Place pl
 
 Edit movePatchPoints(const Design& design, ElementId id, std::span<const int> points, const Vec2& delta)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     if (!curve)
         return {};
-    return withCurve(design, id, withMovedPoints(*curve, points, delta),
-                     moveVerb(points.size(), displayName(design, id)));
+    return replaceCurve(design, id, withMovedPoints(*curve, points, delta),
+                        moveVerb(points.size(), displayName(design, id)));
 }
 
 Edit insertPatchPoint(const Design& design, ElementId id, double parameter)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     if (!curve || !std::isfinite(parameter) || curve->pointCount() >= mostCurvePoints)
         return {};
-    return withCurve(design, id, curve->withKnot(parameter), insertVerb(displayName(design, id)));
+    return replaceCurve(design, id, curve->withKnot(parameter), insertVerb(displayName(design, id)));
 }
 
 Edit removePatchPoint(const Design& design, ElementId id, int point)
 {
-    const BSpline2* curve = curveOf(design, id);
+    const BSpline2* curve = curveInPattern(design, id);
     if (!curve || point < 0 || point >= curve->pointCount())
         return {};
-    return withCurve(design, id, curve->withoutPoint(point), removeVerb(displayName(design, id)));
+    return replaceCurve(design, id, curve->withoutPoint(point), removeVerb(displayName(design, id)));
 }
 
 Edit movePatches(const Design& design, std::span<const ElementId> patches, const Vec2& delta)

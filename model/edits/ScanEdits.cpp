@@ -10,7 +10,7 @@ namespace bolster::edits {
 
 namespace {
 
-Edit changed(const Design& design, ElementId id, const char* verb, const std::function<void(Scan&)>& change)
+Edit changedScan(const Design& design, ElementId id, const char* verb, const std::function<void(Scan&)>& change)
 {
     const Scan* found = design.find<Scan>(id);
     if (!found)
@@ -53,18 +53,19 @@ ScanCut boxCut(const Placement& placement, const Box3& box, bool keep)
 
 Edit addCut(const Design& design, ElementId scan, ScanCut cut)
 {
-    return changed(design, scan, QT_TRANSLATE_NOOP("Message", "Cut %1"),
-                   [&](Scan& s) { s.cuts.push_back(std::move(cut)); });
+    return changedScan(design, scan, QT_TRANSLATE_NOOP("Message", "Cut %1"),
+                       [&](Scan& s) { s.cuts.push_back(std::move(cut)); });
 }
 
 Edit removeCuts(const Design& design, ElementId scan)
 {
-    return changed(design, scan, QT_TRANSLATE_NOOP("Message", "Show all of %1"), [](Scan& s) { s.cuts.clear(); });
+    return changedScan(design, scan, QT_TRANSLATE_NOOP("Message", "Show all of %1"),
+                       [](Scan& s) { s.cuts.clear(); });
 }
 
 Edit cutFloor(const Design& design, ElementId scan, double height)
 {
-    return changed(design, scan, QT_TRANSLATE_NOOP("Message", "Cut the floor off %1"), [&](Scan& s) {
+    return changedScan(design, scan, QT_TRANSLATE_NOOP("Message", "Cut the floor off %1"), [&](Scan& s) {
         std::erase_if(s.cuts, [&](const ScanCut& cut) { return levelOf(cut, s).has_value(); });
         s.cuts.push_back({{halfSpaceIn(s, Vec3::UnitZ(), height)}, false});
     });

@@ -32,8 +32,8 @@ Edit withSeams(const Design& design, std::span<const Seam> seams, Message verb)
 
 /// Changes each seam by change(Seam&); `one` is the verb for a single one, with its name.
 template <class Change>
-Edit changed(const Design& design, std::span<const ElementId> seams, Change change, const char* one,
-             const char* several)
+Edit changedSeams(const Design& design, std::span<const ElementId> seams, Change change, const char* one,
+                  const char* several)
 {
     Edit edit;
     std::string name;
@@ -83,14 +83,14 @@ Edit sewInRow(const Design& design, const Stretch& whole, std::span<const Stretc
 
 Edit flipSeams(const Design& design, std::span<const ElementId> seams)
 {
-    return changed(
+    return changedSeams(
         design, seams, [](Seam& seam) { seam.reversed = !seam.reversed; }, QT_TRANSLATE_NOOP("Message", "Flip %1"),
         QT_TRANSLATE_NOOP("Message", "Flip %1 seams"));
 }
 
 Edit swapSeamSides(const Design& design, std::span<const ElementId> seams)
 {
-    return changed(
+    return changedSeams(
         design, seams, [](Seam& seam) { std::swap(seam.a, seam.b); },
         QT_TRANSLATE_NOOP("Message", "Swap the sides of %1"),
         QT_TRANSLATE_NOOP("Message", "Swap the sides of %1 seams"));
@@ -98,7 +98,7 @@ Edit swapSeamSides(const Design& design, std::span<const ElementId> seams)
 
 Edit setContinuity(const Design& design, std::span<const ElementId> seams, Continuity continuity)
 {
-    return changed(
+    return changedSeams(
         design, seams, [continuity](Seam& seam) { seam.continuity = continuity; },
         QT_TRANSLATE_NOOP("Message", "Change the continuity of %1"),
         QT_TRANSLATE_NOOP("Message", "Change the continuity of %1 seams"));
@@ -106,7 +106,7 @@ Edit setContinuity(const Design& design, std::span<const ElementId> seams, Conti
 
 Edit setMatch(const Design& design, std::span<const ElementId> seams, Match match)
 {
-    return changed(
+    return changedSeams(
         design, seams, [match](Seam& seam) { seam.match = match; },
         QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"),
         QT_TRANSLATE_NOOP("Message", "Change how %1 seams are matched"));

@@ -13,7 +13,7 @@ namespace bolster::edits {
 namespace {
 
 constexpr double cornerAngle = 10 * std::numbers::pi / 180;
-constexpr double shortest = 1e-3; // mm, as in the rules for designs
+constexpr double shortestStretch = 1e-3; // mm, as in the rules for designs
 
 const BSpline2* outlineOf(const Design& design, ElementId id)
 {
@@ -228,7 +228,7 @@ int edgeNumber(const BSpline2& outline, double parameter)
 
 std::optional<Message> stretchProblem(const Design& design, const Stretch& stretch, ElementId except)
 {
-    if (!(lengthOf(design, stretch) >= shortest))
+    if (!(lengthOf(design, stretch) >= shortestStretch))
         return Message{QT_TRANSLATE_NOOP("Message", "This stretch has no length: choose two different points.")};
     const BSpline2& outline = *outlineOf(design, stretch.patch);
     std::optional<Message> problem;
@@ -268,7 +268,7 @@ bool usuallyReversed(const Design& design, const Stretch& a, const Stretch& b)
 
 std::vector<Seam> seamsInRow(const Design& design, const Stretch& whole, std::span<const Stretch> row, bool flipped)
 {
-    const auto lies = [&](const Stretch& stretch) { return lengthOf(design, stretch) >= shortest; };
+    const auto lies = [&](const Stretch& stretch) { return lengthOf(design, stretch) >= shortestStretch; };
     if (row.empty() || !lies(whole) || !std::ranges::all_of(row, lies))
         return {};
     std::vector<Stretch> order =

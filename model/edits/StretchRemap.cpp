@@ -9,7 +9,7 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr double shortest = 0.01; // mm: what is shorter is no piece of its own
+constexpr double shortestRest = 0.01; // mm: what is shorter is no piece of its own
 
 /// A range of a curve, addressed by the fractions that a match means.
 template <int Dim>
@@ -141,8 +141,8 @@ private:
             for (const double end : {arc.from, arc.to})
                 for (int k = -2; k <= 2; ++k) {
                     const double t = end + k * m_outline.period();
-                    if (t > m_range.from() && t < m_range.to() && m_range.lengthTo(t) > shortest &&
-                        whole - m_range.lengthTo(t) > shortest)
+                    if (t > m_range.from() && t < m_range.to() && m_range.lengthTo(t) > shortestRest &&
+                        whole - m_range.lengthTo(t) > shortestRest)
                         m_cuts.emplace(m_range.fraction(t), t);
                 }
     }
@@ -160,7 +160,7 @@ std::vector<double> pieces(std::vector<double> cuts, double length)
 {
     cuts.insert(cuts.end(), {0.0, 1.0});
     std::sort(cuts.begin(), cuts.end());
-    const double least = length > 0 ? shortest / length : 0;
+    const double least = length > 0 ? shortestRest / length : 0;
     std::vector<double> result = {0};
     for (const double cut : cuts)
         if (cut - result.back() > least && (1 - cut > least || cut == 1))

@@ -8,24 +8,24 @@
 namespace bolster {
 namespace {
 
-struct Format {
+struct CloudFormat {
     const char* ending;
     PointCloud (*read)(const FileBytes& bytes);
 };
 
-constexpr std::int64_t largestFile = 1'000'000'000'000; // only pieces of it are in memory
+constexpr std::int64_t largestCloudFile = 1'000'000'000'000; // only pieces of it are in memory
 
-constexpr Format formats[] = {{"ply", readPlyCloud}, {"xyz", readXyz}, {"pcd", readPcd}};
+constexpr CloudFormat cloudFormats[] = {{"ply", readPlyCloud}, {"xyz", readXyz}, {"pcd", readPcd}};
 
 } // namespace
 
 ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
 {
-    for (const Format& format : formats) {
+    for (const CloudFormat& format : cloudFormats) {
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedCloud imported;
-        imported.problem = readGuarded(path, largestFile, watch, [&](const FileBytes& bytes) {
+        imported.problem = readGuarded(path, largestCloudFile, watch, [&](const FileBytes& bytes) {
             imported.cloud = std::make_shared<const PointCloud>(format.read(bytes));
         });
         return imported;
@@ -38,7 +38,7 @@ ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
 QStringList cloudFileEndings()
 {
     QStringList endings;
-    for (const Format& format : formats)
+    for (const CloudFormat& format : cloudFormats)
         endings.append(QLatin1String(format.ending));
     return endings;
 }

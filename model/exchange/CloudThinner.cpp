@@ -141,12 +141,12 @@ std::size_t CloudThinner::estimateCubes(double edge) const
 
 void CloudThinner::emptyCubes()
 {
-    const std::size_t slots = std::bit_ceil(m_most + m_most / 2);
+    const std::size_t places = std::bit_ceil(m_most + m_most / 2);
     m_taken.clear();
-    m_taken.reserve(slots);
-    while (m_taken.size() < slots) {
+    m_taken.reserve(places);
+    while (m_taken.size() < places) {
         m_watch.checkStop();
-        m_taken.resize(std::min(slots, m_taken.size() + slotsBetweenChecks));
+        m_taken.resize(std::min(places, m_taken.size() + slotsBetweenChecks));
     }
 }
 

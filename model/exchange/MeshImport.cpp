@@ -9,14 +9,14 @@
 namespace bolster {
 namespace {
 
-struct Format {
+struct MeshFormat {
     const char* ending;
     TriangleMesh (*read)(const FileBytes& bytes);
 };
 
-constexpr std::int64_t largestFile = 2'000'000'000;
+constexpr std::int64_t largestMeshFile = 2'000'000'000;
 
-constexpr Format formats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
+constexpr MeshFormat meshFormats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
 
 /// Names of groups come in any encoding; those that are not UTF-8 are taken for Latin-1.
 std::string cleanName(const std::string& name)
@@ -31,11 +31,11 @@ std::string cleanName(const std::string& name)
 
 ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
 {
-    for (const Format& format : formats) {
+    for (const MeshFormat& format : meshFormats) {
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedMesh imported;
-        imported.problem = readGuarded(path, largestFile, watch, [&](const FileBytes& bytes) {
+        imported.problem = readGuarded(path, largestMeshFile, watch, [&](const FileBytes& bytes) {
             TriangleMesh mesh = format.read(bytes);
             for (TriangleMesh::Part& part : mesh.parts)
                 part.name = cleanName(part.name);
@@ -51,7 +51,7 @@ ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
 QStringList meshFileEndings()
 {
     QStringList endings;
-    for (const Format& format : formats)
+    for (const MeshFormat& format : meshFormats)
         endings.append(QLatin1String(format.ending));
     return endings;
 }

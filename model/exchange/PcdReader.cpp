@@ -136,7 +136,7 @@ std::array<std::size_t, 3> coordinates(const PcdHeader& header)
     return found;
 }
 
-void readText(TextScanner& text, const PcdHeader& header, CloudBuilder& cloud)
+void readTextPoints(TextScanner& text, const PcdHeader& header, CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
     while (text.nextLine()) {
@@ -153,7 +153,7 @@ void readText(TextScanner& text, const PcdHeader& header, CloudBuilder& cloud)
 }
 
 /// Point by point.
-void readBinary(ByteReader bytes, const PcdHeader& header, CloudBuilder& cloud)
+void readBinaryPoints(ByteReader bytes, const PcdHeader& header, CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
     bytes.require(header.points, header.bytesPerPoint());
@@ -216,9 +216,9 @@ PointCloud readPcd(const FileBytes& bytes)
     const PcdHeader header = readHeader(text);
     CloudBuilder cloud(bytes);
     if (header.data == "ascii")
-        readText(text, header, cloud);
+        readTextPoints(text, header, cloud);
     else if (header.data == "binary")
-        readBinary(ByteReader(bytes, false, text.offsetOfNextLine()), header, cloud);
+        readBinaryPoints(ByteReader(bytes, false, text.offsetOfNextLine()), header, cloud);
     else if (header.data == "binary_compressed")
         readCompressed(ByteReader(bytes, false, text.offsetOfNextLine()), bytes, header, cloud);
     else

@@ -18,7 +18,7 @@ bool isWord(std::string_view word, std::string_view lowerCase)
                       [](unsigned char a, char b) { return std::tolower(a) == b; });
 }
 
-TriangleMesh readBinary(const FileBytes& bytes)
+TriangleMesh readBinaryTriangles(const FileBytes& bytes)
 {
     ByteReader reader(bytes, false);
     reader.skip(headerBytes);
@@ -40,7 +40,7 @@ TriangleMesh readBinary(const FileBytes& bytes)
     return mesh.finish();
 }
 
-TriangleMesh readText(const FileBytes& bytes)
+TriangleMesh readTextTriangles(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     MeshBuilder mesh;
@@ -81,7 +81,7 @@ bool isBinary(const FileBytes& bytes)
 
 TriangleMesh readStl(const FileBytes& bytes)
 {
-    return isBinary(bytes) ? readBinary(bytes) : readText(bytes);
+    return isBinary(bytes) ? readBinaryTriangles(bytes) : readTextTriangles(bytes);
 }
 
 } // namespace bolster

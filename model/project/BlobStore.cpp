@@ -56,7 +56,7 @@ Hash resultOf(const QCryptographicHash& hash)
                          {source.errorString().toStdString()}});
 }
 
-Hash hashOf(QIODevice& source, std::int64_t& size)
+Hash hashOfAll(QIODevice& source, std::int64_t& size)
 {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     size = source.size();
@@ -96,7 +96,7 @@ void removeUnlessKnown(Database& database, std::int64_t blob)
 NewBlob::NewBlob(Database& database, QIODevice& source)
     : m_database(database)
 {
-    m_hash = hashOf(source, m_size); // most files are there already: nothing is written then
+    m_hash = hashOfAll(source, m_size); // most files are there already: nothing is written then
     if (!numberOf(database, m_hash))
         store(source);
 }

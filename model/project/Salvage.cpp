@@ -16,7 +16,7 @@
 namespace bolster {
 namespace {
 
-constexpr std::size_t headSize = 100;
+constexpr std::size_t fileHeadSize = 100;
 
 /// The head of a project file is the same in all of them but for these numbers: a damaged one is written anew.
 void repairHead(const QString& path)
@@ -24,8 +24,8 @@ void repairHead(const QString& path)
     QFile file(path);
     if (!file.open(QIODevice::ReadWrite) || !file.resize(file.size() / pageSize * pageSize))
         return;
-    QByteArray head = file.read(headSize);
-    if (head.size() < static_cast<qsizetype>(headSize))
+    QByteArray head = file.read(fileHeadSize);
+    if (head.size() < static_cast<qsizetype>(fileHeadSize))
         return;
     const auto put = [&](qsizetype at, std::int64_t number) {
         for (int i = 3; i >= 0; --i, number >>= 8)

@@ -53,7 +53,7 @@ Refiner makeRefiner(const LoopMesh& mesh, int levels)
 }
 
 /// Half of each of both.
-Parents between(const Parents& a, const Parents& b)
+Parents parentsBetween(const Parents& a, const Parents& b)
 {
     Parents result{{a.vertex[0], 0, 0}, {0, 0, 0}};
     std::size_t used = 0;
@@ -84,8 +84,8 @@ std::vector<Parents> findParents(const Far::TopologyRefiner& refiner)
                 parents[static_cast<std::size_t>(v)];
         for (int e = 0; e < level.GetNumEdges(); ++e) {
             const auto ends = level.GetEdgeVertices(e);
-            children[static_cast<std::size_t>(level.GetEdgeChildVertex(e))] =
-                between(parents[static_cast<std::size_t>(ends[0])], parents[static_cast<std::size_t>(ends[1])]);
+            children[static_cast<std::size_t>(level.GetEdgeChildVertex(e))] = parentsBetween(
+                parents[static_cast<std::size_t>(ends[0])], parents[static_cast<std::size_t>(ends[1])]);
         }
         parents = std::move(children);
     }

@@ -1,8 +1,8 @@
 // Stitches and piping of a design on its cover.
 #pragma once
 
-#include "CoverPlaces.h"
 #include "Design.h"
+#include "RefinedPlaces.h"
 #include "TrimMesh.h"
 
 #include <optional>
@@ -37,7 +37,7 @@ private:
     void skinRow(const Design& design, const CoverMesh& cover, const Row& row, TrimMesh& to) const;
     void skinPipe(const Design& design, const CoverMesh& cover, const Pipe& pipe, TrimMesh& to) const;
 
-    std::optional<CoverPlaces> m_places;
+    std::optional<RefinedPlaces> m_places;
     std::vector<ElementPtr> m_of; ///< the elements that the rows were made of
     std::vector<Row> m_rows;
     std::vector<Pipe> m_pipes;

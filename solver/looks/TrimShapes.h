@@ -1,7 +1,7 @@
 // Threads and pipes as triangles.
 #pragma once
 
-#include "CoverPlaces.h"
+#include "RefinedPlaces.h"
 #include "TrimMesh.h"
 
 #include <span>

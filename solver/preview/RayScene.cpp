@@ -11,7 +11,7 @@ namespace bolster {
 
 namespace {
 
-constexpr float farthest = 1e8f; ///< mm: beyond, single precision says nothing any more
+constexpr float farthestPoint = 1e8f; ///< mm: beyond, single precision says nothing any more
 
 RTCRay makeRay(const Vec3f& origin, const Vec3f& direction, float reach)
 {
@@ -30,7 +30,7 @@ RTCRay makeRay(const Vec3f& origin, const Vec3f& direction, float reach)
 bool usable(std::span<const Vec3f> points, const std::array<std::uint32_t, 3>& triangle)
 {
     for (const std::uint32_t corner : triangle)
-        if (corner >= points.size() || !(points[corner].cwiseAbs().maxCoeff() < farthest))
+        if (corner >= points.size() || !(points[corner].cwiseAbs().maxCoeff() < farthestPoint))
             return false;
     return true;
 }

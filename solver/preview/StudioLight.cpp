@@ -25,7 +25,7 @@ Vec3f horizontalDirection(double azimuth, double elevation)
 }
 
 /// Light from an area goes a little round the edge.
-float wrapped(float cosine, float by)
+float wrappedLight(float cosine, float by)
 {
     return std::max(0.f, cosine + by) / ((1 + by) * (1 + by));
 }
@@ -80,11 +80,11 @@ Shade StudioLight::shade(const SurfacePoint& point, const Vec3f& toEye) const
     const Vec3f fuzz = point.sheen * std::pow(1.f - facing, 3.f) * (0.75f * point.color + Vec3f::Constant(0.25f));
 
     Shade shade;
-    shade.direct = (point.color * wrapped(key, 0.15f) + fuzz * wrapped(key, 0.5f) +
+    shade.direct = (point.color * wrappedLight(key, 0.15f) + fuzz * wrappedLight(key, 0.5f) +
                     Vec3f::Constant(highlight(point, m_key, toEye, keySize)))
                        .cwiseProduct(keyColor);
     shade.ambient = (point.color + fuzz).cwiseProduct(sky) + mirrored(point, toEye, facing) +
-                    (point.color * wrapped(rim, 0.1f) + fuzz * wrapped(rim, 0.5f) +
+                    (point.color * wrappedLight(rim, 0.1f) + fuzz * wrappedLight(rim, 0.5f) +
                      Vec3f::Constant(6.f * highlight(point, m_rim, toEye, rimSize)))
                         .cwiseProduct(rimColor);
     return shade;

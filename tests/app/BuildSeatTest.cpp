@@ -1,5 +1,6 @@
 // A small seat with two bolsters from an empty project: every step by pointer and keys.
 #include "BuildTest.h"
+#include "TestPaths.h"
 
 namespace bolster {
 namespace {
@@ -15,7 +16,7 @@ protected:
 
     void importFrame()
     {
-        designer.answerFileDialog(QStringLiteral(BOLSTER_TEST_DATA "/designs/seat-pan.obj"));
+        designer.answerFileDialog(QString::fromStdString(test::dataFolder() + "/designs/seat-pan.obj"));
         designer.key(Qt::Key_I, Qt::ControlModifier);
         ASSERT_TRUE(QTest::qWaitFor([this] { return has("seat-pan"); }, 20000));
     }

@@ -4,6 +4,7 @@
 #include "DesignJson.h"
 #include "DesignLikeness.h"
 #include "Designer.h"
+#include "TestPaths.h"
 #include "WindowTest.h"
 
 #include <QFile>
@@ -25,7 +26,7 @@ protected:
     void expectBuilt(const QString& name)
     {
         const Design built = design();
-        const QString path = QStringLiteral(BOLSTER_TEST_DATA "/designs/") + name;
+        const QString path = QString::fromStdString(test::dataFolder() + "/designs/") + name;
         if (qEnvironmentVariableIsSet("BOLSTER_WRITE_BUILT"))
             write(path, built);
         QFile file(path);

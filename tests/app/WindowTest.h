@@ -6,6 +6,7 @@
 #include "Docks.h"
 #include "MainWindow.h"
 #include "PatternView.h"
+#include "TestPaths.h"
 #include "WatchedApplication.h"
 
 #include <QMessageBox>
@@ -37,7 +38,10 @@ protected:
         window.close();
     }
 
-    static QString sample(const QString& name) { return QStringLiteral(BOLSTER_SAMPLES "/%1/%1.json").arg(name); }
+    static QString sample(const QString& name)
+    {
+        return QString::fromStdString(test::samplesFolder() + "/%1/%1.json").arg(name);
+    }
 
     bool open(const QString& path)
     {

@@ -1,6 +1,7 @@
 #include "../model/TestFiles.h"
 #include "MeshImport.h"
 #include "ProgramRun.h"
+#include "TestPaths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -400,8 +401,9 @@ TEST_F(CommandLine, EndsCleanlyWhenInterrupted)
     large["settings"]["edge_length"] = 2;
     QProcess process;
     process.setProcessEnvironment(bareEnvironment());
-    process.start(BOLSTER_PROGRAM, {"solve", design("a.json", large), "--tolerance", "1e-300", "--max-iterations",
-                                    "2000000000", "--obj", path("a.obj"), "--report", path("report.json")});
+    process.start(QString::fromStdString(test::program()),
+                  {"solve", design("a.json", large), "--tolerance", "1e-300", "--max-iterations", "2000000000",
+                   "--obj", path("a.obj"), "--report", path("report.json")});
     ASSERT_TRUE(process.waitForStarted());
     EXPECT_FALSE(process.waitForFinished(2000)); // it is at work, or only getting there: both must end well
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);

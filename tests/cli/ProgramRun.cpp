@@ -1,6 +1,7 @@
 #include "ProgramRun.h"
 
 #include "CommandLine.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ ProgramRun runProgram(const QStringList& arguments, const QProcessEnvironment& e
 {
     QProcess process;
     process.setProcessEnvironment(environment);
-    process.start(BOLSTER_PROGRAM, arguments);
+    process.start(QString::fromStdString(test::program()), arguments);
     const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, process.readAllStandardOutput().toStdString(),
             process.readAllStandardError().toStdString()};

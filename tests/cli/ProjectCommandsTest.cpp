@@ -4,6 +4,7 @@
 #include "ElementEdits.h"
 #include "Journal.h"
 #include "ProgramRun.h"
+#include "TestPaths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,7 @@ const char* const samples[] = {"box-cushion", "car-seat", "armchair"};
 
 QString sample(const char* name)
 {
-    return QString(BOLSTER_SAMPLES) + "/" + name + "/" + name + ".json";
+    return QString::fromStdString(test::samplesFolder()) + "/" + name + "/" + name + ".json";
 }
 
 class ProjectCommands : public TestFiles {

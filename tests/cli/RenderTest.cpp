@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// A square of cloth on two rails, with two colourways.
-Json hammock()
+Json dressedHammock()
 {
     return Json::parse(R"({"format": "bolster-design", "version": 1, "unit": "mm",
         "settings": {"edge_length": 25}, "elements": [
@@ -34,7 +34,7 @@ Json hammock()
 
 class Render : public TestFiles {
 protected:
-    void SetUp() override { m_design = write(QStringLiteral("hammock.json"), hammock().dump()); }
+    void SetUp() override { m_design = write(QStringLiteral("hammock.json"), dressedHammock().dump()); }
 
     std::string bytes(const QString& name) const { return QFile::exists(path(name)) ? read(name) : std::string(); }
     ProgramRun run(const QString& image, const QStringList& more = {}) const

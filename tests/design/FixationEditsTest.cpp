@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bolster {
+namespace bolster::fixing { // names that other tests have, too
 namespace {
 
 using namespace edits;
@@ -234,4 +234,4 @@ TEST_F(FixationEditsTest, OneStretchIsDividedAmongCurves)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::fixing

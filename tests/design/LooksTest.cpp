@@ -19,7 +19,7 @@
 #include <array>
 #include <numbers>
 
-namespace bolster {
+namespace bolster::looks { // names that other tests have, too
 namespace {
 
 using namespace edits;
@@ -489,4 +489,4 @@ TEST_F(LooksTest, SecondColoursAreDerivedUnlessGiven)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::looks

@@ -13,7 +13,7 @@
 #include "Random.h"
 #include "TestData.h"
 
-namespace bolster {
+namespace bolster::splitting { // names that other tests have, too
 namespace {
 
 using namespace edits;
@@ -430,4 +430,4 @@ TEST(RandomPatternEdits, UndoToTheSameAndBreakNothing)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::splitting

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "DesignJson.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ inline std::string readText(const std::string& path)
 
 inline std::string designText(const std::string& name)
 {
-    return readText(std::string(BOLSTER_TEST_DATA) + "/designs/" + name + ".json");
+    return readText(test::dataFolder() + "/designs/" + name + ".json");
 }
 
 /// The design of a text that must be free of problems.

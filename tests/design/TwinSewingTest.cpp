@@ -13,7 +13,7 @@
 #include "Random.h"
 #include "TestData.h"
 
-namespace bolster {
+namespace bolster::twinSewing { // names that other tests have, too
 namespace {
 
 using namespace edits;
@@ -421,4 +421,4 @@ TEST_F(TwinSewingByChance, BothSidesStayAlike)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::twinSewing

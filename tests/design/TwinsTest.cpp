@@ -9,7 +9,7 @@
 #include "Random.h"
 #include "TestData.h"
 
-namespace bolster {
+namespace bolster::twins { // names that other tests have, too
 namespace {
 
 using namespace edits;
@@ -448,4 +448,4 @@ TEST_F(TwinsTest, StayMirrorImagesWhateverIsDone)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::twins

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bolster {
+namespace bolster::versions { // names that other tests have, too
 namespace {
 
 constexpr ElementId leather{1}, seat{2}, side{6}, rail{3}, held{4}, sewn{5};
@@ -105,4 +105,4 @@ TEST(VersionEdits, TakingAnAbsenceRemoves)
 }
 
 } // namespace
-} // namespace bolster
+} // namespace bolster::versions

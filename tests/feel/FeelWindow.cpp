@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "SolverLink.h"
+#include "TestPaths.h"
 
 #include <QTest>
 
@@ -25,7 +26,7 @@ std::unique_ptr<MainWindow> openCarSeat(bool settled, int mostMs)
     window->activateWindow();
     if (!QTest::qWaitForWindowExposed(window.get()))
         return nullptr;
-    window->open(QStringLiteral(BOLSTER_SAMPLES "/car-seat/car-seat.json"));
+    window->open(QString::fromStdString(test::samplesFolder() + "/car-seat/car-seat.json"));
     const bool ready = QTest::qWaitFor(
         [&] {
             return window->solver().upToDate() && window->solver().surface() &&

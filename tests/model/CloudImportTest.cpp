@@ -29,15 +29,6 @@ protected:
 
 const std::vector<Vec3> expected = {{1, 2, 3}, {-4, 0.5, 6}};
 
-template <class Number>
-void append(std::string& bytes, Number value, bool bigEndian = false)
-{
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if (bigEndian)
-        std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
-}
-
 TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
 {
     EXPECT_EQ(import("a.xyz", "# scanner\n1 2 3\n\n-4\t0.5 6e0 255 0 0 # red\n"), expected);

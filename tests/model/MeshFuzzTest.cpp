@@ -2,6 +2,7 @@
 #include "CloudReaders.h"
 #include "MeshReaders.h"
 #include "ReaderFuzz.h"
+#include "TestFiles.h"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +12,6 @@
 
 namespace bolster {
 namespace {
-
-template <class Number>
-void append(std::string& bytes, Number value)
-{
-    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    bytes.append(raw.data(), raw.size());
-}
 
 const std::string objSeed = "o A\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3 4\n"
                             "g B\nf -4 -3 \\\n -2\nf 1 2 3 4 1 2 3\n";

@@ -30,15 +30,6 @@ protected:
     std::string m_problem;
 };
 
-template <class Number>
-void append(std::string& bytes, Number value, bool bigEndian = false)
-{
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if (bigEndian)
-        std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
-}
-
 double area(const TriangleMesh& mesh)
 {
     double sum = 0;

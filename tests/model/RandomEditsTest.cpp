@@ -10,6 +10,7 @@
 #include "PatchEdits.h"
 #include "SeamEdits.h"
 #include "SeamStretches.h"
+#include "TestPaths.h"
 #include "TrimEdits.h"
 #include "TwinEdits.h"
 #include "Twins.h"
@@ -246,7 +247,8 @@ void step(Document& document, Designer& designer)
 
 TEST(RandomEdits, TheDesignEqualsItsReplayAtEveryStep)
 {
-    const OpenedDesign opened = openDesign(BOLSTER_SAMPLES "/box-cushion/box-cushion.json");
+    const OpenedDesign opened =
+        openDesign(QString::fromStdString(test::samplesFolder() + "/box-cushion/box-cushion.json"));
     ASSERT_TRUE(opened.readable && !hasErrors(opened.problems));
     int refused = 0;
     for (unsigned seed = 0; seed < 10; ++seed) {

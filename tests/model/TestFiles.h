@@ -6,10 +6,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <string>
 #include <string_view>
 
 namespace bolster {
+
+/// A number as the bytes of a binary file.
+template <class Number>
+void append(std::string& bytes, Number value, bool bigEndian = false)
+{
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if (bigEndian)
+        std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
 
 class TestFiles : public ::testing::Test {
 protected:

@@ -5,6 +5,7 @@
 #include "PictureScene.h"
 #include "PictureView.h"
 #include "RestingSolve.h"
+#include "TestPaths.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ struct Sample {
 /// Solved, in fabrics of this look.
 Sample sample(const std::string& path, const FabricLook& look = {})
 {
-    const OpenedDesign opened = openDesign(QString::fromStdString(BOLSTER_SAMPLES "/" + path));
+    const OpenedDesign opened = openDesign(QString::fromStdString(test::samplesFolder() + "/" + path));
     Sample made{opened.design, opened.files, nullptr, nullptr};
     Edit edit;
     made.design.each<Fabric>([&](ElementId id, Fabric fabric) {
@@ -75,7 +76,7 @@ std::vector<std::uint8_t> pixelsOf(const std::string& path)
 /// any colour, nor the whole by more than 1 on average.
 void expectLike(const PreviewImage& image, const std::string& name)
 {
-    const std::string golden = std::string(BOLSTER_GOLDEN) + "/" + name + ".png";
+    const std::string golden = test::goldenFolder() + "/" + name + ".png";
     if (std::getenv("BOLSTER_REMAKE_GOLDEN") != nullptr) {
         ASSERT_EQ(writePicture(image, PictureFormat::Png, golden), "");
         return;

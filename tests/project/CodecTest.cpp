@@ -1,5 +1,6 @@
 #include "DesignHash.h"
 #include "EditCodec.h"
+#include "TestPaths.h"
 #include "TestProject.h"
 
 #include <bit>
@@ -31,7 +32,9 @@ TEST(EditCodec, EveryKindOfElementComesBackToTheLastBit)
     for (const char* sample : {"box-cushion", "car-seat", "armchair"}) {
         const QString name(sample);
         const ReadDesign read = readDesign(
-            readWholeFile(QString(BOLSTER_SAMPLES) + "/" + name + "/" + name + ".json", 10'000'000).bytes);
+            readWholeFile(QString::fromStdString(test::samplesFolder()) + "/" + name + "/" + name + ".json",
+                          10'000'000)
+                .bytes);
         ASSERT_TRUE(read.readable) << sample;
         expectRoundTrip(Design(), editBetween(Design(), read.design, {}));
         const auto again = decodeDesign(encodeDesign(read.design));

@@ -2,6 +2,7 @@
 #include "Database.h"
 #include "FormatUpgrade.h"
 #include "ProjectFuzz.h"
+#include "TestPaths.h"
 #include "TestProject.h"
 
 #include <QDir>
@@ -13,7 +14,7 @@ namespace {
 
 using Versions = TestFiles;
 
-const QString corpus = BOLSTER_TEST_DATA "/projects/v1/";
+const QString corpus = QString::fromStdString(test::dataFolder()) + "/projects/v1/";
 
 /// What must never change about a project: every version of the design, and all that the history says.
 std::string everything(const OpenedProject& project)

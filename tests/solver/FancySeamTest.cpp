@@ -218,19 +218,19 @@ TEST(FancySeam, MakesDecentTriangles)
         }
 }
 
-struct Refusal {
+struct RefusedFancySeam {
     const char* name;
     BSpline2 curve;
     double width;
     const char* expected;
 };
 
-void PrintTo(const Refusal& refusal, std::ostream* out)
+void PrintTo(const RefusedFancySeam& refusal, std::ostream* out)
 {
     *out << refusal.name;
 }
 
-class FancyRefusal : public testing::TestWithParam<Refusal> {};
+class FancyRefusal : public testing::TestWithParam<RefusedFancySeam> {};
 
 TEST_P(FancyRefusal, NamesTheSeamAndTheRemedy)
 {
@@ -249,17 +249,21 @@ TEST_P(FancyRefusal, NamesTheSeamAndTheRemedy)
 INSTANTIATE_TEST_SUITE_P(
     All, FancyRefusal,
     testing::Values(
-        Refusal{"CrossingAnother", BSpline2(1, false, {{200, 0}, {200, 300}}), 16, "crosses fancy seam"},
-        Refusal{"OverlappingAnother", BSpline2(1, false, {{50, 236}, {350, 236}}), 16, "crosses fancy seam"},
-        Refusal{"Loop", BSpline2(1, false, {{50, 50}, {250, 200}, {330, 120}, {250, 40}, {50, 190}}), 16, "itself"},
-        Refusal{"TightBend", BSpline2(3, false, {{100, 50}, {200, 50}, {200, 70}, {100, 70}}), 60,
-                "bends too sharply"},
-        Refusal{"Hairpin", BSpline2(1, false, {{100, 100}, {300, 110}, {100, 120}}), 6, "bends too sharply"},
-        Refusal{"TooWide", BSpline2(1, false, {{100, 50}, {300, 50}}), 110, "beyond its patch"},
-        Refusal{"TooNarrow", BSpline2(1, false, {{100, 50}, {300, 50}}), 1, "too narrow"},
-        Refusal{"Outside", BSpline2(1, false, {{500, 50}, {600, 50}}), 16, "outside its patch"},
-        Refusal{"LeavesAndComesBack", BSpline2(2, false, {{100, 50}, {200, -150}, {300, 50}}), 16, "comes back"},
-        Refusal{"Flat", BSpline2(1, false, {{20, 0}, {380, 60}}), 16, "outline"}),
+        RefusedFancySeam{"CrossingAnother", BSpline2(1, false, {{200, 0}, {200, 300}}), 16, "crosses fancy seam"},
+        RefusedFancySeam{"OverlappingAnother", BSpline2(1, false, {{50, 236}, {350, 236}}), 16,
+                         "crosses fancy seam"},
+        RefusedFancySeam{"Loop", BSpline2(1, false, {{50, 50}, {250, 200}, {330, 120}, {250, 40}, {50, 190}}), 16,
+                         "itself"},
+        RefusedFancySeam{"TightBend", BSpline2(3, false, {{100, 50}, {200, 50}, {200, 70}, {100, 70}}), 60,
+                         "bends too sharply"},
+        RefusedFancySeam{"Hairpin", BSpline2(1, false, {{100, 100}, {300, 110}, {100, 120}}), 6,
+                         "bends too sharply"},
+        RefusedFancySeam{"TooWide", BSpline2(1, false, {{100, 50}, {300, 50}}), 110, "beyond its patch"},
+        RefusedFancySeam{"TooNarrow", BSpline2(1, false, {{100, 50}, {300, 50}}), 1, "too narrow"},
+        RefusedFancySeam{"Outside", BSpline2(1, false, {{500, 50}, {600, 50}}), 16, "outside its patch"},
+        RefusedFancySeam{"LeavesAndComesBack", BSpline2(2, false, {{100, 50}, {200, -150}, {300, 50}}), 16,
+                         "comes back"},
+        RefusedFancySeam{"Flat", BSpline2(1, false, {{20, 0}, {380, 60}}), 16, "outline"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(FancySeam, PlansAreAsLightAsCanBe)

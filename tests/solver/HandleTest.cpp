@@ -251,18 +251,18 @@ TEST(Handle, AddingOneLeavesTheSurfaceAsItIs)
     EXPECT_TRUE(edits::addHandleCurve(b.design(), *before.surface, ElementId{99}, *cases[0].curve, "").empty());
 }
 
-struct Refusal {
+struct RefusedHandle {
     const char* name;
     BSpline2 curve;
     const char* expected; ///< in the message
 };
 
-void PrintTo(const Refusal& refusal, std::ostream* out)
+void PrintTo(const RefusedHandle& refusal, std::ostream* out)
 {
     *out << refusal.name;
 }
 
-class HandleRefusal : public testing::TestWithParam<Refusal> {};
+class HandleRefusal : public testing::TestWithParam<RefusedHandle> {};
 
 TEST_P(HandleRefusal, NamesTheHandleAndTheRemedy)
 {
@@ -282,18 +282,19 @@ TEST_P(HandleRefusal, NamesTheHandleAndTheRemedy)
 
 INSTANTIATE_TEST_SUITE_P(
     All, HandleRefusal,
-    testing::Values(Refusal{"Crossing", BSpline2(1, false, {{200, 100}, {200, 300}}), "crosses handle curve 5"},
-                    Refusal{"Touching", BSpline2(1, false, {{200, 100}, {200, 200}}), "crosses handle curve 5"},
-                    Refusal{"CrossingTheOutline", BSpline2(1, false, {{200, 300}, {200, 500}}), "beyond its patch"},
-                    Refusal{"Outside", BSpline2(1, false, {{500, 300}, {600, 300}}), "beyond its patch"},
-                    Refusal{"AlongTheOutline", BSpline2(1, false, {{50, 398}, {350, 398}}), "outline"},
-                    Refusal{"CrossingItself",
-                            BSpline2(1, false, {{100, 250}, {250, 250}, {250, 350}, {175, 350}, {175, 225}}),
-                            "crosses itself"},
-                    Refusal{"ClosedEight", BSpline2(1, true, {{100, 250}, {300, 350}, {300, 250}, {100, 350}}),
-                            "crosses itself"},
-                    Refusal{"Folded", BSpline2(1, false, {{100, 250}, {250, 250}, {110, 252}}), "crosses itself"},
-                    Refusal{"Short", BSpline2(1, false, {{100, 100}, {105, 100}}), "5 mm long"}),
+    testing::Values(
+        RefusedHandle{"Crossing", BSpline2(1, false, {{200, 100}, {200, 300}}), "crosses handle curve 5"},
+        RefusedHandle{"Touching", BSpline2(1, false, {{200, 100}, {200, 200}}), "crosses handle curve 5"},
+        RefusedHandle{"CrossingTheOutline", BSpline2(1, false, {{200, 300}, {200, 500}}), "beyond its patch"},
+        RefusedHandle{"Outside", BSpline2(1, false, {{500, 300}, {600, 300}}), "beyond its patch"},
+        RefusedHandle{"AlongTheOutline", BSpline2(1, false, {{50, 398}, {350, 398}}), "outline"},
+        RefusedHandle{"CrossingItself",
+                      BSpline2(1, false, {{100, 250}, {250, 250}, {250, 350}, {175, 350}, {175, 225}}),
+                      "crosses itself"},
+        RefusedHandle{"ClosedEight", BSpline2(1, true, {{100, 250}, {300, 350}, {300, 250}, {100, 350}}),
+                      "crosses itself"},
+        RefusedHandle{"Folded", BSpline2(1, false, {{100, 250}, {250, 250}, {110, 252}}), "crosses itself"},
+        RefusedHandle{"Short", BSpline2(1, false, {{100, 100}, {105, 100}}), "5 mm long"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(Handle, HoldsNoPointInTwoPlaces)

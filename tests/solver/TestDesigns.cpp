@@ -1,6 +1,7 @@
 #include "TestDesigns.h"
 
 #include "DesignJson.h"
+#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,7 @@ Design box(double size, double height, double edgeLength, double bendingLength, 
 
 Design sample(const std::string& name)
 {
-    std::ifstream file(std::string(BOLSTER_SAMPLES) + "/" + name + "/" + name + ".json");
+    std::ifstream file(samplesFolder() + "/" + name + "/" + name + ".json");
     std::stringstream text;
     text << file.rdbuf();
     const ReadDesign read = readDesign(text.str());

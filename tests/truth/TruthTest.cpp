@@ -2,6 +2,7 @@
 #include "DesignFile.h"
 #include "MeshImport.h"
 #include "RestingSolve.h"
+#include "TestPaths.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -62,8 +63,7 @@ SolveResult solved(const std::string& designPath)
 
 std::shared_ptr<const TriangleMesh> truthOf(const std::string& name)
 {
-    const ImportedMesh truth =
-        importMesh(QString::fromStdString(std::string(BOLSTER_TEST_DATA) + "/truth/" + name));
+    const ImportedMesh truth = importMesh(QString::fromStdString(test::dataFolder() + "/truth/" + name));
     EXPECT_TRUE(truth.mesh) << truth.problem.english();
     return truth.mesh;
 }
@@ -88,7 +88,7 @@ struct FitDistances {
 
 FitDistances fitDistances(const std::string& sample, const std::string& truthName, const std::array<Vec3, 3>& holes)
 {
-    const SolveResult result = solved(std::string(BOLSTER_SAMPLES) + "/" + sample + "/" + sample + ".json");
+    const SolveResult result = solved(test::samplesFolder() + "/" + sample + "/" + sample + ".json");
     const auto truth = truthOf(truthName);
     if (!truth || !result.surface)
         return {{1e9, 1e9, 1e9}, {1e9, 1e9, 1e9}};
@@ -106,21 +106,20 @@ FitDistances fitDistances(const std::string& sample, const std::string& truthNam
 
 TEST(Truth, ArmchairBody)
 {
-    const Distances d =
-        distancesOf(std::string(BOLSTER_TEST_DATA) + "/truth/armchair-body.json", "armchair-truth.ply");
+    const Distances d = distancesOf(test::dataFolder() + "/truth/armchair-body.json", "armchair-truth.ply");
     EXPECT_LT(d.rms, 8);
 }
 
 TEST(Truth, TiedCarSeat)
 {
-    const Distances d = distancesOf(std::string(BOLSTER_SAMPLES) + "/car-seat/car-seat.json", "car-seat-truth.ply");
+    const Distances d = distancesOf(test::samplesFolder() + "/car-seat/car-seat.json", "car-seat-truth.ply");
     EXPECT_LT(d.rms, 9);
 }
 
 TEST(Truth, CushionedCarSeat)
 {
-    const Distances d = distancesOf(std::string(BOLSTER_SAMPLES) + "/car-seat-cushioned/car-seat-cushioned.json",
-                                    "car-seat-truth.ply");
+    const Distances d =
+        distancesOf(test::samplesFolder() + "/car-seat-cushioned/car-seat-cushioned.json", "car-seat-truth.ply");
     EXPECT_LT(d.rms, 6);
 }
 

@@ -6,6 +6,7 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "TestDesigns.h"
+#include "TestPaths.h"
 
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -321,7 +322,8 @@ TEST_F(PatternViewTest, ShowsProblemsInRed)
 
 TEST_F(PatternViewTest, DrawsTheArmchair)
 {
-    const OpenedDesign opened = openDesign(QStringLiteral(BOLSTER_SAMPLES "/armchair/armchair.json"));
+    const OpenedDesign opened =
+        openDesign(QString::fromStdString(test::samplesFolder() + "/armchair/armchair.json"));
     ASSERT_TRUE(opened.readable);
     document.reset(opened.design);
     view.fitAll();

@@ -9,7 +9,7 @@
 namespace bolster {
 namespace {
 
-using Kind = SnapHint::Kind;
+using HintKind = SnapHint::Kind;
 
 /// Two squares of 100 mm: from (0, 0) and from (200, 0). A millimetre is two pixels wide.
 class SnapperTest : public testing::Test {
@@ -26,7 +26,7 @@ protected:
     Snapped snap(const Vec2& at) const { return snap(SnapQuery{at}); }
     Snapped snap(const SnapQuery& query) const { return Snapper(scene, transform, settings).snap(query); }
 
-    static bool has(const Snapped& snapped, Kind kind)
+    static bool has(const Snapped& snapped, HintKind kind)
     {
         return std::ranges::any_of(snapped.hints, [kind](const SnapHint& hint) { return hint.kind == kind; });
     }
@@ -40,13 +40,13 @@ TEST_F(SnapperTest, CornersBeforeMidpointsBeforeOutlines)
 {
     const Snapped corner = snap(Vec2(97, 2));
     EXPECT_EQ(corner.point, Vec2(100, 0));
-    EXPECT_TRUE(has(corner, Kind::Point));
+    EXPECT_TRUE(has(corner, HintKind::Point));
     const Snapped middle = snap(Vec2(51.5, 1));
     EXPECT_LT((middle.point - Vec2(50, 0)).norm(), 1e-9);
-    EXPECT_TRUE(has(middle, Kind::Midpoint));
+    EXPECT_TRUE(has(middle, HintKind::Midpoint));
     const Snapped outline = snap(Vec2(30.3, 1));
     EXPECT_LT((outline.point - Vec2(30.3, 0)).norm(), 1e-9);
-    EXPECT_TRUE(has(outline, Kind::Outline));
+    EXPECT_TRUE(has(outline, HintKind::Outline));
 }
 
 TEST_F(SnapperTest, NothingNearNothingSnapsNorWhenItIsOff)
@@ -64,7 +64,7 @@ TEST_F(SnapperTest, AlignsWithOtherPoints)
     query.own = {{152, 130}};
     const Snapped one = snap(query);
     EXPECT_LT((one.point - Vec2(152, 42)).norm(), 1e-9);
-    ASSERT_TRUE(has(one, Kind::Alignment));
+    ASSERT_TRUE(has(one, HintKind::Alignment));
     EXPECT_EQ(one.hints.front().from, Vec2(152, 130)) << "where the guide line comes from";
     query.at = {151, 99};
     EXPECT_LT((snap(query).point - Vec2(152, 100)).norm(), 1e-9) << "with two points at once";
@@ -76,7 +76,7 @@ TEST_F(SnapperTest, KeepsToDirectionsOfTheEdge)
     query.from = Vec2(140, 30);
     const Snapped diagonal = snap(query);
     EXPECT_NEAR(diagonal.point.x() - 140, diagonal.point.y() - 30, 1e-9);
-    ASSERT_TRUE(has(diagonal, Kind::Direction));
+    ASSERT_TRUE(has(diagonal, HintKind::Direction));
     EXPECT_NEAR(diagonal.hints.front().value, 45, 1e-9);
     query.at = {141, 60};
     EXPECT_NEAR(snap(query).point.x(), 140, 1e-9);
@@ -89,7 +89,7 @@ TEST_F(SnapperTest, FindsThePerpendicularOfTheEdgeBefore)
     query.from = Vec2(150, 30); // along (3, 1)
     query.at = Vec2(143, 54);   // nearly along (-1, 3)
     const Snapped found = snap(query);
-    ASSERT_TRUE(has(found, Kind::Perpendicular));
+    ASSERT_TRUE(has(found, HintKind::Perpendicular));
     EXPECT_NEAR((found.point - *query.from).dot(*query.from - *query.before), 0, 1e-9);
 }
 
@@ -99,7 +99,7 @@ TEST_F(SnapperTest, FindsTheLengthOfAnotherEdge)
     query.from = Vec2(150, -40);
     query.at = *query.from + 99 * Vec2(-0.8, 0.6);
     const Snapped found = snap(query);
-    ASSERT_TRUE(has(found, Kind::EqualLength));
+    ASSERT_TRUE(has(found, HintKind::EqualLength));
     EXPECT_NEAR((found.point - *query.from).norm(), 100, 1e-9) << "as long as an edge of the squares";
 }
 
@@ -109,7 +109,7 @@ TEST_F(SnapperTest, TheSidesOfABoxBecomeAsLongAsOthers)
     query.boxFrom = Vec2(-45, -45);
     query.at = *query.boxFrom + Vec2(31, 98);
     const Snapped found = snap(query);
-    ASSERT_TRUE(has(found, Kind::EqualLength));
+    ASSERT_TRUE(has(found, HintKind::EqualLength));
     EXPECT_NEAR(found.point.y(), 55, 1e-9) << "100 mm high";
     EXPECT_NEAR(found.point.x(), -14, 1e-9);
 }
@@ -121,7 +121,7 @@ TEST_F(SnapperTest, ADraggedCornerMakesItsEdgesAsLongAsOthers)
     query.lengthsFrom = {Vec2(0, 100), Vec2(100, 0)};
     query.at = Vec2(0, 100) + 101 * Vec2(-0.28, -0.96);
     const Snapped found = snap(query);
-    ASSERT_TRUE(has(found, Kind::EqualLength));
+    ASSERT_TRUE(has(found, HintKind::EqualLength));
     EXPECT_NEAR((found.point - Vec2(0, 100)).norm(), 100, 1e-9);
 
     // Its own edges do not count: they are as long as the drag makes them.
@@ -138,7 +138,7 @@ TEST_F(SnapperTest, ADraggedCornerMakesItsEdgesAsLongAsOthers)
     query.lengthsFrom = {Vec2(70, 0)};
     query.ignoredPoints = {{firstSquare, 0}};
     query.at = Vec2(1, -5);
-    EXPECT_FALSE(has(snap(query), Kind::EqualLength));
+    EXPECT_FALSE(has(snap(query), HintKind::EqualLength));
 }
 
 TEST_F(SnapperTest, DirectionAndLengthTogether)
@@ -147,7 +147,7 @@ TEST_F(SnapperTest, DirectionAndLengthTogether)
     query.from = Vec2(150, 43);
     query.at = Vec2(151, 142);
     const Snapped found = snap(query);
-    EXPECT_TRUE(has(found, Kind::Direction));
+    EXPECT_TRUE(has(found, HintKind::Direction));
     EXPECT_LT((found.point - Vec2(150, 143)).norm(), 1e-6);
 }
 
@@ -164,12 +164,12 @@ TEST_F(SnapperTest, GuidesAndGrid)
     settings.guides = {{151}, {43}};
     const Snapped crossing = snap(Vec2(150, 42));
     EXPECT_LT((crossing.point - Vec2(151, 43)).norm(), 1e-9);
-    EXPECT_TRUE(has(crossing, Kind::Guide));
+    EXPECT_TRUE(has(crossing, HintKind::Guide));
     settings.guides = {};
     settings.grid = true;
     const Snapped node = snap(Vec2(149, 41));
     EXPECT_LT((node.point - Vec2(150, 40)).norm(), 1e-9);
-    EXPECT_TRUE(has(node, Kind::Grid));
+    EXPECT_TRUE(has(node, HintKind::Grid));
 }
 
 TEST_F(SnapperTest, WhatMovesDoesNotSnapToItself)
@@ -179,7 +179,7 @@ TEST_F(SnapperTest, WhatMovesDoesNotSnapToItself)
     EXPECT_EQ(snap(query).point, query.at);
     query.ignored = {};
     query.ignoredPoints = {{firstSquare, 1}};
-    EXPECT_FALSE(has(snap(query), Kind::Point));
+    EXPECT_FALSE(has(snap(query), HintKind::Point));
 }
 
 TEST_F(SnapperTest, MovesThingsOntoPointsOrInLine)
@@ -188,10 +188,10 @@ TEST_F(SnapperTest, MovesThingsOntoPointsOrInLine)
     const Snapper snapper(scene, transform, settings);
     const Snapped onto = snapper.snapMove(corners, {97, 3}, {firstSquare});
     EXPECT_EQ(onto.point, Vec2(100, 0)) << "side by side";
-    EXPECT_TRUE(has(onto, Kind::Point));
+    EXPECT_TRUE(has(onto, HintKind::Point));
     const Snapped inLine = snapper.snapMove(corners, {30, 1}, {firstSquare});
     EXPECT_EQ(inLine.point, Vec2(30, 0));
-    EXPECT_TRUE(has(inLine, Kind::Alignment));
+    EXPECT_TRUE(has(inLine, HintKind::Alignment));
     EXPECT_EQ(snapper.snapMove(corners, {30, 40}, {firstSquare}).point, Vec2(30, 40));
 }
 

@@ -3,6 +3,7 @@
 #include "CurvePath.h"
 #include "OutlineDraft.h"
 #include "SnapHints.h"
+#include "ToolGeometry.h"
 #include "Units.h"
 
 #include <QPainter>
@@ -11,11 +12,7 @@
 
 namespace bolster {
 
-namespace {
-
-constexpr double dragDistance = 4; // pixels
-
-} // namespace
+namespace {} // namespace
 
 void BoxShapeTool::press(const PatternPointer& pointer)
 {

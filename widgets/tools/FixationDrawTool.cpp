@@ -5,6 +5,7 @@
 #include "ElementEdits.h"
 #include "Selection.h"
 #include "SurfaceMarks.h"
+#include "ToolGeometry.h"
 #include "Units.h"
 
 #include <QKeyEvent>
@@ -18,9 +19,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double reach = 9;
-constexpr double dragDistance = 4;
-constexpr double pointRadius = 4.5;
+constexpr double curveReach = 9;
+constexpr double curvePointRadius = 4.5;
 
 constexpr double groundGrid = 10; // mm
 
@@ -39,7 +39,7 @@ std::optional<BSpline3> polygonThrough(const SurfacePath& path)
 bool FixationDrawTool::near(const Vec3& point, QPointF pixel) const
 {
     const std::optional<Vec2> at = m_context.toolCamera().pixel(point);
-    return at && std::hypot(at->x() - pixel.x(), at->y() - pixel.y()) <= reach;
+    return at && std::hypot(at->x() - pixel.x(), at->y() - pixel.y()) <= curveReach;
 }
 
 /// Curves that meet can fix one corner of a patch together.
@@ -328,9 +328,10 @@ std::vector<SurfaceLine> FixationDrawTool::guides() const
         lines.push_back(std::move(line));
     }
     for (std::size_t i = 0; i < m_points.size(); ++i)
-        lines.push_back(ring(m_points[i].position, i == 0 && m_closing ? pointRadius + 2.5 : pointRadius));
+        lines.push_back(
+            ring(m_points[i].position, i == 0 && m_closing ? curvePointRadius + 2.5 : curvePointRadius));
     if (m_next)
-        lines.push_back(ring(m_next->position, pointRadius - 1));
+        lines.push_back(ring(m_next->position, curvePointRadius - 1));
     return lines;
 }
 

@@ -18,7 +18,7 @@ namespace {
 // Pixels.
 constexpr double closeReach = 9;
 constexpr double pullDistance = 4;
-constexpr double pointRadius = 4;
+constexpr double outlinePointRadius = 4;
 
 double distance(QPointF a, QPointF b)
 {
@@ -210,7 +210,7 @@ void OutlineTool::paint(QPainter& painter, const ViewColors& colors) const
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool target = i == 0 && m_closing;
         const QPointF at = transform.toPixels(points[i].at);
-        const double r = target ? pointRadius + 2 : pointRadius;
+        const double r = target ? outlinePointRadius + 2 : outlinePointRadius;
         painter.setPen(QPen(color, 1.6));
         painter.setBrush(target ? color : colors.pointFill);
         if (points[i].handle)

@@ -20,8 +20,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double reach = 8;
-constexpr double pointRadius = 4;
+constexpr double lineReach = 8;
+constexpr double linePointRadius = 4;
 
 } // namespace
 
@@ -124,14 +124,14 @@ Snapped PatternDrawTool::snapped(const PatternPointer& pointer) const
     if (!on || on->outline.empty())
         return {at, {}};
     const BSpline2::Closest closest = on->outline.closest(fromLayout(*on, at));
-    const bool near = closest.distance <= m_context.transform().millimetres(reach);
+    const bool near = closest.distance <= m_context.transform().millimetres(lineReach);
     return {near ? toLayout(*on, closest.point) : at, {}};
 }
 
 bool PatternDrawTool::closes(const PatternPointer& pointer) const
 {
     return m_points.size() >= 3 &&
-           (pointer.layout - m_points.front()).norm() <= m_context.transform().millimetres(reach);
+           (pointer.layout - m_points.front()).norm() <= m_context.transform().millimetres(lineReach);
 }
 
 Edit PatternDrawTool::edit(BSpline2 curve) const
@@ -213,7 +213,7 @@ void PatternDrawTool::paint(QPainter& painter, const ViewColors& colors) const
         const bool target = i == 0 && m_closing;
         painter.setPen(QPen(color, 1.4));
         painter.setBrush(target ? color : colors.pointFill);
-        const double radius = target ? pointRadius + 2 : pointRadius;
+        const double radius = target ? linePointRadius + 2 : linePointRadius;
         painter.drawEllipse(transform.toPixels(points[i]), radius, radius);
     }
 }

@@ -4,6 +4,7 @@
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "ToolGeometry.h"
 #include "ViewColors.h"
 
 #include <QKeyEvent>
@@ -16,7 +17,6 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double dragDistance = 4;
 constexpr double handleStem = 26;
 constexpr double handleRadius = 6;
 constexpr double cornerGap = 12; // beside the corner, where often a control point lies

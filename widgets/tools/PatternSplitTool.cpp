@@ -18,8 +18,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double reach = 9;
-constexpr double pointRadius = 4;
+constexpr double splitReach = 9;
+constexpr double splitPointRadius = 4;
 
 Vec2 middleOf(const std::vector<Vec2>& line)
 {
@@ -103,7 +103,7 @@ Vec2 PatternSplitTool::snapped(const PatternPointer& pointer) const
         const int axis = std::abs(way.x()) < std::abs(way.y()) ? 0 : 1;
         at[axis] = m_points.back()[axis];
     }
-    double nearest = m_context.transform().millimetres(reach);
+    double nearest = m_context.transform().millimetres(splitReach);
     Vec2 best = at;
     const auto offer = [&](const Patch& patch, const Vec2& place, double preference) {
         const Vec2 there = toLayout(patch, place);
@@ -200,7 +200,7 @@ void PatternSplitTool::paint(QPainter& painter, const ViewColors& colors) const
     painter.setPen(QPen(colors.accent, 1.4));
     painter.setBrush(colors.pointFill);
     for (const QPointF& point : line)
-        painter.drawEllipse(point, pointRadius, pointRadius);
+        painter.drawEllipse(point, splitPointRadius, splitPointRadius);
 }
 
 /// Dashed, and solid where it would cut.

@@ -21,7 +21,7 @@ constexpr double arrowStart = 22;
 constexpr double arrowEnd = 96;
 constexpr double ringRadius = 74;
 constexpr double middleSize = 9;
-constexpr double reach = 7;
+constexpr double gizmoReach = 7;
 
 constexpr double snapLength = 10; // mm
 constexpr double snapAngle = 15 * std::numbers::pi / 180;
@@ -90,7 +90,7 @@ PlacementGizmo::Handle PlacementGizmo::handleAt(QPointF position) const
         middle && (*middle - pixel).cwiseAbs().maxCoeff() < middleSize + 2)
         return {Handle::Kind::Middle, 0};
     Handle best;
-    double nearest = reach;
+    double nearest = gizmoReach;
     for (const Shape& shape : shapes(centre))
         if (const double d = distanceInPicture(camera, shape.points, pixel); d < nearest) {
             nearest = d;

@@ -5,6 +5,7 @@
 #include "SeamStretches.h"
 #include "Selection.h"
 #include "SewPicture.h"
+#include "ToolGeometry.h"
 #include "Translated.h"
 
 #include <QKeyEvent>
@@ -14,11 +15,7 @@
 
 namespace bolster {
 
-namespace {
-
-constexpr double dragDistance = 5; // pixels
-
-} // namespace
+namespace {} // namespace
 
 const Design& SewTool::design() const
 {

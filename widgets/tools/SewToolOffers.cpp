@@ -16,8 +16,8 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double reach = 12;
-constexpr double snapReach = 9;
+constexpr double offerReach = 12;
+constexpr double offerSnapReach = 9;
 
 /// The shorter way round a closed curve.
 double shorterWay(double way, double period)
@@ -43,7 +43,7 @@ bool SewTool::isTaken(const Place& place) const
 /// whose patch lies there.
 std::optional<SewTool::Place> SewTool::placeAt(const Vec2& layout) const
 {
-    const double tolerance = m_context.transform().millimetres(reach);
+    const double tolerance = m_context.transform().millimetres(offerReach);
     std::optional<Place> best;
     std::tuple<bool, bool, double> bestRank;
     for (const auto& [id, patch] : m_context.scene().patches()) {
@@ -72,7 +72,7 @@ SewTool::Place SewTool::snapped(const Place& place) const
         return place;
     const BSpline2& outline = patch->patch().outline;
     Place best = place;
-    double nearest = m_context.transform().millimetres(snapReach);
+    double nearest = m_context.transform().millimetres(offerSnapReach);
     const auto candidate = [&](double parameter) {
         const Vec2 at = toLayout(patch->patch(), outline.at(parameter));
         if (const double distance = (at - place.at).norm(); distance < nearest) {

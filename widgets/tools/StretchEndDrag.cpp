@@ -21,10 +21,10 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double handleRadius = 4.5;
+constexpr double endRadius = 4.5;
 constexpr double handleInset = 7;
 constexpr double handleReach = 7;
-constexpr double snapReach = 8;
+constexpr double endSnapReach = 8;
 
 constexpr std::size_t mostOwners = 12; // with more selected nobody means a single end
 constexpr double shortestLength = 1;   // mm: an end comes no nearer to the other one
@@ -126,7 +126,7 @@ public:
         const QColor color = m_context.document().breakage() ? colors.error : m_snap ? colors.snap : colors.accent;
         painter.setPen(QPen(color, 1.8));
         painter.setBrush(colors.pointFill);
-        painter.drawEllipse(at, handleRadius + 1, handleRadius + 1);
+        painter.drawEllipse(at, endRadius + 1, endRadius + 1);
         if (m_snap)
             paintNote(painter, colors, at, m_snap->names);
     }
@@ -205,7 +205,7 @@ private:
     const SnapPlace* placeNear(double parameter) const
     {
         const SnapPlace* best = nullptr;
-        double nearest = m_context.transform().millimetres(snapReach);
+        double nearest = m_context.transform().millimetres(endSnapReach);
         for (const SnapPlace& place : m_places)
             if (const double way = std::abs(m_length.between(parameter, place.parameter)); way < nearest) {
                 nearest = way;
@@ -275,7 +275,7 @@ void paintStretchEnds(QPainter& painter, const ViewColors& colors, PatternToolCo
         const bool isOver =
             over && over->owner == handle.owner && over->side == handle.side && over->end == handle.end;
         painter.setBrush(isOver ? colors.accent : colors.pointFill);
-        painter.drawEllipse(handle.pixel, handleRadius, handleRadius);
+        painter.drawEllipse(handle.pixel, endRadius, endRadius);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "Document.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "ToolGeometry.h"
 
 #include <QKeyEvent>
 
@@ -12,8 +13,6 @@
 namespace bolster {
 
 namespace {
-
-constexpr double dragDistance = 4; ///< pixels
 
 /// The world's axis that runs most along a direction, with its sign.
 Vec3 nearestAxis(const Vec3& direction)

@@ -1,4 +1,4 @@
-// What the drags of the 3D view have in common.
+// What the drags of both views have in common.
 #pragma once
 
 #include "Camera.h"
@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace bolster {
+
+inline constexpr double dragDistance = 4; ///< pixels: who has moved less has clicked
 
 /// How far along a line (from `origin`, in lengths of the unit vector `along`) it is to the place nearest to the
 /// ray through the pixel. 0 when the line points into the picture.

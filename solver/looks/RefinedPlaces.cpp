@@ -1,4 +1,4 @@
-#include "CoverPlaces.h"
+#include "RefinedPlaces.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ CoverPoint3 coverPoint(const CoverMesh& cover, const PatternPlace& place)
     return at;
 }
 
-CoverPlaces::CoverPlaces(std::shared_ptr<const CoverTopology> cover)
+RefinedPlaces::RefinedPlaces(std::shared_ptr<const CoverTopology> cover)
     : m_cover(std::move(cover))
 {
     m_fine.triangles = m_cover->triangles;
@@ -29,13 +29,13 @@ CoverPlaces::CoverPlaces(std::shared_ptr<const CoverTopology> cover)
         m_fine.pattern.push_back(p.cast<double>());
 }
 
-const SurfaceTopology::PatchRange* CoverPlaces::rangeOf(ElementId patch) const
+const SurfaceTopology::PatchRange* RefinedPlaces::rangeOf(ElementId patch) const
 {
     const auto found = std::ranges::find(m_fine.patches, patch, &SurfaceTopology::PatchRange::patch);
     return found == m_fine.patches.end() || found->triangleCount == 0 ? nullptr : &*found;
 }
 
-PatternPlace CoverPlaces::locate(ElementId patch, const Vec2& point)
+PatternPlace RefinedPlaces::locate(ElementId patch, const Vec2& point)
 {
     auto locator = m_locators.find(patch);
     if (locator == m_locators.end())

@@ -17,9 +17,9 @@ struct CoverPoint3 {
 CoverPoint3 coverPoint(const CoverMesh& cover, const PatternPlace& place);
 
 /// Finds places in the triangles of a refined cover.
-class CoverPlaces {
+class RefinedPlaces {
 public:
-    explicit CoverPlaces(std::shared_ptr<const CoverTopology> cover);
+    explicit RefinedPlaces(std::shared_ptr<const CoverTopology> cover);
 
     const std::shared_ptr<const CoverTopology>& cover() const { return m_cover; }
     bool has(ElementId patch) const { return rangeOf(patch) != nullptr; }
