@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The index of the samples names every sample, in both languages, and each has its credit.
+"""The index of the samples names every sample, in both languages, and each has its credit. Nothing in a sample has the
+name of something else.
 
     check_index.py SAMPLES_FOLDER
 """
@@ -7,6 +8,13 @@
 import json
 import sys
 from pathlib import Path
+
+
+def check_names(path):
+    """Of a kind, no two elements have the same name."""
+    elements = json.loads(path.read_text(encoding="utf-8"))["elements"]
+    names = [(e["kind"], e["name"]) for e in elements if e.get("name")]
+    assert len(set(names)) == len(names), (path, sorted(n for n in set(names) if names.count(n) > 1))
 
 
 def main():
@@ -18,6 +26,7 @@ def main():
     for entry in index:
         for texts in (entry, entry["de"]):
             assert texts["title"] and texts["description"], entry
+        check_names(folder / entry["file"])
         assert (folder / entry["file"]).with_name("CREDIT.md").is_file(), entry["file"]
 
 

@@ -16,6 +16,8 @@ SIZES = {  # width, depth, height of the cover in mm, and how far it may be off
     "pillow": ((575, 370, 185), 0.08),
 }
 
+SEATS = ("armchair", "armchair-scan", "car-seat", "car-seat-g1", "car-seat-cushioned", "car-seat-scan")
+
 
 def run(*command):
     result = subprocess.run(command, capture_output=True, text=True)
@@ -59,6 +61,15 @@ def check_size(name, points):
     assert all(abs(s / e - 1) < tolerance for s, e in zip(size, expected)), (size, expected)
 
 
+def check_front(name, points):
+    """Who looks from the front (-y) sees the seat before its back, the highest part."""
+    if name not in SEATS:
+        return
+    low, high = min(p[2] for p in points), max(p[2] for p in points)
+    back = [p[1] for p in points if p[2] > low + 0.75 * (high - low)]
+    assert sum(back) / len(back) > sum(p[1] for p in points) / len(points) + 50, "its back is in front"
+
+
 def main():
     bolster, sample = sys.argv[1], Path(sys.argv[2])
     design = json.loads(sample.read_text(encoding="utf-8"))
@@ -70,6 +81,7 @@ def main():
         points, groups = read_obj(obj)
         assert len(groups) == sum(e["kind"] == "patch" for e in design["elements"]), list(groups)
         check_size(sample.stem, points)
+        check_front(sample.stem, points)
 
 
 if __name__ == "__main__":

@@ -136,7 +136,7 @@ TEST(Truth, CarSeatFittedToItsScan)
 {
     const FitDistances d =
         fitDistances("car-seat-scan", "car-seat-truth.ply",
-                     {Vec3(21.6, 289.2, 404.1), Vec3(-193.7, 236.3, 442.2), Vec3(-28.3, -183.3, 690.4)});
+                     {Vec3(-21.6, -289.2, 404.1), Vec3(193.7, -236.3, 442.2), Vec3(28.3, 183.3, 690.4)});
     EXPECT_LT(d.scanned.rms, 0.7);
     EXPECT_LT(d.holes.rms, 1.5);
 }

@@ -42,3 +42,19 @@ def tidy(value, digits=3):
     """Rounded, and a whole number without ".0"."""
     value = round(value, digits)
     return int(value) if value == int(value) else value
+
+
+def tell_apart(elements):
+    """Curves of the same name are called left or right as they lie for somebody who stands in front, and then numbered."""
+    curves = [e for e in elements if e["kind"] == "fixation_curve"]
+    for name in {c["name"] for c in curves}:
+        same = [c for c in curves if c["name"] == name]
+        for curve in same if len(same) > 1 else []:
+            points = curve["curve"]["points"]
+            side = "right" if sum(p[0] for p in points) > 0 else "left"
+            curve["name"] = name.replace("the arm", f"the {side} arm") if "the arm" in name else f"{name} {side}"
+    seen = {}
+    for curve in curves:
+        seen[curve["name"]] = seen.get(curve["name"], 0) + 1
+        if seen[curve["name"]] > 1:
+            curve["name"] += f" {seen[curve['name']]}"

@@ -12,7 +12,7 @@ import sys
 from math import dist
 
 from bspline import BSpline, part_of
-from designfile import SAMPLES, read, stretch, tidy, write
+from designfile import SAMPLES, read, stretch, tell_apart, tidy, write
 from layout import GAP, Layout
 
 REAR_UP = (0, 0.2164, 0.9763)  # in the rear plane, upward; the plane leans back
@@ -131,6 +131,7 @@ def main():
     cover.close_rear("Outside back", OUTSIDE_BACK, "Outside back at the arm", pressure=0.04)
     cover.close_rear("Arm right rear", ARM_RIGHT_REAR)
     cover.close_rear("Arm left rear", ARM_LEFT_REAR)
+    tell_apart(cover.elements.values())
     arrange(cover)
     report_ease(cover)
     folder = SAMPLES / "armchair"

@@ -3,24 +3,26 @@
 seams on the inserts; a third one with cushioning.
 
     make_car_seat.py DESIGN.json FRAME.obj
+
+DESIGN.json faces +y. It is turned to face -y, as everything does that is looked at from the front.
 """
 
 import shutil
 import sys
 
-from designfile import SAMPLES, read, write
+from designfile import SAMPLES, read, tell_apart, write
 from layout import Layout
+from turn import half_turn
 
-# Unfolded, as seen from the front: the back above the cushion, front down. The cushion's "right" is named by the
-# sitter, that of the back by the viewer, so they lie on opposite sides.
+# Unfolded, as seen from the front: the back above the cushion, front down.
 ROWS = [
     [("Back top", 180)],
     [("Back side left", -26), ("Back bolster left", 0), ("Back insert", 0), ("Back bolster right", 0),
      ("Back side right", 26)],
     [("Back bottom", 0)],
     [("Cushion rear", 180)],
-    [("Cushion side right", -90), ("Cushion bolster right", 180), ("Cushion insert", 180), ("Cushion bolster left", 180),
-     ("Cushion side left", 90)],
+    [("Cushion side left", -90), ("Cushion bolster left", 180), ("Cushion insert", 180), ("Cushion bolster right", 180),
+     ("Cushion side right", 90)],
     [("Cushion front", 0)],
 ]
 
@@ -29,6 +31,15 @@ FANCY_SEAMS = [  # patch, name, middle and half distance of the two, length of t
     ("Cushion insert", "Cushion pipe", 143, 46, 499),
     ("Back insert", "Back pipe", 131.5, 43, 590),
 ]
+
+
+def name_as_seen(elements):
+    """The design calls the cushion's sides as the sitter does, those of the back as one who looks at it: now all do."""
+    other = {"left": "right", "right": "left"}
+    for element in elements:
+        words = element.get("name", "").split()
+        if words[:1] == ["Cushion"]:
+            element["name"] = " ".join(other.get(word, word) for word in words)
 
 
 def round_seams(elements):
@@ -55,6 +66,9 @@ def add_fancy_seams(elements):
 def main():
     design = read(sys.argv[1])
     elements = design["elements"]
+    name_as_seen(elements)
+    half_turn(elements)
+    tell_apart(elements)
     Layout(elements).stack(ROWS, 0, 0)
     edge_length = design["settings"]["edge_length"]
     frame = next(e["id"] for e in elements if e["kind"] == "frame")

@@ -9,8 +9,9 @@ Run make_car_seat.py first: its layout is used.
 import shutil
 import sys
 
-from designfile import SAMPLES, read, write
+from designfile import SAMPLES, read, tell_apart, write
 from layout import Layout
+from turn import turn_ply
 
 # Unfolded, as seen from the front.
 ROWS = [
@@ -36,6 +37,7 @@ def make(name, elements, edge_length, *files):
 def main():
     body, frame, armchair_scan, car_seat_scan = sys.argv[1:5]
     design = read(body)
+    tell_apart(design["elements"])
     Layout(design["elements"]).stack(ROWS, 0, 0)
     add_scan(design["elements"], "armchair-scan.ply")
     make("armchair-scan", design["elements"], 12, (frame, "armchair.obj"), (armchair_scan, "armchair-scan.ply"))
@@ -43,7 +45,8 @@ def main():
     seat = read(SAMPLES / "car-seat" / "car-seat.json")["elements"]
     elements = [e for e in seat if e["kind"] != "frame"]  # the cover hides it
     add_scan(elements, "car-seat-scan.ply")
-    make("car-seat-scan", elements, 12, (car_seat_scan, "car-seat-scan.ply"))
+    make("car-seat-scan", elements, 12)
+    turn_ply(car_seat_scan, SAMPLES / "car-seat-scan" / "car-seat-scan.ply")  # as the design was
 
 
 if __name__ == "__main__":
