@@ -1,7 +1,7 @@
 #include "Document.h"
 
+#include "FollowEdits.h"
 #include "Gesture.h"
-#include "TwinEdits.h"
 
 #include <utility>
 
@@ -33,7 +33,7 @@ void Document::commit(Edit edit)
 {
     cancelGesture();
     // What counts is what the edit does to this design: `before` is taken from here, so undo is always exact.
-    edit = edits::withTwins(m_base, std::move(edit));
+    edit = edits::withFollowers(m_base, std::move(edit));
     Design next = m_base.with(edit);
     edit = editBetween(m_base, next, std::move(edit.verb));
     if (edit.empty()) {

@@ -36,7 +36,8 @@ public:
     void reset(Design design) { reset(std::move(design), History()); }
     /// That of a project; `design` is that of the history's current node.
     void reset(Design design, History history);
-    /// The edit takes along mirror twins. Does nothing with an empty edit. Cancels a running gesture first.
+    /// The edit takes along mirror twins and what lies on outlines. Does nothing with an empty edit. Cancels a
+    /// running gesture first.
     void commit(Edit edit);
     /// Asked before each edit; one that comes back with a reason is not made, see refused().
     void setRefusal(std::function<Message(const Edit&)> refusal) { m_refusal = std::move(refusal); }

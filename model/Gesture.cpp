@@ -1,7 +1,7 @@
 #include "Gesture.h"
 
 #include "Document.h"
-#include "TwinEdits.h"
+#include "FollowEdits.h"
 
 #include <utility>
 
@@ -24,7 +24,7 @@ void Gesture::update(Edit edit)
 {
     if (!m_document)
         return;
-    m_edit = edits::withTwins(m_start, std::move(edit));
+    m_edit = edits::withFollowers(m_start, std::move(edit));
     Design preview = m_start.with(m_edit);
     m_document->m_breakage = edits::brokenBy(m_start, m_edit);
     m_document->show(std::move(preview));

@@ -3,6 +3,7 @@
 
 #include "ArcLength.h"
 #include "EditHelpers.h"
+#include "OutlinePlaces.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -176,7 +177,7 @@ private:
         patch.rotation = std::remainder(before.rotation + fit.angle * 180 / std::numbers::pi, 360);
         patch.twin = Twin{m_original, {}};
         put(m_follower, patch);
-        moveDrawn(fit);
+        moveDrawn(fit, before.outline, *outline);
         const auto stretch = [&](const Stretch& s) {
             const auto at = [&](double t) { return parameterNear(*outline, fit.from(before.outline.at(t))); };
             return fit.backwards ? Stretch{s.patch, at(s.to), at(s.from)} : Stretch{s.patch, at(s.from), at(s.to)};
@@ -185,17 +186,24 @@ private:
         return std::nullopt;
     }
 
-    /// The curves in the follower stay where they are in the layout.
-    void moveDrawn(const Fit& fit)
+    /// The curves in the follower stay where they are in the layout; what lies on its outline stays on it.
+    void moveDrawn(const Fit& fit, const BSpline2& before, const BSpline2& outline)
     {
+        const OutlinePlaces places(before);
         for (const auto& [id, element] : m_design.elements()) {
             const PatchCurve* drawn = patchCurve(*element);
-            if (!drawn || drawn->patch != m_follower || (fit.angle == 0 && fit.shift.isZero()))
+            if (!drawn || drawn->patch != m_follower)
                 continue;
             std::vector<Vec2> points = drawn->curve.points();
-            for (Vec2& point : points)
-                point = fit.from(point);
-            m_edit.changes.push_back({id, nullptr, withPlaneCurve(*element, drawn->curve.withPoints(points))});
+            for (Vec2& point : points) {
+                const bool on = places.parameter(point).has_value();
+                if (!(fit.angle == 0 && fit.shift.isZero()))
+                    point = fit.from(point);
+                if (on)
+                    point = outline.at(parameterNear(outline, point));
+            }
+            if (points != drawn->curve.points())
+                m_edit.changes.push_back({id, nullptr, withPlaneCurve(*element, drawn->curve.withPoints(points))});
         }
     }
 

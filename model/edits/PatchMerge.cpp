@@ -3,6 +3,7 @@
 #include "ArcLength.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
+#include "OutlinePlaces.h"
 #include "PlaneCurves.h"
 #include "SeamEdits.h"
 #include "SewnMirror.h"
@@ -246,6 +247,35 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
     });
 }
 
+/// What lay on the outline of a half keeps its place on the merged one, which is bent a little where both meet.
+void placeOnMerged(const Design& design, const Half& half, const OutlineArc& arc, ElementId merged,
+                   EditBuilder& builder)
+{
+    const OutlinePlaces places(half.patch->outline);
+    const BSpline2& outline = builder.now().find<Patch>(merged)->outline;
+    const double period = half.outline.period(), slack = 1e-9 * period;
+    const auto parameter = [&](const Vec2& point) -> std::optional<double> {
+        const auto t = places.parameter(point);
+        if (!t)
+            return std::nullopt;
+        const double ahead = *t - arc.from - period * std::floor((*t - arc.from + slack) / period);
+        if (ahead > arc.to - arc.from + slack)
+            return std::nullopt; // on the seam, which is no outline any more
+        return outline.wrapped(arc.backwards ? arc.start - ahead : arc.start + ahead);
+    };
+    for (const auto& [id, element] : design.elements()) {
+        const PatchCurve* drawn = patchCurve(*element);
+        if (!drawn || drawn->patch != half.id)
+            continue;
+        const ElementPtr now = builder.now().element(id);
+        std::vector<Vec2> points = patchCurve(*now)->curve.points();
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (const auto t = parameter(drawn->curve.points()[i]))
+                points[i] = outline.at(*t);
+        builder.set(id, withPlaneCurve(*now, patchCurve(*now)->curve.withPoints(std::move(points))));
+    }
+}
+
 Outcome mergeOne(const Design& design, ElementId seamId)
 {
     const Seam* first = design.find<Seam>(seamId);
@@ -278,6 +308,8 @@ Outcome mergeOne(const Design& design, ElementId seamId)
     const OutlineArcs arcs = {{a.id, {a.arc(a.id, starts[0])}}, {b.id, {b.arc(a.id, starts[1])}}};
     remapStretches(design, arcs, row, builder, outcome.dropped);
     moveCurves(design, b.id, a.id, map, builder);
+    for (const Half* half : {&a, &b})
+        placeOnMerged(design, *half, arcs.at(half->id).front(), a.id, builder);
     for (const ElementId id : row)
         builder.remove(id);
     builder.remove(b.id);

@@ -21,7 +21,7 @@ namespace bolster::edits {
 /// sewn, fixed or drawn on a twin comes to be on the other one, too, if nothing is in the way there; what is taken
 /// off goes there, too.
 ///
-/// Applied twice it is the same as applied once. Document and Gesture apply it to every edit.
+/// Applied twice it is the same as applied once. withFollowers applies it to every edit.
 Edit withTwins(const Design& before, Edit edit);
 
 using MirroredName = std::function<std::string(const std::string&)>;
