@@ -398,7 +398,6 @@ void Actions::addRest()
         add(tr("Turn 90\u00b0 to the &left"), QStringLiteral("rotate-left"), QKeySequence(Qt::CTRL | Qt::Key_L));
     turnRight = add(tr("Turn 90\u00b0 to the &right"), QStringLiteral("rotate-right"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L));
-    settle = add(tr("&Settle"), QStringLiteral("settle"), QKeySequence(Qt::CTRL | Qt::Key_Return));
     pause = addToggle(tr("&Pause"), QStringLiteral("pause"), false, QKeySequence(Qt::CTRL | Qt::Key_P));
     report = add(tr("&Figures \u2026"), {});
     resetLayout = add(tr("&Reset layout"), {});

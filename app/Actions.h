@@ -138,7 +138,6 @@ public:
     QAction* removeColourway;
     QAction* compareColourways;
     // Surface
-    QAction* settle;
     QAction* pause;
     QAction* report;
     // Window, Help

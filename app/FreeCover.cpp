@@ -28,6 +28,7 @@ FreeCover::FreeCover(Document& document, SolverLink& solver, SurfaceView& view, 
 {
     view.installEventFilter(this);
     connect(&solver, &SolverLink::statusChanged, this, &FreeCover::look);
+    connect(&solver, &SolverLink::surfaceShown, this, &FreeCover::look);
 }
 
 void FreeCover::forget()
@@ -40,9 +41,8 @@ void FreeCover::look()
 {
     if (m_document.gestureRunning() || m_solver.paused() || !m_solver.upToDate() || isHeld(m_document.design()))
         return;
-    if (m_solver.status().restingDistance)
-        m_solver.settle();
-    else if (m_solver.status().resting && !m_moved && m_shown != m_document.revision()) {
+    const bool there = m_view.surface() == m_solver.surface(); // not on its way
+    if (m_solver.status().resting && there && !m_moved && m_shown != m_document.revision()) {
         m_shown = m_document.revision();
         m_view.fitAll();
     }

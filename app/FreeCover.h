@@ -11,8 +11,7 @@ class Document;
 class SolverLink;
 class SurfaceView;
 
-/// Settles such a cover by itself, because it may have drifted far away, and keeps it in the picture until somebody
-/// moves the view.
+/// Keeps such a cover in the picture until somebody moves the view: it may have come to lie far away.
 class FreeCover : public QObject {
     Q_OBJECT
 

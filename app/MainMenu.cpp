@@ -192,7 +192,7 @@ private:
     void addSurface()
     {
         QMenu* menu = m_bar.addMenu(tr("&Surface"));
-        menu->addActions({m_actions.settle, m_actions.pause});
+        menu->addAction(m_actions.pause);
         menu->addSeparator();
         menu->addAction(m_actions.report);
     }

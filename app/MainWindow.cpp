@@ -127,7 +127,7 @@ void MainWindow::buildToolBars()
                      m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
                      m_actions->showGrid, m_actions->snapping});
     bar->addSeparator();
-    bar->addActions({m_actions->perspective, m_actions->settle, m_actions->pause});
+    bar->addActions({m_actions->perspective, m_actions->pause});
 
     addToolBarBreak();
     auto* messages = addToolBar(tr("Messages"));
@@ -169,15 +169,23 @@ void MainWindow::connectDocument()
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);
 
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
-        m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
-        m_covers->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
         m_actions->renderPicture->setEnabled(surface != nullptr);
+    });
+    connect(m_solver.get(), &SolverLink::surfaceShown, m_surface, &SurfaceView::setSurface);
+    connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
+    connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
+        m_status->flashWithReason(
+            tr("The cover sprang by %1.").arg(lengthText(distance)),
+            tr("Folded cloth can lie in several ways, and where a drag leaves it depends on the way of "
+               "the pointer. What you see now follows from the design alone: whoever opens it sees "
+               "the same, and so do exports and pictures. If you want the other shape, tell the design: "
+               "hold the cloth there with a handle, or make the piece smaller until it needs no folds."));
     });
     connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
     connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);
@@ -219,7 +227,6 @@ void MainWindow::connectViews()
     connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
     connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
     connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
-    connect(m_status, &StatusLine::settleWanted, m_solver.get(), &SolverLink::settle);
 }
 
 void MainWindow::designOpened()
@@ -282,7 +289,6 @@ void MainWindow::updateSolverState()
         updateProblems();
     const bool stale = m_solver->paused() && !m_solver->upToDate();
     m_surface->setDimmed(status.state == SolverStatus::State::Failed || stale);
-    m_actions->settle->setEnabled(status.restingDistance.has_value());
     m_actions->report->setEnabled(m_solver->report().vertices > 0);
 }
 

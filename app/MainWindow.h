@@ -9,6 +9,7 @@
 
 #include <QMainWindow>
 
+#include <functional>
 #include <memory>
 
 class QMenu;
@@ -88,6 +89,7 @@ private:
     void updateEditActions();
     void updateProblems();
     void updateSolverState();
+    void withCoverAtRest(const std::function<void()>& then);
     void showMeasured();
     void connectScans();
     void connectSewing();

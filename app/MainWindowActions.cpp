@@ -37,9 +37,15 @@ void MainWindow::connectActions()
     on(m_actions->revert, [this] { m_files->revert(); });
     on(m_actions->importFrame, [this] { m_files->importFrame(); });
     on(m_actions->importScan, [this] { m_files->importScan(); });
-    on(m_actions->exportSurface, [this] { m_files->exportSurface(m_solver->surface()); });
-    on(m_actions->renderPicture, [this] { renderPicture(); });
-    on(m_actions->exportPicture, [this] { m_files->exportPicture(m_surface->grabPicture()); });
+    on(m_actions->exportSurface,
+       [this] { withCoverAtRest([this] { m_files->exportSurface(m_solver->surface()); }); });
+    on(m_actions->renderPicture, [this] { withCoverAtRest([this] { renderPicture(); }); });
+    on(m_actions->exportPicture, [this] {
+        if (m_solver->surface())
+            withCoverAtRest([this] { m_files->exportPicture(m_surface->grabPicture()); });
+        else
+            m_files->exportPicture(m_surface->grabPicture());
+    });
     on(m_actions->quit, [this] { close(); });
 
     on(m_actions->undo, [this] { document().undo(); });
@@ -87,12 +93,11 @@ void MainWindow::connectActions()
                    tr("Foam belongs to a cushion: insert one first."));
         });
 
-    on(m_actions->settle, [this] { m_solver->settle(); });
     on(m_actions->pause, [this](bool paused) {
         m_solver->setPaused(paused);
         updateSolverState();
     });
-    on(m_actions->report, [this] { showFigures(this, m_solver->report()); });
+    on(m_actions->report, [this] { withCoverAtRest([this] { showFigures(this, m_solver->report()); }); });
     on(m_actions->resetLayout, [this] { m_docks->reset(); });
     on(m_actions->shortcuts, [this] { showShortcuts(this, *m_actions); });
     on(m_actions->about, [this] { showAbout(this); });

@@ -8,6 +8,8 @@
 #include "PatternView.h"
 #include "RenderDialog.h"
 #include "SpotsPanel.h"
+#include "StatusLine.h"
+#include "Translated.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -65,6 +67,22 @@ void MainWindow::showSpot(const CoverPoint& place)
     m_pattern->reveal(place);
     m_surface->showPlace(place);
     m_pattern->showPlace(place);
+}
+
+/// Whatever leaves the window shows the surface that follows from the design, never what a drag has left.
+void MainWindow::withCoverAtRest(const std::function<void()>& then)
+{
+    document().cancelGesture();
+    if (!m_solver->atRest())
+        m_status->flash(tr("As soon as the cover has come to rest \u2026"));
+    m_solver->whenAtRest(this, [this, then](const SurfaceMeshPtr& surface) {
+        if (surface)
+            then();
+        else if (m_solver->paused())
+            m_status->flash(tr("This needs the cover of the present design: let the solver go on first (Pause)."));
+        else if (m_solver->status().state == SolverStatus::State::Failed)
+            m_status->flash(translated(m_solver->status().reason));
+    });
 }
 
 void MainWindow::renderPicture()

@@ -2,15 +2,28 @@
 
 #include "Document.h"
 
+#include <chrono>
+#include <utility>
+
 namespace bolster {
+
+namespace {
+
+constexpr auto gestureWatch = std::chrono::milliseconds(30);
+
+} // namespace
 
 SolverLink::SolverLink(Document& document, QObject* parent)
     : QObject(parent)
     , m_document(document)
+    , m_glide([this](const SurfaceMeshPtr& surface) { emit surfaceShown(surface); })
     , m_thread(std::make_unique<SolverThread>(
           [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }))
 {
     connect(&document, &Document::changed, this, &SolverLink::send);
+    m_gestureWatch.setInterval(gestureWatch);
+    connect(&document, &Document::historyChanged, this, &SolverLink::sendAfterGesture);
+    connect(&m_gestureWatch, &QTimer::timeout, this, &SolverLink::sendAfterGesture);
 }
 
 SolverLink::~SolverLink() = default;
@@ -20,10 +33,51 @@ bool SolverLink::upToDate() const
     return m_answered == m_document.revision();
 }
 
+bool SolverLink::atRest() const
+{
+    return upToDate() && m_status.resting && !m_document.gestureRunning();
+}
+
+void SolverLink::whenAtRest(QObject* context, Then then)
+{
+    m_waiting.push_back({context, std::move(then)});
+    answerWaiting();
+}
+
+void SolverLink::answerWaiting()
+{
+    using State = SolverStatus::State;
+    const bool ended = upToDate() && (m_status.state == State::Failed || m_status.state == State::Idle);
+    const bool stays = m_paused && (!upToDate() || m_sentPassing);
+    if (m_waiting.empty() || !(atRest() || ended || stays))
+        return;
+    m_glide.finish(); // pictures are made of what is seen
+    const SurfaceMeshPtr surface = atRest() ? m_surface : nullptr;
+    for (const Waiting& waiting : std::exchange(m_waiting, {}))
+        if (waiting.context)
+            waiting.then(surface);
+}
+
 void SolverLink::send()
 {
-    if (!m_paused && !m_document.breakage()) // the last good surface stays until the gesture is sound again
-        m_thread->request({m_document.design(), m_files}, m_document.revision(), m_document.gestureRunning());
+    if (m_paused || m_document.breakage()) // the last good surface stays until the gesture is sound again
+        return;
+    m_sentPassing = m_document.gestureRunning();
+    if (m_sentPassing)
+        m_gestureWatch.start();
+    else
+        m_gestureWatch.stop();
+    m_thread->request({m_document.design(), m_files}, m_document.revision(), m_sentPassing);
+}
+
+/// The end of a gesture changes nothing when the design is what the last preview was, and so says nothing; but now
+/// the resting surface is wanted.
+void SolverLink::sendAfterGesture()
+{
+    if (!m_sentPassing || m_document.gestureRunning())
+        return;
+    m_gestureWatch.stop();
+    send();
 }
 
 void SolverLink::setFiles(DesignFiles files)
@@ -35,8 +89,9 @@ void SolverLink::setFiles(DesignFiles files)
 void SolverLink::setPaused(bool paused)
 {
     m_paused = paused;
-    if (!paused && !upToDate())
+    if (!paused && (!upToDate() || m_sentPassing))
         send();
+    answerWaiting();
 }
 
 void SolverLink::setFieldShown(bool shown)
@@ -45,19 +100,13 @@ void SolverLink::setFieldShown(bool shown)
     send();
 }
 
-void SolverLink::settle()
-{
-    m_thread->settle();
-}
-
 void SolverLink::forget(DesignFiles files)
 {
     m_files = std::move(files);
     m_thread->startAnew();
-    m_surface = nullptr;
     m_status = {};
     m_report = {};
-    emit surfaceChanged(m_surface);
+    takeSurface(nullptr, nullptr);
     emit statusChanged(m_status);
     send(); // even if the design is the same as before
 }
@@ -74,14 +123,27 @@ void SolverLink::receive()
     const bool keep = !output->surface && m_status.state != SolverStatus::State::Idle;
     SurfaceMeshPtr surface = m_status.state == SolverStatus::State::Idle ? nullptr : std::move(output->surface);
     if (!keep && surface != m_surface) {
-        m_surface = std::move(surface);
-        emit surfaceChanged(m_surface);
+        takeSurface(std::move(surface), output->from);
+        if (m_status.sprang)
+            emit sprang(*m_status.sprang);
     }
     if (output->field != m_field) {
         m_field = std::move(output->field);
         emit fieldChanged(m_field);
     }
     emit statusChanged(m_status);
+    answerWaiting();
+}
+
+void SolverLink::takeSurface(SurfaceMeshPtr surface, const SurfaceMeshPtr& from)
+{
+    m_glide.stop();
+    m_surface = std::move(surface);
+    if (from && m_surface)
+        m_glide.start(from, m_surface);
+    else
+        emit surfaceShown(m_surface);
+    emit surfaceChanged(m_surface);
 }
 
 } // namespace bolster

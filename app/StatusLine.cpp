@@ -10,7 +10,9 @@
 #include <QLocale>
 #include <QPainter>
 #include <QToolButton>
+#include <QWhatsThis>
 
+#include <chrono>
 #include <cmath>
 
 namespace bolster {
@@ -47,6 +49,11 @@ private:
 };
 
 namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto shortFlash = 6s;
+constexpr auto longFlash = 20s;
 
 QString stateText(const SolverStatus& status)
 {
@@ -88,12 +95,12 @@ QColor stateColor(const SolverStatus& status)
 StatusLine::StatusLine(QWidget* parent)
     : QStatusBar(parent)
     , m_promptLabel(new ElidedLabel(this))
+    , m_why(new QToolButton(this))
     , m_coordinates(new QLabel(this))
     , m_note(new QLabel(this))
     , m_problems(new QToolButton(this))
     , m_dot(new StateDot(this))
     , m_solver(new ElidedLabel(this))
-    , m_settle(new QToolButton(this))
 {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
@@ -103,11 +110,18 @@ StatusLine::StatusLine(QWidget* parent)
     m_problems->setAutoRaise(true);
     m_problems->hide();
     m_note->hide();
-    m_settle->setText(tr("Settle"));
-    m_settle->setToolTip(tr("Takes the surface that follows from the design alone, whatever the way here was"));
-    m_settle->hide();
+    m_why->setObjectName(QStringLiteral("why"));
+    m_why->setText(tr("Why?"));
+    m_why->setAutoRaise(true);
+    m_why->hide();
 
-    addWidget(m_promptLabel, 1);
+    auto* prompt = new QWidget(this);
+    auto* words = new QHBoxLayout(prompt);
+    words->setContentsMargins(0, 0, 0, 0);
+    words->setSpacing(6);
+    words->addWidget(m_promptLabel, 1);
+    words->addWidget(m_why);
+    addWidget(prompt, 1);
     addPermanentWidget(m_note);
     addPermanentWidget(m_coordinates);
     addPermanentWidget(m_problems);
@@ -117,12 +131,14 @@ StatusLine::StatusLine(QWidget* parent)
     row->setSpacing(6);
     row->addWidget(m_dot);
     row->addWidget(m_solver, 1);
-    row->addWidget(m_settle);
     solver->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Solved - 00000 iterations")) + 40);
     addPermanentWidget(solver);
 
     connect(m_problems, &QToolButton::clicked, this, &StatusLine::problemsWanted);
-    connect(m_settle, &QToolButton::clicked, this, &StatusLine::settleWanted);
+    connect(m_why, &QToolButton::clicked, this, [this] {
+        m_flashTime.start(longFlash); // there is something to read
+        QWhatsThis::showText(m_why->mapToGlobal(QPoint()), m_reasons, m_why);
+    });
     m_flashTime.setSingleShot(true);
     connect(&m_flashTime, &QTimer::timeout, this, [this] {
         m_flash.clear();
@@ -136,16 +152,18 @@ void StatusLine::setPrompt(const QString& prompt)
     showPrompt();
 }
 
-void StatusLine::flash(const QString& message)
+void StatusLine::flashWithReason(const QString& message, const QString& why)
 {
     m_flash = message;
-    m_flashTime.start(6000);
+    m_reasons = why;
+    m_flashTime.start(why.isEmpty() ? shortFlash : longFlash);
     showPrompt();
 }
 
 void StatusLine::showPrompt()
 {
     m_promptLabel->setFullText(m_flash.isEmpty() ? m_prompt : m_flash);
+    m_why->setVisible(!m_flash.isEmpty() && !m_reasons.isEmpty());
 }
 
 void StatusLine::setCoordinates(const QString& text)
@@ -157,9 +175,6 @@ void StatusLine::setSolver(const SolverStatus& status, bool paused)
 {
     m_dot->setColor(paused ? QColor(0x9a, 0xa0, 0xa8) : stateColor(status));
     m_solver->setFullText(paused ? tr("Paused") : stateText(status));
-    m_settle->setVisible(status.restingDistance.has_value() && !paused);
-    if (status.restingDistance)
-        m_settle->setText(tr("Settle (%1)").arg(lengthText(*status.restingDistance)));
 }
 
 QString StatusLine::solverText() const

@@ -23,7 +23,9 @@ public:
     /// What the present tool expects next.
     void setPrompt(const QString& prompt);
     /// Takes the prompt's place for some seconds.
-    void flash(const QString& message);
+    void flash(const QString& message) { flashWithReason(message, {}); }
+    /// The same with a button beside it that tells `why`.
+    void flashWithReason(const QString& message, const QString& why);
     void setCoordinates(const QString& text);
     void setSolver(const SolverStatus& status, bool paused);
     void setProblems(int errors, int warnings);
@@ -34,20 +36,20 @@ public:
 
 signals:
     void problemsWanted();
-    void settleWanted();
 
 private:
     void showPrompt();
 
     ElidedLabel* m_promptLabel;
+    QToolButton* m_why;
     QLabel* m_coordinates;
     QLabel* m_note;
     QToolButton* m_problems;
     StateDot* m_dot;
     ElidedLabel* m_solver;
-    QToolButton* m_settle;
     QString m_prompt;
     QString m_flash;
+    QString m_reasons; ///< of the flash
     QTimer m_flashTime;
 };
 

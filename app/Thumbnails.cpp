@@ -67,8 +67,7 @@ void Thumbnails::make()
 {
     const Document& document = m_session.document();
     const NodeId node = document.history().current();
-    if (!m_solver.upToDate() || m_solver.status().state != SolverStatus::State::Settled || !m_solver.surface() ||
-        document.gestureRunning() || !picture(node).isEmpty())
+    if (!m_solver.atRest() || !picture(node).isEmpty())
         return;
     inBackground<QByteArray>([request = requestFor(m_solver.surface(), document.committed(), m_view)] {
         return pngOf(RayRenderer().render(request, {}).image);

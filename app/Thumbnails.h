@@ -15,7 +15,7 @@ class DesignSession;
 class SolverLink;
 class SurfaceView;
 
-/// Drawn beside the GUI thread from the settled surface, looked at as in the view. They are kept in the project,
+/// Drawn beside the GUI thread from the resting surface, looked at as in the view. They are kept in the project,
 /// from where they may get lost: nothing depends on them.
 class Thumbnails : public QObject {
     Q_OBJECT

@@ -41,10 +41,10 @@ VersionPane::VersionPane(QWidget* parent)
     m_pattern->installEventFilter(this);
     m_surface->installEventFilter(this);
     connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
+    connect(m_solver.get(), &SolverLink::surfaceShown, m_surface, &SurfaceView::setSurface);
+    connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
-        m_surface->setSurface(surface);
         m_pattern->setSurface(surface);
-        m_covers->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
             m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
     });

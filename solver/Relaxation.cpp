@@ -95,9 +95,8 @@ void Relaxation::iterate()
     const std::optional<double> move = m_optimizer.iterate();
     m_iterateTime += m_watch.elapsed();
     if (!move) {
-        fail({QT_TRANSLATE_NOOP("Message",
-                                "The surface ran away after %1 iterations. Lower the pressure or check the "
-                                "sizes of the patches."),
+        m_ranAway = true;
+        fail({QT_TRANSLATE_NOOP("Message", "The surface ran away after %1 iterations."),
               {std::to_string(m_iterations)}});
         return;
     }

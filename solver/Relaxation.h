@@ -40,7 +40,9 @@ public:
     double estimate() const { return m_convergence.estimate(); } ///< distance to the limit, relative to D
     double factorTime() const { return m_factorTime; }           ///< of the last factorisation, ms
     double iterateTime() const { return m_iterateTime; }         ///< since the last start, ms
-    const Message& reason() const { return m_reason; }           ///< when failed
+    const Message& reason() const { return m_reason; }           ///< when failed; see explainFailure(), too
+    bool ranAway() const { return m_ranAway; }                   ///< failed while iterating
+    const SewnMesh& mesh() const { return m_optimizer.mesh(); }
     SheetState state() const { return m_optimizer.state(); }
     const Ghosts& ghosts() const { return m_optimizer.ghosts(); }
     void reportGhosts(SolveReport& report) const { m_optimizer.report(report); }
@@ -68,6 +70,7 @@ private:
     double m_factorTime = 0;
     double m_iterateTime = 0;
     Message m_reason;
+    bool m_ranAway = false;
 };
 
 } // namespace bolster

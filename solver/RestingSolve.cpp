@@ -102,7 +102,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
             progress(relaxation.iterations(), relaxation.movement());
     }
     if (relaxation.phase() == Relaxation::Phase::Failed)
-        return failed(std::move(result), relaxation.reason());
+        return failed(std::move(result), explainFailure(relaxation, sheet->design).reason);
 
     result.report = reportOn(*sheet, relaxation);
     result.report.time.total = watch.elapsed(); // with what lies between the stages

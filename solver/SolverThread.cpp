@@ -13,19 +13,12 @@ SolverThread::~SolverThread() = default;
 
 void SolverThread::request(SolveInput input, std::uint64_t designRevision, bool passing)
 {
-    m_input = input;
-    m_revision = designRevision;
-    m_worker->request({std::move(input), designRevision, false, passing, m_opening});
+    m_worker->request({std::move(input), designRevision, passing, m_opening});
 }
 
 void SolverThread::drawField(bool on)
 {
     m_worker->drawField(on);
-}
-
-void SolverThread::settle()
-{
-    m_worker->request({m_input, m_revision, true, true, m_opening});
 }
 
 std::optional<SolverOutput> SolverThread::take()

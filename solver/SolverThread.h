@@ -19,25 +19,30 @@ struct SolverStatus {
     enum class State {
         Idle,      ///< nothing to solve
         Preparing, ///< triangulating, factorising
-        Moving,    ///< the live surface iterates
-        Settled,   ///< the live surface has converged
+        Moving,    ///< iterating: the live surface during a gesture, else what will be the resting one
+        Settled,   ///< it has converged
         Failed     ///< `reason` says why; the last good surface stays
     };
 
     State state = State::Idle;
     Message reason;
+    ElementId culprit{}; ///< of a failure: the element that is most likely at fault; none: {}
     Problems problems;   ///< elements left out, and warnings
     int iterations = 0;  ///< since the last request
     double movement = 0; ///< last move relative to D
     double iterationsPerSecond = 0;
-    bool resting = false;                  ///< the surface is the resting one (within the export tolerance)
-    std::optional<double> restingDistance; ///< mm: the resting surface is known and differs; "Settle" is offered
+    bool resting = false; ///< the surface is the resting one, which follows from the design alone
+    /// mm: after a gesture the resting surface lies this far from where the gesture had led, because cloth that is
+    /// folded has several shapes.
+    std::optional<double> sprang;
 };
 
 struct SolverOutput {
-    std::uint64_t designRevision = 0; ///< of the request that this answers
-    int opening = 0;                  ///< how often startAnew() had been called then
-    SurfaceMeshPtr surface;           ///< null: keep the last one
+    /// Of the request that the surface answers. While a resting surface is being solved for, the one before.
+    std::uint64_t designRevision = 0;
+    int opening = 0;        ///< how often startAnew() had been called then
+    SurfaceMeshPtr surface; ///< null: keep the last one
+    SurfaceMeshPtr from;    ///< its triangles where the surface before was, when it differs visibly; else null
     SolverStatus status;
     SolveReport report;    ///< of the surface, when it has settled
     FieldPicturePtr field; ///< the forces that act on it; null: none, or not asked for
@@ -58,18 +63,15 @@ public:
     /// comes any more.
     void startAnew() { ++m_opening; }
     /// Replaces a request that was not taken yet. What is being prepared for an earlier one is given up, unless
-    /// more requests are to come soon (`passing`, during a drag): then nothing would ever be finished.
+    /// more requests are to come soon: then nothing would ever be finished.
+    /// `passing`: a gesture is running, the live surface follows it. Otherwise the answer is the resting surface.
     void request(SolveInput input, std::uint64_t designRevision, bool passing = false);
-    /// Makes the resting surface the live one as soon as it is known.
-    void settle();
     /// Whether answers have a picture of the forces, as of the next one.
     void drawField(bool on);
     /// The newest output, once.
     std::optional<SolverOutput> take();
 
 private:
-    SolveInput m_input; // of the last request
-    std::uint64_t m_revision = 0;
     int m_opening = 0;
     std::unique_ptr<SolverWorker> m_worker;
     std::jthread m_thread; // last, so that it ends first

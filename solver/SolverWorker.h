@@ -1,4 +1,5 @@
-// What runs on the solver thread: follows the newest design and computes its resting surface when there is time.
+// What runs on the solver thread: follows gestures with a live surface, and finds the resting surface of any other
+// design.
 #pragma once
 
 #include "Mailbox.h"
@@ -6,6 +7,8 @@
 #include "PatternWarp.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
+#include "RestingCache.h"
+#include "SolveFailure.h"
 #include "SolvePlan.h"
 #include "SolverThread.h"
 #include "Stopwatch.h"
@@ -23,8 +26,7 @@ public:
     struct Request {
         SolveInput input;
         std::uint64_t revision = 0;
-        bool settle = false;  ///< make the resting surface the live one as soon as it is known
-        bool passing = false; ///< others follow at once: a drag
+        bool passing = false; ///< a gesture is running: others follow at once
         int opening = 0;      ///< different for designs that have nothing to do with each other
     };
 
@@ -45,56 +47,85 @@ private:
         PreparedSheet prepared;
         std::unique_ptr<Relaxation> relaxation;
         std::optional<PatternWarp> warp; ///< once outlines have been dragged
-        bool canonical = false;          ///< iterates from the canonical start, so it ends as the resting surface
         bool stale = false;              ///< its samples belong to curves as they were before a drag
     };
 
     std::optional<Request> takeRequest();
     static bool running(const Sheet& sheet);
     bool step();
-    SolvePlan planFor(const Request& request);
     void begin(Request request);
+    std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);
+    Ghosts ghostsFor(const PreparedSheet& sheet, Problems& problems);
+
+    // The live surface, while a gesture is running.
+    void beginLive(Request request);
+    bool startLive(const SolveInput& input);
     bool republishLive(const Design& design);
     bool retargetLive(const SolveInput& input, SolvePlan plan);
     bool warpLive(const OutlineSampling& sampling);
     bool rebuildLive(const SolveInput& input, bool torn);
-    std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);
-    Ghosts ghostsFor(const PreparedSheet& sheet, Problems& problems);
     void iterateLive();
     void endLive();
-    void beginResting();
+
+    // The resting surface.
+    void beginRest(Request request);
+    bool restsAlready(const SolveInput& input);
+    void showKept(RestingSurfacePtr kept, const SolveInput& input, bool atOnce);
+    bool continueKept();
+    void keepResting();
+    void startResting(const SolveInput& input);
     void iterateResting();
+    void endResting();
     void adoptResting();
+    void restEmpty();
+    void beAtRest();
+    double strandedDistance(double distance) const;
+
     void failBy(const std::exception& error);
-    void fail(Message reason);
-    void publishSurface();
+    void fail(SolveFailure failure);
+    void failIn(const Sheet& sheet);
+    SurfaceMeshPtr surfaceOf(const Sheet& sheet);
+    void publishSurface(SurfaceMeshPtr surface);
     void updateField();
     void reportLive();
     void publish(SolverStatus::State state);
 
     Mailbox<Request> m_in;
     Mailbox<SolverOutput> m_out;
-    std::mutex m_requestMutex;    // for the mailbox and the source together
+    std::mutex m_requestMutex;    // for the mailbox, the source and the flag together
     std::stop_source m_preparing; // of what is made for the request taken last
+    bool m_preparesRest = false;  // which no gesture waits for
     std::function<void()> m_wake;
 
     WorkerPool m_pool{1}; // the other cores belong to the window
-    TriangulationCache m_cache;
+    TriangulationCache m_triangulations;
     GhostCache m_ghostCache;
-    SolveInput m_input;                    // as requested, bad elements included
-    SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
+    RestingCache m_kept;
     std::uint64_t m_takenRevision = 0;
-    std::uint64_t m_designRevision = 0; // of what is published: the one before until a request has been begun
-    bool m_settleWanted = false;
+    std::uint64_t m_designRevision = 0; // of what is published
     int m_opening = 0;
-    std::unique_ptr<Sheet> m_live;
-    std::unique_ptr<Sheet> m_lastWhole; // before patches had to be left out: they come back to where they were
-    std::unique_ptr<Sheet> m_resting;
-    bool m_restingDone = false;
+    bool m_gesture = false; // the request taken last belongs to one
+
+    std::unique_ptr<Sheet> m_live;         // from which a gesture goes on: the surface that is shown
+    SolveInput m_liveInput;                // its design, bad elements included
+    SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
+    bool m_liveEnded = false;              // it has converged during the gesture
+    std::unique_ptr<Sheet> m_lastWhole;    // before patches had to be left out: they come back to where they were
+
+    std::unique_ptr<Sheet> m_resting; // on its way from the canonical start
+    SolveInput m_restingInput;
+    bool m_restingWaits = false; // for the end of the gesture: it has been solved, but differs
+
+    bool m_atRest = false;         // the surface that is shown is the resting one of
+    SolveInput m_restInput;        //
+    SolverStatus m_restStatus;     // with this status
+    RestingSurfacePtr m_shownKept; // and comes from those that are kept: there is no sheet of it yet
+    bool m_restKept = false;       // and is among those that are kept
 
     std::atomic<bool> m_drawsField{false};
     FieldPicturePtr m_field; // of the live surface; null until it is drawn
     SurfaceMeshPtr m_surface;
+    SurfaceMeshPtr m_from; // as in SolverOutput, of m_surface
     std::uint64_t m_surfaceRevision = 0;
     SolverStatus m_status;
     SolveReport m_report;

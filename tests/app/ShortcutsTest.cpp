@@ -56,34 +56,34 @@ protected:
 TEST_F(ShortcutsTest, AreTakenAtOnceKeptAndReset)
 {
     ShortcutsDialog& keys = *dialog();
-    choose(keys, "Settle");
+    choose(keys, "Isolate selected");
     pressKeys(keys, Qt::Key_Y, Qt::AltModifier);
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Alt+Y"));
-    EXPECT_EQ(window.actions().settle->toolTip(), "Settle (Alt+Y)");
-    EXPECT_EQ(QSettings().value("shortcuts/settle").toString(), "Alt+Y");
+    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Alt+Y"));
+    EXPECT_EQ(window.actions().isolate->toolTip(), "Isolate selected (Alt+Y)");
+    EXPECT_EQ(QSettings().value("shortcuts/isolate-selected").toString(), "Alt+Y");
     {
         MainWindow again;
-        EXPECT_EQ(again.actions().settle->shortcut(), QKeySequence("Alt+Y")) << "at the next start";
-        EXPECT_EQ(again.actions().settle->toolTip(), "Settle (Alt+Y)");
+        EXPECT_EQ(again.actions().isolate->shortcut(), QKeySequence("Alt+Y")) << "at the next start";
+        EXPECT_EQ(again.actions().isolate->toolTip(), "Isolate selected (Alt+Y)");
     }
     button(keys, "&Reset")->click();
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+Return"));
-    EXPECT_FALSE(QSettings().contains("shortcuts/settle")) << "only differences are kept";
+    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Shift+I"));
+    EXPECT_FALSE(QSettings().contains("shortcuts/isolate-selected")) << "only differences are kept";
     keys.close();
 }
 
 TEST_F(ShortcutsTest, OfAnotherCommandAreTakenOverOnlyOnWish)
 {
     ShortcutsDialog& keys = *dialog();
-    choose(keys, "Settle");
+    choose(keys, "Isolate selected");
     pressKeys(keys, Qt::Key_Y, Qt::ControlModifier); // the second one of redo
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+Return"));
+    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Shift+I"));
     ASSERT_TRUE(button(keys, "&Take them over")->isVisible());
     button(keys, "&Take them over")->click();
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+Y"));
+    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Ctrl+Y"));
     EXPECT_EQ(window.actions().redo->shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+Shift+Z")});
     pressKeys(keys, Qt::Key_Left, Qt::NoModifier);
-    EXPECT_EQ(window.actions().settle->shortcut(), QKeySequence("Ctrl+Y")) << "the arrows move things";
+    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Ctrl+Y")) << "the arrows move things";
     button(keys, "Reset &all")->click();
     EXPECT_EQ(window.actions().redo->shortcuts().size(), 2);
     EXPECT_TRUE(QSettings().allKeys().filter("shortcuts/").isEmpty());

@@ -84,8 +84,7 @@ private:
 bool settled(const SolverOutput& output)
 {
     return output.status.state == SolverStatus::State::Failed ||
-           (output.status.state == SolverStatus::State::Settled &&
-            (output.status.resting || output.status.restingDistance));
+           (output.status.state == SolverStatus::State::Settled && output.status.resting);
 }
 
 TEST(Faults, TheSolverThreadOutlivesMemoryThatRunsOut)

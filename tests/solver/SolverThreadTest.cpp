@@ -1,8 +1,10 @@
 #include "TestDesigns.h"
 #include "TestMeshes.h"
 
+#include "CoverMove.h"
 #include "CurveEdits.h"
 #include "PatchEdits.h"
+#include "RestingCache.h"
 #include "SolvePlan.h"
 #include "SolverThread.h"
 #include "StateTransfer.h"
@@ -31,7 +33,6 @@ public:
     }
     void request(const SolveInput& input, std::uint64_t revision) { m_solver.request(input, revision); }
     void drawField(bool on) { m_solver.drawField(on); }
-    void settle() { m_solver.settle(); }
 
     /// Outputs until one satisfies the condition; nothing if that takes longer than a minute.
     template <class Condition>
@@ -228,13 +229,15 @@ TEST(SolverThread, ComesBackToTheRestingSurfaceAfterADrag)
     Listener solver;
     std::uint64_t revision = 0;
     for (int step = 0; step < 12; ++step) {
-        solver.request(withCurveMoved(design, Vec3(0, -step, 0.5 * step)), ++revision);
+        solver.request(withCurveMoved(design, Vec3(0, -step, 0.5 * step)), ++revision, true);
         const auto output =
             solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.surface; });
         ASSERT_TRUE(output);
     }
     design = withCurveMoved(design, Vec3(0, -11, 5.5));
-    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    solver.request(design, ++revision);
+    const auto resting =
+        solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.status.resting; });
     ASSERT_TRUE(resting);
     EXPECT_EQ(resting->surface->positions, solved(design, 1e-6).surface->positions);
 }
@@ -261,12 +264,10 @@ TEST(SolverThread, BendsTheTriangulationWhileAnOutlineIsDraggedAndMakesANewOneOn
     }
     EXPECT_GT(bent, 0);
     solver.request(dragged(12), ++revision);
-    const auto released = solver.waitFor([&](const SolverOutput& o) {
-        return o.designRevision == revision && o.surface->topology->serial != last->topology->serial;
-    });
-    ASSERT_TRUE(released);
-    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    const auto resting =
+        solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.status.resting; });
     ASSERT_TRUE(resting);
+    EXPECT_NE(resting->surface->topology->serial, last->topology->serial);
     EXPECT_EQ(resting->surface->positions, solved(dragged(12), 1e-6).surface->positions);
 }
 
@@ -297,7 +298,7 @@ TEST(SolverThread, EachTakenRequestIsAnsweredWithASurface)
         const double amount = std::uniform_real_distribution<double>(-6, 6)(random);
         solver.request(revision % 3 == 0 ? withOutlineMoved(design, Vec2(amount, 0))
                                          : withCurveMoved(design, Vec3(0, 0, amount)),
-                       revision);
+                       revision, revision % 8 != 0);
         if (revision % 4 != 0)
             continue; // the others may be skipped: latest wins
         const auto output =
@@ -360,31 +361,106 @@ TEST(SolverThread, AnEmptyDesignClearsTheSurface)
     EXPECT_TRUE(output->surface->positions.empty());
 }
 
-TEST(SolverThread, OffersToSettleFoldsThatDependOnTheWay)
+/// The trapezoid whose cloth lies in folds, with triangles large enough for a test.
+Design coarseFolds()
 {
     Settings coarse;
     coarse.edgeLength = 14;
     const Design folded = sample("trapezoid");
-    const Design design = folded.with({{}, {{settingsId, folded.element(settingsId), makeElement(coarse)}}});
+    return folded.with({{}, {{settingsId, folded.element(settingsId), makeElement(coarse)}}});
+}
+
+/// Lifts a corner far out and lets it come to rest there: other folds remain after that.
+void crumple(Listener& solver, const Design& design, std::uint64_t revision)
+{
+    solver.request(withCurveMoved(design, Vec3(0, 250, 0)), revision, true);
+    ASSERT_TRUE(solver.waitFor(
+        [&](const SolverOutput& o) { return o.designRevision == revision && o.status.state == State::Settled; }));
+}
+
+TEST(SolverThread, AGestureThatIsCancelledLeavesNothingOfItsFolds)
+{
+    const Design design = coarseFolds();
+    Listener solver;
+    solver.request(design, 1);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    crumple(solver, design, 2);
+    solver.request(design, 3);
+    const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3; });
+    ASSERT_TRUE(after);
+    EXPECT_TRUE(after->status.resting) << "with the first answer";
+    EXPECT_EQ(after->surface->positions, before->surface->positions);
+    EXPECT_FALSE(after->from) << "at once";
+    EXPECT_FALSE(after->status.sprang) << "it was asked for";
+}
+
+TEST(SolverThread, AfterAGestureTheCoverIsThatOfTheDesignAndSaysWhetherItSprang)
+{
+    const Design design = coarseFolds();
+    const Design moved = withCurveMoved(design, Vec3(0, 3, 0));
     Listener solver;
     solver.request(design, 1);
     ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.resting; }));
-    // Lift a corner far out and put it back: other folds remain.
-    solver.request(withCurveMoved(design, Vec3(0, 250, 0)), 2);
-    ASSERT_TRUE(solver.waitFor(
-        [](const SolverOutput& o) { return o.designRevision == 2 && o.status.state == State::Settled; }));
+    crumple(solver, design, 2);
+    solver.request(moved, 3, true);
+    const auto live = solver.waitFor(
+        [](const SolverOutput& o) { return o.designRevision == 3 && o.status.state == State::Settled; });
+    ASSERT_TRUE(live);
+    solver.request(moved, 4);
+    const auto after =
+        solver.waitFor([](const SolverOutput& o) { return o.designRevision == 4 && o.status.resting; });
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->surface->positions, solved(moved, 1e-6).surface->positions);
+    const CoverMove way = moveBetween(*live->surface, *after->surface);
+    EXPECT_EQ(after->status.sprang.has_value(), way.distance > 5) << way.distance;
+    EXPECT_EQ(after->from != nullptr, way.distance > 0.5) << "the eye can follow";
+}
+
+TEST(SolverThread, AVersionVisitedLatelyIsThereAtOnce)
+{
+    const Design design = hammock();
+    Listener solver;
+    solver.request(design, 1);
+    const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    ASSERT_TRUE(before);
+    solver.request(withOutlineMoved(design, Vec2(-20, -10)), 2);
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; }));
     solver.request(design, 3);
-    auto output = solver.waitFor([](const SolverOutput& o) {
-        return o.designRevision == 3 && (o.status.resting || o.status.restingDistance);
+    bool worked = false;
+    const auto after = solver.waitFor([&](const SolverOutput& o) {
+        worked = worked || o.status.state != State::Settled;
+        return o.designRevision == 3;
     });
-    ASSERT_TRUE(output);
-    if (output->status.restingDistance) {
-        EXPECT_GE(*output->status.restingDistance, 0.5);
-        solver.settle();
-        output = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
-        ASSERT_TRUE(output);
-    }
-    EXPECT_EQ(output->surface->positions, solved(design, 1e-6).surface->positions);
+    ASSERT_TRUE(after);
+    EXPECT_FALSE(worked) << "nothing is solved again";
+    EXPECT_EQ(after->surface->positions, before->surface->positions);
+    EXPECT_GT(after->surface->revision, before->surface->revision);
+    // A drag begins there.
+    solver.request(withCurveMoved(design, Vec3(0, 0, 1)), 4, true);
+    const auto live = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 4; });
+    ASSERT_TRUE(live);
+    EXPECT_LT(moveBetween(*before->surface, *live->surface).distance, 5);
+}
+
+TEST(RestingCache, KeepsWhatWasUsedLastWithinItsBounds)
+{
+    const auto kept = [](const Design& design) {
+        return RestingSurface{design, solved(design, 1e-3).surface, {}, {}, {}, {}, 0};
+    };
+    const Design design = box(200, 60, 30, 10, 0);
+    RestingCache cache(1);
+    for (int step = 0; step < 4; ++step)
+        cache.keep(kept(withOutlineMoved(design, Vec2(step, 0))));
+    EXPECT_EQ(cache.count(), 2u) << "however large";
+    EXPECT_TRUE(cache.find(withOutlineMoved(design, Vec2(3, 0))));
+    EXPECT_TRUE(cache.find(withOutlineMoved(design, Vec2(2, 0))));
+    EXPECT_FALSE(cache.find(withOutlineMoved(design, Vec2(1, 0))));
+    cache.keep(kept(design));
+    EXPECT_TRUE(cache.find(withOutlineMoved(design, Vec2(2, 0)))) << "asked for last";
+    EXPECT_FALSE(cache.find(withOutlineMoved(design, Vec2(3, 0))));
+    cache.keep(kept(design));
+    EXPECT_EQ(cache.count(), 2u) << "once each";
 }
 
 TEST(SolverThread, GivesUpWhatIsOutdated)
@@ -483,7 +559,7 @@ TEST(SolverThread, FollowsTheTargetOfAHandle)
     };
     SurfaceMeshPtr last;
     for (int step = 1; step <= 5; ++step) {
-        solver.request(lifted(30 + 2 * step), static_cast<std::uint64_t>(1 + step));
+        solver.request(lifted(30 + 2 * step), static_cast<std::uint64_t>(1 + step), true);
         const auto output = solver.waitFor([&](const SolverOutput& o) {
             return o.designRevision == static_cast<std::uint64_t>(1 + step) && o.surface;
         });
@@ -495,7 +571,9 @@ TEST(SolverThread, FollowsTheTargetOfAHandle)
         const double depth = drawn.design.find<FancySeam>(drawn.seam)->depth;
         EXPECT_NEAR(depthInTheMiddle(*output->surface, drawn.seam), depth, 0.3 * depth) << "with every surface";
     }
-    const auto resting = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
+    solver.request(lifted(40), 7);
+    const auto resting =
+        solver.waitFor([](const SolverOutput& o) { return o.designRevision == 7 && o.status.resting; });
     ASSERT_TRUE(resting);
     EXPECT_LT(resting->report.handles.at(0).value, 1e-9);
 }
@@ -546,7 +624,6 @@ TEST(SolverThread, FollowsCushioningAndDrawsItsForces)
         std::make_shared<const TriangleMesh>(boxMesh(Box3(Vec3(20, 20, 0), Vec3(180, 180, 70))));
     listener.drawField(true);
     listener.request(input, 2);
-    listener.settle();
     const auto padded = listener.waitFor(settled(2));
     ASSERT_TRUE(padded);
     EXPECT_EQ(padded->report.cushions.size(), 1u);
@@ -561,7 +638,6 @@ TEST(SolverThread, FollowsCushioningAndDrawsItsForces)
     cushion.strength = 0;
     input.design = input.design.with({{}, {{id, nullptr, makeElement(cushion)}}});
     listener.request(input, 3);
-    listener.settle();
     const auto without = listener.waitFor(settled(3));
     ASSERT_TRUE(without);
     EXPECT_EQ(without->surface->positions, bare->surface->positions);

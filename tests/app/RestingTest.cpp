@@ -1,0 +1,194 @@
+// Whatever is shown, exported or measured follows from the design alone: not from the way that led there.
+#include "CommandList.h"
+#include "WindowTest.h"
+
+#include "CurveEdits.h"
+#include "MapLink.h"
+#include "RestingSolve.h"
+#include "StatusLine.h"
+
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QWhatsThis>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+namespace bolster {
+namespace {
+
+constexpr ElementId crease{43}; // "Back insert crease" of the car seat
+
+double largestDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
+{
+    if (a.size() != b.size())
+        return 1e30;
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        largest = std::max(largest, (a[i] - b[i]).norm());
+    return largest;
+}
+
+std::vector<Vec3> pointsOfObj(const QString& path)
+{
+    std::vector<Vec3> points;
+    std::ifstream file(path.toStdString());
+    for (std::string word; file >> word; file.ignore(1000, '\n'))
+        if (Vec3 p; word == "v" && file >> p.x() >> p.y() >> p.z())
+            points.push_back(p);
+    return points;
+}
+
+class RestingTest : public WindowTest {
+protected:
+    void SetUp() override
+    {
+        WindowTest::SetUp();
+        ASSERT_TRUE(open(sample(QStringLiteral("car-seat"))));
+        ASSERT_TRUE(waitUntilAtRest());
+    }
+
+    /// Takes the 9th point of the crease some 600 mm away, and waits for the cover to follow. Returns where the
+    /// pointer is then.
+    QPoint dragCreaseFarAway()
+    {
+        SurfaceView& view = window.surfaceView();
+        view.setFocus();
+        window.selection().set({crease});
+        const Vec3 point = window.document().design().find<FixationCurve>(crease)->curve.points()[8];
+        const auto pixelOf = [&](const Vec3& p) {
+            const Vec2 pixel = *view.camera().pixel(p);
+            return QPoint(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+        };
+        const QPoint from = pixelOf(point);
+        const SurfaceHit hit = view.hit(from);
+        EXPECT_EQ(hit.element, crease);
+        const double scale = (Vec2(from.x(), from.y()) - *view.camera().pixel(point + Vec3(0, 0, 10))).norm() / 10;
+        const QPoint to = from + QPoint(0, static_cast<int>(600 * scale));
+        move(view, from, Qt::NoButton);
+        press(view, from);
+        for (int i = 1; i <= 20; ++i) {
+            move(view, from + (to - from) * i / 20, Qt::LeftButton);
+            QTest::qWait(16);
+        }
+        EXPECT_TRUE(window.document().gestureRunning());
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                return window.solver().upToDate() &&
+                       largestDifference(window.solver().surface()->positions, before) > 50;
+            },
+            20000));
+        return to;
+    }
+
+    std::vector<Vec3> before; ///< of the surface
+};
+
+TEST_F(RestingTest, EscapeBringsTheCoverOfBeforeBack)
+{
+    before = window.solver().surface()->positions;
+    const Design design = window.document().design();
+    const QPoint at = dragCreaseFarAway();
+    QTest::keyClick(&window.surfaceView(), Qt::Key_Escape);
+    ASSERT_TRUE(window.document().design() == design);
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
+    EXPECT_EQ(window.surfaceView().surface(), window.solver().surface()) << "at once";
+    release(window.surfaceView(), at);
+}
+
+TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
+{
+    before = window.solver().surface()->positions;
+    const QPoint at = dragCreaseFarAway();
+    QSignalSpy sprang(&window.solver(), &SolverLink::sprang);
+    release(window.surfaceView(), at);
+    ASSERT_FALSE(window.document().gestureRunning());
+    ASSERT_TRUE(waitUntilAtRest());
+    const SolveResult alone =
+        solveResting({window.document().design(), window.session().files()}, {.lenient = true});
+    EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);
+    window.actions().undo->trigger();
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
+    EXPECT_LE(sprang.count(), 1) << "undo is no surprise";
+    // What is seen gets there soon, and smoothly.
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().surface() == window.solver().surface(); }));
+    window.document().jumpTo(1);
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);
+}
+
+TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
+{
+    StatusLine& line = window.statusLine();
+    auto* why = line.findChild<QToolButton*>(QStringLiteral("why"));
+    ASSERT_TRUE(why);
+    EXPECT_FALSE(why->isVisible());
+    emit window.solver().sprang(217);
+    EXPECT_TRUE(line.findChild<ElidedLabel*>()->fullText().contains(QStringLiteral("217")));
+    ASSERT_TRUE(why->isVisible());
+    why->click();
+    EXPECT_TRUE(QTest::qWaitFor([] {
+        return QApplication::activePopupWidget() != nullptr || [] {
+            for (const QWidget* top : QApplication::topLevelWidgets())
+                if (top->isVisible() && top->inherits("QWhatsThat"))
+                    return true;
+            return false;
+        }();
+    }));
+    QWhatsThis::hideText();
+    line.flash(QStringLiteral("Something else"));
+    EXPECT_FALSE(why->isVisible());
+}
+
+TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)
+{
+    const Vec3 delta(0, 0, 12);
+    window.document().commit(edits::moveCurvePoints(window.document().design(), crease, std::array{8}, delta));
+    ASSERT_FALSE(window.solver().atRest());
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("seat.obj"));
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, &answer, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        answer.stop();
+        dialog->findChild<QLineEdit*>()->setText(path);
+        QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+    });
+    answer.start(50);
+    window.actions().exportSurface->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }, 60000));
+    const SolveResult alone =
+        solveResting({window.document().design(), window.session().files()}, {.lenient = true});
+    const std::vector<Vec3> expected = alone.surface->positions;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return pointsOfObj(path).size() == expected.size(); }, 20000));
+    EXPECT_LT(largestDifference(pointsOfObj(path), expected), 1e-3);
+}
+
+TEST_F(RestingTest, WhileThePauseLastsAnExportSaysWhatIsMissing)
+{
+    window.actions().pause->trigger();
+    window.document().commit(
+        edits::moveCurvePoints(window.document().design(), crease, std::array{8}, Vec3(0, 0, 12)));
+    window.actions().exportSurface->trigger();
+    EXPECT_TRUE(window.statusLine().findChild<ElidedLabel*>()->fullText().contains(QStringLiteral("Pause")));
+    EXPECT_FALSE(QApplication::activeModalWidget());
+    window.actions().pause->trigger();
+    EXPECT_TRUE(waitUntilAtRest());
+}
+
+TEST_F(RestingTest, ThereIsNoCommandToSettle)
+{
+    for (const QAction* action : window.actions().findChildren<QAction*>())
+        EXPECT_FALSE(action->text().contains(QStringLiteral("ettle"))) << action->text().toStdString();
+}
+
+} // namespace
+} // namespace bolster
