@@ -91,6 +91,7 @@ private:
     void updateSolverState();
     void withCoverAtRest(const std::function<void()>& then);
     void showMeasured();
+    const SurfaceMapPtr& mapShown() const;
     void connectScans();
     void connectSewing();
     void updateSeamActions();

@@ -28,6 +28,14 @@ void MainWindow::connectMaps()
             m_maps->setKind(kind);
             showMeasured();
         });
+    const auto forgetPlace = [this] { // it was one of another map
+        m_surface->showPlace({});
+        m_pattern->showPlace({});
+        readMap({});
+    };
+    for (QAction* action : m_actions->maps)
+        connect(action, &QAction::toggled, this, forgetPlace);
+    connect(m_actions->showDeviation, &QAction::toggled, this, forgetPlace);
     connect(m_surface, &SurfaceView::coverPointed, this, &MainWindow::readMap);
     connect(m_pattern, &PatternView::patchPointed, this, &MainWindow::readMap);
     if (auto* spots = menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots")))
@@ -44,7 +52,8 @@ void MainWindow::connectMaps()
 
 void MainWindow::readMap(const std::optional<CoverPoint>& place)
 {
-    const QString reading = place ? m_maps->reading(*place) : QString();
+    const SurfaceMapPtr& map = mapShown();
+    const QString reading = place && map ? MapLink::reading(*map, *place) : QString();
     m_surface->setMapReading(reading);
     m_pattern->setMapReading(reading);
 }

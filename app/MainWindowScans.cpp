@@ -38,11 +38,15 @@ void MainWindow::connectScans()
     });
 }
 
+const SurfaceMapPtr& MainWindow::mapShown() const
+{
+    return m_actions->showDeviation->isChecked() ? m_scans->map() : m_maps->map();
+}
+
 void MainWindow::showMeasured()
 {
-    const SurfaceMapPtr map = m_actions->showDeviation->isChecked() ? m_scans->map() : m_maps->map();
-    m_surface->setMap(map);
-    m_pattern->setMap(map);
+    m_surface->setMap(mapShown());
+    m_pattern->setMap(mapShown());
     m_surface->setScanPairs(m_scans->pairs());
     m_inspector->setScanFigures(m_scans->figures());
 }

@@ -201,19 +201,17 @@ void MapLink::receive(const Result& result)
     emit this->measured();
 }
 
-QString MapLink::reading(const CoverPoint& place) const
+QString MapLink::reading(const SurfaceMap& map, const CoverPoint& place)
 {
-    if (!m_map)
-        return {};
-    const SurfaceTopology& topology = *m_map->topology;
+    const SurfaceTopology& topology = *map.topology;
     const auto range = std::ranges::find(topology.patches, place.patch, &SurfaceTopology::PatchRange::patch);
     if (range == topology.patches.end() || range->triangleCount == 0)
         return {};
     const PatternPlace found = PatternLocator(topology, *range).locate(place.outline);
     double value = 0;
     for (Eigen::Index k = 0; k < 3; ++k)
-        value += found.weights[k] * static_cast<double>(m_map->values[found.corners[static_cast<std::size_t>(k)]]);
-    return std::isfinite(value) ? tr("Here: %1").arg(figure(value)) : QString();
+        value += found.weights[k] * static_cast<double>(map.values[found.corners[static_cast<std::size_t>(k)]]);
+    return std::isfinite(value) ? tr("Here: %1").arg(figureText(value, map.unit)) : QString();
 }
 
 } // namespace bolster

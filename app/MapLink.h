@@ -42,8 +42,8 @@ public:
     static bool hasSpots(CoverMap::Kind kind);
     /// A number of the map with its unit.
     QString figure(double value) const;
-    /// What the map says at a place, "" where nothing is known.
-    QString reading(const CoverPoint& place) const;
+    /// What a map says at a place, "" where nothing is known.
+    static QString reading(const SurfaceMap& map, const CoverPoint& place);
 
     static QString title(CoverMap::Kind kind);
     /// For a picture; may be asked on any thread.

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace bolster {
 
@@ -160,6 +161,8 @@ void SpotsPanel::fill()
 {
     if (m_maps.measuring())
         return; // what is there stays until there is something new
+    if (std::exchange(m_of, m_maps.kind()) != m_maps.kind())
+        m_chosen.reset(); // of another map
     if (!m_maps.spots().empty()) {
         fillTable();
         showPage(*m_list);
@@ -219,8 +222,10 @@ void SpotsPanel::fillRow(QTreeWidgetItem& row, const MapLink::Spot& spot)
 /// The spot that is nearest to where the selected one was: while the cover changes, spots move and change places.
 void SpotsPanel::reselect()
 {
-    if (!m_chosen)
+    if (!m_chosen) {
+        m_table->clearSelection();
         return;
+    }
     const std::vector<MapLink::Spot>& spots = m_maps.spots();
     const auto distance = [this](const MapLink::Spot& spot) {
         return spot.place.patch == m_chosen->patch ? (spot.place.outline - m_chosen->outline).norm() : 1e30;

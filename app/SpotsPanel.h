@@ -55,6 +55,7 @@ private:
     QLabel* m_advice;
     QPushButton* m_offer;               ///< switches a map of strain on
     std::optional<CoverPoint> m_chosen; ///< where the selected spot was last
+    std::optional<CoverMap::Kind> m_of; ///< the map whose spots are listed
 };
 
 } // namespace bolster

@@ -99,8 +99,14 @@ void GlCoverMesh::putMap(const SurfaceMapPtr& map)
     m_map = map;
     const bool fits = map && map->fits(*m_coarse) && map->values.size() == m_coarse->vertexCount();
     std::vector<SurfaceMap::Rgba> colors(m_fine ? m_fine->vertexCount() : m_coarse->vertexCount());
-    if (fits)
-        std::ranges::transform(ofVertices(map->values), colors.begin(), [&](float v) { return map->color(v); });
+    if (fits) {
+        const MapScale scale{map->kind, map->limit};
+        const std::vector<float> values = ofVertices(map->values);
+        const bool limited = map->allowed.size() == map->values.size();
+        const std::vector<float> allowed = limited ? ofVertices(map->allowed) : std::vector<float>();
+        for (std::size_t v = 0; v < colors.size(); ++v)
+            colors[v] = limited ? scale.color(values[v], allowed[v]) : scale.color(values[v]);
+    }
     m_mapColors.put(colors, QOpenGLBuffer::DynamicDraw);
 }
 

@@ -36,6 +36,7 @@ void MapLegend::setReading(const QString& reading)
     if (reading == m_reading)
         return;
     m_reading = reading;
+    setAccessibleDescription(reading);
     update();
 }
 

@@ -57,7 +57,7 @@ TEST_F(PicturesTest, AMapShowsItsNumbersAndWorstSpots)
     ASSERT_FALSE(window.maps().spots().empty());
     const MapLink::Spot& worst = window.maps().spots().front();
     EXPECT_TRUE(worst.text.contains(u'%')) << worst.text.toStdString();
-    EXPECT_TRUE(window.maps().reading(worst.place).contains(u'%'));
+    EXPECT_TRUE(MapLink::reading(*shown, worst.place).contains(u'%'));
 
     auto* spots = window.menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots"));
     ASSERT_TRUE(spots);

@@ -4,6 +4,7 @@
 #include "CloudImport.h"
 #include "ElementEdits.h"
 #include "Inspector.h"
+#include "MapLegend.h"
 #include "ScanLink.h"
 
 #include <QTemporaryDir>
@@ -47,6 +48,17 @@ TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
     EXPECT_EQ(map->values.size(), window.solver().surface()->positions.size());
     EXPECT_EQ(window.scans().pairs().size(), static_cast<std::size_t>(std::ranges::count_if(
                                                  map->values, [](float v) { return std::isfinite(v); })));
+
+    // Pointed at, the legend says the number there.
+    CoverPoint place{map->topology->patches[0].patch, Vec2::Zero()};
+    for (std::uint32_t v = 0; v < map->topology->patches[0].vertexCount; ++v)
+        if (std::isfinite(map->values[v]))
+            place.outline = map->topology->pattern[v];
+    emit window.surfaceView().coverPointed(place);
+    EXPECT_TRUE(
+        window.surfaceView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
+    EXPECT_TRUE(
+        window.patternView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
 
     const Vec3 before = scan().position;
     window.document().commit(edits::replaceElement(window.document().design(), scanId(),

@@ -127,6 +127,27 @@ TEST_F(SpotsTest, WithoutAMapItIsSaidHowToGetOne)
     EXPECT_TRUE(offer()->isVisible()) << "no map again";
 }
 
+TEST_F(SpotsTest, TheCrossIsTakenAwayWithItsMap)
+{
+    ASSERT_TRUE(listStrain());
+    table().setFocus();
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualItemRect(row(0)).center());
+    ASSERT_TRUE(marksThe(spots()[0].place));
+    const auto crossShown = [&] {
+        return window.patternView().findChild<Crosshair*>()->isVisible() ||
+               window.surfaceView().findChild<Crosshair*>()->isVisible();
+    };
+    map(CoverMap::Kind::Shear)->trigger();
+    EXPECT_FALSE(crossShown());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !spots().empty(); }, 30000));
+    QTest::qWait(1); // the list is filled
+    EXPECT_TRUE(selectedRows().empty()) << "nothing of this map was chosen";
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualItemRect(row(0)).center());
+    ASSERT_TRUE(crossShown());
+    map(CoverMap::Kind::Shear)->trigger();
+    EXPECT_FALSE(crossShown()) << "no map, no place";
+}
+
 TEST_F(SpotsTest, ADesignWithoutACoverHasNone)
 {
     ASSERT_TRUE(listStrain());

@@ -308,6 +308,25 @@ TEST_F(GlCover, MapsOfTheSolversMeshLieOnTheRefinedCover)
     EXPECT_LT(std::abs(qRed(plain) - qBlue(plain)), 25);
 }
 
+TEST_F(GlCover, WhatIsOverItsLimitIsAsDarkAsTheLegendSays)
+{
+    auto map = std::make_shared<SurfaceMap>();
+    map->topology = request.scene.surface->topology;
+    map->values = {3, 3, 3, 3};
+    map->limit = 4;
+    const auto colorWith = [&](float allowed, bool refined) {
+        auto limited = std::make_shared<SurfaceMap>(*map);
+        limited->allowed.assign(4, allowed);
+        request.scene.map = limited;
+        request.scene.cover = refined ? pyramid(request.scene.surface, 0) : nullptr;
+        return QColor(picture().pixel(200, 200));
+    };
+    for (const bool refined : {false, true}) {
+        EXPECT_GT(colorWith(3.5F, refined).red(), 120) << refined;
+        EXPECT_LT(colorWith(2.5F, refined).red(), 80) << refined;
+    }
+}
+
 TEST_F(GlCover, AWovenFabricIsNeitherBlackNorWhite)
 {
     setMaps(wovenFabric());
