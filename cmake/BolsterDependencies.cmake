@@ -24,6 +24,8 @@ target_link_libraries(bolster_flann INTERFACE "${LZ4_LIBRARY}")
 if(NOT BOLSTER_HEADLESS)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
     find_package(SQLite3 3.37 REQUIRED)
+    find_package(ZLIB REQUIRED)
+    find_library(SECCOMP_LIBRARY seccomp REQUIRED)
     find_package(embree 3 REQUIRED CONFIG)
     find_package(OpenImageIO 2.4 REQUIRED CONFIG)
 

@@ -1,14 +1,11 @@
 #include "ImageImport.h"
 
 #include "DiskFile.h"
+#include "HelperProcess.h"
 #include "ImageStream.h"
 
-#include <QCoreApplication>
-#include <QDir>
 #include <QFileInfo>
 #include <QProcess>
-
-#include <sys/resource.h>
 
 namespace bolster {
 namespace {
@@ -18,23 +15,6 @@ constexpr int pollMilliseconds = 20;
 
 enum class Ended { Done, NotStarted, Stopped, TooLong, Died };
 
-void limitTo(int resource, rlim_t most)
-{
-    const rlimit limit = {most, most};
-    ::setrlimit(static_cast<__rlimit_resource>(resource), &limit);
-}
-
-/// Runs in the new process before the decoder does, so that no decoder can leave them out.
-void limitProcess(const ImageDecoder& decoder)
-{
-#ifndef __SANITIZE_ADDRESS__ // which reserves 16 TB
-    limitTo(RLIMIT_AS, decoder.memory);
-#endif
-    limitTo(RLIMIT_CPU, static_cast<rlim_t>(decoder.processor.count()));
-    limitTo(RLIMIT_FSIZE, 0); // it writes no files
-    limitTo(RLIMIT_CORE, 0);
-}
-
 /// Feeds the reader with what the decoder says, until it ends or has to be ended.
 Ended runDecoder(const QString& path, const std::stop_token& stop, const ImageDecoder& decoder,
                  ImageStreamReader& reader)
@@ -43,7 +23,7 @@ Ended runDecoder(const QString& path, const std::stop_token& stop, const ImageDe
     process.setProgram(decoder.program);
     process.setStandardInputFile(path);
     process.setStandardErrorFile(QProcess::nullDevice());
-    process.setChildProcessModifier([&decoder] { limitProcess(decoder); });
+    confine(process, {decoder.memory, decoder.processor, false});
     process.start(QIODevice::ReadOnly);
     const auto end = std::chrono::steady_clock::now() + decoder.time;
     const auto endedBy = [&](Ended how) {
@@ -154,12 +134,7 @@ ImageOutcome outcomeOf(Ended ended, ImageStreamReader& reader, const std::string
 
 QString ImageDecoder::usualProgram()
 {
-    const QDir here(QCoreApplication::applicationDirPath());
-    for (const QString& program :
-         {here.filePath(QStringLiteral("../libexec/bolster/bolster-image")), QStringLiteral(BOLSTER_IMAGE_DECODER)})
-        if (QFileInfo(program).isExecutable())
-            return QDir::cleanPath(program);
-    return {};
+    return helperProgram(QStringLiteral("bolster-image"), QStringLiteral(BOLSTER_IMAGE_DECODER));
 }
 
 ImageOutcome importImage(const QString& path, const std::stop_token& stop, const ImageDecoder& decoder)

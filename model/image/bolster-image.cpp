@@ -1,14 +1,17 @@
 // A process of its own that decodes one picture of unknown origin: the file on its standard input, an ImageHead and
 // the pixels on its standard output. It may crash, hang or run out of memory; importImage() limits it and cleans up
-// after it.
+// after it. Before it looks at the first byte it gives up all rights but these two.
 #include "ImageStream.h"
+#include "Sandbox.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
@@ -18,7 +21,8 @@ using namespace bolster;
 
 namespace {
 
-constexpr const char* input = "/proc/self/fd/0";
+constexpr const char* input = "picture"; // decoders want a name; there is no such file
+constexpr const char* decoderNames[] = {"png", "jpeg", "tiff", "openexr"};
 constexpr std::uint64_t pixelsAtOnce = 4 << 20;
 
 struct Refused {
@@ -36,7 +40,7 @@ void write(const void* bytes, std::size_t size)
         ::_exit(1); // nobody listens any more
 }
 
-/// The file that decoders see under the name `input`, for a look at the bytes themselves.
+/// The file on the standard input.
 class Bytes {
 public:
     Bytes()
@@ -65,26 +69,32 @@ private:
     std::size_t m_size = 0;
 };
 
-ImageKind kindOfInput()
+ImageKind kindOf(std::string_view bytes)
 {
-    const Bytes bytes;
-    const auto kind = imageKindOf(bytes.view());
+    const auto kind = imageKindOf(bytes);
     if (!kind)
         refuse(ImageVerdict::UnknownKind);
-    if (kind == ImageKind::Jpeg && !jpegIsWhole(bytes.view()))
+    if (kind == ImageKind::Jpeg && !jpegIsWhole(bytes))
         refuse(ImageVerdict::Damaged);
     return *kind;
 }
 
-/// By name: what the file is has been seen, and no other decoder of the library is tried.
-std::unique_ptr<OIIO::ImageInput> opened(ImageKind kind, OIIO::ImageSpec& spec)
+/// The library sets itself up while files can still be opened: it has not seen any byte of the picture.
+void prepareLibrary()
 {
-    constexpr const char* names[] = {"png", "jpeg", "tiff", "openexr"};
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1); // -1: none beside this one
+    for (const char* name : decoderNames)
+        OIIO::ImageInput::create(name, false);
+}
+
+/// By name: what the file is has been seen, and no other decoder of the library is tried.
+std::unique_ptr<OIIO::ImageInput> opened(ImageKind kind, OIIO::Filesystem::IOProxy* bytes, OIIO::ImageSpec& spec)
+{
     OIIO::ImageSpec wish;
     wish["oiio:UnassociatedAlpha"] = 1;
-    auto decoder = OIIO::ImageInput::create(names[static_cast<std::size_t>(kind)], false, &wish);
+    wish.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
+    auto decoder = OIIO::ImageInput::create(decoderNames[static_cast<std::size_t>(kind)], false, &wish);
     if (!decoder || !decoder->open(input, spec, wish))
         refuse(ImageVerdict::Damaged);
     return decoder;
@@ -168,8 +178,10 @@ void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Co
 
 void decode()
 {
+    const Bytes bytes;
+    OIIO::Filesystem::IOMemReader reader(bytes.view().data(), bytes.view().size());
     OIIO::ImageSpec spec;
-    const auto decoder = opened(kindOfInput(), spec);
+    const auto decoder = opened(kindOf(bytes.view()), &reader, spec);
     const auto width = static_cast<std::uint32_t>(std::max(spec.width, 0));
     const auto height = static_cast<std::uint32_t>(std::max(spec.height, 0));
     if (width == 0 || height == 0 || spec.depth > 1 || spec.deep || spec.nchannels < 1 || spec.nchannels > 64)
@@ -193,8 +205,11 @@ void decode()
 int main()
 {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would stop it any more
-    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    ::clearenv();
     try {
+        prepareLibrary();
+        if (!enterSandbox())
+            ::_exit(4);
         decode();
     } catch (const Refused& refused) {
         write(bytesOf(refused.head).data(), imageHeadBytes);
