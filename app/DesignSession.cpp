@@ -142,7 +142,10 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     for (const Problem& problem : m_opened)
         if (const ElementPtr element = design.element(problem.element);
             element && problem.field == "file" && hasShapeFile(*element))
-            m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message});
+            if (ImportedFile& file =
+                    m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message}).first->second;
+                file.content)
+                file.warning = problem.message;
     if (const OpenedProject& project = opened.journal.project; opened.journal.journal) {
         m_document.reset(design, project.history);
         m_document.markSaved(project.saved.value_or(0));
@@ -318,8 +321,13 @@ Problems DesignSession::problems() const
         if (const auto* bad = std::get_if<Quarantined>(element.get()))
             found.insert(found.end(), bad->problems.begin(), bad->problems.end());
         if (hasShapeFile(*element))
-            if (const auto known = m_known.find(keyOf(*element)); known != m_known.end() && !known->second.content)
-                found.push_back({id, elementLabel(id, *element), "file", known->second.problem});
+            if (const auto known = m_known.find(keyOf(*element)); known != m_known.end()) {
+                const auto& [content, problem, warning] = known->second;
+                if (!content)
+                    found.push_back({id, elementLabel(id, *element), "file", problem});
+                else if (!warning.empty())
+                    found.push_back({id, elementLabel(id, *element), "file", warning, Severity::Warning});
+            }
     }
     return found;
 }

@@ -71,6 +71,9 @@ void readFiles(OpenedDesign& opened, const QString& folder)
         file.content.addTo(opened.files, id);
         if (!file.content)
             opened.problems.push_back({id, elementLabel(id, *element), "file", std::move(file.problem)});
+        else if (!file.warning.empty())
+            opened.problems.push_back(
+                {id, elementLabel(id, *element), "file", std::move(file.warning), Severity::Warning});
     }
 }
 

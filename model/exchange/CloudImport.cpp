@@ -25,14 +25,16 @@ ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedCloud imported;
-        imported.problem = readGuarded(path, largestCloudFile, watch, [&](const FileBytes& bytes) {
-            imported.cloud = std::make_shared<const PointCloud>(format.read(bytes));
-        });
+        imported.problem = readGuarded(path, largestCloudFile, warning(watch, path, imported.warning),
+                                       [&](const FileBytes& bytes) {
+                                           imported.cloud = std::make_shared<const PointCloud>(format.read(bytes));
+                                       });
         return imported;
     }
     return {nullptr,
             {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a scan that can be read; PLY, XYZ and PCD can"),
-             {path.toStdString()}}};
+             {path.toStdString()}},
+            {}};
 }
 
 QStringList cloudFileEndings()

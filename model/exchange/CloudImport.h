@@ -14,6 +14,7 @@ namespace bolster {
 struct ImportedCloud {
     std::shared_ptr<const PointCloud> cloud; ///< null when refused or stopped
     Message problem;                         ///< why, with file and line or offset; empty when stopped
+    Message warning{};                       ///< what is odd about it, though it was read
 };
 
 /// The format is that of the file's ending. Points that are not finite, as scanners write them where they saw

@@ -41,10 +41,10 @@ ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& w
 {
     if (kind == FileKind::Cloud) {
         ImportedCloud imported = importCloud(path, watch);
-        return {{nullptr, std::move(imported.cloud)}, std::move(imported.problem)};
+        return {{nullptr, std::move(imported.cloud)}, std::move(imported.problem), std::move(imported.warning)};
     }
     ImportedMesh imported = importMesh(path, watch);
-    return {{std::move(imported.mesh), nullptr}, std::move(imported.problem)};
+    return {{std::move(imported.mesh), nullptr}, std::move(imported.problem), std::move(imported.warning)};
 }
 
 } // namespace bolster

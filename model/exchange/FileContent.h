@@ -32,6 +32,7 @@ struct FileContent {
 struct ImportedFile {
     FileContent content; ///< nothing when refused or stopped
     Message problem;     ///< why, with file and line or offset; empty when stopped
+    Message warning{};   ///< what is odd about it, though it was read
 };
 
 ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch = {});

@@ -35,17 +35,19 @@ ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
         if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
             continue;
         ImportedMesh imported;
-        imported.problem = readGuarded(path, largestMeshFile, watch, [&](const FileBytes& bytes) {
-            TriangleMesh mesh = format.read(bytes);
-            for (TriangleMesh::Part& part : mesh.parts)
-                part.name = cleanName(part.name);
-            imported.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
-        });
+        imported.problem =
+            readGuarded(path, largestMeshFile, warning(watch, path, imported.warning), [&](const FileBytes& bytes) {
+                TriangleMesh mesh = format.read(bytes);
+                for (TriangleMesh::Part& part : mesh.parts)
+                    part.name = cleanName(part.name);
+                imported.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+            });
         return imported;
     }
     return {nullptr,
             {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a mesh that can be read; OBJ, PLY, STL and OFF can"),
-             {path.toStdString()}}};
+             {path.toStdString()}},
+            {}};
 }
 
 QStringList meshFileEndings()

@@ -14,6 +14,7 @@ namespace bolster {
 struct ImportedMesh {
     std::shared_ptr<const TriangleMesh> mesh; ///< null when refused or stopped
     Message problem;                          ///< why, with file and line or offset; empty when stopped
+    Message warning{};                        ///< what is odd about it, though it was read
 };
 
 /// The format is that of the file's ending; polygons are split into triangles.

@@ -2,11 +2,37 @@
 
 namespace bolster {
 
-PlyBody::PlyBody(PlyHeader::Format format, const FileBytes& bytes, TextScanner& header)
-    : m_isText(format == PlyHeader::Format::Text)
-    , m_text(header)
-    , m_binary(bytes, format == PlyHeader::Format::BigEndian, m_isText ? 0 : header.offsetOfNextLine())
-{}
+PlyBody::PlyBody(const PlyHeader& header, const FileBytes& bytes, TextScanner& text)
+    : m_bytes(bytes)
+    , m_isText(header.format == PlyHeader::Format::Text)
+    , m_text(text)
+    , m_binary(bytes, header.format == PlyHeader::Format::BigEndian, m_isText ? 0 : text.offsetOfNextLine())
+{
+    for (const PlyElement& element : header.elements)
+        m_rows += element.properties.empty() ? 0 : element.count;
+}
+
+void PlyBody::warnOfSurplus() const
+{
+    if (m_surplus && m_bytes.watch().warn)
+        m_bytes.watch().warn(QT_TRANSLATE_NOOP("Message",
+                                               "%1: the rows hold more than the header of the file says; "
+                                               "what is too much in each was left out"));
+}
+
+/// A file that is not written line by line may have several rows on one.
+bool PlyBody::rowsHaveLines()
+{
+    if (!m_rowsHaveLines) {
+        TextScanner again(m_bytes);
+        readPlyHeader(again);
+        std::uint64_t lines = 0;
+        while (lines < m_rows && again.nextLine())
+            ++lines;
+        m_rowsHaveLines = lines >= m_rows;
+    }
+    return *m_rowsHaveLines;
+}
 
 void PlyBody::require(std::uint64_t rows, std::uint64_t binaryBytesPerRow, std::uint64_t wordsPerRow) const
 {
@@ -47,9 +73,11 @@ void PlyBody::skip(const PlyProperty& property)
 
 void PlyBody::skip(const PlyElement& element)
 {
-    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
         for (const PlyProperty& property : element.properties)
             skip(property);
+        endRow();
+    }
 }
 
 /// Which coordinate each property is, or -1.

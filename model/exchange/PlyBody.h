@@ -10,8 +10,10 @@ namespace bolster {
 /// Throws FileRefused when numbers are missing or wrong.
 class PlyBody {
 public:
-    /// `header` stands where readPlyHeader() has left it; both must outlive the body.
-    PlyBody(PlyHeader::Format format, const FileBytes& bytes, TextScanner& header);
+    /// `text` stands where readPlyHeader() has left it, and must outlive the body.
+    PlyBody(const PlyHeader& header, const FileBytes& bytes, TextScanner& text);
+    /// At the end: tells the watch of the bytes whether something was left out.
+    void warnOfSurplus() const;
 
     FilePlace place() const { return m_isText ? m_text.place() : m_binary.place(); }
 
@@ -24,6 +26,14 @@ public:
     void skip(const PlyProperty& property);
     /// All rows of an element.
     void skip(const PlyElement& element);
+
+    /// Behind the last number of a row. Where each row has a line of its own, what else is there is left out:
+    /// VCGLIB, for one, writes more than it says in the header.
+    void endRow()
+    {
+        if (m_isText && m_text.moreOnLine() && rowsHaveLines())
+            m_surplus = !m_text.restOfLine().empty();
+    }
 
     /// Calls add(point, place) for each row of an element with x, y and z.
     template <class Add>
@@ -39,6 +49,7 @@ public:
                 else
                     skip(element.properties[k]);
             }
+            endRow();
             add(point, where);
         }
     }
@@ -47,7 +58,12 @@ private:
     void require(std::uint64_t rows, std::uint64_t binaryBytesPerRow, std::uint64_t wordsPerRow) const;
     static std::vector<int> axes(const PlyElement& element);
     double binaryNumber(PlyType type);
+    bool rowsHaveLines();
 
+    FileBytes m_bytes;
+    std::uint64_t m_rows = 0;
+    std::optional<bool> m_rowsHaveLines;
+    bool m_surplus = false;
     bool m_isText;
     TextScanner& m_text;
     ByteReader m_binary;

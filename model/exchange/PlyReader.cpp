@@ -25,6 +25,7 @@ void readFaces(PlyBody& body, const PlyElement& element, MeshBuilder& mesh)
             for (std::int64_t& corner : corners)
                 corner = body.integer(property.type);
         }
+        body.endRow();
         mesh.addFace(corners, place);
     }
 }
@@ -46,7 +47,7 @@ TriangleMesh readPly(const FileBytes& bytes)
     if (!faces || faces->count == 0)
         refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 holds points only; a frame needs faces between them"));
 
-    PlyBody body(header.format, bytes, text);
+    PlyBody body(header, bytes, text);
     MeshBuilder mesh;
     for (const PlyElement& element : header.elements) {
         body.requireRows(element);
@@ -59,6 +60,7 @@ TriangleMesh readPly(const FileBytes& bytes)
         else
             body.skip(element);
     }
+    body.warnOfSurplus();
     return mesh.finish();
 }
 
@@ -66,7 +68,7 @@ PointCloud readPlyCloud(const FileBytes& bytes)
 {
     TextScanner text(bytes);
     const PlyHeader header = readPlyHeader(text);
-    PlyBody body(header.format, bytes, text);
+    PlyBody body(header, bytes, text);
     CloudBuilder cloud(bytes);
     for (const PlyElement& element : header.elements) {
         body.requireRows(element);
@@ -76,6 +78,7 @@ PointCloud readPlyCloud(const FileBytes& bytes)
         }
         body.skip(element);
     }
+    body.warnOfSurplus();
     return cloud.finish();
 }
 

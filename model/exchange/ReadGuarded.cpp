@@ -25,6 +25,14 @@ std::string placeText(const std::string& file, const FilePlace& place)
 
 } // namespace
 
+ImportWatch warning(ImportWatch watch, const QString& path, Message& odd)
+{
+    watch.warn = [name = QFileInfo(path).fileName().toStdString(), &odd](const char* sentence) {
+        odd = {sentence, {name}};
+    };
+    return watch;
+}
+
 Message readGuarded(const QString& path, std::int64_t largest, const ImportWatch& watch,
                     const std::function<void(const FileBytes& bytes)>& read)
 {

@@ -13,4 +13,7 @@ namespace bolster {
 Message readGuarded(const QString& path, std::int64_t largest, const ImportWatch& watch,
                     const std::function<void(const FileBytes& bytes)>& read);
 
+/// The same watch, which keeps the last thing that is odd in `odd`.
+ImportWatch warning(ImportWatch watch, const QString& path, Message& odd);
+
 } // namespace bolster

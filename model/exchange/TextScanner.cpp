@@ -87,6 +87,12 @@ std::string_view TextScanner::wordOnAnyLine()
     return found;
 }
 
+bool TextScanner::moreOnLine()
+{
+    skipBlanks();
+    return !atLineEnd() && *m_at != '#';
+}
+
 std::string_view TextScanner::restOfLine()
 {
     while (m_at != m_end && isBlank(*m_at))

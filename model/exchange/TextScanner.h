@@ -18,6 +18,8 @@ public:
     std::string_view word();
     /// The next word of this or a later line, or "" at the end of the text.
     std::string_view wordOnAnyLine();
+    /// Whether this line has another word.
+    bool moreOnLine();
     /// What is left of this line, without blanks around it.
     std::string_view restOfLine();
 

@@ -271,5 +271,30 @@ TEST(PolygonSplit, SurvivesPolygonsThatAreNone)
     }
 }
 
+TEST_F(MeshImportTest, PlyRowsThatHoldMoreThanTheHeaderSaysAreReadWithAWarning)
+{
+    const std::string head = "ply\nformat ascii 1.0\ncomment VCGLIB generated\nelement vertex 4\n"
+                             "property float x\nproperty float y\nproperty float z\nelement face 2\n"
+                             "property list uchar int vertex_indices\nend_header\n";
+    const std::string faces = "3 0 1 2 255 0 0\n3 0 2 3 255 0 0\n";
+    const ImportedMesh more =
+        importMesh(write("more.ply", head + "0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n0 1 0 9 9 9\n" + faces));
+    ASSERT_TRUE(more.mesh) << more.problem.english();
+    EXPECT_EQ(more.mesh->points.size(), 4u);
+    EXPECT_NEAR(area(*more.mesh), 1, 1e-12);
+    EXPECT_NE(more.warning.english().find("more.ply: the rows hold more"), std::string::npos)
+        << more.warning.english();
+
+    const ImportedMesh exact =
+        importMesh(write("exact.ply", head + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+    EXPECT_TRUE(exact.mesh);
+    EXPECT_EQ(exact.warning.english(), "");
+    const ImportedMesh together =
+        importMesh(write("together.ply", head + "0 0 0 1 0 0\n1 1 0 0 1 0 3 0 1 2\n3 0 2 3"));
+    ASSERT_TRUE(together.mesh) << "a file that is not written line by line: " << together.problem.english();
+    EXPECT_NEAR(area(*together.mesh), 1, 1e-12);
+    EXPECT_EQ(together.warning.english(), "");
+}
+
 } // namespace
 } // namespace bolster
