@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <limits>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,6 +29,13 @@ Message readProblem(const QString& path, int error)
     default:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"), {name, std::strerror(error)}};
     }
+}
+
+Message ordinaryFileProblem(const QString& path)
+{
+    Message problem;
+    DiskFile::open(path, std::numeric_limits<std::int64_t>::max(), problem);
+    return problem;
 }
 
 std::optional<DiskFile> DiskFile::open(const QString& path, std::int64_t largest, Message& problem)

@@ -24,6 +24,7 @@ public:
     ~DiskFile();
 
     std::uint64_t size() const { return m_size; } ///< bytes, when it was opened
+    int descriptor() const { return m_fd; }       ///< for a process that is to have this file and no other
     /// Reads `count` bytes from `at` on; fewer at the end. Returns how many, or -1 with errno set. Threads may do
     /// so at the same time.
     std::int64_t read(std::uint64_t at, char* to, std::size_t count) const;
@@ -37,6 +38,10 @@ private:
     int m_fd;
     std::uint64_t m_size;
 };
+
+/// Why a file cannot be read: a pipe that nobody writes to would keep its reader for ever. Empty for an ordinary
+/// one.
+Message ordinaryFileProblem(const QString& path);
 
 /// "you are not allowed to read ..." and so on, for an error number.
 Message readProblem(const QString& path, int error);

@@ -64,6 +64,7 @@ Message writeProblem(const QString& path, int error)
     case EISDIR:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is a folder"), {name}};
     case EINVAL:
+    case ENXIO: // a pipe that nobody reads
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: it is not an ordinary file"), {name}};
     default:
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"), {name, std::strerror(error)}};

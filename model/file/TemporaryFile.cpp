@@ -1,5 +1,6 @@
 #include "TemporaryFile.h"
 
+#include "DiskFile.h"
 #include "PosixFile.h"
 
 #include <QCryptographicHash>
@@ -10,14 +11,16 @@
 #include <QSysInfo>
 #include <QUuid>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <limits>
 #include <sys/file.h>
 
 namespace bolster {
 namespace {
 
-constexpr qsizetype bytesAtOnce = 1 << 20;
+constexpr std::uint64_t bytesAtOnce = 1 << 20;
 constexpr int triesAtMost = 10;
 constexpr const char* besideIt = "-journal"; // SQLite does not always remove its own
 
@@ -107,16 +110,17 @@ Message TemporaryFile::write(std::string_view bytes)
 
 Message TemporaryFile::copyFrom(const QString& path)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
-                {path.toStdString(), file.errorString().toStdString()}};
-    while (!file.atEnd()) {
-        const QByteArray bytes = file.read(bytesAtOnce);
-        if (bytes.isEmpty())
-            return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
-                    {path.toStdString(), file.errorString().toStdString()}};
-        if (Message problem = write({bytes.constData(), static_cast<std::size_t>(bytes.size())}); !problem.empty())
+    Message unreadable;
+    const auto file = DiskFile::open(path, std::numeric_limits<std::int64_t>::max(), unreadable);
+    if (!file)
+        return unreadable;
+    std::string bytes;
+    for (std::uint64_t at = 0; at < file->size(); at += bytes.size()) {
+        bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(bytesAtOnce, file->size() - at)));
+        const std::int64_t got = file->read(at, bytes.data(), bytes.size());
+        if (got < static_cast<std::int64_t>(bytes.size()))
+            return readProblem(path, got < 0 ? errno : EIO);
+        if (Message problem = write(bytes); !problem.empty())
             return problem;
     }
     return m_problem;

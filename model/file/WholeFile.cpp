@@ -4,7 +4,11 @@
 #include "PosixFile.h"
 #include "TemporaryFile.h"
 
+#include <QTemporaryDir>
+
+#include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <new>
 
 // QSaveFile would do most of this, but it ignores the result of fsync, does not sync the folder (so a power cut
@@ -31,6 +35,28 @@ WholeFile readWholeFile(const QString& path, std::int64_t largest)
     return result;
 }
 
+Message copyWholeFile(const QString& from, const QString& to, std::int64_t largest)
+{
+    constexpr std::size_t copiedAtOnce = 1 << 20;
+    Message problem;
+    const auto file = DiskFile::open(from, largest, problem);
+    if (!file)
+        return problem;
+    Descriptor copy(to, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (!copy.valid())
+        return writeProblem(to, errno);
+    std::string bytes;
+    for (std::uint64_t at = 0; at < file->size(); at += bytes.size()) {
+        bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(copiedAtOnce, file->size() - at)));
+        const std::int64_t got = file->read(at, bytes.data(), bytes.size());
+        if (got < static_cast<std::int64_t>(bytes.size()))
+            return readProblem(from, got < 0 ? errno : EIO);
+        if (const int error = writeAll(copy, bytes))
+            return writeProblem(to, error);
+    }
+    return copy.close() ? Message{} : writeProblem(to, errno);
+}
+
 Message replaceWholeFile(const QString& path, std::string_view bytes)
 {
     const QString target = resolved(path);
@@ -43,9 +69,32 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
         Message problem = file.write(bytes);
         return problem.empty() ? file.moveIntoPlace() : problem;
     }
-    const Descriptor device(target, O_WRONLY);
-    const int error = device.valid() ? writeAll(device, bytes) : errno;
+    const Descriptor device(target, O_WRONLY | O_NONBLOCK); // nobody is waited for who might read
+    if (!device.valid() || ::fcntl(device.get(), F_SETFL, 0) != 0)
+        return writeProblem(path, errno);
+    const int error = writeAll(device, bytes);
     return error ? writeProblem(path, error) : Message{};
+}
+
+Message replaceFile(const QString& path, const std::function<std::string(const QString& file)>& write)
+{
+    const auto failed = [&](const std::string& why) {
+        return Message{QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"), {path.toStdString(), why}};
+    };
+    const auto present = statusOf(resolved(path));
+    if (!present || S_ISREG(present->st_mode)) {
+        TemporaryFile file(path);
+        if (!file.problem().empty())
+            return file.problem();
+        const std::string why = write(file.path());
+        return why.empty() ? file.moveIntoPlace() : failed(why);
+    }
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("file"));
+    if (const std::string why = write(file); !why.empty())
+        return failed(why);
+    const WholeFile whole = readWholeFile(file, std::numeric_limits<int>::max());
+    return whole.problem.empty() ? replaceWholeFile(path, whole.bytes) : whole.problem;
 }
 
 } // namespace bolster

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,10 +20,18 @@ struct WholeFile {
 /// Reads a regular file of at most `largest` bytes.
 WholeFile readWholeFile(const QString& path, std::int64_t largest);
 
+/// Copies a regular file of at most `largest` bytes to a new one that only its owner may read. Returns what went
+/// wrong, or an empty message.
+Message copyWholeFile(const QString& from, const QString& to, std::int64_t largest);
+
 /// Writes to a temporary file in the same folder, syncs it, renames it over `path` and syncs the folder: after a
 /// power cut `path` holds the old bytes or the new ones, never a mixture. Links are followed and permissions kept;
-/// pipes and devices ("/dev/stdout") are written to directly. Returns what went wrong, or an empty message; the old
-/// file is untouched then.
+/// pipes that somebody reads and devices ("/dev/stdout") are written to directly. Returns what went wrong, or an
+/// empty message; the old file is untouched then.
 Message replaceWholeFile(const QString& path, std::string_view bytes);
+
+/// The same with whatever `write` writes to the new file that it is given the path of; it returns what went wrong,
+/// in words, or "".
+Message replaceFile(const QString& path, const std::function<std::string(const QString& file)>& write);
 
 } // namespace bolster

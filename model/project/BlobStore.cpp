@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
+#include <QStringDecoder>
 #include <QTemporaryFile>
 
 #include <algorithm>
@@ -13,7 +14,9 @@ namespace bolster {
 namespace {
 
 constexpr qint64 chunkSize = 1 << 20;
-constexpr std::int64_t mostChunks = 1 << 20; // of one content
+constexpr std::int64_t mostChunks = 1 << 20;                    // of one content
+constexpr std::int64_t mostBlobs = (std::int64_t{1} << 43) - 2; // so that the numbers of their pieces fit
+constexpr std::int64_t pieceLimit = mostBlobs * mostChunks;
 constexpr std::size_t longestName = 4096;
 
 /// CRC-32 as in zlib and PNG.
@@ -39,6 +42,7 @@ std::int64_t crcOf(std::string_view bytes)
     throw DatabaseError({QT_TRANSLATE_NOOP("Message", "the content number %1 is damaged"), {std::to_string(blob)}});
 }
 
+/// Of a content that isBlobNumber().
 std::int64_t chunkId(std::int64_t blob, std::int64_t index)
 {
     return blob * mostChunks + index;
@@ -81,8 +85,12 @@ std::int64_t firstChunkFrom(Database& database, std::int64_t id)
 /// One that nobody has, not even a content that is on its way.
 std::int64_t nextNumber(Database& database)
 {
-    return 1 + std::max(database.number("SELECT coalesce(max(id), 0) FROM blob"),
-                        database.number("SELECT coalesce(max(id), 0) FROM chunk") / mostChunks);
+    Query pieces(database, "SELECT coalesce(max(id), 0) FROM chunk WHERE id < ?", {Value::integer(pieceLimit)});
+    const std::int64_t ofPieces = pieces.next() ? pieces.integer(0) / mostChunks : 0;
+    const std::int64_t next = 1 + std::max(database.number("SELECT coalesce(max(id), 0) FROM blob"), ofPieces);
+    if (!isBlobNumber(next))
+        refuse(next);
+    return next;
 }
 
 void removeUnlessKnown(Database& database, std::int64_t blob)
@@ -148,6 +156,10 @@ void removeUnfinishedBlobs(Database& database)
         const std::int64_t chunk = firstChunkFrom(database, chunkId(next, 0));
         if (chunk < 0)
             return;
+        if (chunk >= pieceLimit) {
+            database.run("DELETE FROM chunk WHERE id >= ?", {Value::integer(pieceLimit)});
+            return;
+        }
         removeUnlessKnown(database, chunk / mostChunks);
         next = chunk / mostChunks + 1;
     }
@@ -173,6 +185,8 @@ BlobFacts factsOf(Database& database, std::int64_t blob)
 /// Other threads have their turn between the pieces: a scan may be large.
 void readBlob(Database& database, std::int64_t blob, QIODevice* target)
 {
+    if (!isBlobNumber(blob))
+        refuse(blob);
     const BlobFacts facts = factsOf(database, blob);
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     std::int64_t size = 0;
@@ -196,7 +210,7 @@ void readBlob(Database& database, std::int64_t blob, QIODevice* target)
         refuse(blob);
 }
 
-void extractBlob(Database& database, std::int64_t blob, const QString& path)
+void extractBlob(Database& database, std::int64_t blob, const QString& path, FileThere there)
 {
     QDir().mkpath(QFileInfo(path).absolutePath());
     QTemporaryFile file(path + QStringLiteral(".XXXXXX")); // whoever looks for the file finds all of it, or none
@@ -209,8 +223,9 @@ void extractBlob(Database& database, std::int64_t blob, const QString& path)
     readBlob(database, blob, &file);
     refuseUnless(file.flush());
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::ReadOther);
-    QFile::remove(path);
-    refuseUnless(file.rename(path));
+    if (there == FileThere::Replace)
+        QFile::remove(path);
+    refuseUnless(file.rename(path)); // never over another file
     file.setAutoRemove(false);
 }
 
@@ -223,9 +238,27 @@ void removeBlob(Database& database, SealedRows& rows, std::int64_t blob)
 
 bool isAssetName(const std::string& name)
 {
-    const QString clean = QDir::cleanPath(QString::fromStdString(name));
-    return !name.empty() && name.size() <= longestName && name.find('\0') == std::string::npos &&
-           !QDir::isAbsolutePath(clean) && clean != "." && clean != ".." && !clean.startsWith("../");
+    QStringDecoder utf8(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+    const QString decoded = utf8(QByteArrayView(name.data(), static_cast<qsizetype>(name.size())));
+    const QString clean = QDir::cleanPath(decoded);
+    return !utf8.hasError() && !name.empty() && name.size() <= longestName &&
+           name.find('\0') == std::string::npos && !QDir::isAbsolutePath(clean) && clean != "." && clean != ".." &&
+           !clean.startsWith("../");
+}
+
+std::string assetPlace(const std::string& name)
+{
+    return QDir::cleanPath(QString::fromStdString(name)).toStdString();
+}
+
+bool isBlobNumber(std::int64_t blob)
+{
+    return blob >= 0 && blob < mostBlobs;
+}
+
+bool hasForeignChunks(Database& database)
+{
+    return database.number("SELECT count(*) FROM chunk WHERE id / 1048576 NOT IN (SELECT id FROM blob)") != 0;
 }
 
 } // namespace bolster

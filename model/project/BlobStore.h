@@ -36,12 +36,21 @@ void removeUnfinishedBlobs(Database& database);
 /// Writes a content to the device, or only checks it without one. Throws when it is not whole.
 void readBlob(Database& database, std::int64_t blob, QIODevice* target);
 
-/// As a whole file, in the place of one that is there. Throws, too.
-void extractBlob(Database& database, std::int64_t blob, const QString& path);
+enum class FileThere { Replace, Refuse };
+
+/// As a whole file. Throws, too.
+void extractBlob(Database& database, std::int64_t blob, const QString& path, FileThere there = FileThere::Replace);
 
 void removeBlob(Database& database, SealedRows& rows, std::int64_t blob);
 
-/// "frames/chair.obj", "./chair.obj" and so on: a name below a folder, not beside or above.
+/// "frames/chair.obj", "./chair.obj" and so on: a name below a folder, not beside or above, in UTF-8.
 bool isAssetName(const std::string& name);
+/// Where the file of this name comes to lie below a folder: "a/b" and "a/./b" are one place.
+std::string assetPlace(const std::string& name);
+
+/// Whether its pieces can have numbers.
+bool isBlobNumber(std::int64_t blob);
+/// Pieces that belong to no content.
+bool hasForeignChunks(Database& database);
 
 } // namespace bolster

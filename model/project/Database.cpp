@@ -5,12 +5,14 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace bolster {
 namespace {
 
-constexpr int largestValue = 256 << 20; // bytes of a column
+constexpr std::int64_t largestValue = 256 << 20; // bytes of a column
+constexpr std::int64_t smallestLimit = 1 << 20;
 constexpr std::int64_t stepsPerByte = 10;
 constexpr std::int64_t stepsAtLeast = 10'000'000;
 constexpr int stepsAtOnce = 10'000;
@@ -217,7 +219,10 @@ void Database::harden(Access access)
     sqlite3_db_config(m_handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(m_handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_db_config(m_handle, SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0, nullptr);
-    sqlite3_limit(m_handle, SQLITE_LIMIT_LENGTH, largestValue);
+    // A file at rest may claim values that are longer than itself, with pages that follow each other in circles.
+    const std::int64_t most =
+        access == Access::AtRest ? std::max<std::int64_t>(QFileInfo(m_path).size(), smallestLimit) : largestValue;
+    sqlite3_limit(m_handle, SQLITE_LIMIT_LENGTH, static_cast<int>(std::min(most, largestValue)));
     sqlite3_limit(m_handle, SQLITE_LIMIT_SQL_LENGTH, 10'000);
     sqlite3_limit(m_handle, SQLITE_LIMIT_ATTACHED, 0);
     sqlite3_extended_result_codes(m_handle, 1);
@@ -287,7 +292,7 @@ void Database::runVacuum(const char* sql, std::initializer_list<Value> values)
 sqlite3_stmt* Database::prepared(const char* sql)
 {
     if (!m_handle)
-        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is closed"), {m_path.toStdString()}});
+        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is closed"), {name().toStdString()}});
     if (const auto known = m_statements.find(sql); known != m_statements.end())
         return known->second;
     sqlite3_stmt* statement = nullptr;
@@ -302,7 +307,7 @@ void Database::fail(int code) const
 {
     if ((code & 0xff) == SQLITE_NOMEM)
         throw std::bad_alloc();
-    throw DatabaseError(sentence(code, m_path.toStdString(), sqlite3_errmsg(m_handle)));
+    throw DatabaseError(sentence(code, name().toStdString(), sqlite3_errmsg(m_handle)));
 }
 
 Transaction::Transaction(Database& database)

@@ -96,6 +96,11 @@ public:
     /// Lets go of the file; whatever is asked for afterwards throws.
     void close();
     const QString& path() const { return m_path; }
+    /// In sentences: the path, unless it is a copy of the file that the user knows.
+    const QString& name() const { return m_name.isEmpty() ? m_path : m_name; }
+    void setName(const QString& name) { m_name = name; }
+    /// How large the file is, with what is in its log.
+    std::int64_t bytes() { return number("PRAGMA page_count") * number("PRAGMA page_size"); }
     void run(const char* sql, std::initializer_list<Value> values = {}) { Query(*this, sql, values).run(); }
     std::int64_t number(const char* sql);
     /// Of one with a write-ahead log: brings all that was done into the file itself, which is left alone then until
@@ -117,6 +122,7 @@ private:
 
     std::recursive_mutex m_turn;
     QString m_path;
+    QString m_name;
     const char* m_vfs;
     sqlite3* m_handle = nullptr;
     std::map<std::string, sqlite3_stmt*, std::less<>> m_statements;

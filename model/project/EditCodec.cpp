@@ -1,15 +1,14 @@
 #include "EditCodec.h"
 
+#include "CborReader.h"
+
 #include <QByteArray>
-#include <QCborStreamReader>
 #include <QCborStreamWriter>
 
 #include <algorithm>
 
 namespace bolster {
 namespace {
-
-constexpr qsizetype largestPacked = 256'000'000; // bytes of a design, unpacked
 
 // A key of a change that is not there is null.
 void appendText(QCborStreamWriter& writer, const std::string& text)
@@ -25,92 +24,53 @@ void appendText(QCborStreamWriter& writer, const std::optional<std::string>& tex
         writer.appendNull();
 }
 
-// Reads exactly what the writers above write: nothing nests, so there is no depth to limit, and nothing is reserved
-// that the bytes do not fill.
-class Reader {
-public:
-    explicit Reader(std::string_view bytes)
-        : m_bytes(QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())))
-        , m_reader(m_bytes)
-    {}
-
-    /// Calls item() for each one, until one fails.
-    template <class Item>
-    bool array(Item item)
-    {
-        if (!m_reader.isArray() || !m_reader.isLengthKnown() || !m_reader.enterContainer())
-            return false;
-        while (m_reader.hasNext())
-            if (!item())
-                return false;
-        return m_reader.lastError() == QCborError::NoError && m_reader.leaveContainer();
-    }
-
-    bool arrayOf(std::uint64_t length) const
-    {
-        return m_reader.isArray() && m_reader.isLengthKnown() && m_reader.length() == length;
-    }
-
-    bool text(std::string& text)
-    {
-        if (!m_reader.isString() || !m_reader.isLengthKnown())
-            return false;
-        if (m_reader.length() > static_cast<std::uint64_t>(m_bytes.size() - m_reader.currentOffset()))
-            return false;
-        text.resize(static_cast<std::size_t>(m_reader.length()));
-        std::size_t filled = 0;
-        auto chunk = m_reader.readStringChunk(text.data(), static_cast<qsizetype>(text.size()));
-        while (chunk.status == QCborStreamReader::Ok) {
-            filled += static_cast<std::size_t>(chunk.data);
-            chunk = m_reader.readStringChunk(text.data() + filled, static_cast<qsizetype>(text.size() - filled));
-        }
-        return chunk.status == QCborStreamReader::EndOfString && filled == text.size();
-    }
-
-    bool optionalText(std::optional<std::string>& text)
-    {
-        text.reset();
-        if (m_reader.isNull())
-            return m_reader.next();
-        return this->text(text.emplace());
-    }
-
-    bool id(ElementId& id)
-    {
-        if (!m_reader.isUnsignedInteger() || m_reader.toUnsignedInteger() > largestElementId)
-            return false;
-        id = ElementId{static_cast<std::int32_t>(m_reader.toUnsignedInteger())};
-        return m_reader.next();
-    }
-
-    bool atEnd() const { return m_reader.currentOffset() == m_bytes.size(); }
-
-private:
-    QByteArray m_bytes;
-    QCborStreamReader m_reader;
-};
-
-bool readChange(Reader& reader, FieldChange& change)
+bool readChange(CborReader& reader, FieldChange& change)
 {
-    if (!reader.arrayOf(4))
-        return false;
-    int index = 0;
-    return reader.array([&] {
-        switch (index++) {
-        case 0:
-            return reader.id(change.element);
-        case 1:
-            return reader.text(change.field);
-        case 2:
-            return reader.optionalText(change.before);
-        default:
-            return reader.optionalText(change.after);
-        }
-    });
+    std::uint64_t parts = 0;
+    return reader.array(parts) && parts == 4 && reader.id(change.element) && reader.text(change.field) &&
+           reader.optionalText(change.before) && reader.optionalText(change.after) && change.before != change.after;
 }
 
-ElementPtr elementBehind(const FieldChange* begin, const FieldChange* end, ElementFields fields,
-                         std::optional<std::string> FieldChange::*side)
+/// Stops at the first that is wrong or out of order: nobody is to hold what will be refused.
+std::optional<FieldChanges> readChanges(CborReader reader)
+{
+    std::uint64_t count = 0;
+    if (!reader.array(count) || count > mostFieldChanges)
+        return std::nullopt;
+    FieldChanges changes;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        FieldChange change;
+        if (!readChange(reader, change) || (i > 0 && std::tie(changes.back().element, changes.back().field) >=
+                                                         std::tie(change.element, change.field)))
+            return std::nullopt;
+        changes.push_back(std::move(change));
+    }
+    return reader.atEnd() ? std::optional(std::move(changes)) : std::nullopt;
+}
+
+/// More than enough for what CBOR adds to the texts of a change.
+constexpr std::size_t bytesBesideTexts = 24;
+constexpr std::uint64_t mostTexts = 100; // of a list
+
+bool canBeStored(const FieldChanges& changes)
+{
+    std::size_t bytes = 0;
+    for (const FieldChange& change : changes)
+        bytes += change.field.size() + change.before.value_or("").size() + change.after.value_or("").size() +
+                 bytesBesideTexts;
+    return changes.size() <= mostFieldChanges && bytes <= longestPlain;
+}
+
+std::int64_t textLengthOf(const ElementFields& fields)
+{
+    std::size_t length = 0;
+    for (const auto& [key, text] : fields)
+        length += key.size() + text.size();
+    return static_cast<std::int64_t>(length);
+}
+
+ElementFields fieldsBehind(const FieldChange* begin, const FieldChange* end, ElementFields fields,
+                           std::optional<std::string> FieldChange::*side)
 {
     for (; begin != end; ++begin) {
         if (begin->*side)
@@ -118,25 +78,12 @@ ElementPtr elementBehind(const FieldChange* begin, const FieldChange* end, Eleme
         else
             fields.erase(begin->field);
     }
-    return elementFromFields((end - 1)->element, fields);
+    return fields;
 }
 
 std::string pack(std::string_view bytes)
 {
     return qCompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
-        .toStdString();
-}
-
-std::optional<std::string> unpack(std::string_view bytes)
-{
-    if (bytes.size() < 4)
-        return std::nullopt;
-    qsizetype size = 0; // that the packed bytes claim
-    for (std::size_t i = 0; i < 4; ++i)
-        size = size << 8 | static_cast<uchar>(bytes[i]);
-    if (size > largestPacked || size > 1100 * static_cast<qsizetype>(bytes.size())) // deflate reaches 1032
-        return std::nullopt;
-    return qUncompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()))
         .toStdString();
 }
 
@@ -165,18 +112,25 @@ FieldChanges fieldChanges(const Edit& edit)
     return changes;
 }
 
-std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known)
+std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known,
+                           std::int64_t* growth)
 {
     const bool forward = known == StoredEdits::Known::Parent;
     Edit edit;
+    std::size_t elements = design.elements().size();
     for (const FieldChange *begin = changes.data(), *all = begin + changes.size(); begin != all;) {
         const FieldChange* const end =
             std::find_if(begin, all, [&](const FieldChange& each) { return each.element != begin->element; });
         const ElementPtr here = design.element(begin->element);
-        const ElementPtr there = elementBehind(begin, end, elementFields(begin->element, here),
-                                               forward ? &FieldChange::after : &FieldChange::before);
-        if (begin->element == settingsId && !there)
+        const ElementFields from = elementFields(begin->element, here);
+        const ElementFields to =
+            fieldsBehind(begin, end, from, forward ? &FieldChange::after : &FieldChange::before);
+        const ElementPtr there = elementFromFields(begin->element, to);
+        elements += there && !here ? 1 : 0;
+        if ((begin->element == settingsId && !there) || elements > mostStoredElements)
             return std::nullopt;
+        if (growth)
+            *growth += textLengthOf(to) - textLengthOf(from);
         edit.changes.push_back({begin->element, forward ? here : there, forward ? there : here});
         begin = end;
     }
@@ -190,7 +144,12 @@ Message refusal(const Edit& edit)
         from.changes.push_back({change.id, nullptr, change.before});
     const Design before = Design().with(from);
     const Design after = before.with(edit);
-    const auto again = editOf(fieldChanges(edit), before, StoredEdits::Known::Parent);
+    const FieldChanges changes = fieldChanges(edit);
+    if (!canBeStored(changes))
+        return {QT_TRANSLATE_NOOP("Message", "this changes more at once than can be stored: at most %1 MB, and %2 "
+                                             "keys; do it in parts"),
+                {std::to_string(longestPlain >> 20), std::to_string(mostFieldChanges)}};
+    const auto again = editOf(changes, before, StoredEdits::Known::Parent);
     if (again && before.with(*again) == after)
         return {};
     std::string labels;
@@ -222,13 +181,7 @@ std::string encodeChanges(const FieldChanges& changes)
 
 std::optional<FieldChanges> decodeChanges(std::string_view bytes)
 {
-    Reader reader(bytes);
-    FieldChanges changes;
-    const bool read = reader.array([&] { return readChange(reader, changes.emplace_back()); });
-    const bool sorted = std::adjacent_find(changes.begin(), changes.end(), [](const auto& a, const auto& b) {
-                            return std::tie(a.element, a.field) >= std::tie(b.element, b.field);
-                        }) == changes.end();
-    return read && sorted && reader.atEnd() ? std::optional(std::move(changes)) : std::nullopt;
+    return readChanges(CborReader(PlainBytes::asTheyAre(bytes)));
 }
 
 std::string encodeTexts(const std::vector<std::string>& texts)
@@ -244,10 +197,15 @@ std::string encodeTexts(const std::vector<std::string>& texts)
 
 std::optional<std::vector<std::string>> decodeTexts(std::string_view bytes)
 {
-    Reader reader(bytes);
-    std::vector<std::string> texts;
-    const bool read = reader.array([&] { return reader.text(texts.emplace_back()); });
-    return read && reader.atEnd() ? std::optional(std::move(texts)) : std::nullopt;
+    CborReader reader(PlainBytes::asTheyAre(bytes));
+    std::uint64_t count = 0;
+    if (!reader.array(count) || count > mostTexts)
+        return std::nullopt;
+    std::vector<std::string> texts(static_cast<std::size_t>(count));
+    for (std::string& text : texts)
+        if (!reader.text(text))
+            return std::nullopt;
+    return reader.atEnd() ? std::optional(std::move(texts)) : std::nullopt;
 }
 
 std::string packChanges(const FieldChanges& changes)
@@ -257,27 +215,46 @@ std::string packChanges(const FieldChanges& changes)
     return packed.size() < plain.size() ? packed : plain;
 }
 
+namespace {
+
 /// The first byte of an array in CBOR is 0x80 or more; packed bytes begin with their length, which is far from
 /// that.
+bool isPacked(std::string_view bytes)
+{
+    return !bytes.empty() && static_cast<std::uint8_t>(bytes.front()) < 0x80;
+}
+
+} // namespace
+
+std::optional<std::uint64_t> unpackedLength(std::string_view bytes)
+{
+    return isPacked(bytes) ? plainLength(bytes) : bytes.size();
+}
+
 std::optional<FieldChanges> unpackChanges(std::string_view bytes)
 {
-    if (bytes.empty() || static_cast<std::uint8_t>(bytes.front()) >= 0x80)
-        return decodeChanges(bytes);
-    const auto plain = unpack(bytes);
-    return plain ? decodeChanges(*plain) : std::nullopt;
+    return isPacked(bytes) ? readChanges(CborReader(PlainBytes::unpacked(bytes))) : decodeChanges(bytes);
 }
 
 std::string encodeDesign(const Design& design)
 {
-    return pack(encodeChanges(fieldChanges(editBetween(Design(), design, {}))));
+    const FieldChanges changes = fieldChanges(editBetween(Design(), design, {}));
+    return canBeStored(changes) ? pack(encodeChanges(changes)) : std::string();
 }
 
-std::optional<Design> decodeDesign(std::string_view bytes)
+std::optional<Replayed> decodeDesign(std::string_view bytes)
 {
-    const auto plain = unpack(bytes);
-    const auto changes = plain ? decodeChanges(*plain) : std::nullopt;
-    const auto edit = changes ? editOf(*changes, Design(), StoredEdits::Known::Parent) : std::nullopt;
-    return edit ? std::optional(Design().with(*edit)) : std::nullopt;
+    const auto changes = readChanges(CborReader(PlainBytes::unpacked(bytes)));
+    return changes ? replayed({}, *changes) : std::nullopt;
+}
+
+std::optional<Replayed> replayed(const Replayed& parent, const FieldChanges& changes)
+{
+    std::int64_t length = parent.length;
+    const auto edit = editOf(changes, parent.design, StoredEdits::Known::Parent, &length);
+    if (!edit || length > longestStoredDesign)
+        return std::nullopt;
+    return Replayed{parent.design.with(*edit), length};
 }
 
 } // namespace bolster

@@ -20,13 +20,20 @@ struct FieldChange {
 };
 using FieldChanges = std::vector<FieldChange>; ///< by element, then by field
 
-FieldChanges fieldChanges(const Edit& edit);
-/// The edit, forward, when the design before it or after it is known. Nothing when the settings cannot be read;
-/// other elements come back as Quarantined then.
-std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known);
+// More than a text holds (docs/design-json.md), so nothing that Bolster makes; files from anybody may say more.
+inline constexpr std::size_t mostFieldChanges = 1'000'000;      ///< of one edit, and of a snapshot
+inline constexpr std::size_t mostStoredElements = 200'000;      ///< of a design
+inline constexpr std::int64_t longestStoredDesign = 32ll << 20; ///< bytes of its elements' keys and values
 
-/// Why the edit cannot be stored: NaN, infinity and text that is not UTF-8 would not come back as they are. Empty
-/// when it can.
+FieldChanges fieldChanges(const Edit& edit);
+/// The edit, forward, when the design before it or after it is known. Nothing when the settings cannot be read, or
+/// there are too many elements; others come back as Quarantined then. `growth` is told by how many bytes the keys
+/// and values of the elements become more.
+std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known,
+                           std::int64_t* growth = nullptr);
+
+/// Why the edit cannot be stored: NaN, infinity and text that is not UTF-8 would not come back as they are, and
+/// there are limits. Empty when it can.
 Message refusal(const Edit& edit);
 
 std::string encodeChanges(const FieldChanges& changes);
@@ -37,13 +44,24 @@ std::optional<FieldChanges> decodeChanges(std::string_view bytes);
 std::string packChanges(const FieldChanges& changes);
 /// Of both forms.
 std::optional<FieldChanges> unpackChanges(std::string_view bytes);
+/// How many bytes they say they hold, unpacked. Nothing when that is more than there can be.
+std::optional<std::uint64_t> unpackedLength(std::string_view bytes);
 
-/// The arguments of a verb: a list of texts.
+/// The arguments of a verb: a list of texts, not many.
 std::string encodeTexts(const std::vector<std::string>& texts);
 std::optional<std::vector<std::string>> decodeTexts(std::string_view bytes);
 
-/// A whole design, as the edit that makes it from an empty one, packed.
+/// A design that was put together of stored changes, and how long they are.
+struct Replayed {
+    Design design;
+    std::int64_t length = 0; ///< bytes of its elements' keys and values
+};
+/// The next one. Nothing when the changes cannot be read, or lead to more than any design that is stored.
+std::optional<Replayed> replayed(const Replayed& parent, const FieldChanges& changes);
+
+/// A whole design, as the edit that makes it from an empty one, packed. Empty for one that is too large: it is
+/// still there as its edits.
 std::string encodeDesign(const Design& design);
-std::optional<Design> decodeDesign(std::string_view bytes);
+std::optional<Replayed> decodeDesign(std::string_view bytes);
 
 } // namespace bolster

@@ -1,6 +1,7 @@
 #include "Journal.h"
 
 #include "BlobStore.h"
+#include "DiskFile.h"
 #include "JournalStep.h"
 #include "ProjectContents.h"
 #include "ProjectRows.h"
@@ -288,6 +289,8 @@ Message Journal::addAsset(std::string& name, const QString& path)
 {
     if (!isAssetName(name))
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is no name for a file of a project"), {name}};
+    if (Message problem = ordinaryFileProblem(path); !problem.empty()) // one that waits for ever
+        return problem;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),

@@ -2,40 +2,50 @@
 
 #include "BlobStore.h"
 #include "DesignJson.h"
+#include "DiskFile.h"
 #include "ProjectContents.h"
 #include "Schema.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
+
+#include <algorithm>
+#include <limits>
 
 namespace bolster {
 namespace {
 
 constexpr std::string_view magic("SQLite format 3", 16); // with its zero
-constexpr qsizetype headSize = 100;
+constexpr std::size_t headSize = 105;                    // that of SQLite, and the beginning of its list of tables
 
-std::int64_t bigEndian(const QByteArray& bytes, qsizetype at, int length)
+std::int64_t bigEndian(std::string_view bytes, std::size_t at, std::size_t length)
 {
     std::int64_t number = 0;
-    for (int i = 0; i < length; ++i)
+    for (std::size_t i = 0; i < length; ++i)
         number = number << 8 | static_cast<std::uint8_t>(bytes[at + i]);
     return number;
+}
+
+/// The first bytes, fewer where there are not so many.
+std::string headOf(const DiskFile& file, std::size_t count)
+{
+    std::string head(count, '\0');
+    head.resize(static_cast<std::size_t>(std::max<std::int64_t>(file.read(0, head.data(), count), 0)));
+    return head;
 }
 
 /// What the first bytes tell, before SQLite has a look.
 Message headProblem(const QString& path)
 {
     const std::string name = path.toStdString();
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return QFileInfo::exists(path) ? Message{QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be read (%2)"),
-                                                 {name, file.errorString().toStdString()}}
-                                       : Message{QT_TRANSLATE_NOOP("Message", "there is no file \"%1\""), {name}};
-    const QByteArray head = file.read(headSize);
-    if (head.size() < headSize || !head.startsWith(QByteArrayView(magic.data(), magic.size())) ||
-        bigEndian(head, 68, 4) != applicationId)
+    Message problem;
+    const auto file = DiskFile::open(path, std::numeric_limits<std::int64_t>::max(), problem);
+    if (!file)
+        return problem;
+    const std::string head = headOf(*file, headSize);
+    const auto size = static_cast<std::int64_t>(file->size());
+    if (head.size() < headSize || !head.starts_with(magic) || bigEndian(head, 68, 4) != applicationId)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is no Bolster project"), {name}};
     if (bigEndian(head, 60, 4) > schemaVersion)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" was made by a newer Bolster (version %2 of the format, this "
@@ -49,9 +59,11 @@ Message headProblem(const QString& path)
                                   "\"%1\" is the journal of a running program, or of one that crashed, not "
                                   "a project file"),
                 {name}};
-    if (bigEndian(head, 16, 2) != pageSize || bigEndian(head, 28, 4) * pageSize != file.size())
+    if (bigEndian(head, 16, 2) != pageSize || bigEndian(head, 28, 4) * pageSize != size)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: it is %2 bytes long and should have %3"),
-                {name, std::to_string(file.size()), std::to_string(bigEndian(head, 28, 4) * pageSize)}};
+                {name, std::to_string(size), std::to_string(bigEndian(head, 28, 4) * pageSize)}};
+    if (!tablesFitOnePage(std::string_view(head).substr(100)))
+        return foreignTables(path);
     return {};
 }
 
@@ -69,19 +81,23 @@ OpenedDesign unreadable(Message why)
     return result;
 }
 
-void extractAsset(const OpenedProject& project, const std::string& name, const QString& folder)
+QString pathOfAsset(const std::string& name, const QString& folder)
 {
-    const QString path = QDir(folder).filePath(QDir::cleanPath(QString::fromStdString(name)));
-    extractBlob(*project.database, project.assets.at(name), path);
+    return QDir(folder).filePath(QString::fromStdString(assetPlace(name)));
+}
+
+void extractAsset(const OpenedProject& project, const std::string& name, const QString& folder, FileThere there)
+{
+    extractBlob(*project.database, project.assets.at(name), pathOfAsset(name, folder), there);
 }
 
 } // namespace
 
 bool looksLikeProject(const QString& path)
 {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) &&
-           file.read(static_cast<qint64>(magic.size())) == QByteArrayView(magic.data(), magic.size());
+    Message problem;
+    const auto file = DiskFile::open(path, std::numeric_limits<std::int64_t>::max(), problem);
+    return file && headOf(*file, magic.size()) == magic;
 }
 
 OpenedProject openProject(const QString& path, ProjectCheck check)
@@ -113,9 +129,13 @@ std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId n
 
 Message extractAllAssets(const OpenedProject& project, const QString& folder)
 {
+    for (const auto& [name, blob] : project.assets)
+        if (const QFileInfo there(pathOfAsset(name, folder)); there.exists() || there.isSymLink())
+            return {QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"),
+                    {there.filePath().toStdString()}};
     try {
         for (const auto& [name, blob] : project.assets)
-            extractAsset(project, name, folder);
+            extractAsset(project, name, folder, FileThere::Refuse);
         return {};
     } catch (const DatabaseError& error) {
         return error.message;
@@ -133,7 +153,7 @@ Problems extractAssets(const OpenedProject& project, const Design& design, const
         const auto [found, isNew] = done.try_emplace(*name);
         try {
             if (isNew)
-                extractAsset(project, *name, folder);
+                extractAsset(project, *name, folder, FileThere::Replace);
         } catch (const DatabaseError& error) {
             found->second = error.message;
         }

@@ -53,7 +53,8 @@ OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck
 /// What the edit of a node changes, as it is stored; nothing when it cannot be read.
 std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId node);
 
-/// Writes all assets below this folder, which is made if it isn't there. Stops at the first that fails.
+/// Writes all assets below this folder, which is made if it isn't there. Nothing when one of the files is there
+/// already; stops at the first that fails.
 Message extractAllAssets(const OpenedProject& project, const QString& folder);
 
 /// Writes the files that elements of the design name to this folder, below it with the folders they name. What an

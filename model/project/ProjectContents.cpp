@@ -10,12 +10,40 @@ namespace bolster {
 namespace {
 
 constexpr std::int64_t mostNodes = 10'000'000;
+// Of all edits and snapshots, unpacked. Those of designers pack to a fifth, and a few large ones may pack better.
+constexpr std::uint64_t plainAtLeast = 128u << 20;
+constexpr std::uint64_t plainPerByte = 32;
 
 [[noreturn]] void refuse(const char* table, std::int64_t key)
 {
     throw DatabaseError({QT_TRANSLATE_NOOP("Message", "row %1 of the table \"%2\" contradicts others"),
                          {std::to_string(key), table}});
 }
+
+/// Counts what the edits and snapshots of a project say they unpack to. A file that holds little and promises much
+/// is refused before anybody unpacks it.
+class PlainSum {
+public:
+    explicit PlainSum(Database& database)
+        : m_most(plainAtLeast + plainPerByte * static_cast<std::uint64_t>(database.bytes()))
+        , m_database(database)
+    {}
+
+    void add(std::string_view bytes)
+    {
+        const auto length = unpackedLength(bytes);
+        m_sum += length.value_or(0);
+        if (!length || m_sum > m_most)
+            throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" unpacks to more than any project; it was not "
+                                                              "made by Bolster, or is damaged"),
+                                 {m_database.name().toStdString()}});
+    }
+
+private:
+    std::uint64_t m_most;
+    std::uint64_t m_sum = 0;
+    Database& m_database;
+};
 
 /// Whether a column's number is one of the nodes read so far.
 bool isNode(const ProjectContents& contents, const Value& value)
@@ -58,11 +86,14 @@ void readNode(ProjectContents& contents, std::span<const Value> row, const Hash&
     contents.nodes.push_back(std::move(node));
 }
 
-void readNodes(Database& database, ProjectContents& contents)
+void readNodes(Database& database, ProjectContents& contents, PlainSum& plain)
 {
     eachRow(
         database, "node", contents.seal,
-        [&](std::span<const Value> row, const Hash& hash) { readNode(contents, row, hash); },
+        [&](std::span<const Value> row, const Hash& hash) {
+            plain.add(row[7].bytes);
+            readNode(contents, row, hash);
+        },
         [&](std::span<const Value> row) {
             return isNode(contents, row[2]) ? contents.facts[static_cast<std::size_t>(row[2].number)].rowHash
                                             : Hash{};
@@ -71,7 +102,7 @@ void readNodes(Database& database, ProjectContents& contents)
         refuse("node", 0);
 }
 
-void readWhatRefersToNodes(Database& database, ProjectContents& contents)
+void readWhatRefersToNodes(Database& database, ProjectContents& contents, PlainSum& plain)
 {
     const auto nodeAt = [&](NodeId id) -> History::Node& { return contents.nodes[static_cast<std::size_t>(id)]; };
     eachRow(database, "label", contents.seal, [&](std::span<const Value> row, const Hash&) {
@@ -91,6 +122,7 @@ void readWhatRefersToNodes(Database& database, ProjectContents& contents)
     eachRow(database, "snapshot", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]))
             refuse("snapshot", row[0].number);
+        plain.add(row[2].bytes);
         contents.snapshots.push_back(static_cast<NodeId>(row[0].number));
     });
     eachRow(database, "save_point", contents.seal, [&](std::span<const Value> row, const Hash&) {
@@ -103,12 +135,17 @@ void readWhatRefersToNodes(Database& database, ProjectContents& contents)
 void readAssets(Database& database, ProjectContents& contents)
 {
     std::set<std::int64_t> blobs;
-    eachRow(database, "blob", contents.seal,
-            [&](std::span<const Value> row, const Hash&) { blobs.insert(row[0].number); });
+    eachRow(database, "blob", contents.seal, [&](std::span<const Value> row, const Hash&) {
+        if (!isBlobNumber(row[0].number))
+            refuse("blob", row[0].number);
+        blobs.insert(row[0].number);
+    });
+    std::set<std::string> places;
     eachRow(database, "asset", contents.seal, [&](std::span<const Value> row, const Hash&) {
-        if (!blobs.contains(row[2].number) || !isAssetName(std::string(row[1].bytes)) ||
-            !contents.assets.emplace(row[1].bytes, row[2].number).second)
+        const std::string name(row[1].bytes);
+        if (!blobs.contains(row[2].number) || !isAssetName(name) || !places.insert(assetPlace(name)).second)
             refuse("asset", row[0].number);
+        contents.assets.emplace(name, row[2].number);
     });
 }
 
@@ -158,13 +195,18 @@ private:
          {std::to_string(node)}});
 }
 
-Design stepped(Database& database, NodeId node, const Design& parent)
+Replayed stepped(Database& database, NodeId node, const Replayed& parent)
 {
     const auto changes = changesOf(database, node);
-    const auto edit = changes ? editOf(*changes, parent, StoredEdits::Known::Parent) : std::nullopt;
-    if (!edit)
+    auto next = changes ? replayed(parent, *changes) : std::nullopt;
+    if (!next)
         refuseDesign(node);
-    return parent.with(*edit);
+    return std::move(*next);
+}
+
+std::optional<Design> designIn(const std::optional<Replayed>& replayed)
+{
+    return replayed ? std::optional(replayed->design) : std::nullopt;
 }
 
 /// Walks the whole tree and keeps only the designs that have children to come.
@@ -176,17 +218,17 @@ void checkDesigns(Database& database, const ProjectContents& contents)
             ++childrenLeft[static_cast<std::size_t>(node.parent)];
 
     DesignHash hash;
-    std::map<NodeId, Design> designs;
+    std::map<NodeId, Replayed> designs;
     for (NodeId id = 0; id < static_cast<NodeId>(contents.nodes.size()); ++id) {
         const NodeId parent = contents.nodes[static_cast<std::size_t>(id)].parent;
-        const Design design = stepped(database, id, parent < 0 ? Design() : designs.at(parent));
-        if (hash.follow(design) != contents.facts[static_cast<std::size_t>(id)].designHash)
+        const Replayed next = stepped(database, id, parent < 0 ? Replayed() : designs.at(parent));
+        if (hash.follow(next.design) != contents.facts[static_cast<std::size_t>(id)].designHash)
             refuseDesign(id);
         if (std::binary_search(contents.snapshots.begin(), contents.snapshots.end(), id) &&
-            snapshotOf(database, id) != design)
+            designIn(snapshotOf(database, id)) != next.design)
             refuse("snapshot", id);
         if (childrenLeft[static_cast<std::size_t>(id)] > 0)
-            designs.emplace(id, design);
+            designs.emplace(id, next);
         if (parent >= 0 && --childrenLeft[static_cast<std::size_t>(parent)] == 0)
             designs.erase(parent);
     }
@@ -200,11 +242,12 @@ ProjectContents readContents(Database& database)
     Query check(database, "PRAGMA quick_check(1)");
     if (!check.next() || check.text(0) != "ok")
         throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged (%2)"),
-                             {database.path().toStdString(), std::string(check.text(0))}});
+                             {database.name().toStdString(), std::string(check.text(0))}});
     ProjectContents contents;
     readProject(database, contents);
-    readNodes(database, contents);
-    readWhatRefersToNodes(database, contents);
+    PlainSum plain(database);
+    readNodes(database, contents, plain);
+    readWhatRefersToNodes(database, contents, plain);
     readAssets(database, contents);
     readState(database, contents);
     return contents;
@@ -216,7 +259,7 @@ std::optional<FieldChanges> changesOf(Database& database, NodeId node)
     return query.next() ? unpackChanges(query.blob(0)) : std::nullopt;
 }
 
-std::optional<Design> snapshotOf(Database& database, NodeId node)
+std::optional<Replayed> snapshotOf(Database& database, NodeId node)
 {
     Query query(database, "SELECT codec, data FROM snapshot WHERE node = ?", {Value::integer(node)});
     return query.next() && query.integer(0) == 1 ? decodeDesign(query.blob(1)) : std::nullopt;
@@ -225,7 +268,7 @@ std::optional<Design> snapshotOf(Database& database, NodeId node)
 Design designOf(Database& database, const ProjectContents& contents, NodeId node)
 {
     std::vector<NodeId> steps; // last first
-    std::optional<Design> design;
+    std::optional<Replayed> design;
     for (NodeId at = node; at >= 0 && !design; at = contents.nodes[static_cast<std::size_t>(at)].parent) {
         if (std::binary_search(contents.snapshots.begin(), contents.snapshots.end(), at))
             design = snapshotOf(database, at);
@@ -236,9 +279,9 @@ Design designOf(Database& database, const ProjectContents& contents, NodeId node
         design.emplace();
     for (auto step = steps.rbegin(); step != steps.rend(); ++step)
         design = stepped(database, *step, *design);
-    if (hashOf(*design) != contents.facts[static_cast<std::size_t>(node)].designHash)
+    if (hashOf(design->design) != contents.facts[static_cast<std::size_t>(node)].designHash)
         refuseDesign(node);
-    return *design;
+    return design->design;
 }
 
 void checkEverything(Database& database, const ProjectContents& contents)
@@ -247,7 +290,7 @@ void checkEverything(Database& database, const ProjectContents& contents)
     Query blobs(database, "SELECT id FROM blob");
     while (blobs.next())
         readBlob(database, blobs.integer(0), nullptr);
-    if (database.number("SELECT count(*) FROM chunk WHERE id / 1048576 NOT IN (SELECT id FROM blob)") != 0)
+    if (hasForeignChunks(database))
         refuse("chunk", 0);
 }
 

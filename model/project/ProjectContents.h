@@ -27,7 +27,7 @@ ProjectContents readContents(Database& database);
 
 /// The changes of a node; nothing when they cannot be read.
 std::optional<FieldChanges> changesOf(Database& database, NodeId node);
-std::optional<Design> snapshotOf(Database& database, NodeId node);
+std::optional<Replayed> snapshotOf(Database& database, NodeId node);
 
 /// The design of a node, from the last snapshot before it. Throws when it does not have the hash that the node
 /// says.

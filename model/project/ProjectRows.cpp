@@ -39,8 +39,8 @@ void putProject(SealedRows& rows, const std::string& uuid, const std::optional<H
 
 void putSnapshot(SealedRows& rows, NodeId node, const Design& design)
 {
-    const std::string data = encodeDesign(design);
-    rows.put("snapshot", {Value::integer(node), Value::integer(1), Value::blob(data)});
+    if (const std::string data = encodeDesign(design); !data.empty())
+        rows.put("snapshot", {Value::integer(node), Value::integer(1), Value::blob(data)});
 }
 
 void putSavePoint(Database& database, SealedRows& rows, NodeId node)

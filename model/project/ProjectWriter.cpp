@@ -16,6 +16,15 @@ void throwUnless(const Message& problem)
         throw DatabaseError(problem);
 }
 
+/// The user knows the file that is wanted, not the one that it is at first.
+Message naming(Message problem, const QString& temporary, const QString& path)
+{
+    for (std::string& arg : problem.args)
+        if (arg == temporary.toStdString())
+            arg = path.toStdString();
+    return problem;
+}
+
 } // namespace
 
 Hash replaceProject(const QString& path, const std::function<void(const QString& file)>& write, ProjectCheck check)
@@ -25,7 +34,8 @@ Hash replaceProject(const QString& path, const std::function<void(const QString&
     throwUnless(temporary.problem());
     write(temporary.path());
     OpenedProject written = openProject(temporary.path(), check);
-    throwUnless(written.problem);
+    throwUnless(naming(written.problem, temporary.path(), path));
+    written.database->setName(path);
     for (const auto& [name, blob] : written.assets)
         readBlob(*written.database, blob, nullptr);
     throwUnless(temporary.moveIntoPlace());

@@ -15,9 +15,10 @@ struct Salvaged {
     std::vector<Message> notes{}; ///< first what was saved, then all that is lost
 };
 
-/// Writes a new project from all rows of the damaged one that can be trusted: the edits whose hashes are right from
-/// the first one on, and the versions kept as snapshots after a gap, as branches. The damaged file is not changed;
-/// there must be no file at `out`.
+/// Writes a new project from all that can be trusted of the damaged one: the edits from the first one on whose
+/// hashes are right and that lead to the designs that were kept with them, and the versions kept as snapshots after
+/// a gap, as branches. A process of its own does it (bolster-salvage), with limits on memory and time that grow
+/// with the file. The damaged file is not changed; there must be no file at `out`. Any thread may call it.
 Salvaged salvageProject(const QString& damaged, const QString& out);
 
 } // namespace bolster

@@ -30,7 +30,29 @@ constexpr const char* tables[] = {
     "row_hash BLOB NOT NULL) STRICT",
 };
 
+constexpr std::size_t mostLooked = 1'000;
+
+std::string tableName(std::string_view sql)
+{
+    sql.remove_prefix(std::string_view("CREATE TABLE ").size());
+    return std::string(sql.substr(0, sql.find('(')));
+}
+
 } // namespace
+
+bool tablesFitOnePage(std::string_view page, std::size_t mostOthers)
+{
+    constexpr char leafOfATable = 0x0D;
+    const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(page[i])); };
+    return page.size() >= 5 && page[0] == leafOfATable &&
+           (byte(3) << 8 | byte(4)) <= std::size(tables) + mostOthers;
+}
+
+Message foreignTables(const QString& path)
+{
+    return {QT_TRANSLATE_NOOP("Message", "the tables of \"%1\" are not those of a Bolster project"),
+            {path.toStdString()}};
+}
 
 void createTables(Database& database)
 {
@@ -50,9 +72,19 @@ void checkTables(Database& database)
     std::sort(wanted.begin(), wanted.end());
     std::sort(found.begin(), found.end());
     if (found != wanted)
-        throw DatabaseError(
-            {QT_TRANSLATE_NOOP("Message", "the tables of \"%1\" are not those of a Bolster project"),
-             {database.path().toStdString()}});
+        throw DatabaseError(foreignTables(database.name()));
+}
+
+std::set<std::string> tablesAsTheyShouldBe(Database& database)
+{
+    std::set<std::string> found;
+    Query query(database, "SELECT sql FROM sqlite_schema");
+    for (std::size_t looked = 0; looked < mostLooked && query.next(); ++looked) {
+        const std::string sql = query.value(0).type == Value::Type::Text ? std::string(query.text(0)) : "";
+        if (std::find(std::begin(tables), std::end(tables), sql) != std::end(tables))
+            found.insert(tableName(sql));
+    }
+    return found;
 }
 
 } // namespace bolster

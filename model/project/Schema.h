@@ -3,15 +3,25 @@
 
 #include "Database.h"
 
+#include <set>
+
 namespace bolster {
 
 inline constexpr std::int64_t applicationId = 0x426C7374; // "Blst"
 inline constexpr std::int64_t schemaVersion = 1;
 inline constexpr std::int64_t pageSize = 8192;
 
+/// Whether the list of tables, from byte 100 of a file on, is one that ours fit in, with some others. Asked before
+/// SQLite reads it, which believes all that is in there, and may need 40 times as much memory.
+bool tablesFitOnePage(std::string_view page, std::size_t mostOthers = 0);
+Message foreignTables(const QString& path);
+
 /// In an empty database.
 void createTables(Database& database);
 /// Throws DatabaseError when the tables are not exactly ours: no others, no views, triggers or indexes.
 void checkTables(Database& database);
+/// Of a damaged file: the names of those that are ours to the letter. The others must not even be asked: a column
+/// may be computed, and take for ever.
+std::set<std::string> tablesAsTheyShouldBe(Database& database);
 
 } // namespace bolster

@@ -39,7 +39,7 @@ TEST(EditCodec, EveryKindOfElementComesBackToTheLastBit)
         expectRoundTrip(Design(), editBetween(Design(), read.design, {}));
         const auto again = decodeDesign(encodeDesign(read.design));
         ASSERT_TRUE(again);
-        EXPECT_EQ(writeDesign(*again), writeDesign(read.design));
+        EXPECT_EQ(writeDesign(again->design), writeDesign(read.design));
     }
     expectRoundTrip(Design(), editBetween(Design(), smallDesign(), {}));
 }
@@ -107,6 +107,28 @@ TEST(EditCodec, RefusesAnythingElse)
         EXPECT_FALSE(decodeChanges(bytes));
     EXPECT_FALSE(decodeChanges(std::string(100'000, '\x81')));
     EXPECT_TRUE(decodeChanges(std::string_view("\x80")));
+}
+
+TEST(EditCodec, RefusesWhatIsOutOfOrderOrChangesNothingOrIsTooMuch)
+{
+    const std::string_view one("\x84\x01\x61\x61\xf6\x61\x31", 7), two("\x84\x02\x61\x61\xf6\x61\x31", 7);
+    const auto listed = [](std::initializer_list<std::string_view> changes) {
+        std::string bytes(1, static_cast<char>(0x80 + changes.size()));
+        for (const std::string_view change : changes)
+            bytes += change;
+        return bytes;
+    };
+    EXPECT_TRUE(decodeChanges(listed({one, two})));
+    EXPECT_FALSE(decodeChanges(listed({two, one})));
+    EXPECT_FALSE(decodeChanges(listed({one, one})));
+    EXPECT_FALSE(decodeChanges(listed({std::string_view("\x84\x01\x61\x61\xf6\xf6", 6)})));
+    EXPECT_FALSE(decodeTexts("\x98\xc8" + std::string(200, '\x60'))) << "no verb has 200 arguments";
+
+    const Design large =
+        Design().with({{}, {{ElementId{1}, nullptr, makeElement(Quarantined{std::string(70'000'000, 'x'), {}})}}});
+    const Message why = refusal(editBetween(Design(), large, {}));
+    EXPECT_NE(why.english().find("more at once than can be stored"), std::string::npos) << why.english();
+    EXPECT_EQ(encodeDesign(large), "");
 }
 
 TEST(EditCodec, TextsMayBeEmptyAndLong)

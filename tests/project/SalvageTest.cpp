@@ -1,9 +1,12 @@
 // Of a damaged project everything is saved whose hashes are right, and what is lost is said.
 #include "Salvage.h"
+#include "CraftedProject.h"
 #include "DesignHash.h"
 #include "TestProject.h"
 
 #include <sqlite3.h>
+
+#include <algorithm>
 
 namespace bolster::test {
 namespace {
@@ -175,6 +178,102 @@ TEST_F(SalvageTest, SaysWhenNothingCanBeSavedAndReplacesNothing)
     write("precious", "1");
     EXPECT_FALSE(salvageProject(path("a.bolster"), path("precious")).problem.empty());
     EXPECT_EQ(read("precious"), "1");
+}
+
+TEST_F(SalvageTest, TablesThatAreNotOursAreNotAskedAndTheRestIsSaved)
+{
+    make(60);
+    struct Case {
+        const char* sql;
+        const char* table;
+        bool sound; // whether all versions can be saved nevertheless
+    };
+    for (const Case& foreign :
+         {Case{"DROP TABLE label; CREATE TABLE label(node INTEGER PRIMARY KEY)", "label", true},
+          Case{"ALTER TABLE label ADD COLUMN more ANY", "label", true},
+          Case{"ALTER TABLE asset ADD COLUMN more ANY", "asset", true},
+          Case{"DROP TABLE snapshot; CREATE TABLE snapshot(node INTEGER PRIMARY KEY)", "snapshot", true},
+          Case{"DROP TABLE snapshot; CREATE VIEW snapshot AS SELECT 1 AS rowid, zeroblob(900000000)", "snapshot",
+               true},
+          Case{"ALTER TABLE label ADD COLUMN big BLOB AS (zeroblob(1000000000))", "label", true},
+          Case{"DROP TABLE state", "state", true},
+          Case{"CREATE TRIGGER t AFTER INSERT ON node BEGIN SELECT 1; END; CREATE TABLE more(a)", nullptr, true},
+          Case{"ALTER TABLE node ADD COLUMN big BLOB AS (zeroblob(1000000000))", "node", false},
+          Case{"DROP TABLE node; CREATE TABLE node(id INTEGER PRIMARY KEY)", "node", false}}) {
+        QFile::remove(path("a.bolster"));
+        write("a.bolster", m_bytes);
+        change(foreign.sql);
+        QFile::remove(path("out.bolster"));
+        const Salvaged result = salvageProject(path("a.bolster"), path("out.bolster"));
+        if (!result.problem.empty()) { // there is a snapshot or none, by chance
+            EXPECT_FALSE(foreign.sound) << foreign.sql << result.problem.english();
+            EXPECT_NE(result.problem.english().find("a.bolster"), std::string::npos) << result.problem.english();
+            continue;
+        }
+        const OpenedProject project = openProject(path("out.bolster"), ProjectCheck::Everything);
+        ASSERT_EQ(project.problem.english(), "") << foreign.sql;
+        if (foreign.sound) {
+            EXPECT_EQ(project.history.count(), m_document.history().count()) << foreign.sql;
+        }
+        const bool said = std::any_of(result.notes.begin(), result.notes.end(), [&](const Message& note) {
+            return foreign.table && note.english().starts_with("lost: the table \"" + std::string(foreign.table));
+        });
+        EXPECT_EQ(said, foreign.table != nullptr) << foreign.sql;
+    }
+}
+
+TEST_F(SalvageTest, AnEditThatLeadsElsewhereCostsItAndWhatFollowsFromIt)
+{
+    std::vector<Design> designs = {smallDesign()};
+    {
+        CraftedProject crafted(path("a.bolster"));
+        crafted.node(-1, Design(), designs[0]);
+        for (int i = 1; i <= 5; ++i) {
+            const NodeId parent = i == 5 ? 2 : i - 1; // a branch that has nothing to do with the bad one
+            const Design from = designs[static_cast<std::size_t>(parent)];
+            designs.push_back(from.with(edits::renameElement(from, ElementId{2}, "Name " + std::to_string(i))));
+            const std::string patch = packChanges(fieldChanges(editBetween(from, designs.back(), {})));
+            crafted.node(parent, patch, i == 3 ? Hash{} : hashOf(designs.back()));
+        }
+    }
+    std::vector<std::string> notes;
+    const OpenedProject project = salvaged(&notes);
+    ASSERT_EQ(project.problem.english(), "");
+    EXPECT_EQ(project.history.count(), 4) << "0, 1, 2 and 5";
+    EXPECT_EQ(writeDesign(project.design), writeDesign(designs[5]));
+    const std::vector<std::string> wanted = {
+        "4 versions were saved", "lost: versions 3 to 4",
+        "the edit of version 3 does not lead to the design that was kept with it"};
+    EXPECT_EQ(notes, wanted);
+}
+
+TEST_F(SalvageTest, MessagesNameTheFileOfTheUser)
+{
+    make(3);
+    change("DELETE FROM node; DELETE FROM snapshot");
+    const Salvaged nothing = salvageProject(path("a.bolster"), path("out.bolster"));
+    EXPECT_EQ(nothing.problem.english(), "nothing in \"" + path("a.bolster").toStdString() + "\" can be saved");
+    const Salvaged folder = salvageProject(path("a.bolster"), path("none/out.bolster"));
+    EXPECT_NE(folder.problem.english().find("none/out.bolster"), std::string::npos) << folder.problem.english();
+    EXPECT_EQ(QDir(m_folder.path()).entryList({".bolster-*"}, QDir::Files | QDir::Hidden).size(), 0);
+}
+
+TEST_F(SalvageTest, WhatNeedsTooMuchEndsInItsOwnProcess)
+{
+    std::string many = cborList(30'000'000);
+    for (int i = 0; i < 12'000'000; ++i)
+        many.append("\x84\x01\x60\xf6\xf6", 5);
+    const std::string bomb = packed(many);
+    {
+        CraftedProject crafted(path("a.bolster"));
+        crafted.node(-1, Design(), smallDesign());
+        crafted.node(0, bomb, {});
+        crafted.snapshot(0, bomb);
+    }
+    const OpenedProject project = salvaged();
+    EXPECT_EQ(project.problem.english(), "");
+    EXPECT_EQ(project.history.count(), 1);
+    EXPECT_EQ(writeDesign(project.design), writeDesign(smallDesign()));
 }
 
 } // namespace
