@@ -2,6 +2,8 @@
 
 #include "MapLink.h"
 #include "SavedViews.h"
+#include "Translated.h"
+#include "WholeFile.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -53,7 +55,10 @@ RenderDialog::Result RenderDialog::drawn(PictureStudio& studio, const Request& r
         if (!result.toFile || result.image.empty())
             break;
         const std::string path = request.turntable > 1 ? numberedPath(request.path, n + 1) : request.path;
-        result.problem = writePicture(result.image, request.format, path, request.notes);
+        const Message problem = replaceFile(QString::fromStdString(path), [&](const QString& file) {
+            return writePicture(result.image, request.format, file.toStdString(), request.notes);
+        });
+        result.problem = problem.empty() ? std::string() : translated(problem).toStdString();
         if (!result.problem.empty())
             break;
     }

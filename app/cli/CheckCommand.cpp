@@ -2,6 +2,7 @@
 #include "Output.h"
 #include "Project.h"
 #include "RestingSolve.h"
+#include "Solving.h"
 
 #include <algorithm>
 
@@ -11,7 +12,8 @@ const char* const checkHelp = R"(Usage: bolster check DESIGN
 
 Reads a design (JSON or a project) and the frames it names, and reports
 everything that is wrong with it: one line for each problem on stderr, with element and field, and
-the number of errors and warnings on stdout.
+the number of errors and warnings on stdout. A design without a patch is an error,
+too: there is nothing to solve.
 
 Exit code:
   0  no errors (warnings do not count)
@@ -26,6 +28,8 @@ int check(std::span<const std::string> words)
         for (const Problem& problem : checkSolvable(opened.design))
             if (std::find(opened.problems.begin(), opened.problems.end(), problem) == opened.problems.end())
                 opened.problems.push_back(problem);
+    if (opened.readable)
+        addMissingPatch(opened.problems, opened.design);
     std::stable_sort(opened.problems.begin(), opened.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.element < b.element; });
     printProblems(opened.problems);

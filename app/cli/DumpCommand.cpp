@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "Escaped.h"
 #include "Output.h"
 #include "Project.h"
 #include "WholeFile.h"
@@ -19,7 +20,8 @@ text, too. "bolster import" makes a project of it again.
 Options:
   --history       write all versions: {"format": "bolster-history", "nodes":
                   [...], "design": {...}}, a line for each edit
-  --assets DIR    write the frames and scans in the project into DIR
+  --assets DIR    write the frames and scans in the project into DIR; none of
+                  them may be there already
 
 Exit code:
   0  done
@@ -43,18 +45,39 @@ std::string valueText(const std::optional<std::string>& value)
     return !value ? "null" : nlohmann::json::accept(*value) ? *value : quoted(*value);
 }
 
-std::string changesText(const FieldChanges& changes)
-{
-    std::string text;
-    for (const FieldChange& change : changes) {
-        text.append(text.empty() ? "" : ", ").append("[").append(std::to_string(number(change.element)));
-        text.append(", ").append(quoted(change.field)).append(", ").append(valueText(change.before));
-        text.append(", ").append(valueText(change.after)).append("]");
+/// What is printed a piece at a time: a history may be much larger as text than it is.
+class Printed {
+public:
+    Printed& operator<<(std::string_view text)
+    {
+        const std::string shown = escaped(text, Text::Json);
+        m_good = m_good && std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size();
+        return *this;
     }
-    return "[" + text + "]";
+    int end()
+    {
+        m_good = std::fflush(stdout) == 0 && m_good;
+        if (!m_good)
+            printError("error: the output cannot be written");
+        return m_good ? done : otherFailure;
+    }
+    bool good() const { return m_good; }
+
+private:
+    bool m_good = true;
+};
+
+void printChanges(Printed& out, const FieldChanges& changes)
+{
+    out << "[";
+    for (const FieldChange& change : changes) {
+        out << (&change == changes.data() ? "[" : ", [") << std::to_string(number(change.element)) << ", "
+            << quoted(change.field) << ", " << valueText(change.before) << ", " << valueText(change.after) << "]";
+    }
+    out << "]";
 }
 
-std::string nodeText(const OpenedProject& project, NodeId id)
+void printNode(Printed& out, const OpenedProject& project, NodeId id)
 {
     const History::Node& node = project.history.node(id);
     const ProjectNode& stored = project.nodes[static_cast<std::size_t>(id)];
@@ -75,26 +98,27 @@ std::string nodeText(const OpenedProject& project, NodeId id)
         text.append(", \"branch\": ").append(quoted(node.branch));
     text.append(", \"design_hash\": \"").append(hexText(stored.designHash));
     text.append("\", \"row_hash\": \"").append(hexText(stored.rowHash)).append("\", \"changes\": ");
-    return text.append(changesText(storedChanges(project, id).value_or(FieldChanges()))).append("}");
+    out << text;
+    printChanges(out, storedChanges(project, id).value_or(FieldChanges()));
+    out << "}";
 }
 
-std::string historyText(const OpenedProject& project)
+int printHistory(const OpenedProject& project)
 {
-    std::string nodes;
-    for (NodeId id = 0; id < project.history.count(); ++id)
-        nodes.append(id == 0 ? "\n  " : ",\n  ").append(nodeText(project, id));
-    std::string text = "{\"format\": \"bolster-history\", \"version\": 1, \"current\": ";
-    text.append(std::to_string(project.history.current())).append(",\n \"nodes\": [").append(nodes);
-    return text.append("],\n \"design\": ").append(writeDesign(project.design)).append("}\n");
+    Printed out;
+    out << "{\"format\": \"bolster-history\", \"version\": 1, \"current\": "
+        << std::to_string(project.history.current()) << ",\n \"nodes\": [";
+    for (NodeId id = 0; id < project.history.count() && out.good(); ++id) {
+        out << (id == 0 ? "\n  " : ",\n  ");
+        printNode(out, project, id);
+    }
+    out << "],\n \"design\": " << writeDesign(project.design) << "}\n";
+    return out.end();
 }
 
-int print(const std::string& text)
+int printDesign(const Design& design)
 {
-    const bool written =
-        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (!written)
-        printError("error: the output cannot be written");
-    return written ? done : otherFailure;
+    return (Printed() << writeDesign(design)).end();
 }
 
 int refused(const Message& why)
@@ -110,7 +134,7 @@ int dumpText(const QString& path)
         return refused(text.problem);
     const ReadDesign read = readDesign(text.bytes);
     printProblems(read.problems);
-    return read.readable ? print(writeDesign(read.design)) : badInput;
+    return read.readable ? printDesign(read.design) : badInput;
 }
 
 } // namespace
@@ -132,7 +156,7 @@ int dump(std::span<const std::string> words)
             printError("error: " + problem.english());
             return otherFailure;
         }
-    return print(arguments.has("--history") ? historyText(project) : writeDesign(project.design));
+    return arguments.has("--history") ? printHistory(project) : printDesign(project.design);
 }
 
 } // namespace bolster::cli

@@ -1,16 +1,16 @@
 #include "Output.h"
 
+#include "Escaped.h"
+
 #include <algorithm>
 #include <cstdio>
 
 namespace bolster::cli {
 namespace {
 
-void print(std::FILE* stream, std::string line)
+void print(std::FILE* stream, const std::string& text)
 {
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    line += '\n';
+    const std::string line = escaped(text, Text::Line) + '\n';
     std::fwrite(line.data(), 1, line.size(), stream);
     std::fflush(stream);
 }

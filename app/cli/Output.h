@@ -8,7 +8,7 @@
 
 namespace bolster::cli {
 
-/// One line on stdout or stderr. Control characters, which names in a design may hold, are replaced.
+/// One line on stdout or stderr. Control characters, which names in a design may hold, are escaped.
 void printResult(const std::string& line);
 void printError(const std::string& line);
 

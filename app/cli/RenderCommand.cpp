@@ -6,6 +6,7 @@
 #include "Project.h"
 #include "RenderOrder.h"
 #include "Solving.h"
+#include "WholeFile.h"
 
 #include <QFileInfo>
 
@@ -170,11 +171,12 @@ bool Pictures::write(const PreviewImage& image, const QString& path) const
     }
     const PictureNotes notes{QFileInfo(m_order.design).fileName().toStdString(),
                              hexText(hashOf(m_opened.design)).substr(0, 12), m_order.viewName};
-    const std::string problem = writePicture(image, m_order.format, path.toStdString(), notes);
+    const Message problem = replaceFile(
+        path, [&](const QString& file) { return writePicture(image, m_order.format, file.toStdString(), notes); });
     if (problem.empty())
         printResult("wrote " + path.toStdString());
     else
-        printError("error: \"" + path.toStdString() + "\" cannot be written: " + problem);
+        printError("error: " + problem.english());
     return problem.empty();
 }
 

@@ -7,9 +7,7 @@
 #include "WholeFile.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
 
-#include <limits>
 #include <utility>
 
 namespace bolster::cli {
@@ -42,7 +40,6 @@ PreviewScene scene(const SurfaceMeshPtr& surface, const Design& design)
     return scene;
 }
 
-/// Written into a temporary folder first, so that half a picture never takes the place of an older one.
 Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const PreviewOptions& options,
                    const QString& path, std::stop_token stop)
 {
@@ -51,13 +48,8 @@ Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const Pr
     const PreviewImage image = renderPreview(scene(surface, design), view, options, std::move(stop));
     if (image.rgba.empty())
         return {"\"%1\" was not drawn: interrupted", {path.toStdString()}};
-    const QTemporaryDir folder;
-    const QString temporary = folder.filePath("cover.png");
-    if (const std::string problem = writePicture(image, PictureFormat::Png, temporary.toStdString());
-        !problem.empty())
-        return {"\"%1\" cannot be written: %2", {path.toStdString(), problem}};
-    const WholeFile png = readWholeFile(temporary, std::numeric_limits<int>::max());
-    return png.problem.empty() ? replaceWholeFile(path, png.bytes) : png.problem;
+    return replaceFile(
+        path, [&](const QString& file) { return writePicture(image, PictureFormat::Png, file.toStdString()); });
 }
 
 } // namespace

@@ -34,10 +34,7 @@ void add(Problems& problems, const Problems& more)
 Problems errorsOf(const OpenedDesign& opened)
 {
     Problems errors = withSeverity(opened.problems, Severity::Error);
-    bool hasPatch = false;
-    opened.design.each<Patch>([&](ElementId, const Patch&) { hasPatch = true; });
-    if (errors.empty() && !hasPatch)
-        errors.push_back({settingsId, {}, "elements", {"the design has no patch", {}}});
+    addMissingPatch(errors, opened.design);
     return errors;
 }
 
@@ -65,6 +62,19 @@ SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const So
 }
 
 } // namespace
+
+void addMissingPatch(Problems& problems, const Design& design)
+{
+    bool hasPatch = false;
+    design.each<Patch>([&](ElementId, const Patch&) { hasPatch = true; });
+    if (!hasPatch && !hasErrors(problems))
+        problems.push_back({settingsId,
+                            {},
+                            "elements",
+                            {"the design has no patch yet: draw one, there is nothing to "
+                             "cover a frame with",
+                             {}}});
+}
 
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
 {

@@ -6,6 +6,9 @@
 
 namespace bolster::cli {
 
+/// Adds the error of a design that has nothing wrong and nothing to solve, which every command sees as one.
+void addMissingPatch(Problems& problems, const Design& design);
+
 /// Refuses designs with errors, unless `options` are lenient. What went wrong is in the result.
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop);
 

@@ -403,11 +403,27 @@ std::string writeElement(ElementId id, const Element& element)
     return line.done();
 }
 
+namespace {
+
+/// As it stands in the list of elements. The text of a quarantined one comes from anybody: what is no JSON there
+/// would make all of the design unreadable, so it is written as a text in quotes, which is quarantined again.
+std::string listedElement(ElementId id, const Element& element)
+{
+    const std::string text = writeElement(id, element);
+    if (!std::holds_alternative<Quarantined>(element))
+        return text;
+    Message wrong;
+    const bool fits = json::Document::parse(text, wrong) && json::Document::parse("[[" + text + "]]", wrong);
+    return fits ? text : json::quoted(text);
+}
+
+} // namespace
+
 std::string writeDesign(const Design& design)
 {
     std::string elements;
     for (const auto& [id, element] : design.elements())
-        elements.append(elements.empty() ? "\n  " : ",\n  ").append(writeElement(id, *element));
+        elements.append(elements.empty() ? "\n  " : ",\n  ").append(listedElement(id, *element));
     return "{\"format\": \"bolster-design\", \"version\": 1, \"unit\": \"mm\",\n \"settings\": " +
            writeElement(settingsId, *design.element(settingsId)) + ",\n \"elements\": [" + elements + "]}\n";
 }

@@ -198,7 +198,7 @@ std::string shortened(std::string_view name)
 
 std::string elementLabel(std::string_view kind, ElementId id, std::string_view name)
 {
-    std::string label(kind.empty() ? "element" : kind);
+    std::string label = kind.empty() ? "element" : shortened(kind);
     std::replace(label.begin(), label.end(), '_', ' ');
     if (id != settingsId)
         label.append(" ").append(std::to_string(number(id)));

@@ -106,17 +106,7 @@ std::string writePicture(const PreviewImage& image, PictureFormat format, const 
 {
     if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
         return "There is no picture to write";
-    const std::string unfinished = path + ".part";
-    std::string problem = written(image, format, unfinished, notes);
-    std::error_code error;
-    if (problem.empty()) {
-        std::filesystem::rename(unfinished, path, error);
-        if (!error)
-            return {};
-        problem = error.message();
-    }
-    std::filesystem::remove(unfinished, error);
-    return problem;
+    return written(image, format, path, notes);
 }
 
 } // namespace bolster

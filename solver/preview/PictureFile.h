@@ -29,8 +29,8 @@ struct PictureNotes {
     std::string program = "Bolster";
 };
 
-/// Writes under a temporary name first. The same picture and notes give the same bytes. Returns what went wrong, or
-/// "".
+/// Over what is at `path`, from the first byte on: whoever wants the old file or the new one gives a name that
+/// nobody else knows (replaceFile). The same picture and notes give the same bytes. Returns what went wrong, or "".
 std::string writePicture(const PreviewImage& image, PictureFormat format, const std::string& path,
                          const PictureNotes& notes = {});
 
