@@ -23,6 +23,12 @@ if(LLD_PROGRAM AND NOT BOLSTER_SANITIZE)
     add_link_options(-fuse-ld=lld)
 endif()
 
+# What a mistake must not be able to do: write over the tables of functions (all bound at the start, then read-only), run
+# from a known address, return to where a buffer has overflowed to.
+include(CheckPIESupported)
+check_pie_supported()
+add_link_options(LINKER:-z,relro,-z,now,-z,noexecstack)
+
 if(BOLSTER_SANITIZE)
     add_compile_options(-fsanitize=${BOLSTER_SANITIZE} -fno-omit-frame-pointer -g1)
     add_link_options(-fsanitize=${BOLSTER_SANITIZE})
@@ -62,6 +68,15 @@ endfunction()
 
 # In a unity build a file sees the names of those before it, which no local name shadows in earnest: there only
 # locals are compared. The ordinary build (dev) compares all.
+# For whatever reads files from elsewhere: a buffer that overflows ends the program, and so do functions of the C library
+# that would write beyond their target.
+function(bolster_hardened name)
+    if(NOT BOLSTER_SANITIZE)
+        target_compile_options(${name} PRIVATE -fstack-protector-strong
+                                               $<$<CONFIG:Release>:-U_FORTIFY_SOURCE> $<$<CONFIG:Release>:-D_FORTIFY_SOURCE=2>)
+    endif()
+endfunction()
+
 function(bolster_warnings name)
     if(NOT CMAKE_UNITY_BUILD)
         set(shadow -Wshadow)
