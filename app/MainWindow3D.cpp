@@ -2,6 +2,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "ElementsView.h"
 #include "Hiding.h"
 #include "PatternView.h"
 #include "SavedViews.h"
@@ -39,6 +40,10 @@ void MainWindow::connect3D()
     connect(m_surface, &SurfaceView::sectionClosed, m_actions->section,
             [this] { m_actions->section->setChecked(false); });
     connect(m_surface, &SurfaceView::hiddenChanged, this, &MainWindow::update3DActions);
+    connect(m_surface, &SurfaceView::hiddenChanged, this, [this] {
+        m_elements->setHidden(m_surface->hidden());
+        m_pattern->setHidden(m_surface->hidden());
+    });
     connect(&m_selection, &Selection::changed, this, &MainWindow::update3DActions);
     connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->setHidden({}); });
     if (auto* saved = menuBar()->findChild<QMenu*>(QStringLiteral("saved-views")))
@@ -117,7 +122,7 @@ void MainWindow::addOpacitySliders()
         grid->addWidget(slider, row, 1);
         grid->addWidget(figure, row, 2);
     };
-    add(0, tr("Frames and foam"), QStringLiteral("frame-opacity"), 45,
+    add(0, tr("Frames and foam"), QStringLiteral("frame-opacity"), 100,
         [this](double opacity) { m_surface->setFrameOpacity(opacity); });
     add(1, tr("Scans"), QStringLiteral("scan-opacity"), 100,
         [this](double opacity) { m_surface->setScanOpacity(opacity); });

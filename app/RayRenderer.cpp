@@ -17,8 +17,8 @@ PreviewScene sceneOf(const SoftwareRenderer::Request& request)
         scene.looks.push_back({look.patch, look.color.name().toStdString(), look.maps, look.turn});
     scene.piping = request.fabrics;
     for (const auto& look : request.frames)
-        scene.frames.push_back({look.mesh, look.placement.scale, look.placement.position, look.placement.rotation});
-    scene.frameOpacity = request.frameOpacity;
+        scene.frames.push_back(
+            {look.mesh, look.placement, look.material, look.skin, look.opacity * request.frameOpacity});
     if (request.section)
         scene.section = {request.section->normal, request.section->offset};
     if (request.map && request.surface && request.map->fits(*request.surface->topology))

@@ -124,6 +124,14 @@ void RenderDialog::build()
     m_turntable->setSpecialValueText(tr("one picture"));
     m_turntable->setSuffix(tr(" pictures"));
     m_turntable->setToolTip(tr("So many pictures from all around, with numbers in their names"));
+    m_frames = new QCheckBox(tr("&Frame and foam"), this);
+    m_frames->setObjectName(QStringLiteral("frames"));
+    m_frames->setToolTip(tr("In the materials that their properties say"));
+    bool any = false;
+    m_subject.design.each<Frame>([&](ElementId, const Frame&) { any = true; });
+    m_subject.design.each<Foam>([&](ElementId, const Foam&) { any = true; });
+    m_frames->setVisible(any);
+    m_frames->setChecked(any);
     m_transparent = new QCheckBox(tr("Transparent &background"), this);
     m_transparent->setToolTip(tr("The shadow on the ground is kept"));
 
@@ -135,6 +143,7 @@ void RenderDialog::build()
     form->addRow(tr("Sho&w:"), m_shown);
     form->addRow(tr("&Quality:"), m_samples);
     form->addRow(tr("&Around the cover:"), m_turntable);
+    form->addRow(QString(), m_frames);
     form->addRow(QString(), m_transparent);
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
@@ -171,7 +180,8 @@ void RenderDialog::build()
 
     for (QComboBox* box : {m_view, m_shown})
         connect(box, &QComboBox::currentIndexChanged, &m_pause, qOverload<>(&QTimer::start));
-    connect(m_transparent, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
+    for (QCheckBox* box : {m_frames, m_transparent})
+        connect(box, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
 }
 
 void RenderDialog::fillShown()
@@ -219,6 +229,7 @@ RenderDialog::Request RenderDialog::request(QSize size) const
     Request asked;
     PictureOrder& picture = asked.picture;
     picture.look = chosenLook();
+    picture.look.frames = m_frames->isChecked();
     picture.options.width = size.width();
     picture.options.height = size.height();
     picture.options.transparent = m_transparent->isChecked();
@@ -331,7 +342,7 @@ void RenderDialog::setRendering(bool rendering)
     m_progress->setValue(0);
     m_progress->setVisible(rendering);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_width, m_height, m_view, m_samples, m_shown,
-                                                           m_turntable, m_transparent, m_render})
+                                                           m_turntable, m_frames, m_transparent, m_render})
         widget->setEnabled(!rendering);
     if (rendering)
         m_message->setText(tr("Drawing \u2026"));

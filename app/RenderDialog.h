@@ -82,6 +82,7 @@ private:
     QComboBox* m_samples;
     QComboBox* m_shown;
     QSpinBox* m_turntable;
+    QCheckBox* m_frames;
     QCheckBox* m_transparent;
     QLabel* m_picture;
     QLabel* m_message;

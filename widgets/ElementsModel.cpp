@@ -2,12 +2,14 @@
 
 #include "Document.h"
 #include "ElementEdits.h"
+#include "Hiding.h"
 #include "Icons.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Units.h"
 #include "ViewColors.h"
 
+#include <QFont>
 #include <QGuiApplication>
 
 #include <algorithm>
@@ -95,6 +97,12 @@ void ElementsModel::recolor()
     announceAll();
 }
 
+void ElementsModel::setHidden(std::set<ElementId> hidden)
+{
+    m_hidden = std::move(hidden);
+    announceAll();
+}
+
 void ElementsModel::announceAll()
 {
     for (int g = 0; g < rowCount(); ++g) {
@@ -151,18 +159,36 @@ QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) 
         const ElementPtr element = design.element(row.id);
         return element ? QString::fromStdString(elementName(*element)) : QString();
     }
+    case Qt::FontRole:
+        if (!isHidden(design, m_hidden, row.id))
+            return {};
+        return [] {
+            QFont slanted;
+            slanted.setItalic(true);
+            return slanted;
+        }();
+    case Qt::ForegroundRole:
+        return isHidden(design, m_hidden, row.id) ? ViewColors::of(QGuiApplication::palette()).mutedLabel
+                                                  : QVariant();
     case Qt::DecorationRole:
+        if (isHidden(design, m_hidden, row.id))
+            return icon(QStringLiteral("hide"));
         if (const Fabric* fabric = design.find<Fabric>(row.id))
             return colorSpot(QColor(QString::fromStdString(fabric->color)));
         if (const auto color = m_seamColors.find(row.id); color != m_seamColors.end())
             return colorSpot(color->second);
         return icon(kindIcon(kind));
     case Qt::ToolTipRole: {
-        const QString problems = m_problems.text(row.id);
-        return problems.isEmpty() ? row.name : row.name + u'\n' + problems;
+        QStringList lines{row.name, m_problems.text(row.id)};
+        if (isHidden(design, m_hidden, row.id))
+            lines << tr("Hidden in the 3D view");
+        lines.removeAll(QString());
+        return lines.join(u'\n');
     }
     case ElementRole:
         return number(row.id);
+    case HiddenRole:
+        return isHidden(design, m_hidden, row.id);
     case ProblemRole:
         if (kind == ElementKind::Unusable || m_problems.hasError(row.id))
             return 2;

@@ -6,6 +6,8 @@
 #include <QAbstractItemModel>
 #include <QColor>
 
+#include <set>
+
 namespace bolster {
 
 class Document;
@@ -19,6 +21,7 @@ public:
     enum Role {
         ElementRole = Qt::UserRole, ///< the id as int; nothing for kinds
         ProblemRole,                ///< 0 none, 1 warning, 2 error
+        HiddenRole,                 ///< whether the 3D view hides it
     };
 
     ElementsModel(Document& document, ProblemSet& problems, QObject* parent = nullptr);
@@ -31,6 +34,9 @@ public:
     /// Renames.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+    /// What the 3D view hides.
+    void setHidden(std::set<ElementId> hidden);
 
     QModelIndex indexOf(ElementId id) const;
     /// For another theme.
@@ -58,6 +64,7 @@ private:
     ProblemSet& m_problems;
     std::vector<Group> m_groups;
     std::map<ElementId, QColor> m_seamColors;
+    std::set<ElementId> m_hidden; ///< in the 3D view
 };
 
 } // namespace bolster

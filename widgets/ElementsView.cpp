@@ -131,6 +131,11 @@ ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet&
     connect(&selection, &Selection::hoverChanged, m_tree->viewport(), qOverload<>(&QWidget::update));
 }
 
+void ElementsView::setHidden(std::set<ElementId> hidden)
+{
+    m_model->setHidden(std::move(hidden));
+}
+
 void ElementsView::buildTree()
 {
     m_tree->setModel(m_filter);

@@ -6,6 +6,8 @@
 #include <QSet>
 #include <QWidget>
 
+#include <set>
+
 class QSortFilterProxyModel;
 class QTreeView;
 
@@ -27,6 +29,8 @@ public:
     void reveal(ElementId id);
     /// For another design.
     void scrollToTop();
+    /// What the 3D view hides is marked.
+    void setHidden(std::set<bolster::ElementId> hidden);
     /// Starts renaming, if the element has a name.
     void rename(ElementId id);
 

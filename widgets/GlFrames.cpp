@@ -1,69 +1,102 @@
 #include "GlFrames.h"
 
-#include "FrameShapes.h"
-
 #include <algorithm>
 
 namespace bolster {
 
 namespace {
 
-/// The cover presses into the foam here and there. What lies less than that before it is not drawn, mm.
-constexpr float foam = 120;
+/// mm by which frames are drawn farther away while it is not known how the cover lies on them now, or at all.
+constexpr float whileCoverMoves = 30, beforeFirstSkin = 120;
+
+/// From where the skin was made to where the frame is now.
+Eigen::Matrix4f movedSince(const Placement& then, const Placement& now)
+{
+    Eigen::Matrix4d moved = Eigen::Matrix4d::Identity();
+    const Eigen::Matrix3d turn = (now.rotation * then.rotation.conjugate()).toRotationMatrix();
+    moved.topLeftCorner<3, 3>() = now.scale / then.scale * turn;
+    moved.topRightCorner<3, 1>() = now.position - moved.topLeftCorner<3, 3>() * then.position;
+    return moved.cast<float>();
+}
 
 } // namespace
 
 GlFrames::GlFrames(GlFunctions& gl)
     : m_gl(gl)
     , m_program("frame.vert", "frame.frag")
-    , m_triangles(gl)
-{}
+{
+    m_array.create();
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    bindColumns(gl, m_corners, sizeof(FrameSkin::Corner),
+                {{0, 3, GL_FLOAT, offsetof(FrameSkin::Corner, position)},
+                 {1, 3, GL_FLOAT, offsetof(FrameSkin::Corner, normal)},
+                 {2, 3, GL_FLOAT, offsetof(FrameSkin::Corner, grain)}});
+}
 
 void GlFrames::update(const SurfaceScene& scene)
 {
-    if (m_frames == scene.frames && m_shapes == scene.frameShapes)
+    if (m_skins == scene.frameSkins)
         return;
-    m_frames = scene.frames;
-    m_shapes = scene.frameShapes;
-    std::vector<GlVertex> vertices;
-    std::vector<GlTriangles::Triangle> all;
-    for (std::size_t f = 0; f < m_frames.size(); ++f) {
-        if (!m_shapes[f])
-            continue;
-        const std::vector<Vec3> points = placedPoints(m_frames[f]);
-        const Eigen::Matrix3f turned = m_frames[f].placement.rotation.toRotationMatrix().cast<float>();
-        const auto& triangles = m_frames[f].mesh->triangles;
-        vertices.reserve(vertices.size() + 3 * triangles.size());
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const auto first = static_cast<std::uint32_t>(vertices.size());
-            all.push_back({first, first + 1, first + 2});
-            for (std::size_t i = 0; i < 3; ++i)
-                vertices.push_back({points[triangles[t][i]].cast<float>(), turned * m_shapes[f]->normals[t][i]});
-        }
-    }
-    m_triangles.put(vertices, all, QOpenGLBuffer::StaticDraw);
+    m_skins = scene.frameSkins;
+    std::vector<FrameSkin::Corner> corners;
+    for (const FrameSkinPtr& skin : m_skins)
+        if (skin)
+            corners.insert(corners.end(), skin->corners.begin(), skin->corners.end());
+    m_corners.put(corners, QOpenGLBuffer::StaticDraw);
 }
 
-void GlFrames::draw(const SurfaceScene& scene, const GlView& view)
+GlFrames::Part GlFrames::partOf(const SurfaceScene& scene, std::size_t frame)
 {
-    if (m_triangles.empty())
+    const bool solid = !scene.surface || scene.frames[frame].opacity * scene.frameOpacity >= 1;
+    return solid ? Part::Solid : Part::SeeThrough;
+}
+
+bool GlFrames::has(const SurfaceScene& scene, Part part) const
+{
+    for (std::size_t f = 0; f < std::min(m_skins.size(), scene.frames.size()); ++f)
+        if (m_skins[f] && partOf(scene, f) == part)
+            return true;
+    return false;
+}
+
+void GlFrames::drawAll(const SurfaceScene& scene, Part part)
+{
+    const QOpenGLVertexArrayObject::Binder bound(&m_array);
+    std::size_t first = 0;
+    for (std::size_t f = 0; f < std::min(m_skins.size(), scene.frames.size()); ++f) {
+        if (!m_skins[f])
+            continue;
+        const SurfaceScene::FrameLook& frame = scene.frames[f];
+        const std::size_t count = m_skins[f]->corners.size();
+        if (partOf(scene, f) == part) {
+            m_program.set("moved", movedSince(m_skins[f]->placement, frame.placement));
+            m_program.set("material", linearLight(QColor(QString::fromStdString(colorShown(frame.material)))));
+            m_program.set("kind", static_cast<int>(frame.material.kind));
+            m_program.set("opacity",
+                          part == Part::Solid ? 1.F : static_cast<float>(frame.opacity * scene.frameOpacity));
+            m_gl.glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
+        }
+        first += count;
+    }
+}
+
+void GlFrames::draw(const SurfaceScene& scene, const GlView& view, Part part)
+{
+    if (!has(scene, part))
         return;
-    const bool solid = !scene.surface;
     m_program.use();
     view.setTransforms(m_program);
     view.setLights(m_program);
-    m_program.set("material", Eigen::Vector3f(0.42F, 0.43F, 0.45F));
-    m_program.set("opacity", std::min(1.F, (solid ? 1.F : 0.45F) * static_cast<float>(scene.frameOpacity)));
-    m_program.set("push", solid ? 0.F : foam);
-    if (!solid) { // curves and seams behind it stay visible
-        m_gl.glDepthMask(GL_FALSE);
-        m_gl.glEnable(GL_CULL_FACE);
+    const bool known = !scene.surface || scene.skinned == scene.surface;
+    m_program.set("push", known ? 0.F : scene.skinned ? whileCoverMoves : beforeFirstSkin);
+    if (part == Part::SeeThrough) { // first how near it is, then its looks there
+        m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        drawAll(scene, part);
+        m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        m_gl.glEnable(GL_BLEND);
     }
-    m_gl.glEnable(GL_BLEND);
-    m_triangles.draw();
+    drawAll(scene, part);
     m_gl.glDisable(GL_BLEND);
-    m_gl.glDisable(GL_CULL_FACE);
-    m_gl.glDepthMask(GL_TRUE);
 }
 
 } // namespace bolster

@@ -1,25 +1,31 @@
 // The frames on the graphics card.
 #pragma once
 
-#include "GlTriangles.h"
+#include "GlBuffer.h"
 #include "GlView.h"
 
 namespace bolster {
 
 class GlFrames {
 public:
+    enum class Part { Solid, SeeThrough };
+
     explicit GlFrames(GlFunctions& gl);
 
     void update(const SurfaceScene& scene);
-    /// See-through over a cover, solid without one.
-    void draw(const SurfaceScene& scene, const GlView& view);
+    bool has(const SurfaceScene& scene, Part part) const;
+    /// Those that are solid hide what is behind them. Of the others only what is nearest to the eye is seen.
+    void draw(const SurfaceScene& scene, const GlView& view, Part part);
 
 private:
+    static Part partOf(const SurfaceScene& scene, std::size_t frame);
+    void drawAll(const SurfaceScene& scene, Part part);
+
     GlFunctions& m_gl;
     GlProgram m_program;
-    GlTriangles m_triangles;
-    std::vector<SurfaceScene::FrameLook> m_frames; ///< that are uploaded, as far as their shapes are known
-    std::vector<std::shared_ptr<const FrameShape>> m_shapes;
+    QOpenGLVertexArrayObject m_array;
+    GlBuffer m_corners;
+    std::vector<FrameSkinPtr> m_skins; ///< that are uploaded, one after the other
 };
 
 } // namespace bolster

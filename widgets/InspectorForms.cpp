@@ -309,6 +309,7 @@ void InspectorForms::addFrame(PropertyForm& form, const Ids& ids) const
                 QT_TRANSLATE_NOOP("Message", "Change the contact of %1"));
     frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
                  QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
+    addFrameMaterial(form, ids);
     if (!frame.several())
         form.addButton(tr("Choose another file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
 }

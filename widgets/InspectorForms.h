@@ -65,6 +65,7 @@ private:
     void addTrim(PropertyForm& form, const Ids& ids) const;
     void addColourway(PropertyForm& form, const Ids& ids) const;
     void addFrame(PropertyForm& form, const Ids& ids) const;
+    void addFrameMaterial(PropertyForm& form, const Ids& ids) const;
     void addCushion(PropertyForm& form, const Ids& ids) const;
     void addFoam(PropertyForm& form, const Ids& ids) const;
     void addFrameChoice(PropertyForm& form, const Ids& cushions) const;

@@ -4,6 +4,8 @@
 
 #include <QPainter>
 
+#include <limits>
+
 namespace bolster {
 
 namespace {
@@ -40,11 +42,27 @@ void MapLegend::setReading(const QString& reading)
     update();
 }
 
-void MapLegend::place()
+bool MapLegend::place(const std::vector<QRectF>& busy)
 {
     resize(sizeHint());
     const QSize space = parentWidget()->size();
-    move(space.width() - width() - legendMargin, space.height() - height() - legendMargin);
+    const int right = space.width() - width() - legendMargin, low = space.height() - height() - legendMargin;
+    double least = std::numeric_limits<double>::max();
+    QPoint best(right, low);
+    for (const QPoint corner :
+         {best, QPoint(legendMargin, low), QPoint(right, legendMargin), QPoint(legendMargin, legendMargin)}) {
+        double covered = 0;
+        for (const QRectF& patch : busy) {
+            const QRectF both = patch.intersected(QRectF(corner, size()));
+            covered += both.isValid() ? both.width() * both.height() : 0;
+        }
+        if (covered < least) {
+            least = covered;
+            best = corner;
+        }
+    }
+    move(best);
+    return !(least > 0);
 }
 
 QSize MapLegend::sizeHint() const

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 namespace bolster {
 
 /// A bar with numbers, in the corner of a view; hidden without a map.
@@ -17,8 +19,9 @@ public:
     void setMap(SurfaceMapPtr map);
     /// What the map says under the pointer, in words; "" when the pointer is elsewhere.
     void setReading(const QString& reading);
-    /// To the lower right corner of the parent.
-    void place();
+    /// To a corner of the parent, the lower right one if it can be: that where it covers least of these places.
+    /// Whether it covers nothing.
+    bool place(const std::vector<QRectF>& busy = {});
     QSize sizeHint() const override;
 
 protected:

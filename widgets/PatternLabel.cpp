@@ -5,6 +5,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,24 @@ QRectF PatternLabel::box() const
     return {m_centre - QPointF(size.width(), size.height()) / 2, size};
 }
 
-void PatternLabel::paint(QPainter& painter, const QColor& name, const QColor& rest) const
+/// With a rim where the ground may have any colour.
+void PatternLabel::write(QPainter& painter, const QFont& font, double top, const QString& text, const QColor& ink,
+                         const QColor& rim)
+{
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    if (rim.isValid()) {
+        QPainterPath letters;
+        letters.addText(-metrics.horizontalAdvance(text) / 2, top + metrics.ascent(), font, text);
+        QColor soft = rim;
+        soft.setAlphaF(0.85F);
+        painter.strokePath(letters, QPen(soft, 4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    }
+    painter.setPen(ink);
+    painter.drawText(QRectF(-500, top, 1000, metrics.height()), Qt::AlignCenter, text);
+}
+
+void PatternLabel::paint(QPainter& painter, const Colors& colors) const
 {
     if (empty())
         return;
@@ -79,15 +97,12 @@ void PatternLabel::paint(QPainter& painter, const QColor& name, const QColor& re
         painter.rotate(-90);
     const double line = QFontMetricsF(m_nameFont).height();
     const double top = -m_extent.height() / 2;
-    painter.setFont(m_nameFont);
-    painter.setPen(name);
-    painter.drawText(QRectF(-500, top, 1000, line), Qt::AlignCenter, m_name);
-    painter.setFont(m_sizeFont);
-    painter.setPen(rest);
-    painter.drawText(QRectF(-500, top + line, 1000, line), Qt::AlignCenter, m_size);
+    write(painter, m_nameFont, top, m_name, colors.name, colors.rim);
+    if (!m_size.isEmpty())
+        write(painter, m_sizeFont, top + line, m_size, colors.rest, colors.rim);
     painter.restore();
     if (!m_grainHalf.isNull())
-        paintGrainArrow(painter, m_grainCentre, m_grainHalf, rest);
+        paintGrainArrow(painter, m_grainCentre, m_grainHalf, colors.rest);
 }
 
 } // namespace bolster

@@ -22,9 +22,18 @@ public:
     bool empty() const { return m_name.isEmpty(); }
     /// Around the text, in pixels; empty when nothing is written.
     QRectF box() const;
-    void paint(QPainter& painter, const QColor& name, const QColor& rest) const;
+
+    struct Colors {
+        QColor name;
+        QColor rest; ///< of size and grain
+        QColor rim;  ///< around the letters, where the ground may have any colour; not valid: none
+    };
+    void paint(QPainter& painter, const Colors& colors) const;
 
 private:
+    static void write(QPainter& painter, const QFont& font, double top, const QString& text, const QColor& ink,
+                      const QColor& rim);
+
     QString m_name;
     QString m_size; ///< "" without room for it
     QFont m_nameFont;

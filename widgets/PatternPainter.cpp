@@ -1,6 +1,7 @@
 #include "PatternPainter.h"
 
 #include "CurvePath.h"
+#include "Icons.h"
 #include "PatternGrid.h"
 #include "PatternLabel.h"
 #include "PatternMarks.h"
@@ -84,6 +85,11 @@ bool PatternPainter::mirrored(ElementId id) const
     return m_in.layers.twins && m_in.mirrored.contains(id);
 }
 
+bool PatternPainter::hidden(ElementId id) const
+{
+    return m_in.hidden.contains(id) && !selected(id) && !hovered(id);
+}
+
 bool PatternPainter::visible(const PatternPatch& patch) const
 {
     const Vec2 margin = Vec2::Constant(m_in.transform.millimetres(20));
@@ -99,6 +105,10 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
 {
     const bool isSelected = selected(patch.id);
     const bool isBad = bad(patch.id);
+    if (!isBad && hidden(patch.id)) {
+        paintHiddenPatch(patch);
+        return;
+    }
     const QPainterPath outline = inPixels(patch.path);
     const ViewColors& colors = m_in.colors;
 
@@ -127,6 +137,16 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (mirrored(patch.id) && !isBad && !isSelected)
         m_painter.strokePath(outline, mirroredPen(colors));
+}
+
+/// What the 3D view hides is only a sketch here, without its seams.
+void PatternPainter::paintHiddenPatch(const PatternPatch& patch)
+{
+    const QPainterPath outline = inPixels(patch.path);
+    m_painter.fillPath(outline, m_in.colors.patchFill(patch.fabric, 0.08));
+    QPen pen(m_in.colors.mutedLabel, 1.2, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setDashPattern({5, 4});
+    m_painter.strokePath(outline, pen);
 }
 
 void PatternPainter::paintMap(const PatternPatch& patch, const QPainterPath& outline)
@@ -226,14 +246,23 @@ void PatternPainter::paintInside(const PatternPatch& patch)
     QRectF written;
     if (m_in.layers.labels) {
         const PatternLabel label(patch, m_in.transform, m_in.font);
-        label.paint(m_painter, bad(patch.id) ? m_in.colors.error : m_in.colors.label, m_in.colors.mutedLabel);
+        const bool faint = hidden(patch.id);
+        const bool onMap = !faint && m_in.map.picture(patch.id);
+        label.paint(m_painter,
+                    {bad(patch.id) ? m_in.colors.error
+                     : faint       ? m_in.colors.mutedLabel
+                                   : m_in.colors.label,
+                     onMap ? m_in.colors.label : m_in.colors.mutedLabel, onMap ? m_in.colors.canvas : QColor()});
         written = label.box();
+        if (faint && !written.isEmpty()) // until it is shown again
+            icon(QStringLiteral("hide"), m_in.colors.mutedLabel)
+                .paint(&m_painter, QRectF(written.center().x() - 8, written.top() - 19, 16, 16).toRect());
         const PatternTwins& twins = m_in.scene.twins();
         if (twins.has(patch.id) && !written.isEmpty())
             paintTwinMark(m_painter, {written.center().x(), written.top() - 10},
                           !twins.released.at(patch.id).empty(), m_in.colors.mutedLabel);
     }
-    if (m_in.layers.seams)
+    if (m_in.layers.seams && !hidden(patch.id))
         paintSeamArrows(patch, written);
 }
 

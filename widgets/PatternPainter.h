@@ -51,6 +51,7 @@ public:
         QFont font;
         QSize size;
         const std::set<ElementId>& mirrored; ///< of what is selected or under the pointer
+        const std::set<ElementId>& hidden;   ///< in the 3D view: drawn faintly here
     };
 
     PatternPainter(QPainter& painter, const Input& input);
@@ -64,10 +65,12 @@ private:
     bool hovered(ElementId id) const;
     bool bad(ElementId id) const;
     bool mirrored(ElementId id) const;
+    bool hidden(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
     QPainterPath inPixels(const QPainterPath& path) const;
 
     void paintPatch(const PatternPatch& patch);
+    void paintHiddenPatch(const PatternPatch& patch);
     void paintMap(const PatternPatch& patch, const QPainterPath& outline);
     void paintMesh(const PatternPatch& patch);
     void paintSeamBands(const PatternPatch& patch, const QPainterPath& outline);

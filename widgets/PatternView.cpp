@@ -94,6 +94,14 @@ void PatternView::setMap(const SurfaceMapPtr& map)
 {
     m_map.setMap(map);
     m_legend->setMap(map);
+    if (!m_fitted.isEmpty())
+        fit();
+    update();
+}
+
+void PatternView::setHidden(std::set<ElementId> hidden)
+{
+    m_hidden = std::move(hidden);
     update();
 }
 
@@ -153,7 +161,30 @@ void PatternView::fitSelection()
 void PatternView::showBox(const Box2& box)
 {
     m_fitted = box;
-    apply(PatternTransform::fitting(box, size(), fitMargin));
+    fit();
+}
+
+/// With a map its legend gets a strip of its own where it would cover patches.
+void PatternView::fit()
+{
+    apply(PatternTransform::fitting(m_fitted, size(), fitMargin));
+    if (m_legend->isHidden() || m_legend->place(placesOfPatches()))
+        return;
+    const int strip = m_legend->height();
+    if (height() < 3 * strip)
+        return;
+    apply(PatternTransform::fitting(m_fitted, size() - QSize(0, strip), fitMargin));
+    m_legend->place(placesOfPatches());
+}
+
+/// Pixels.
+std::vector<QRectF> PatternView::placesOfPatches() const
+{
+    std::vector<QRectF> places;
+    for (const auto& [id, patch] : m_scene.patches())
+        places.push_back(
+            QRectF(m_transform.toPixels(patch.box.min()), m_transform.toPixels(patch.box.max())).normalized());
+    return places;
 }
 
 void PatternView::setTransform(const PatternTransform& transform)
@@ -356,7 +387,7 @@ void PatternView::paintEvent(QPaintEvent*)
     const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
     const PatternPainter::Input input{m_scene, m_mesh,       m_map,       m_selection, m_problems,
                                       invalid, m_seamColors, m_transform, m_layers,    colors,
-                                      small,   size(),       m_mirrored};
+                                      small,   size(),       m_mirrored,  m_hidden};
     PatternPainter(painter, input).paint();
     paintBackground(painter, m_background, m_transform, colors.dark);
     paintGuides(painter, m_snap.guides, m_transform, size(), colors);
@@ -368,9 +399,10 @@ void PatternView::resizeEvent(QResizeEvent* event)
     m_legend->place();
     for (PatternRuler* ruler : m_rulers)
         ruler->place();
-    m_transform = m_fitted.isEmpty() && event->oldSize().isValid()
-                      ? m_transform.resized(event->oldSize(), size())
-                      : PatternTransform::fitting(m_fitted, size(), fitMargin);
+    if (m_fitted.isEmpty() && event->oldSize().isValid())
+        m_transform = m_transform.resized(event->oldSize(), size());
+    else
+        fit();
 }
 
 void PatternView::changeEvent(QEvent* event)

@@ -35,6 +35,8 @@ public:
     void setFabricColors(std::map<bolster::ElementId, QColor> colors);
     /// What the map says under the pointer.
     void setMapReading(const QString& reading);
+    /// Elements that the 3D view does not show.
+    void setHidden(std::set<bolster::ElementId> hidden);
     PatternLayers layers() const { return m_layers; }
     void setLayers(const PatternLayers& layers);
 
@@ -114,6 +116,8 @@ private:
     void designChanged(const std::set<ElementId>& ids);
     void apply(const PatternTransform& transform);
     void showBox(const Box2& box);
+    void fit();
+    std::vector<QRectF> placesOfPatches() const;
     QString toolTipAt(QPointF pixel) const;
     std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
     void placeCrosshair();
@@ -136,6 +140,7 @@ private:
     PatternTransform m_transform;
     PatternLayers m_layers;
     std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
+    std::set<ElementId> m_hidden;   ///< in the 3D view
     SnapSettings m_snap;
     PatternGuides m_guides;
     bool m_guidesShown = true;

@@ -49,7 +49,7 @@ PropertyForm::PropertyForm(QWidget* parent)
     m_layout->setVerticalSpacing(6);
     m_layout->setLabelAlignment(Qt::AlignLeft);
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_layout->setRowWrapPolicy(QFormLayout::DontWrapRows);
+    m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
 }
 
 void PropertyForm::refresh()
@@ -207,7 +207,8 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     for (int i = 0; i < count; ++i) {
         auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setMinimumWidth(40);
+        // Coordinates of a room in full; where that is too wide the label goes above.
+        box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-8888.888")) + 14);
         connect(box, &NumberBox::entered, this, [i, write](double value) { write(i, value); });
         layout->addWidget(box, 1);
         boxes.push_back(box);

@@ -5,6 +5,7 @@
 #include <QLinearGradient>
 #include <QPainter>
 
+#include <algorithm>
 #include <chrono>
 
 namespace bolster {
@@ -55,6 +56,8 @@ SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
     }
     request.fabrics = m_scene.fabrics;
     request.frames = m_scene.frames;
+    for (std::size_t f = 0; f < std::min(request.frames.size(), m_scene.frameSkins.size()); ++f)
+        request.frames[f].skin = m_scene.frameSkins[f];
     request.frameOpacity = m_scene.frameOpacity;
     request.section = m_scene.section;
     request.map = m_scene.map;

@@ -5,6 +5,7 @@
 #include "CoverMesh.h"
 #include "FabricMaps.h"
 #include "Frame.h"
+#include "FrameSkin.h"
 #include "SectionPlane.h"
 #include "SurfaceMap.h"
 #include "SurfaceMesh.h"
@@ -36,6 +37,9 @@ public:
         struct FrameLook {
             std::shared_ptr<const TriangleMesh> mesh;
             Placement placement;
+            FrameMaterial material = {};
+            double opacity = 1;          ///< times that of all
+            FrameSkinPtr skin = nullptr; ///< drawn in its place; null until it is known how the cover lies on it
 
             friend bool operator==(const FrameLook&, const FrameLook&) = default;
         };
@@ -46,8 +50,8 @@ public:
         std::vector<PatchLook> looks;
         std::map<ElementId, FabricMapsPtr> fabrics; ///< what piping is made of; others are plain
         SurfaceMapPtr map;                          ///< null, or of another topology: plain cloth
-        std::vector<FrameLook> frames;              ///< see-through where there is a cover
-        double frameOpacity = 1;                    ///< times the usual one over a cover
+        std::vector<FrameLook> frames;
+        double frameOpacity = 1; ///< where there is a cover; without one they are solid
         std::optional<SectionPlane> section;
         Camera camera; ///< its size is the size of the picture
         QColor backgroundTop;

@@ -61,11 +61,24 @@ void SurfaceRenderer::draw(const SurfaceScene& scene, const Camera& camera, cons
         m_cover.drawEdges(scene, view, QColor(10, 10, 10, 90));
         m_gl.glDisable(GL_BLEND);
     }
-    m_frames.draw(scene, view);
+    m_frames.draw(scene, view, GlFrames::Part::Solid);
+    if (m_frames.has(scene, GlFrames::Part::SeeThrough))
+        drawSeeThrough(scene, view);
     m_gl.glDisable(GL_CLIP_DISTANCE0);
     m_points.draw(view);
     m_marks.draw(view, true);
     m_marks.draw(view, false);
+}
+
+/// What is see-through hides no lines: afterwards depths are again those without it.
+void SurfaceRenderer::drawSeeThrough(const SurfaceScene& scene, const GlView& view)
+{
+    m_frames.draw(scene, view, GlFrames::Part::SeeThrough);
+    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    m_cover.draw(scene, view, true);
+    m_frames.draw(scene, view, GlFrames::Part::Solid);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 } // namespace bolster

@@ -24,6 +24,7 @@ public:
 
 private:
     static GlFunctions& functions();
+    void drawSeeThrough(const SurfaceScene& scene, const GlView& view);
 
     GlFunctions& m_gl;
     GlGround m_ground;

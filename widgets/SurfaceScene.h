@@ -35,8 +35,6 @@ struct SurfaceDot {
     float hidden = 0.5F;
 };
 
-struct FrameShape;
-
 struct SurfaceScene {
     struct PatchLook {
         ElementId patch{};
@@ -61,9 +59,10 @@ struct SurfaceScene {
     std::vector<PatchLook> patches;
     std::map<ElementId, FabricMapsPtr> fabrics; ///< what piping is made of; others are plain
     std::vector<FrameLook> frames;
-    std::vector<std::shared_ptr<const FrameShape>> frameShapes; ///< null until it is known how light falls on it
-    std::vector<PointsLook> points;                             ///< of scans
-    SurfaceMapPtr map;                                          ///< null, or of another topology: plain cloth
+    std::vector<FrameSkinPtr> frameSkins; ///< of each frame; null until it is made
+    SurfaceMeshPtr skinned;               ///< the cover under which they are pressed
+    std::vector<PointsLook> points;       ///< of scans
+    SurfaceMapPtr map;                    ///< null, or of another topology: plain cloth
     std::vector<SurfaceLine> lines;
     std::vector<SurfaceDot> dots;
     std::uint64_t marks = 0;                           ///< different when lines or dots are
@@ -73,7 +72,7 @@ struct SurfaceScene {
     double floor = 0; ///< height of the ground
 
     std::optional<SectionPlane> section; ///< of cover and frames; lines, dots and points are cut already
-    double frameOpacity = 1;             ///< times the usual one over a cover
+    double frameOpacity = 1;             ///< where there is a cover; without one they are solid
 
     bool checker = true;
     bool meshEdges = false;

@@ -27,6 +27,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr double opacityOfCuts = 0.3;  ///< what foam takes away is nothing that is seen
 constexpr auto occlusionDelay = 450ms; ///< the cover must rest that long before its shadows are found
 constexpr int movingWithin = 250;      ///< ms between two surfaces that belong to one movement
 constexpr int cubeMargin = 8;          ///< pixels
@@ -47,20 +48,19 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_layers{Layer::Cover,          Layer::Checker,      Layer::Seams,      Layer::Frames,
                Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams, Layer::Scans,
                Layer::Ground,         Layer::Twins,        Layer::Symmetry}
-    , m_frameShapes([this] {
-        m_scene.frameShapes = m_frameShapes.shapes();
-        draw(false);
-    })
+    , m_frameShapes([this] { draw(false); })
     , m_cube(new SurfaceViewCube(this))
     , m_legend(new MapLegend(this))
     , m_sectionPanel(new SectionPanel(this))
     , m_crosshair(new Crosshair(this))
     , m_note(new PointerNote(this))
     , m_tool(makeSurfaceTool(m_toolKind, *this))
-    , m_occlusionJob(&SurfaceOcclusion::of, [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
-        m_scene.occlusion = std::move(occlusion);
-        draw(false);
-    })
+    , m_occlusionJob(&SurfaceOcclusion::of,
+                     [this](std::shared_ptr<const SurfaceOcclusion> occlusion) {
+                         m_scene.occlusion = std::move(occlusion);
+                         draw(false);
+                     })
+    , m_skinJob(&SurfaceView::skinsOf, [this](Skins made) { takeSkins(std::move(made)); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -78,6 +78,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
         apply(Camera::between(m_flightFrom, m_flightTo, t.toDouble()));
     });
     connect(&m_occlusionDelay, &QTimer::timeout, this, &SurfaceView::requestOcclusion);
+    connect(&m_occlusionDelay, &QTimer::timeout, this, &SurfaceView::requestSkins);
     // The cross-hair stays with the cover when that has moved.
     connect(&m_occlusionDelay, &QTimer::timeout, this, [this] { showPlace(m_shown); });
     connect(m_cube, &SurfaceViewCube::viewChosen, this, [this](double azimuth, double elevation) {
@@ -310,7 +311,7 @@ void SurfaceView::updateFrames()
             const auto mesh = m_files.meshes.find(id);
             if (mesh == m_files.meshes.end() || !mesh->second || m_hidden.contains(id))
                 return;
-            frames.push_back({mesh->second, frame});
+            frames.push_back({mesh->second, frame, frame.material});
             ids.push_back(id);
         });
     m_foamMeshes.update(m_document.design(), m_files);
@@ -318,7 +319,8 @@ void SurfaceView::updateFrames()
         for (const auto& [id, mesh] : m_foamMeshes.all()) {
             if (m_hidden.contains(id))
                 continue;
-            frames.push_back({mesh, *m_document.design().find<Foam>(id)});
+            const Foam& foam = *m_document.design().find<Foam>(id);
+            frames.push_back({mesh, foam, {FrameMaterial::Kind::Foam}, foam.cut ? opacityOfCuts : 1});
             ids.push_back(id);
         }
     m_frameIds = ids;
@@ -326,7 +328,7 @@ void SurfaceView::updateFrames()
         return;
     m_scene.frames = std::move(frames);
     m_frameShapes.setFrames(m_scene.frames, ids);
-    m_scene.frameShapes = m_frameShapes.shapes();
+    keepSkins();
     m_frameBox.setEmpty();
     for (const SurfaceScene::FrameLook& frame : m_scene.frames)
         for (const Vec3& p : placedPoints(frame))
@@ -503,7 +505,7 @@ void SurfaceView::goTo(Camera camera)
 
 void SurfaceView::setPerspective(bool perspective)
 {
-    Camera camera = m_flight.state() == QAbstractAnimation::Running ? m_flightTo : m_camera;
+    Camera camera = destination();
     camera.perspective = perspective;
     setCamera(camera);
 }
@@ -517,7 +519,7 @@ double SurfaceView::frontSide() const
 
 void SurfaceView::setStandardView(StandardView view)
 {
-    Camera camera = m_camera;
+    Camera camera = destination();
     camera.look(view);
     if (view == StandardView::ThreeQuarter)
         camera.azimuth += frontSide();
@@ -532,9 +534,17 @@ void SurfaceView::fitAll()
         updateBox();
         return;
     }
-    Camera camera = m_camera;
+    Camera camera = destination();
     camera.fit(m_scene.box);
     goTo(camera);
+}
+
+/// Where the camera is, or where it is flying to: who wants another part of that must not keep what lies between.
+Camera SurfaceView::destination() const
+{
+    Camera camera = m_flight.state() == QAbstractAnimation::Running ? m_flightTo : m_camera;
+    camera.size = m_camera.size;
+    return camera;
 }
 
 Box3 SurfaceView::selectedBox() const

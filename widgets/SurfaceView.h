@@ -219,9 +219,20 @@ private:
     void updateBox();
     void draw(bool moving);
     void requestOcclusion();
+    /// What of frames is seen beside the cover; made beside the GUI thread.
+    struct Skins {
+        SurfaceMeshPtr surface; ///< may be null
+        std::vector<SurfaceScene::FrameLook> frames;
+    };
+    static Skins skinsOf(const Skins& wanted, std::stop_token stop);
+    void requestSkins();
+    void takeSkins(Skins made);
+    void keepSkins();
+    bool skinsFit() const;
 
     void apply(const Camera& camera);
     void goTo(Camera camera);
+    Camera destination() const;
     Box3 selectedBox() const;
     double frontSide() const;
     void startNavigation(Navigation navigation, QPointF pixel);
@@ -250,6 +261,8 @@ private:
     Box3 m_frameBox;                   ///< mm
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
+    std::vector<std::shared_ptr<const TriangleMesh>> m_skinnedMeshes; ///< of the scene's skins
+    bool m_skinsFit = true;                                           ///< they were made where the frames are now
     ScanPoints m_scanPoints;
     std::vector<std::pair<Vec3, Vec3>> m_scanPairs; ///< on the cover, and of the scan
     SurfaceHitTest m_hitTest{m_frameShapes};
@@ -282,6 +295,7 @@ private:
     QElapsedTimer m_sinceSurface;
     QTimer m_occlusionDelay;
     SurfaceJob<SurfaceOcclusion::Input, std::shared_ptr<const SurfaceOcclusion>> m_occlusionJob;
+    SurfaceJob<Skins, Skins> m_skinJob;
 };
 
 } // namespace bolster

@@ -6,11 +6,12 @@
 #include "SelectionEdits.h"
 #include "SurfaceView.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
 
-constexpr double usualFrameOpacity = 0.45;
 constexpr double nearlyThere = 3; // mm: what is so near hides nothing
 
 } // namespace
@@ -58,14 +59,72 @@ void SurfaceView::updateCover()
 {
     m_scene.surface = layerVisible(Layer::Cover) ? m_visibleCover.of(m_surface, unseen()) : nullptr;
     m_scene.cover = m_scene.surface && m_cover && m_cover->surface == m_surface ? m_cover : nullptr;
-    m_scene.trims = m_scene.cover ? m_trims : nullptr;
+    m_scene.trims = m_scene.cover ? visibleTrims(m_trims, unseen()) : nullptr;
     m_hitTest.setSurface(m_scene.surface);
     m_places.setSurface(m_scene.surface);
 }
 
+SurfaceView::Skins SurfaceView::skinsOf(const Skins& wanted, std::stop_token stop)
+{
+    Skins made = wanted;
+    const FrameSkins pressed(wanted.surface.get());
+    for (std::size_t f = 0; f < made.frames.size() && !stop.stop_requested(); ++f)
+        if (made.frames[f].mesh)
+            made.frames[f].skin = pressed.skin(*made.frames[f].mesh, made.frames[f].placement, stop);
+    return made;
+}
+
+void SurfaceView::requestSkins()
+{
+    const bool known = m_scene.skinned == m_scene.surface;
+    if (m_scene.frames.empty() || (known && m_skinsFit))
+        return;
+    m_skinJob.request({m_scene.surface, m_scene.frames}, true);
+}
+
+void SurfaceView::takeSkins(Skins made)
+{
+    m_scene.frameSkins.assign(m_scene.frames.size(), nullptr);
+    for (std::size_t f = 0; f < std::min(m_scene.frames.size(), made.frames.size()); ++f)
+        if (made.frames[f].mesh == m_scene.frames[f].mesh)
+            m_scene.frameSkins[f] = made.frames[f].skin;
+    m_scene.skinned = std::move(made.surface);
+    m_skinsFit = skinsFit();
+    draw(false);
+}
+
+bool SurfaceView::skinsFit() const
+{
+    for (std::size_t f = 0; f < m_scene.frames.size(); ++f)
+        if (const FrameSkinPtr& skin = m_scene.frameSkins[f];
+            !skin || !(skin->placement == m_scene.frames[f].placement))
+            return false;
+    return true;
+}
+
+/// Of frames that have moved or changed their colour the skin is kept until there is a better one.
+void SurfaceView::keepSkins()
+{
+    std::vector<FrameSkinPtr> skins(m_scene.frames.size());
+    bool allThere = true;
+    for (std::size_t f = 0; f < m_scene.frames.size(); ++f) {
+        const auto old = std::ranges::find(m_skinnedMeshes, m_scene.frames[f].mesh);
+        if (old != m_skinnedMeshes.end() && m_scene.frameSkins.size() == m_skinnedMeshes.size())
+            skins[f] = m_scene.frameSkins[static_cast<std::size_t>(old - m_skinnedMeshes.begin())];
+        allThere = allThere && skins[f];
+    }
+    m_skinnedMeshes.clear();
+    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
+        m_skinnedMeshes.push_back(frame.mesh);
+    m_scene.frameSkins = std::move(skins);
+    m_skinsFit = allThere && skinsFit();
+    if (!allThere)
+        requestSkins();
+}
+
 void SurfaceView::setFrameOpacity(double opacity)
 {
-    m_scene.frameOpacity = opacity / usualFrameOpacity;
+    m_scene.frameOpacity = opacity;
     draw(true);
 }
 

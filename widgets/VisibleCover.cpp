@@ -65,9 +65,35 @@ SurfaceMeshPtr VisibleCover::of(const SurfaceMeshPtr& cover, const std::set<Elem
         m_whole = cover->topology;
         m_hidden = hidden;
         m_visible = Filter(*m_whole, hidden).visible();
+        m_of.reset();
     }
-    auto visible = std::make_shared<SurfaceMesh>(*cover);
-    visible->topology = m_visible;
+    if (cover != m_of) {
+        auto visible = std::make_shared<SurfaceMesh>(*cover);
+        visible->topology = m_visible;
+        m_of = cover;
+        m_shown = std::move(visible);
+    }
+    return m_shown;
+}
+
+TrimMeshPtr visibleTrims(const TrimMeshPtr& trims, const std::set<ElementId>& hidden)
+{
+    const auto gone = [&](const TrimMesh::Part& part) {
+        return hidden.contains(part.element) || hidden.contains(part.patch) || hidden.contains(part.other);
+    };
+    if (!trims || std::ranges::none_of(trims->parts, gone))
+        return trims;
+    auto visible = std::make_shared<TrimMesh>(*trims);
+    visible->triangles.clear();
+    visible->parts.clear();
+    for (TrimMesh::Part part : trims->parts) {
+        if (gone(part))
+            continue;
+        const auto first = trims->triangles.begin() + part.firstTriangle;
+        part.firstTriangle = static_cast<std::uint32_t>(visible->triangles.size());
+        visible->triangles.insert(visible->triangles.end(), first, first + part.triangleCount);
+        visible->parts.push_back(part);
+    }
     return visible;
 }
 

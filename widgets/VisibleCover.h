@@ -2,12 +2,14 @@
 #pragma once
 
 #include "SurfaceMesh.h"
+#include "TrimMesh.h"
 
 #include <set>
 
 namespace bolster {
 
-/// Keeps all vertices, so that what belongs to them fits; cheap while topology and hidden patches stay.
+/// Keeps all vertices, so that what belongs to them fits; cheap while topology and hidden patches stay, and the
+/// same mesh again for the same cover.
 class VisibleCover {
 public:
     /// The same mesh when nothing of it is hidden.
@@ -17,6 +19,10 @@ private:
     std::shared_ptr<const SurfaceTopology> m_whole;
     std::set<ElementId> m_hidden;
     std::shared_ptr<const SurfaceTopology> m_visible;
+    SurfaceMeshPtr m_of, m_shown; ///< the last one, and what is seen of it
 };
+
+/// Likewise stitches and piping; those of a seam go with either of its patches, as the seam itself does.
+TrimMeshPtr visibleTrims(const TrimMeshPtr& trims, const std::set<ElementId>& hidden);
 
 } // namespace bolster

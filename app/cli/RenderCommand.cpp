@@ -34,6 +34,7 @@ Options:
                      thickness, deviation, checker
   --turntable N      N pictures around the cover: FILE-001.png, FILE-002.png ...
   --sheet            all colourways in one picture, with their names
+  --no-frame         the cover alone, without its frames and foam
   --transparent      no background; the shadow is kept
   --threads N        use N threads (default 0: as many as the machine has)
 

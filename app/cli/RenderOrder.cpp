@@ -10,10 +10,10 @@ namespace bolster::cli {
 namespace {
 
 constexpr std::array renderOptions = {
-    OptionRule{"--image", true},     OptionRule{"--size", true},    OptionRule{"--view", true},
-    OptionRule{"--samples", true},   OptionRule{"--fabric", true},  OptionRule{"--map", true},
-    OptionRule{"--turntable", true}, OptionRule{"--threads", true}, OptionRule{"--transparent", false},
-    OptionRule{"--sheet", false},
+    OptionRule{"--image", true},     OptionRule{"--size", true},      OptionRule{"--view", true},
+    OptionRule{"--samples", true},   OptionRule{"--fabric", true},    OptionRule{"--map", true},
+    OptionRule{"--turntable", true}, OptionRule{"--threads", true},   OptionRule{"--transparent", false},
+    OptionRule{"--sheet", false},    OptionRule{"--no-frame", false},
 };
 
 /// "1280x960"
@@ -102,6 +102,7 @@ RenderOrder RenderOrder::from(std::span<const std::string> words)
     takeMap(arguments, order);
     const PictureLook& look = order.picture.look;
     order.picture.look.sheet = arguments.has("--sheet");
+    order.picture.look.frames = !arguments.has("--no-frame");
     order.turntable = arguments.integer("--turntable", 0, 1, 999);
     if (look.sheet && (order.turntable > 0 || look.map || look.checker || !order.colourway.empty()))
         throw UsageError(

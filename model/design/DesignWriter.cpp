@@ -298,11 +298,23 @@ void addPlacement(Line& line, const Placement& placement)
         .unlessVector(Eigen::Vector4d(1, 0, 0, 0), "rotation", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
 }
 
+void addMaterial(Line& line, const FrameMaterial& material)
+{
+    static constexpr std::array<const char*, 5> kinds = {"plain", "wood", "metal", "plastic", "foam"};
+    Line all;
+    if (material.kind != FrameMaterial::Kind::Plain)
+        all.quoted("kind", kinds[static_cast<std::size_t>(material.kind)]);
+    all.unless(std::string(), "color", material.color);
+    if (!all.empty())
+        line.raw("material", all.done());
+}
+
 void addFields(Line& line, const Frame& frame)
 {
     line.quoted("name", frame.name).quoted("file", frame.file);
     addPlacement(line, frame);
     line.unless(false, "contact", frame.contact).unless(0.0, "contact_gap", frame.contactGap);
+    addMaterial(line, frame.material);
 }
 
 void addFields(Line& line, const Cushion& cushion)

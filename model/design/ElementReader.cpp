@@ -357,6 +357,20 @@ void readPlacement(Fields& fields, Placement& placement)
         placement.rotation.normalize();
 }
 
+FrameMaterial readMaterial(Fields& parent)
+{
+    const Value* object = optionalObject(parent, "material");
+    if (!object)
+        return {};
+    Fields fields(*object, parent.fieldOf("material") + ".", parent.report());
+    FrameMaterial material;
+    material.kind =
+        static_cast<FrameMaterial::Kind>(fields.choice("kind", {"plain", "wood", "metal", "plastic", "foam"}));
+    material.color = readColor(fields, "color", material.color);
+    fields.finish();
+    return material;
+}
+
 Frame readFrame(Fields& fields)
 {
     Frame frame;
@@ -365,6 +379,7 @@ Frame readFrame(Fields& fields)
     readPlacement(fields, frame);
     frame.contact = fields.flag("contact", frame.contact);
     frame.contactGap = fields.number("contact_gap", frame.contactGap);
+    frame.material = readMaterial(fields);
     return frame;
 }
 

@@ -466,6 +466,8 @@ void ElementRules::rules(const Frame& frame)
 {
     placedFile(frame, frame.file);
     inRange("contact_gap", frame.contactGap, 0, mostContactGap);
+    if (!frame.material.color.empty())
+        color("material.color", frame.material.color);
 }
 
 void ElementRules::rules(const Cushion& cushion)

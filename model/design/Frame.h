@@ -1,6 +1,7 @@
 // The upholstery frame: a mesh from a file, placed in the design.
 #pragma once
 
+#include "FrameMaterial.h"
 #include "Message.h"
 #include "Placement.h"
 
@@ -11,9 +12,10 @@ namespace bolster {
 
 struct Frame : Placement {
     std::string name;
-    std::string file;      ///< relative to the design's folder, never outside it
-    bool contact = false;  ///< keeps the cover from passing through
-    double contactGap = 0; ///< mm that the cover keeps away then
+    std::string file;            ///< relative to the design's folder, never outside it
+    bool contact = false;        ///< keeps the cover from passing through
+    double contactGap = 0;       ///< mm that the cover keeps away then
+    FrameMaterial material = {}; ///< what it looks like
 
     friend bool operator==(const Frame&, const Frame&) = default;
 };

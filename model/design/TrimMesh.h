@@ -21,6 +21,8 @@ struct TrimMesh {
         ElementId fabric{};  ///< of a pipe; none: thread
         std::uint32_t firstTriangle = 0;
         std::uint32_t triangleCount = 0;
+        ElementId patch{}; ///< where it lies
+        ElementId other{}; ///< of a pipe in a seam: the patch on its other side
     };
 
     std::vector<Eigen::Vector3f> points;  ///< mm

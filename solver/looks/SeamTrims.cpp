@@ -112,7 +112,7 @@ void SeamTrims::addRows(const Design& design, ElementId id, const Element& eleme
         const double stitch = seamTrim(element)->stitchLength;
         const int count = std::max(1, static_cast<int>(std::lround(length.total() / stitch)));
         const double pitch = length.total() / count;
-        Row& places = m_rows.emplace_back(Row{id, {}});
+        Row& places = m_rows.emplace_back(Row{id, row.patch, {}});
         for (int s = 0; s < count; ++s)
             for (int i = 0; i < stitchPoints; ++i) {
                 const double inStitch = 0.5 + shownPart * (static_cast<double>(i) / (stitchPoints - 1) - 0.5);
@@ -126,7 +126,8 @@ void SeamTrims::addPipe(const Design& design, ElementId id, const Element& eleme
     const std::vector<TrimRow> rows = pipingRows(design, element);
     if (rows.empty())
         return;
-    Pipe pipe{id, rows.front().patch, rows.front().closed, {}, {}};
+    Pipe pipe{id, rows.front().patch, rows.size() > 1 ? rows.back().patch : ElementId{}, rows.front().closed, {},
+              {}};
     for (std::size_t r = 0; r < rows.size(); ++r) {
         if (!m_places->has(rows[r].patch))
             return;
@@ -142,6 +143,7 @@ void SeamTrims::skinRow(const Design& design, const CoverMesh& cover, const Row&
     const SeamTrim& trim = *seamTrim(*design.element(row.element));
     beginPart(row.element, to);
     to.parts.back().color = trim.thread;
+    to.parts.back().patch = row.patch;
     for (std::size_t i = 0; i < row.places.size(); i += stitchPoints) {
         std::array<CoverPoint3, stitchPoints> on;
         for (std::size_t k = 0; k < stitchPoints; ++k)
@@ -165,6 +167,8 @@ void SeamTrims::skinPipe(const Design& design, const CoverMesh& cover, const Pip
     }
     beginPart(pipe.element, to);
     TrimMesh::Part& part = to.parts.back();
+    part.patch = pipe.patch;
+    part.other = pipe.other;
     part.fabric = trim.pipingFabric != ElementId{} ? trim.pipingFabric : fabricShown(design, pipe.patch);
     if (const Fabric* fabric = design.find<Fabric>(part.fabric))
         part.color = fabric->color;

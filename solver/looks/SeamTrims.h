@@ -20,12 +20,13 @@ private:
     /// A run of stitches: stitchPoints places each.
     struct Row {
         ElementId element{};
+        ElementId patch{};
         std::vector<PatternPlace> places;
     };
     /// What a pipe follows: the places of one side, and of the other one of a seam.
     struct Pipe {
         ElementId element{};
-        ElementId patch{};
+        ElementId patch{}, other{};
         bool closed = false;
         std::vector<PatternPlace> places, otherSide;
     };

@@ -2,6 +2,7 @@
 
 #include "ColourwayEdits.h"
 #include "FabricShown.h"
+#include "FoamShape.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
 #include "SurfaceRefiner.h"
@@ -57,6 +58,31 @@ CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design)
     auto sewn = std::make_shared<CoverMesh>(*cover);
     sewn->relief = seamRelief(design, *sewn->topology);
     return sewn;
+}
+
+std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
+                                                      const SurfaceMesh* surface)
+{
+    const FrameSkins skins(surface);
+    std::vector<PreviewScene::FrameLook> frames;
+    const auto add = [&](std::shared_ptr<const TriangleMesh> mesh, const Placement& placement,
+                         const FrameMaterial& material) {
+        if (mesh)
+            frames.push_back({mesh, placement, material, skins.skin(*mesh, placement)});
+    };
+    const auto fileOf = [&](ElementId id) {
+        const auto found = files.meshes.find(id);
+        return found != files.meshes.end() ? found->second : nullptr;
+    };
+    design.each<Frame>([&](ElementId id, const Frame& frame) { add(fileOf(id), frame, frame.material); });
+    design.each<Foam>([&](ElementId id, const Foam& foam) {
+        if (foam.cut)
+            return;
+        add(foam.shape == Foam::Shape::Mesh ? fileOf(id)
+                                            : std::make_shared<const TriangleMesh>(foamMesh(foam.shape, foam.size)),
+            foam, {FrameMaterial::Kind::Foam});
+    });
+    return frames;
 }
 
 PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,

@@ -15,6 +15,11 @@ CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface);
 /// fabrics or with a checker make them of a cover that has none.
 CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design);
 
+/// The design's frames, and the foam that is added to them, in their materials and as the cover lies on them. Those
+/// whose files are missing are left out.
+std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
+                                                      const SurfaceMesh* surface);
+
 /// `colourway`: settingsId for the patches' own fabrics.
 PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
                             ElementId colourway, const FabricBaker& bake);

@@ -42,20 +42,31 @@ PictureStudio::~PictureStudio() = default;
 
 PictureStudio::Stage PictureStudio::staged(const PictureLook& look)
 {
+    std::optional<CoverMap> map;
+    if (look.map)
+        map = coverMap(*look.map, *m_subject.surface, m_subject.design, m_subject.files);
+    PreviewScene scene = sceneOf(look, map ? &*map : nullptr);
+    if (look.frames) {
+        if (!m_frames)
+            m_frames = framesForPicture(m_subject.design, m_subject.files, m_subject.surface.get());
+        scene.frames = *m_frames;
+    }
+    return {look, std::move(map), std::move(scene)};
+}
+
+PreviewScene PictureStudio::sceneOf(const PictureLook& look, const CoverMap* map)
+{
     const auto& [surface, design, files, bake, atOnce, legend] = m_subject;
     if (look.refined && !m_cover)
         m_cover = refinedForPicture(surface);
-    if (look.map) {
-        CoverMap map = coverMap(*look.map, *surface, design, files);
-        PreviewScene scene = sceneWithMap(surface, look.refined ? m_cover : nullptr, map);
-        return {look, std::move(map), std::move(scene)};
-    }
+    if (map)
+        return sceneWithMap(surface, look.refined ? m_cover : nullptr, *map);
     if (look.refined && !m_sewn)
         m_sewn = withSeams(m_cover, design);
     const CoverMeshPtr cover = look.refined ? m_sewn : nullptr;
     if (look.checker)
-        return {look, {}, sceneWithChecker(surface, cover, design, look.colourway)};
-    return {look, {}, sceneInFabrics(surface, cover, design, look.colourway, look.refined ? bake : atOnce)};
+        return sceneWithChecker(surface, cover, design, look.colourway);
+    return sceneInFabrics(surface, cover, design, look.colourway, look.refined ? bake : atOnce);
 }
 
 const PictureStudio::Stage& PictureStudio::stage(const PictureLook& look)

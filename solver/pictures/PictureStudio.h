@@ -16,6 +16,7 @@ struct PictureLook {
     std::optional<CoverMap::Kind> map;
     bool sheet = false;  ///< all colourways, each as large as the options say, with their names
     bool refined = true; ///< else drawn at once, coarser
+    bool frames = true;  ///< and foam, in their materials
 
     friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
@@ -62,6 +63,7 @@ private:
     struct Stage;
 
     Stage staged(const PictureLook& look);
+    PreviewScene sceneOf(const PictureLook& look, const CoverMap* map);
     const Stage& stage(const PictureLook& look);
     static PreviewImage drawOne(const Stage& stage, const PictureOrder& order, const std::stop_token& stop);
     Picture drawSheet(const PictureOrder& order, const std::stop_token& stop);
@@ -69,6 +71,7 @@ private:
     Subject m_subject;
     CoverMeshPtr m_cover, m_sewn;   ///< the same without and with its seams
     std::unique_ptr<Stage> m_stage; ///< the last one
+    std::optional<std::vector<PreviewScene::FrameLook>> m_frames;
 };
 
 } // namespace bolster

@@ -1,4 +1,4 @@
-// What a ray sees on a frame: smooth grey plastic.
+// What a ray sees on a frame: wood, metal, plastic or foam.
 #pragma once
 
 #include "CoverLook.h"
@@ -12,13 +12,17 @@ public:
 
     const std::vector<Vec3f>& points() const { return m_points; }
     const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return m_triangles; }
+    float opacity() const { return m_opacity; }
 
     SurfacePoint at(const RayHit& hit, const Vec3f& direction) const;
 
 private:
+    FrameSkinPtr m_skin;
     std::vector<Vec3f> m_points;
-    std::vector<std::array<std::uint32_t, 3>> m_triangles;
-    std::vector<std::array<Vec3f, 3>> m_normals; ///< per corner of each triangle
+    std::vector<std::array<std::uint32_t, 3>> m_triangles; ///< three corners each
+    FrameMaterial::Kind m_kind;
+    Vec3f m_color; ///< linear
+    float m_opacity;
 };
 
 /// The placed points of a frame's mesh, mm.

@@ -22,9 +22,8 @@ namespace bolster {
 namespace {
 
 constexpr int largestSide = 16384;
-constexpr float foam = 120;          ///< mm: the cover presses into a frame; what lies less before it is not drawn
-constexpr float ghostOpacity = 0.4f; ///< of a frame that faces the eye; its silhouette is denser
-constexpr double farthest = 1e8;     ///< mm: points beyond are not drawn
+constexpr float silhouette = 0.35f; ///< by how much what is see-through is denser where it turns away from the eye
+constexpr double farthest = 1e8;    ///< mm: points beyond are not drawn
 
 bool drawable(const Vec3& p)
 {
@@ -113,10 +112,10 @@ private:
     Vec3 m_origin;
     CoverLook m_cover;
     TrimLook m_trims;
-    std::vector<FrameLook> m_frames;
-    RayScene m_rays;   ///< the cover and its trims; without one, the frames after them
-    RayScene m_ghosts; ///< the frames beside a cover
-    float m_frameOpacity;
+    std::vector<FrameLook> m_frames; ///< solid ones
+    std::vector<FrameLook> m_seeThrough;
+    RayScene m_rays;   ///< the cover, its trims, and the solid frames after them
+    RayScene m_ghosts; ///< those that are see-through
     bool m_ground;
     float m_floor = 0; ///< height of the ground, shifted
     float m_reach = 1; ///< half the diagonal of the box
@@ -128,7 +127,6 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
     , m_trims(scene.trims, scene.piping, m_origin)
-    , m_frameOpacity(static_cast<float>(scene.frameOpacity))
     , m_ground(scene.ground && !m_box.isEmpty())
     , m_top(lightDisplayedAs(scene.backgroundTop))
     , m_bottom(lightDisplayedAs(scene.backgroundBottom))
@@ -139,10 +137,11 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
                           static_cast<float>(scene.section->offset - scene.section->normal.dot(m_origin)));
     m_rays.add(m_cover.points(), m_cover.triangles());
     m_rays.add(m_trims.points(), m_trims.triangles());
-    RayScene& frameRays = m_cover.triangles().empty() ? m_rays : m_ghosts;
     for (const PreviewScene::FrameLook& frame : scene.frames) {
-        m_frames.emplace_back(frame, m_origin);
-        frameRays.add(m_frames.back().points(), m_frames.back().triangles());
+        const bool solid = m_cover.triangles().empty() || frame.opacity >= 1;
+        std::vector<FrameLook>& frames = solid ? m_frames : m_seeThrough;
+        frames.emplace_back(frame, m_origin);
+        (solid ? m_rays : m_ghosts).add(frames.back().points(), frames.back().triangles());
     }
     m_rays.commit();
     m_ghosts.commit();
@@ -194,11 +193,12 @@ void PreviewRenderer::Prepared::addGhost(const Job& job, const Lens::Ray& ray, f
                                          Vec3f& constant) const
 {
     const std::optional<RayHit> hit = m_ghosts.first(ray.origin, ray.direction);
-    if (!hit || hit->distance + foam > behind)
+    if (!hit || hit->distance > behind)
         return;
-    const SurfacePoint point = m_frames[hit->mesh].at(*hit, ray.direction);
+    const FrameLook& frame = m_seeThrough[hit->mesh];
+    const SurfacePoint point = frame.at(*hit, ray.direction);
     const float facing = std::clamp(-point.normal.dot(ray.direction), 0.f, 1.f);
-    const float opacity = std::min(1.f, m_frameOpacity * (ghostOpacity + 0.35f * (1 - facing) * (1 - facing)));
+    const float opacity = std::min(1.f, frame.opacity() * (1 + silhouette * (1 - facing) * (1 - facing)));
     const Shade ghost = job.light.shade(point, -ray.direction);
     shade.direct *= 1 - opacity;
     shade.ambient *= 1 - opacity;
@@ -230,7 +230,7 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
         shade = {};
         constant.setZero();
     }
-    if (!m_cover.triangles().empty() && !m_frames.empty() && !job.options.transparent)
+    if (!m_seeThrough.empty() && !job.options.transparent)
         addGhost(job, ray, hit ? hit->distance : std::numeric_limits<float>::infinity(), shade, constant);
     pixel.constant += constant;
     pixel.direct += shade.direct;

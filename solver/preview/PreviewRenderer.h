@@ -3,6 +3,8 @@
 
 #include "CoverMesh.h"
 #include "FabricMaps.h"
+#include "FrameMaterial.h"
+#include "FrameSkin.h"
 #include "SurfaceMesh.h"
 #include "TriangleMesh.h"
 #include "TrimMesh.h"
@@ -48,12 +50,12 @@ struct PreviewScene {
     std::map<ElementId, FabricMapsPtr> piping; ///< maps of its fabrics; others are plain
     struct FrameLook {
         std::shared_ptr<const TriangleMesh> mesh;
-        double scale = 1;
-        Vec3 position = Vec3::Zero();
-        Quat rotation = Quat::Identity();
+        Placement placement = {};
+        FrameMaterial material = {};
+        FrameSkinPtr skin = nullptr; ///< drawn in place of the mesh, unless null: pressed under the cover
+        double opacity = 1;          ///< less than 1: see-through where there is a cover, and without a shadow
     };
-    std::vector<FrameLook> frames; ///< drawn in grey, see-through where there is a cover
-    double frameOpacity = 1;       ///< where there is a cover: times the usual one, at most solid
+    std::vector<FrameLook> frames;
     struct Section {
         Vec3 normal = Vec3::UnitX();
         double offset = 0; ///< mm

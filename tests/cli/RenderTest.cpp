@@ -74,6 +74,26 @@ TEST_F(Render, ShowsAColourwayAndAMap)
     EXPECT_NE(strain.out.find("Seat"), std::string::npos) << strain.out;
 }
 
+TEST_F(Render, ShowsTheFrameInItsMaterialUnlessToldNotTo)
+{
+    Json design = dressedHammock();
+    write("posts.obj", "v 310 0 -200\nv 340 0 -200\nv 340 0 100\nv 310 0 100\nf 1 2 3 4\n");
+    design["elements"].push_back({{"id", 10}, {"kind", "frame"}, {"name", "Posts"}, {"file", "posts.obj"}});
+    ASSERT_EQ(run("alone.png").exitCode, 0);
+    m_design = write(QStringLiteral("hammock.json"), design.dump());
+    ASSERT_EQ(run("plain.png").exitCode, 0);
+    ASSERT_EQ(run("without.png", {"--no-frame"}).exitCode, 0);
+    EXPECT_EQ(bytes("without.png"), bytes("alone.png"));
+    EXPECT_NE(bytes("plain.png"), bytes("alone.png"));
+    design["elements"].back()["material"] = {{"kind", "wood"}};
+    m_design = write(QStringLiteral("hammock.json"), design.dump());
+    ASSERT_EQ(run("wood.png").exitCode, 0);
+    EXPECT_NE(bytes("wood.png"), bytes("plain.png"));
+    ASSERT_EQ(run("map.png", {"--map", "strain"}).exitCode, 0);
+    ASSERT_EQ(run("map-without.png", {"--map", "strain", "--no-frame"}).exitCode, 0);
+    EXPECT_NE(bytes("map.png"), bytes("map-without.png"));
+}
+
 TEST_F(Render, WritesATurntableAndASheet)
 {
     ASSERT_EQ(run("turn.png", {"--turntable", "3"}).exitCode, 0);

@@ -147,7 +147,7 @@ Design unusualDesign()
     leaning.stretch = {ElementId{2}, 0, 1};
     leaning.orientation = {Orientation::Kind::Tangent, {Vec3(0, 0, -2)}, 1};
     Seam seam{{ElementId{2}, 0, 1}, {ElementId{3}, 6.5, 1}, false, Match::Parameter, Continuity::G1};
-    Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj"};
+    Frame frame{{25.4, Vec3(1, -2, 3e-300), Quat(0.5, -0.5, 0.5, 0.5)}, "F", "a/b.obj", true, 0.1, {}};
     HandleCurve handle{{"H", ElementId{2}, BSpline2(2, false, {{0, 0}, {1, 2}, {3, 4}}, {0, 0, 0, 0.5, 0.5, 0.5})},
                        BSpline3(1, false, {{0, 0, 0}, {1, 0, -0.0}}),
                        Match::Parameter,
@@ -157,6 +157,7 @@ Design unusualDesign()
     FancySeam fancy{{"S", ElementId{2}, BSpline2(3, true, {{0, 0}, {1, 2}, {3, 4}})}, 0.1, -7, Profile::Welt};
     frame.contact = true;
     frame.contactGap = 0.1;
+    frame.material = {FrameMaterial::Kind::Wood, "#7a5a33"};
     const Cushion cushion{"Foam",
                           ElementId{6},
                           {"Seat; \"upper\"", "Back"},

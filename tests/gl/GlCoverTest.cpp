@@ -197,6 +197,8 @@ protected:
         scene.trims = request.scene.trims;
         scene.piping = request.scene.fabrics;
         scene.checker = scene.ground = false;
+        for (const SurfaceScene::FrameLook& frame : request.scene.frames)
+            scene.frames.push_back({frame.mesh, frame.placement, frame.material});
         for (const SurfaceScene::PatchLook& look : request.scene.patches)
             scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
         const Camera& camera = request.camera;
@@ -396,6 +398,65 @@ TEST_F(GlCover, TheLightIsThatOfPictures)
                 }
             EXPECT_LE(worst, 8) << elevation << ' ' << color.name().toStdString();
         }
+    }
+}
+
+/// A plate of this height over the middle of the square, or under it.
+std::shared_ptr<const TriangleMesh> plate(double height)
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{60, 60, height}, {140, 60, height}, {140, 140, height}, {60, 140, height}};
+    mesh->triangles = {{0, 1, 2}, {0, 3, 2}}; // one of them is turned over
+    mesh->parts = {{"plate", 0, 2}};
+    return mesh;
+}
+
+TEST_F(GlCover, SolidFramesHideWhatIsBehindThemWhicheverWayTheirTrianglesRun)
+{
+    request.scene.patches[0].fabric = QColor(200, 40, 40);
+    const QRgb cloth = picture().pixel(200, 200);
+    const auto placed = [&](double height, double opacity) {
+        const auto mesh = plate(height);
+        request.scene.frames = {{mesh, {}, {FrameMaterial::Kind::Plastic, "#2040c0"}, opacity}};
+        request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+        request.scene.skinned = request.scene.surface;
+        const QImage drawn = picture();
+        EXPECT_NEAR(qBlue(drawn.pixel(170, 230)), qBlue(drawn.pixel(230, 170)), 3) << "both triangles are seen";
+        return drawn.pixel(200, 200);
+    };
+    EXPECT_EQ(placed(-20, 1), cloth);
+    const QRgb solid = placed(20, 1);
+    EXPECT_GT(qBlue(solid), qRed(solid) + 60);
+    const QRgb ghost = placed(20, 0.4);
+    EXPECT_GT(qRed(ghost), qRed(solid) + 30);
+    EXPECT_LT(qRed(ghost), qRed(cloth) - 20);
+}
+
+TEST_F(GlCover, FramesInAMaterialLookAsInPictures)
+{
+    const auto mesh = plate(20);
+    for (const FrameMaterial& material :
+         {FrameMaterial{}, FrameMaterial{FrameMaterial::Kind::Wood, {}},
+          FrameMaterial{FrameMaterial::Kind::Metal, {}}, FrameMaterial{FrameMaterial::Kind::Plastic, {}},
+          FrameMaterial{FrameMaterial::Kind::Foam, {}}}) {
+        request.scene.frames = {{mesh, {}, material}};
+        request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+        request.scene.skinned = request.scene.surface;
+        const QImage drawn = picture();
+        const PreviewImage rays = traced();
+        double far = 0; // largest difference of rows of pixels, on the mean
+        for (int y = 140; y < 260; y += 10)
+            for (int channel = 0; channel < 3; ++channel) {
+                double a = 0, b = 0;
+                for (int x = 140; x < 260; ++x) {
+                    const QRgb p = drawn.pixel(x, y);
+                    a += channel == 0 ? qRed(p) : channel == 1 ? qGreen(p) : qBlue(p);
+                    b += rays.rgba[4 * (static_cast<std::size_t>(y) * 400 + static_cast<std::size_t>(x)) +
+                                   static_cast<std::size_t>(channel)];
+                }
+                far = std::max(far, std::abs(a - b) / 120);
+            }
+        EXPECT_LT(far, 8) << "material " << static_cast<int>(material.kind);
     }
 }
 

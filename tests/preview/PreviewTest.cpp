@@ -238,7 +238,7 @@ TEST(Preview, ShowsFramesInGrey)
     frame->points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     frame->triangles = {{0, 1, 2}};
     PreviewScene scene;
-    scene.frames.push_back({frame, 100, {5, 0, 0}, Quat::Identity()});
+    scene.frames.push_back({frame, {100, {5, 0, 0}}});
     EXPECT_NEAR(scene.boundingBox().max().x(), 105, 1e-9);
     const PreviewImage image = renderPreview(scene, fromAbove({30, 30, 0}, 1, 120), small());
     const std::size_t middle = 4 * (60 * 160 + 80);
@@ -246,7 +246,7 @@ TEST(Preview, ShowsFramesInGrey)
     EXPECT_NEAR(image.rgba[middle], image.rgba[middle + 2], 25);
 }
 
-TEST(Preview, FramesBesideACoverAreSeenThrough)
+TEST(Preview, FramesAreSolidUnlessTheyShallBeSeenThrough)
 {
     auto frame = std::make_shared<TriangleMesh>();
     frame->points = {{0, 0, 0}, {400, 0, 0}, {400, 400, 0}, {0, 400, 0}};
@@ -260,11 +260,46 @@ TEST(Preview, FramesBesideACoverAreSeenThrough)
         return image.rgba[middle] - image.rgba[middle + 2];
     };
     const int alone = redness();
-    scene.frames = {{frame, 1, {0, 0, 20}, Quat::Identity()}}; // pressed in by the cover
-    EXPECT_EQ(redness(), alone);
-    scene.frames[0].position.z() = 300;
+    scene.frames = {{frame, {1, {0, 0, 20}}}};
+    EXPECT_LT(redness(), 10) << "the cover is behind it";
+    scene.frames[0].opacity = 0.4;
     EXPECT_LT(redness(), alone - 10);
     EXPECT_GT(redness(), 10);
+    scene.frames[0].opacity = 1;
+    scene.frames[0].placement.position.z() = -20;
+    EXPECT_NEAR(redness(), alone, 2) << "it is behind the cover";
+}
+
+TEST(Preview, FramesHaveTheLookOfTheirMaterial)
+{
+    auto frame = std::make_shared<TriangleMesh>();
+    frame->points = {{-200, -200, 0}, {200, -200, 0}, {200, 200, 0}, {-200, 200, 0}};
+    frame->triangles = {{0, 1, 2}, {0, 2, 3}};
+    frame->parts = {{"plate", 0, 2}};
+    PreviewScene scene;
+    scene.ground = false;
+    const auto pixels = [&](const FrameMaterial& material) {
+        scene.frames = {{frame, {}, material}};
+        return renderPreview(scene, fromAbove({0, 0, 0}, 1, 120), small()).rgba;
+    };
+    const auto spread = [](const std::vector<std::uint8_t>& rgba) { // from the darkest to the brightest red
+        std::uint8_t low = 255, high = 0;
+        for (int x = 40; x < 120; ++x) {
+            const std::uint8_t red = rgba[static_cast<std::size_t>(4 * (60 * 160 + x))];
+            low = std::min(low, red);
+            high = std::max(high, red);
+        }
+        return high - low;
+    };
+    const std::size_t middle = 4 * (60 * 160 + 80);
+    const auto plain = pixels({}), wood = pixels({FrameMaterial::Kind::Wood, {}}),
+               black = pixels({FrameMaterial::Kind::Plastic, {}}),
+               blue = pixels({FrameMaterial::Kind::Plastic, "#2040c0"});
+    EXPECT_GT(spread(wood), spread(plain) + 8) << "its grain is seen";
+    EXPECT_GT(wood[middle], wood[middle + 2] + 30) << "and it is brown";
+    EXPECT_LT(black[middle] + 40, plain[middle]);
+    EXPECT_GT(blue[middle + 2], blue[middle] + 60);
+    EXPECT_NE(pixels({FrameMaterial::Kind::Metal, {}}), plain);
 }
 
 TEST(Preview, ThreeQuarterViewShowsTheWholeBox)

@@ -222,6 +222,44 @@ TEST_F(InspectorTest, PlacesSelectedPointsInSpace)
     EXPECT_EQ(document.history().count(), 2);
 }
 
+TEST_F(InspectorTest, ShowsCoordinatesInFull)
+{
+    Frame frame;
+    frame.name = "Frame";
+    frame.position = Vec3(-214.335, -1093.062, -859.113);
+    const ElementId id{90};
+    document.commit(Edit{{"Add"}, {{id, nullptr, makeElement(frame)}}});
+    selection.set({id});
+    QCoreApplication::processEvents();
+    const QList<NumberBox*> place = boxes("Position");
+    ASSERT_EQ(place.size(), 3);
+    for (const NumberBox* box : place) {
+        const auto* line = box->findChild<QLineEdit*>();
+        EXPECT_GE(line->contentsRect().width(), line->fontMetrics().horizontalAdvance(line->text()))
+            << line->width();
+    }
+}
+
+TEST_F(InspectorTest, ChangesWhatAFrameIsMadeOf)
+{
+    Frame frame;
+    frame.name = "Frame";
+    const ElementId id{90};
+    document.commit(Edit{{"Add"}, {{id, nullptr, makeElement(frame)}}});
+    selection.set({id});
+    QComboBox* material = nullptr;
+    for (QComboBox* box : inspector.findChildren<QComboBox*>())
+        if (box->findText(QStringLiteral("Wood")) >= 0)
+            material = box;
+    ASSERT_TRUE(material);
+    material->setFocus();
+    QTest::keyClicks(material, "W");
+    const auto kind = [&] { return document.design().find<Frame>(id)->material.kind; };
+    EXPECT_EQ(kind(), FrameMaterial::Kind::Wood);
+    document.undo();
+    EXPECT_EQ(kind(), FrameMaterial::Kind::Plain);
+}
+
 TEST(NumberBoxExpressions, TakesUnitsWhereLengthsAre)
 {
     const auto typed = [](const NumberBox::Range& range, const char* text) {

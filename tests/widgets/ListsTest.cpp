@@ -98,6 +98,25 @@ TEST_F(ListsTest, ElementsAreListedByKind)
     EXPECT_FALSE(model.setData(model.indexOf(secondSquare), "  ", Qt::EditRole));
 }
 
+TEST_F(ListsTest, WhatTheSurfaceViewHidesIsMarked)
+{
+    ElementsModel model(document, problems);
+    const auto marked = [&](ElementId id) {
+        const QModelIndex index = model.indexOf(id);
+        const bool slanted = index.data(Qt::FontRole).value<QFont>().italic();
+        EXPECT_EQ(slanted, index.data(ElementsModel::HiddenRole).toBool());
+        EXPECT_EQ(slanted,
+                  index.data(Qt::ToolTipRole).toString().contains(QStringLiteral("Hidden in the 3D view")));
+        return slanted;
+    };
+    EXPECT_FALSE(marked(firstSquare));
+    model.setHidden({firstSquare});
+    EXPECT_TRUE(marked(firstSquare));
+    EXPECT_FALSE(marked(secondSquare));
+    model.setHidden({});
+    EXPECT_FALSE(marked(firstSquare));
+}
+
 TEST_F(ListsTest, ElementsSelectAndAreSelected)
 {
     ElementsView view(document, selection, problems);

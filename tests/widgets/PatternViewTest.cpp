@@ -77,6 +77,26 @@ protected:
     Qt::MouseButtons pressed = Qt::NoButton;
 };
 
+TEST_F(PatternViewTest, WhatTheSurfaceViewHidesIsFaintUntilItIsSelected)
+{
+    const auto cloth = [&](const Vec2& at) { return view.grab().toImage().pixelColor(pixel(at)); };
+    const QColor canvas = cloth({150, 50});
+    const auto strength = [&](const Vec2& at) {
+        const QColor color = cloth(at);
+        return std::abs(color.red() - canvas.red()) + std::abs(color.green() - canvas.green()) +
+               std::abs(color.blue() - canvas.blue());
+    };
+    const int first = strength({30, 20}), second = strength({230, 20});
+    view.setHidden({secondSquare});
+    EXPECT_EQ(strength({30, 20}), first);
+    EXPECT_LT(strength({230, 20}), second / 2);
+    selection.set({secondSquare});
+    EXPECT_GE(strength({230, 20}), second);
+    selection.clear();
+    view.setHidden({});
+    EXPECT_EQ(strength({230, 20}), second);
+}
+
 TEST_F(PatternViewTest, SelectsByClickAndAddsWithShift)
 {
     click(pixel({50, 50}));

@@ -115,6 +115,38 @@ TEST_F(SurfaceShown, TheRefinedCoverIsDrawnWhileItsSurfaceIsShown)
     EXPECT_TRUE(drawn(nullptr));
 }
 
+TEST_F(SurfaceShown, StitchesOfHiddenPatchesAreHiddenWithThem)
+{
+    auto trims = std::make_shared<TrimMesh>();
+    trims->points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    trims->normals.assign(3, Eigen::Vector3f::UnitZ());
+    trims->cloth.assign(3, Eigen::Vector2f::Zero());
+    for (const auto& [patch, other] : {std::pair(leftPatch, ElementId{}), std::pair(rightPatch, ElementId{}),
+                                       std::pair(leftPatch, rightPatch)}) {
+        TrimMesh::Part part;
+        part.element = seamId;
+        part.patch = patch;
+        part.other = other;
+        part.firstTriangle = static_cast<std::uint32_t>(trims->triangles.size());
+        part.triangleCount = 1;
+        trims->triangles.push_back({0, 1, 2});
+        trims->parts.push_back(part);
+    }
+    view.setCover(raisedCover(view.surface(), 5), trims);
+    const auto drawn = [&](std::size_t parts) {
+        return QTest::qWaitFor([&] {
+            const auto& last = log->last().trims;
+            return last && last->parts.size() == parts && last->triangles.size() == parts;
+        });
+    };
+    EXPECT_TRUE(drawn(3));
+    view.setHidden({rightPatch});
+    EXPECT_TRUE(drawn(1)) << "piping between both is gone, too, as their seam is";
+    EXPECT_EQ(log->last().trims->parts[0].patch, leftPatch);
+    view.setHidden({});
+    EXPECT_TRUE(drawn(3));
+}
+
 TEST_F(SurfaceShown, SeamsLieOnTheCoverThatIsDrawn)
 {
     SurfaceScene scene;
@@ -288,7 +320,7 @@ TEST_F(SurfaceShown, HandlesAndFancySeamsHaveLayers)
 TEST_F(SurfaceShown, OpacityOfFramesReachesThePicture)
 {
     view.setFrameOpacity(0.9);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().frameOpacity == 2; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().frameOpacity == 0.9; }));
 }
 
 TEST_F(SurfaceShown, ThePointUnderThePointerIsKnownInBothViews)

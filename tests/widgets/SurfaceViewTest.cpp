@@ -501,6 +501,13 @@ TEST_F(SurfaceViewTest, StandardViewsFlyThere)
     EXPECT_TRUE(seen.contains(pixel({400, 200, 0})));
 }
 
+TEST_F(SurfaceViewTest, ShowingAllOnTheWayToAViewArrivesThere)
+{
+    view.setStandardView(SurfaceView::StandardView::Top);
+    view.fitAll(); // as soon as a cover that nothing holds is there
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
+}
+
 TEST_F(SurfaceViewTest, CubeTurnsTheView)
 {
     Camera camera = view.camera();

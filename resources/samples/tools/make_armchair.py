@@ -132,6 +132,8 @@ def main():
     cover.close_rear("Arm right rear", ARM_RIGHT_REAR)
     cover.close_rear("Arm left rear", ARM_LEFT_REAR)
     tell_apart(cover.elements.values())
+    for frame in (e for e in cover.elements.values() if e["kind"] == "frame"):
+        frame["material"] = {"kind": "foam", "color": "#7d4a2e"}  # its lining, seen where arms and seat meet
     arrange(cover)
     report_ease(cover)
     folder = SAMPLES / "armchair"

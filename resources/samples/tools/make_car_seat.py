@@ -71,7 +71,9 @@ def main():
     tell_apart(elements)
     Layout(elements).stack(ROWS, 0, 0)
     edge_length = design["settings"]["edge_length"]
-    frame = next(e["id"] for e in elements if e["kind"] == "frame")
+    shell = next(e for e in elements if e["kind"] == "frame")
+    shell["material"] = {"kind": "plastic"}
+    frame = shell["id"]
     # The frame lies 26 mm inside the foam.
     cushion = {"id": max(e["id"] for e in elements) + 1, "kind": "cushion", "name": "Padding", "frame": frame,
                "dilation_mm": 26}

@@ -65,7 +65,8 @@ def main():
     for i, k in enumerate((0, 3, 2, 1)):
         elements.append(seam(4 + i, stretch(2, corner[i], corner[i + 1]), stretch(3, corner[k], corner[k + 1])))
     elements.append({"id": 8, "kind": "frame", "name": "Real pillow", "file": mesh.name, "scale": 1,
-                     "position": position, "rotation": rotation})
+                     "position": position, "rotation": rotation,
+                     "material": {"kind": "foam", "color": "#d9cfbd"}})
     write(folder / "pillow.json", elements, 12)
 
 

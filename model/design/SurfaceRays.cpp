@@ -9,22 +9,23 @@ namespace bolster {
 
 namespace {
 
-constexpr std::uint32_t leafSize = 4;
-constexpr float padding = 1e-3F; ///< of boxes, mm: rays along their walls are inside
-constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t rayLeafSize = 4;
+constexpr float rayBoxPadding = 1e-3F; ///< of boxes, mm: rays along their walls are inside
+constexpr float rayInfinite = std::numeric_limits<float>::infinity();
 
-/// Where the ray meets the triangle, in lengths of the direction; infinite if it does not (Moeller, Trumbore 1997).
+/// Where the ray meets the triangle, in lengths of the direction; rayInfinite if it does not (Moeller, Trumbore
+/// 1997).
 float meeting(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, const Eigen::Vector3f& a,
               const Eigen::Vector3f& b, const Eigen::Vector3f& c)
 {
     const Eigen::Vector3f e1 = b - a, e2 = c - a, p = direction.cross(e2);
     const float determinant = e1.dot(p);
     if (!(std::abs(determinant) > 1e-12f))
-        return infinite;
+        return rayInfinite;
     const Eigen::Vector3f fromA = origin - a, q = fromA.cross(e1);
     const float u = fromA.dot(p) / determinant, v = direction.dot(q) / determinant;
     const float t = e2.dot(q) / determinant;
-    return u >= -1e-5f && v >= -1e-5f && u + v <= 1.00001f && t > 0 ? t : infinite;
+    return u >= -1e-5f && v >= -1e-5f && u + v <= 1.00001f && t > 0 ? t : rayInfinite;
 }
 
 /// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
@@ -88,7 +89,7 @@ std::uint32_t SurfaceRays::split(std::uint32_t first, std::uint32_t count, std::
 {
     const auto node = static_cast<std::uint32_t>(m_nodes.size());
     m_nodes.push_back({});
-    if (count <= leafSize) {
+    if (count <= rayLeafSize) {
         m_nodes[node].first = first;
         m_nodes[node].count = count;
         return node;
@@ -111,16 +112,16 @@ std::uint32_t SurfaceRays::split(std::uint32_t first, std::uint32_t count, std::
 
 void SurfaceRays::fitBox(Node& node) const
 {
-    node.low = Eigen::Array3f::Constant(infinite);
-    node.high = Eigen::Array3f::Constant(-infinite);
+    node.low = Eigen::Array3f::Constant(rayInfinite);
+    node.high = Eigen::Array3f::Constant(-rayInfinite);
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
         for (const std::uint32_t corner : m_triangles[i])
             if (m_points[corner].allFinite()) {
                 node.low = node.low.min(m_points[corner].array());
                 node.high = node.high.max(m_points[corner].array());
             }
-    node.low -= padding;
-    node.high += padding;
+    node.low -= rayBoxPadding;
+    node.high += rayBoxPadding;
 }
 
 void SurfaceRays::fitBoxes()
@@ -148,7 +149,7 @@ void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach
     const auto entry = [&](const Node& node) {
         const Eigen::Array3f a = (node.low - origin.array()) * inverse, b = (node.high - origin.array()) * inverse;
         const float in = std::max(a.min(b).maxCoeff(), 0.f), out = a.max(b).minCoeff();
-        return in <= out * 1.00001f && in < reach ? in : infinite;
+        return in <= out * 1.00001f && in < reach ? in : rayInfinite;
     };
     std::array<std::uint32_t, 64> waiting;
     std::size_t count = 0;
@@ -156,7 +157,7 @@ void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach
     while (count > 0) {
         const std::uint32_t index = waiting[--count];
         const Node& node = m_nodes[index];
-        if (entry(node) == infinite)
+        if (entry(node) == rayInfinite)
             continue;
         if (node.count > 0) {
             if (visit(node))
@@ -186,7 +187,7 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& farOrigin, const
     const float skipped = approach(farOrigin, direction);
     const Vec3f origin = farOrigin + skipped * direction;
     std::optional<Hit> best;
-    float reach = infinite;
+    float reach = rayInfinite;
     walk(origin, direction, reach, [&](const Node& node) {
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const Triangle& t = m_triangles[i];
