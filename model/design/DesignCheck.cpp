@@ -44,6 +44,12 @@ void warnOfFreePatches(const Design& design, Problems& problems)
             fixed.insert(components.root(handle.patch));
     });
 
+    // What is filled is a cushion or a pillow: it lies wherever somebody puts it.
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (patch.pressure > 0)
+            fixed.insert(components.root(id));
+    });
+
     std::map<ElementId, std::vector<ElementId>> free;
     design.each<Patch>([&](ElementId id, const Patch&) {
         if (const ElementId root = components.root(id); !fixed.contains(root))

@@ -277,6 +277,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"FancyWidth", [](Parts& p) { p.fancy.width = 0; }, 9, "width", "between 0.1 and 1000"},
         Rule{"FancyDepth", [](Parts& p) { p.fancy.depth = nan; }, 9, "depth", "NaN"},
         Rule{"FrameRotation", [](Parts& p) { p.frame.rotation = Quat(2, 0, 0, 0); }, 7, "rotation", "length 2"},
+        Rule{"FrameColour", [](Parts& p) { p.frame.material.color = "brown"; }, 7, "material.color", "is no colour"},
         Rule{"ContactGap", [](Parts& p) { p.frame.contactGap = -1; }, 7, "contact_gap", "between 0 and 100"},
         Rule{"CushionFrame", [](Parts& p) { p.cushion.frame = ElementId{2}; }, 10, "frame", "is no frame"},
         Rule{"CushionPatch", [](Parts& p) { p.cushion.patches.push_back(ElementId{4}); }, 10, "patches[1]",
@@ -394,6 +395,8 @@ TEST(DesignCheck, WarnsOfEachComponentThatIsFreeInSpace)
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].element, ElementId{3});
     EXPECT_NE(problems[0].english().find("free in space"), std::string::npos);
+    parts.side.pressure = 0.3;
+    EXPECT_TRUE(checkDesign(parts.design().with({{}, {{ElementId{6}, nullptr, nullptr}}})).empty()) << "a cushion";
 }
 
 TEST(DesignCheck, RepeatsTheProblemsOfUnreadableElements)

@@ -22,6 +22,7 @@ SEATS = ("armchair", "armchair-scan", "car-seat", "car-seat-g1", "car-seat-cushi
 def run(*command):
     result = subprocess.run(command, capture_output=True, text=True)
     assert result.returncode == 0, f"{command} ended with {result.returncode}:\n{result.stdout}{result.stderr}"
+    assert "warning:" not in result.stderr, f"{command} warns:\n{result.stderr}"
 
 
 def check_report(report, design):
