@@ -9,7 +9,7 @@ namespace bolster::test {
 namespace {
 
 /// A flat cover at height 0, seen from above, from 0 to `size` in x and y, mm.
-SurfaceMesh flatCover(double size)
+SurfaceMesh coverAtHeightZero(double size)
 {
     auto topology = std::make_shared<SurfaceTopology>();
     topology->triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -21,7 +21,7 @@ SurfaceMesh flatCover(double size)
     return cover;
 }
 
-TriangleMesh box(const Vec3& low, const Vec3& high)
+TriangleMesh solidBox(const Vec3& low, const Vec3& high)
 {
     TriangleMesh mesh;
     for (int corner = 0; corner < 8; ++corner)
@@ -33,7 +33,7 @@ TriangleMesh box(const Vec3& low, const Vec3& high)
     return mesh;
 }
 
-double highest(const FrameSkin& skin, const Box3& within)
+double highestWithin(const FrameSkin& skin, const Box3& within)
 {
     double top = -1e9;
     for (const FrameSkin::Corner& corner : skin.corners)
@@ -44,32 +44,32 @@ double highest(const FrameSkin& skin, const Box3& within)
 
 TEST(FrameSkin, FoamGivesUnderTheCover)
 {
-    const SurfaceMesh cover = flatCover(400);
-    const TriangleMesh seat = box({50, 50, -200}, {350, 350, 30}); // 30 mm too high for its cover
+    const SurfaceMesh cover = coverAtHeightZero(400);
+    const TriangleMesh seat = solidBox({50, 50, -200}, {350, 350, 30}); // 30 mm too high for its cover
     const FrameSkinPtr skin = FrameSkins(&cover).skin(seat, {});
-    EXPECT_LT(highest(*skin, Box3(Vec3(60, 60, -1), Vec3(340, 340, 1))), -1);
+    EXPECT_LT(highestWithin(*skin, Box3(Vec3(60, 60, -1), Vec3(340, 340, 1))), -1);
     const FrameSkinPtr alone = FrameSkins(nullptr).skin(seat, {});
     EXPECT_EQ(alone->corners.size(), 36u);
-    EXPECT_EQ(highest(*alone, Box3(Vec3(0, 0, -1), Vec3(400, 400, 1))), 30);
+    EXPECT_EQ(highestWithin(*alone, Box3(Vec3(0, 0, -1), Vec3(400, 400, 1))), 30);
 }
 
 TEST(FrameSkin, WhatStandsBesideTheCoverStays)
 {
-    const SurfaceMesh cover = flatCover(400);
-    const TriangleMesh leg = box({410, 50, -200}, {450, 90, 60});
+    const SurfaceMesh cover = coverAtHeightZero(400);
+    const TriangleMesh leg = solidBox({410, 50, -200}, {450, 90, 60});
     const FrameSkinPtr skin = FrameSkins(&cover).skin(leg, {});
-    EXPECT_EQ(highest(*skin, Box3(Vec3(400, 0, -1), Vec3(500, 100, 1))), 60);
-    const TriangleMesh lamp = box({100, 100, 200}, {300, 300, 260}); // far above
-    EXPECT_EQ(highest(*FrameSkins(&cover).skin(lamp, {}), Box3(Vec3(0, 0, -1), Vec3(400, 400, 1))), 260);
+    EXPECT_EQ(highestWithin(*skin, Box3(Vec3(400, 0, -1), Vec3(500, 100, 1))), 60);
+    const TriangleMesh lamp = solidBox({100, 100, 200}, {300, 300, 260}); // far above
+    EXPECT_EQ(highestWithin(*FrameSkins(&cover).skin(lamp, {}), Box3(Vec3(0, 0, -1), Vec3(400, 400, 1))), 260);
 }
 
 TEST(FrameSkin, PartOfAFrameIsCoveredWithoutAGap)
 {
-    const SurfaceMesh cover = flatCover(400);
-    const TriangleMesh rail = box({100, 100, -50}, {900, 200, 25}); // the cover ends in its middle
+    const SurfaceMesh cover = coverAtHeightZero(400);
+    const TriangleMesh rail = solidBox({100, 100, -50}, {900, 200, 25}); // the cover ends in its middle
     const FrameSkinPtr skin = FrameSkins(&cover).skin(rail, {});
-    EXPECT_LT(highest(*skin, Box3(Vec3(110, 110, -1), Vec3(380, 190, 1))), -1);
-    EXPECT_NEAR(highest(*skin, Box3(Vec3(430, 110, -1), Vec3(890, 190, 1))), 25, 1e-4);
+    EXPECT_LT(highestWithin(*skin, Box3(Vec3(110, 110, -1), Vec3(380, 190, 1))), -1);
+    EXPECT_NEAR(highestWithin(*skin, Box3(Vec3(430, 110, -1), Vec3(890, 190, 1))), 25, 1e-4);
     using Place = std::array<float, 3>;
     const auto place = [&](std::size_t corner) {
         const auto& p = skin->corners[corner].position;
@@ -84,11 +84,11 @@ TEST(FrameSkin, PartOfAFrameIsCoveredWithoutAGap)
 
 TEST(FrameSkin, FilesThatAreInsideOutAreTheSame)
 {
-    const SurfaceMesh cover = flatCover(400);
-    TriangleMesh seat = box({50, 50, -200}, {350, 350, 30});
+    const SurfaceMesh cover = coverAtHeightZero(400);
+    TriangleMesh seat = solidBox({50, 50, -200}, {350, 350, 30});
     for (auto& triangle : seat.triangles)
         std::swap(triangle[0], triangle[1]);
-    EXPECT_LT(highest(*FrameSkins(&cover).skin(seat, {}), Box3(Vec3(60, 60, -1), Vec3(340, 340, 1))), -1);
+    EXPECT_LT(highestWithin(*FrameSkins(&cover).skin(seat, {}), Box3(Vec3(60, 60, -1), Vec3(340, 340, 1))), -1);
 }
 
 TEST(FrameSkin, GrainRunsAlongAPartWhereverItIsPlaced)
@@ -97,7 +97,7 @@ TEST(FrameSkin, GrainRunsAlongAPartWhereverItIsPlaced)
     placement.scale = 10;
     placement.position = Vec3(500, 0, 0);
     placement.rotation = Quat(Eigen::AngleAxisd(1, Vec3::UnitY()));
-    const FrameSkinPtr skin = FrameSkins(nullptr).skin(box({0, 0, 0}, {60, 4, 3}), placement);
+    const FrameSkinPtr skin = FrameSkins(nullptr).skin(solidBox({0, 0, 0}, {60, 4, 3}), placement);
     double low = 1e9, high = -1e9;
     for (const FrameSkin::Corner& corner : skin->corners) {
         low = std::min(low, static_cast<double>(corner.grain.z()));
