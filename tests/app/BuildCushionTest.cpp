@@ -56,6 +56,7 @@ protected:
         designer.click({640, 250}, Qt::ShiftModifier);
         designer.click({250, 640}, Qt::ShiftModifier);
         designer.click({-140, 250});
+        designer.key(Qt::Key_Escape);
     }
 
     void setMaterial()

@@ -51,6 +51,7 @@ protected:
         ASSERT_TRUE(waitUntilSolved());
         designer.key(Qt::Key_A, Qt::ShiftModifier);
         designer.click(edge);
+        designer.key(Qt::Key_Escape); // else the next click would fix another edge
     }
 
     void decorate()

@@ -338,7 +338,23 @@ TEST_F(Attaching, AClickFixesAnEdgeToTheSelectedCurve)
     EXPECT_EQ(seams()[0].curve, curveId);
     EXPECT_EQ(seams()[0].stretch.from, 0);
     EXPECT_EQ(seams()[0].stretch.to, 1);
-    EXPECT_TRUE(document.design().find<FixationSeam>(*selection.elements().begin())) << "it is selected";
+    EXPECT_EQ(selection.elements(), Selection::Elements{curveId});
+}
+
+TEST_F(Attaching, GoesOnUntilEscape)
+{
+    selection.set({curveId});
+    mouse.click(pixel({100, 0}));
+    QCoreApplication::processEvents();
+    ASSERT_EQ(view.tool(), PatternToolKind::Attach);
+    mouse.click(pixel({0, 100}));
+    ASSERT_EQ(seams().size(), 2u) << "another edge of the same curve";
+    selection.set({secondId});
+    mouse.click(pixel({400, 0}));
+    ASSERT_EQ(seams().size(), 3u);
+    EXPECT_EQ(seams()[2].curve, secondId);
+    EXPECT_EQ(document.history().count(), 4) << "one edit each";
+    QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
 }
 

@@ -113,14 +113,8 @@ void AttachTool::attach(const std::vector<Stretch>& stretches)
     else if (const Edit added = edit(stretches); !added.empty()) {
         m_collected.clear();
         m_hover.reset();
-        Document& document = m_context.document();
-        document.commit(added);
-        Selection::Elements fixed;
-        for (const Change& change : added.changes)
-            if (document.design().find<FixationSeam>(change.id))
-                fixed.insert(change.id);
-        m_context.selection().set(std::move(fixed));
-        m_context.endTool();
+        // The curves stay selected: the next click fixes another edge to them.
+        m_context.document().commit(added);
     } else {
         const QString problem = problemOf(stretches.front());
         m_context.report(!problem.isEmpty() ? problem
@@ -145,7 +139,10 @@ QString AttachTool::prompt() const
                                  : problem;
     }
     return m_collected.empty()
-               ? tr("Click an edge of an outline to fix it to %1 \u2013 Enter takes the selected stretch").arg(name)
+               ? tr("Click an edge of an outline to fix it to %1 \u2013 Enter takes the selected stretch, Esc ends "
+                    "the "
+                    "tool")
+                     .arg(name)
                : tr("Click the last edge, or Enter attaches %1 stretches to %2 \u2013 Backspace takes one back")
                      .arg(m_collected.size())
                      .arg(name);

@@ -11,7 +11,7 @@ namespace bolster {
 /// A click takes the stretch through the selected points, the stretch of a seam or fixation, or the edge between
 /// two corners, whichever lies there first. Shift collects several stretches that share a curve in a row; with
 /// several curves selected one stretch is divided among them. Enter attaches what is collected, or the selected
-/// stretch.
+/// stretch. Goes on until Escape: other edges, and other curves once they are selected.
 class AttachTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(AttachTool)
 
