@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
@@ -28,33 +29,35 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     const QFontMetricsF nameMetrics(m_nameFont);
     const QFontMetricsF sizeMetrics(m_sizeFont);
     const double scale = transform.scale();
-    const auto fits = [&](const LabelPlace::Spot& spot, const QSizeF& pixels) {
-        return LabelPlace::fits(spot, QSizeF(pixels.width() + 2 * marginAlong, pixels.height() + 2 * marginAcross) /
-                                          scale);
+    const auto place = [&](const QSizeF& pixels) {
+        return patch.label.place(QSizeF(pixels.width() + 2 * marginAlong, pixels.height() + 2 * marginAcross) /
+                                 scale);
     };
 
     const QString name = QString::fromStdString(patch.patch().name);
     const QSizeF nameSize(nameMetrics.horizontalAdvance(name), nameMetrics.height());
-    m_upright = !fits(patch.label.lying, nameSize);
-    const LabelPlace::Spot& spot = m_upright ? patch.label.upright : patch.label.lying;
-    if (name.isEmpty() || !fits(spot, nameSize))
+    const auto spot = name.isEmpty() ? std::nullopt : place(nameSize);
+    if (!spot)
         return;
     m_name = name;
     m_extent = nameSize;
-    m_centre = transform.toPixels(spot.centre);
+    m_angle = spot->angle;
+    m_centre = transform.toPixels(spot->centre);
 
     const Vec2 size = patch.patch().outline.boundingBox().sizes();
     const QString sizeLine = sizeText(size.x(), size.y());
     const QSizeF both(std::max(nameSize.width(), sizeMetrics.horizontalAdvance(sizeLine)),
                       nameSize.height() + sizeMetrics.height());
-    if (!fits(spot, both))
+    const auto roomy = place(both);
+    if (!roomy || roomy->angle != m_angle)
         return;
     m_size = sizeLine;
     m_extent = both;
+    m_centre = transform.toPixels(roomy->centre);
 
     const double below = both.height() / 2;
-    const double length = std::min(0.55 * (spot.room * scale - below), 44.0);
-    if (m_upright || length < 16)
+    const double length = std::min(0.55 * (roomy->room * scale - below), 44.0);
+    if (m_angle != 0 || length < 16)
         return;
     m_grainCentre = m_centre + QPointF(0, below + 10 + length / 2);
     // Degrees counter-clockwise in the layout; pixels run downwards.
@@ -66,8 +69,9 @@ QRectF PatternLabel::box() const
 {
     if (empty())
         return {};
-    const QSizeF size = m_upright ? m_extent.transposed() : m_extent;
-    return {m_centre - QPointF(size.width(), size.height()) / 2, size};
+    QTransform turn;
+    turn.translate(m_centre.x(), m_centre.y()).rotateRadians(-m_angle); // pixels run downwards
+    return turn.mapRect(QRectF(QPointF(-m_extent.width(), -m_extent.height()) / 2, m_extent));
 }
 
 /// With a rim where the ground may have any colour.
@@ -93,8 +97,7 @@ void PatternLabel::paint(QPainter& painter, const Colors& colors) const
         return;
     painter.save();
     painter.translate(m_centre);
-    if (m_upright)
-        painter.rotate(-90);
+    painter.rotate(-m_angle * 180 / M_PI);
     const double line = QFontMetricsF(m_nameFont).height();
     const double top = -m_extent.height() / 2;
     write(painter, m_nameFont, top, m_name, colors.name, colors.rim);

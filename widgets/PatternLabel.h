@@ -39,8 +39,8 @@ private:
     QFont m_nameFont;
     QFont m_sizeFont;
     QPointF m_centre;
-    QSizeF m_extent; ///< of the text, along its lines first
-    bool m_upright = false;
+    QSizeF m_extent;    ///< of the text, along its lines first
+    double m_angle = 0; ///< of the lines, radians counter-clockwise
     QPointF m_grainCentre;
     QPointF m_grainHalf; ///< zero without room for it
 };

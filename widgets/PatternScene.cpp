@@ -156,9 +156,7 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
     if (!old || old->outline != patch->outline)
         entry.edges = outlineEdges(patch->outline);
     if (old && old->outline == patch->outline && old->rotation == patch->rotation) {
-        const Vec2 moved = patch->position - old->position;
-        entry.label.lying.centre += moved;
-        entry.label.upright.centre += moved;
+        entry.label.move(patch->position - old->position);
     } else {
         entry.label = LabelPlace::inside(entry.path.toFillPolygon());
     }

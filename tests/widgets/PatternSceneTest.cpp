@@ -5,6 +5,8 @@
 #include "SeamColors.h"
 #include "TestDesigns.h"
 
+#include <QTransform>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -83,10 +85,57 @@ TEST(PatternScene, KeepsLabelsInside)
     PatternScene scene;
     scene.reset(twoSquares());
     const LabelPlace& label = scene.patch(firstSquare)->label;
-    EXPECT_NEAR(label.lying.centre.x(), 50, 8);
-    EXPECT_NEAR(label.lying.centre.y(), 50, 30);
-    EXPECT_TRUE(LabelPlace::fits(label.lying, {90, 20}));
-    EXPECT_FALSE(LabelPlace::fits(label.lying, {120, 10}));
+    const auto place = label.place({90, 20});
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->angle, 0);
+    EXPECT_LT((place->centre - Vec2(50, 50)).norm(), 8);
+    EXPECT_FALSE(label.place({120, 10}));
+}
+
+/// All corners of the line's box lie inside.
+void expectInside(const QPolygonF& outline, const LabelPlace::Place& place, const QSizeF& text)
+{
+    const Eigen::Rotation2Dd turn(place.angle);
+    for (const Vec2& corner : {Vec2(1, 1), Vec2(1, -1), Vec2(-1, -1), Vec2(-1, 1)}) {
+        const Vec2 at = place.centre + turn * corner.cwiseProduct(Vec2(text.width() / 2, text.height() / 2));
+        EXPECT_TRUE(outline.containsPoint(QPointF(at.x(), at.y()), Qt::OddEvenFill)) << at.transpose();
+    }
+}
+
+TEST(LabelPlace, IsInTheMiddleOfWhatIsWiderAtOneEnd)
+{
+    // Much room at the lower end, enough in the middle.
+    const QPolygonF wedge({{0, 0}, {300, 0}, {210, 900}, {90, 900}, {0, 0}});
+    const QSizeF text(110, 30);
+    const auto place = LabelPlace::inside(wedge).place(text);
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->angle, 0);
+    EXPECT_NEAR(place->centre.y(), 400, 60) << "not at an end";
+    EXPECT_NEAR(place->centre.x(), 150, 25);
+    expectInside(wedge, *place, text);
+}
+
+TEST(LabelPlace, LeansWithAPatchThatLeans)
+{
+    // A strip at 60 degrees in which a lying or upright line has no room.
+    QTransform turn;
+    turn.rotate(60);
+    const QPolygonF strip = turn.map(QPolygonF({{0, 0}, {400, 0}, {400, 60}, {0, 60}, {0, 0}}));
+    const QSizeF text(160, 24);
+    const auto place = LabelPlace::inside(strip).place(text);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->angle, M_PI / 3, 0.05);
+    expectInside(strip, *place, text);
+    const QPointF middle = turn.map(QPointF(200, 30));
+    EXPECT_LT((place->centre - Vec2(middle.x(), middle.y())).norm(), 15);
+}
+
+TEST(LabelPlace, AFlatStripTakesALongName)
+{
+    const QPolygonF strip({{0, 0}, {150, 0}, {150, 26}, {0, 26}, {0, 0}});
+    const auto place = LabelPlace::inside(strip).place({120, 20});
+    ASSERT_TRUE(place);
+    expectInside(strip, *place, {120, 20});
 }
 
 TEST(SeamColors, DifferAtOnePatch)
