@@ -110,6 +110,8 @@ public:
     QAction* makeCorner;
     QAction* makeSmooth;
     QAction* straighten;
+    QAction* edgeLength;   ///< its field in the properties
+    QAction* equalLengths; ///< of edges, or of the sides of seams
     QAction* mergePatches;
     QAction* makeTwin;
     QAction* linkTwins;

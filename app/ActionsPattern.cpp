@@ -33,6 +33,14 @@ void Actions::addPatternEdits()
     makeCorner = add(tr("Make &corner"), {}, QKeySequence(Qt::CTRL | Qt::Key_K));
     makeSmooth = add(tr("Make s&mooth"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K));
     straighten = add(tr("Strai&ghten"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
+    edgeLength = add(tr("Edge &length \u2026"), {}, QKeySequence(Qt::Key_L));
+    edgeLength->setToolTip(tr("Type the length of the selected edge (%1)")
+                               .arg(edgeLength->shortcut().toString(QKeySequence::NativeText)));
+    equalLengths = add(tr("Make e&qually long"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E));
+    equalLengths->setToolTip(
+        tr("Makes the selected edges as long as the first one, or the second side of a seam as long as its first "
+           "(%1)")
+            .arg(equalLengths->shortcut().toString(QKeySequence::NativeText)));
     mergePatches = add(tr("Merge a&long seam"), {}, QKeySequence(Qt::CTRL | Qt::Key_J));
 }
 

@@ -67,6 +67,11 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Select"), HelpDialogs::tr("click; Shift+click adds; drag a box")},
         {HelpDialogs::tr("Move control points or patches"),
          HelpDialogs::tr("drag; Shift keeps to one axis; Esc takes it back")},
+        {HelpDialogs::tr("Select an edge"),
+         HelpDialogs::tr("click the outline; drag it then to move it; L types its length")},
+        {HelpDialogs::tr("Commands for what lies there"), HelpDialogs::tr("right button")},
+        {HelpDialogs::tr("A number instead of a drag"),
+         HelpDialogs::tr("type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go")},
         {HelpDialogs::tr("Turn patches"), HelpDialogs::tr("drag the round handle; Shift in steps of 15\u00b0")},
         {HelpDialogs::tr("Move the ends of a seam or fixation"),
          HelpDialogs::tr("select it and drag the round handles at its ends")},
@@ -77,7 +82,7 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Sew"), HelpDialogs::tr("click two edges; drag or Shift+click takes a part of one; "
                                                  "Ctrl+click several in a row, Enter sews them; F: flip")},
         {HelpDialogs::tr("Attach to the selected fixation curve"),
-         HelpDialogs::tr("click an edge; Shift+click collects several")},
+         HelpDialogs::tr("click edges; Shift+click collects several; Esc ends")},
         {HelpDialogs::tr("Stitch or pipe a seam or an edge"),
          HelpDialogs::tr("click it; stitches and piping are in the inspector")},
         {HelpDialogs::tr("Draw an outline"),
@@ -96,6 +101,7 @@ Rows mouseInCover()
 {
     return {{HelpDialogs::tr("Turn"), HelpDialogs::tr("middle button, or drag beside the cover")},
             {HelpDialogs::tr("Pan"), HelpDialogs::tr("Shift and middle button")},
+            {HelpDialogs::tr("Commands for what lies there"), HelpDialogs::tr("right button, without a drag")},
             {HelpDialogs::tr("Zoom"), HelpDialogs::tr("wheel")},
             {HelpDialogs::tr("Move control points of curves"),
              HelpDialogs::tr(

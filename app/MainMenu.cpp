@@ -135,8 +135,9 @@ private:
         arrange->addMenu(tr("Al&ign"))->addActions(m_actions.align);
         arrange->addMenu(tr("&Distribute"))->addActions(m_actions.distribute);
         arrange->addAction(m_actions.arrange);
-        menu->addMenu(tr("Poin&ts"))
-            ->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
+        menu->addMenu(tr("Poin&ts and edges"))
+            ->addActions({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten, m_actions.edgeLength,
+                          m_actions.equalLengths});
         menu->addMenu(tr("Mirror twi&ns"))
             ->addActions({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins, m_actions.releasePoints,
                           m_actions.relinkPoints, m_actions.symmetry});

@@ -65,7 +65,8 @@ void MainWindow::update3DActions()
 void MainWindow::linkSelections()
 {
     const auto follow = [this](Selection& from, Selection& to) {
-        connect(&from, &Selection::changed, this, [&from, &to] { to.set(from.elements(), from.points()); });
+        connect(&from, &Selection::changed, this,
+                [&from, &to] { to.set(from.elements(), from.points(), from.edges()); });
         connect(&from, &Selection::hoverChanged, this, [this, &from, &to] {
             if (m_actions->linkViews->isChecked())
                 to.hover(from.hovered());

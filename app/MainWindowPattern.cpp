@@ -1,7 +1,11 @@
 // What the window does with patches: clipboard, layout, shapes; and with drags that cannot be.
 #include "MainWindow.h"
 
+#include "ContextMenus.h"
+#include "Docks.h"
+#include "Inspector.h"
 #include "PatternCommands.h"
+#include "PatternView.h"
 #include "StatusLine.h"
 #include "Translated.h"
 
@@ -11,6 +15,13 @@ void MainWindow::connectPattern()
 {
     auto* commands = new PatternCommands(document(), m_selection, *m_actions, this);
     connect(commands, &PatternCommands::said, m_status, &StatusLine::flash);
+    connect(commands, &PatternCommands::edgeLengthWanted, this, [this] {
+        Docks::reveal(m_docks->inspector);
+        m_inspector->focusFirst();
+    });
+    auto* menus = new ContextMenus(document(), m_selection, *m_actions, this);
+    connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
+    connect(m_surface, &SurfaceView::contextMenuWanted, menus, &ContextMenus::showInSurface);
     connect(&document(), &Document::refused, this, [this](const Message& why) {
         m_status->flash(tr("%1 It is back where it was.").arg(translated(why)));
     });

@@ -22,6 +22,8 @@ public:
     PatternCommands(Document& document, Selection& selection, Actions& actions, QObject* parent = nullptr);
 
 signals:
+    /// The length of the selected edge is to be typed.
+    void edgeLengthWanted();
     /// What could not be done, or what it has cost, in the user's words.
     void said(const QString& message);
 
@@ -40,6 +42,7 @@ private:
     void mirror(bool horizontally);
     void makeCorners(bool corner);
     void straighten();
+    void equalise();
     void merge();
     /// Commits it and says what it drops, or why there is none.
     bool commit(const edits::Outcome& outcome);

@@ -2,10 +2,13 @@
 #include "Actions.h"
 #include "CornerEdits.h"
 #include "Document.h"
+#include "Gesture.h"
+#include "LengthEdits.h"
 #include "PatchMerge.h"
 #include "PatternCommands.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "Translated.h"
 
 #include <algorithm>
 #include <map>
@@ -31,6 +34,8 @@ void PatternCommands::connectShapes()
     connect(m_actions.makeCorner, &QAction::triggered, this, [this] { makeCorners(true); });
     connect(m_actions.makeSmooth, &QAction::triggered, this, [this] { makeCorners(false); });
     connect(m_actions.straighten, &QAction::triggered, this, &PatternCommands::straighten);
+    connect(m_actions.edgeLength, &QAction::triggered, this, &PatternCommands::edgeLengthWanted);
+    connect(m_actions.equalLengths, &QAction::triggered, this, &PatternCommands::equalise);
     connect(m_actions.mergePatches, &QAction::triggered, this, &PatternCommands::merge);
 }
 
@@ -50,6 +55,9 @@ void PatternCommands::updatePoints()
     m_actions.makeCorner->setEnabled(smooth);
     m_actions.makeSmooth->setEnabled(corners);
     m_actions.straighten->setEnabled(points.size() == 1 && points.begin()->second.size() == 2);
+    const std::size_t edges = m_selection.edges().size();
+    m_actions.edgeLength->setEnabled(edges > 0);
+    m_actions.equalLengths->setEnabled(edges >= 2 || !selectedOf<Seam>(design, m_selection.elements()).empty());
 }
 
 void PatternCommands::makeCorners(bool corner)
@@ -88,6 +96,25 @@ void PatternCommands::straighten()
     }
     m_selection.set(m_selection.elements()); // the points have other numbers now
     commit(edit);
+}
+
+/// Two or more edges; else the sides of the selected seams.
+void PatternCommands::equalise()
+{
+    std::vector<Stretch> edges;
+    for (const Selection::Edge& edge : m_selection.edges())
+        edges.push_back(edge.stretch);
+    const std::vector<ElementId> seams = selectedOf<Seam>(m_document.design(), m_selection.elements());
+    Message problem;
+    Gesture gesture(m_document); // what would break something is taken back with a reason
+    const Edit edit = edges.size() >= 2 ? edits::makeEdgesEqual(gesture.start(), edges, &problem)
+                                        : edits::makeSeamSidesEqual(gesture.start(), seams, &problem);
+    if (edit.empty()) {
+        emit said(problem.empty() ? tr("They are equally long already.") : translated(problem));
+        return;
+    }
+    gesture.update(edit);
+    gesture.commit();
 }
 
 /// The selected seam, the first one of several between the same patches, or the one between two selected patches.

@@ -53,6 +53,7 @@ void InspectorForms::addSeveral(PropertyForm& form) const
         form.addHeading(tr("%n elements", nullptr, static_cast<int>(m_selection.elements().size())),
                         icon(QStringLiteral("settings")));
     addSelectedPoints(form);
+    addSelectedEdges(form);
     for (const auto& [kind, ids] : kinds) {
         form.addHeading(ids.size() == 1 ? displayName(m_document.design(), ids.front())
                                         : countedText(m_document.design(), ids),
@@ -69,6 +70,7 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
         [this, id] { return m_problems.text(id); },
         [this, id] { return m_problems.hasError(id) ? PropertyForm::Tone::Error : PropertyForm::Tone::Warning; });
     addSelectedPoints(form);
+    addSelectedEdges(form);
     addKind(form, kind, {id});
 }
 
@@ -198,12 +200,7 @@ void InspectorForms::addPatch(PropertyForm& form, const Ids& ids) const
         QT_TRANSLATE_NOOP("Message", "Move %1 in the layout"));
     patch.number(tr("Rotation"), angleRange, &Patch::rotation,
                  QT_TRANSLATE_NOOP("Message", "Turn %1 in the layout"));
-    patch.info(tr("Size"), [](const Design&, const Patch& p) {
-        if (p.outline.empty())
-            return QString();
-        const Vec2 extent = p.outline.boundingBox().sizes();
-        return sizeText(extent.x(), extent.y());
-    });
+    addPatchSize(form, ids);
     patch.info(tr("Outline"), [](const Design&, const Patch& p) {
         return p.outline.empty() ? QString() : lengthText(ArcLength2(p.outline).total(), 0);
     });

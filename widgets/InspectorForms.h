@@ -77,6 +77,9 @@ private:
     void addUnusable(PropertyForm& form, const Ids& ids) const;
     /// The coordinates of the selected control points.
     void addSelectedPoints(PropertyForm& form) const;
+    /// The lengths of the selected edges.
+    void addSelectedEdges(PropertyForm& form) const;
+    void addPatchSize(PropertyForm& form, const Ids& ids) const;
     void addPatternPoints(PropertyForm& form, const Selection::Points& points) const;
     void addSpacePoints(PropertyForm& form, const Selection::Points& points) const;
     void addFabricChoice(PropertyForm& form, const Ids& patches) const;

@@ -4,6 +4,7 @@
 #include "Crosshair.h"
 #include "Document.h"
 #include "ElementText.h"
+#include "HitSelection.h"
 #include "PatternRulers.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
@@ -13,6 +14,7 @@
 #include "Translated.h"
 #include "Units.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
@@ -373,6 +375,8 @@ QString PatternView::toolTipAt(QPointF pixel) const
         const Vec2 extent = patch->outline.boundingBox().sizes();
         lines << sizeText(extent.x(), extent.y());
     }
+    if (const auto edge = edgeAt(m_scene, found))
+        lines << tr("Edge: %1").arg(lengthText(stretchLength(design, edge->stretch)));
     lines << m_problems.text(id);
     lines.removeAll(QString());
     return lines.join(u'\n');
@@ -425,11 +429,31 @@ void PatternView::mousePressEvent(QMouseEvent* event)
     } else if (event->button() == Qt::LeftButton) {
         m_pressedAt = event->position();
         m_tool->press(pointerOf(*event));
-    } else if (event->button() == Qt::RightButton) {
+    } else if (event->button() == Qt::RightButton && hasContextMenu()) {
         // The context menu that follows is about what lies under the pointer.
-        if (const PatternHit found = hit(event->position()); found && !m_selection.contains(found.element()))
-            m_selection.set({found.element()});
+        const PatternHit found = hit(event->position());
+        const bool alone = m_selection.elements().size() == 1 && m_selection.edges().empty(); // its edge is meant
+        if (found && (!isSelected(m_selection, m_scene, found) || (alone && edgeAt(m_scene, found))))
+            selectOnly(m_selection, m_scene, found);
     }
+}
+
+/// What is being drawn or dragged is not disturbed.
+bool PatternView::hasContextMenu() const
+{
+    return !m_document.gestureRunning() && !m_panFrom &&
+           (m_toolKind == PatternToolKind::Select || m_toolKind == PatternToolKind::Sew ||
+            m_toolKind == PatternToolKind::Trim || m_toolKind == PatternToolKind::Measure);
+}
+
+void PatternView::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept();
+    if (!hasContextMenu())
+        return;
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    emit contextMenuWanted(byKey ? mapToGlobal(rect().center()) : event->globalPos(),
+                           byKey ? !m_selection.elements().empty() : bool(hit(event->pos())));
 }
 
 void PatternView::mouseMoveEvent(QMouseEvent* event)

@@ -82,6 +82,8 @@ signals:
     void patchPointed(const std::optional<bolster::CoverPoint>& point);
     /// Clicked with the tool that selects.
     void patchClicked(const bolster::CoverPoint& point);
+    /// By the right button or the menu key; what lies there is selected then.
+    void contextMenuWanted(const QPoint& global, bool onSomething);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -99,6 +101,7 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     Document& document() override { return m_document; }
@@ -122,6 +125,7 @@ private:
     std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
     void placeCrosshair();
     PatternPointer pointerOf(const QMouseEvent& event) const;
+    bool hasContextMenu() const;
 
     Document& m_document;
     Selection& m_selection;

@@ -3,12 +3,15 @@
 #include "CurveEdits.h"
 #include "Document.h"
 #include "ElementEdits.h"
+#include "LengthEdits.h"
 #include "PatchEdits.h"
 #include "Selection.h"
+#include "StretchToFix.h"
 #include "TwinEdits.h"
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <map>
 
 namespace bolster {
@@ -93,10 +96,21 @@ Edit movePointsInLayout(const Design& design, const Selection::Points& points, c
     return chain.result({QT_TRANSLATE_NOOP("Message", "Move %1 points"), {std::to_string(points.size())}});
 }
 
+Selection::Points pointsOfEdges(const Design& design, const Selection& selection)
+{
+    Selection::Points points;
+    for (const Selection::Edge& edge : selection.edges())
+        for (const int point : edits::pointsOfEdge(design, edge.stretch))
+            points.emplace(edge.stretch.patch, point);
+    return points;
+}
+
 Edit nudge(const Design& design, const Selection& selection, const Vec2& delta)
 {
     if (!selection.points().empty())
         return movePointsInLayout(design, selection.points(), delta);
+    if (!selection.edges().empty())
+        return movePointsInLayout(design, pointsOfEdges(design, selection), delta);
     const std::vector<ElementId> patches = selectedOf<Patch>(design, selection.elements());
     return patches.empty() ? Edit{} : edits::movePatches(design, patches, delta);
 }
@@ -104,6 +118,13 @@ Edit nudge(const Design& design, const Selection& selection, const Vec2& delta)
 Edit removeSelected(const Design& design, const Selection& selection, QString* problem)
 {
     const bool points = !selection.points().empty();
+    const auto ofPatch = [&](const Selection::Edge& edge) { return edge.owner == edge.stretch.patch; };
+    if (!points && std::ranges::any_of(selection.edges(), ofPatch)) {
+        if (problem)
+            *problem = QCoreApplication::translate(
+                "SelectionEdits", "An edge cannot be removed: its points can, or with Esc the whole patch.");
+        return {};
+    }
     const std::vector<ElementId> ids(selection.elements().begin(), selection.elements().end());
     Edit edit = points ? removePoints(design, selection.points()) : edits::removeElements(design, ids);
     if (edit.empty() && !ids.empty() && problem)
@@ -117,10 +138,14 @@ void pruneSelection(Selection& selection, const Design& design)
 {
     Selection::Elements elements = selection.elements();
     Selection::Points points = selection.points();
+    Selection::Edges edges = selection.edges();
     std::erase_if(elements, [&](ElementId id) { return !design.element(id); });
+    std::erase_if(edges, [&](const Selection::Edge& edge) {
+        return !design.element(edge.owner) || !isOutlineEdge(design, edge.stretch);
+    });
     std::erase_if(
         points, [&](const Selection::Point& p) { return planePoint(design, p) < 0 && spacePoint(design, p) < 0; });
-    selection.set(std::move(elements), std::move(points));
+    selection.set(std::move(elements), std::move(points), std::move(edges));
     if (selection.hovered() != settingsId && !design.element(selection.hovered()))
         selection.hover(settingsId);
 }

@@ -55,7 +55,9 @@ int planePoint(const Design& design, const std::pair<ElementId, int>& point);
 /// Moves the selected control points of outlines, handle curves and fancy seams (given as in Selection) by `delta`
 /// in the layout, mm.
 Edit movePointsInLayout(const Design& design, const std::set<std::pair<ElementId, int>>& points, const Vec2& delta);
-/// Moves the selected points or, without any, the selected patches in the layout.
+/// The control points of the selected edges, their corners included.
+std::set<std::pair<ElementId, int>> pointsOfEdges(const Design& design, const Selection& selection);
+/// Moves the selected points or edges or, without any, the selected patches in the layout.
 Edit nudge(const Design& design, const Selection& selection, const Vec2& delta);
 /// Removes the selected points or, without any, the selected elements with everything that needs them.
 /// Empty when nothing can be removed; `problem` then says why.

@@ -4,6 +4,7 @@
 #include "Selection.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bolster {
 
@@ -16,6 +17,16 @@ Stretch outlineEdgeAt(ElementId patch, const BSpline2& outline, double parameter
     const auto next = std::upper_bound(corners.begin(), corners.end(), t);
     const double from = next == corners.begin() ? corners.back() : *(next - 1);
     return {patch, from, next == corners.end() ? corners.front() : *next};
+}
+
+bool isOutlineEdge(const Design& design, const Stretch& stretch)
+{
+    const Patch* patch = design.find<Patch>(stretch.patch);
+    if (!patch || patch->outline.empty())
+        return false;
+    const double slack = 1e-9 * patch->outline.period();
+    const Stretch edge = outlineEdgeAt(stretch.patch, patch->outline, stretch.from + slack);
+    return std::abs(edge.from - stretch.from) <= slack && std::abs(edge.to - stretch.to) <= slack;
 }
 
 bool stretchContains(const Stretch& stretch, const BSpline2& outline, double parameter)
@@ -51,6 +62,8 @@ std::optional<Stretch> stretchThroughPoints(const Design& design, const Selectio
 
 std::optional<Stretch> stretchToFix(const Design& design, const Selection& selection)
 {
+    if (selection.points().empty() && !selection.edges().empty())
+        return selection.edges().size() == 1 ? std::optional(selection.edges().front().stretch) : std::nullopt;
     std::vector<Stretch> found;
     for (const ElementId id : selection.elements()) {
         if (const auto stretch = stretchThroughPoints(design, selection, id))

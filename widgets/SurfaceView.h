@@ -157,6 +157,8 @@ signals:
     /// Turned, moved or zoomed.
     void cameraMoved(const bolster::Camera& camera);
     void toolChanged(bolster::SurfaceToolKind kind);
+    /// By a click with the right button or the menu key; what lies there is selected then.
+    void contextMenuWanted(const QPoint& global, bool onSomething);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -277,7 +279,9 @@ private:
     PointerNote* m_note;
     std::optional<CoverPoint> m_shown; ///< the place of the cross-hair in its patch
     std::optional<Vec3> m_place;       ///< and on the cover, mm
-    QPointF m_pressedAt;               ///< the left button
+    void rightClick(const QMouseEvent& event);
+
+    QPointF m_pressedAt; ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;
     std::unique_ptr<SurfaceTool> m_tool;
     QString m_prompt;

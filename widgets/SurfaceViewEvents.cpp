@@ -15,7 +15,8 @@ namespace {
 
 constexpr double orbitSpeed = 0.0075;   ///< radians per pixel
 constexpr double surfaceClickReach = 5; ///< pixels
-constexpr double wheelStep = 0.88;      ///< distance after one notch
+constexpr QPointF nowhere(-1e6, -1e6);
+constexpr double wheelStep = 0.88; ///< distance after one notch
 
 SurfacePointer pointerOf(const QMouseEvent& event)
 {
@@ -76,12 +77,15 @@ void SurfaceView::mousePressEvent(QMouseEvent* event)
     }
     const bool pan = event->modifiers() & Qt::ShiftModifier;
     m_navigationButton = event->button();
+    m_pressedAt = event->position();
     startNavigation(pan ? Navigation::Pan : Navigation::Turn, event->position());
 }
 
 void SurfaceView::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_navigation != Navigation::None) {
+        if ((event->position() - m_pressedAt).manhattanLength() >= surfaceClickReach)
+            m_pressedAt = nowhere; // who comes back there has turned, not clicked
         navigate(event->position());
     } else if (moveSection(*event)) {
         return;
@@ -101,6 +105,8 @@ void SurfaceView::mouseReleaseEvent(QMouseEvent* event)
         if (event->button() == m_navigationButton) {
             m_navigation = Navigation::None;
             setCursor(m_tool->cursor());
+            if (event->button() == Qt::RightButton)
+                rightClick(*event);
         }
     } else if (event->button() == Qt::LeftButton && !releaseSection(*event)) {
         m_tool->release(pointerOf(*event));
@@ -212,9 +218,27 @@ void SurfaceView::focusOutEvent(QFocusEvent* event)
     QWidget::focusOutEvent(event);
 }
 
+/// The right button turns; where it has not, the menu is wanted.
+void SurfaceView::rightClick(const QMouseEvent& event)
+{
+    const bool click = (event.position() - m_pressedAt).manhattanLength() < surfaceClickReach;
+    if (!click || m_toolKind != SurfaceToolKind::Select || m_document.gestureRunning())
+        return;
+    const SurfaceHit found = hit(event.position());
+    if (found.kind == SurfaceHit::Kind::Point) {
+        if (const Selection::Point point{found.element, found.point}; !m_selection.contains(point))
+            m_selection.set({found.element}, {point});
+    } else if (found && !m_selection.contains(found.element)) {
+        m_selection.set({found.element});
+    }
+    emit contextMenuWanted(event.globalPosition().toPoint(), bool(found));
+}
+
 void SurfaceView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept(); // the right button turns
+    if (event->reason() == QContextMenuEvent::Keyboard && m_toolKind == SurfaceToolKind::Select)
+        emit contextMenuWanted(mapToGlobal(rect().center()), !m_selection.elements().empty());
 }
 
 } // namespace bolster

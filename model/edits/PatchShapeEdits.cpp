@@ -123,6 +123,24 @@ Edit scalePatches(const Design& design, std::span<const ElementId> patches, cons
                                       QT_TRANSLATE_NOOP("Message", "Scale %1 patches")));
 }
 
+Edit resizePatches(const Design& design, std::span<const ElementId> patches, int axis, double size)
+{
+    EditBuilder builder(design);
+    for (const auto& [id, patchId] : withDrawnCurves(design, patches)) {
+        const Box2 box = design.find<Patch>(patchId)->outline.boundingBox();
+        Vec2 factors(1, 1);
+        factors[axis] = size / box.sizes()[axis];
+        if (!sensible(factors))
+            return {};
+        auto curve = checkedMap(*planeCurve(*design.element(id)), scaling(box.min(), factors));
+        if (!curve)
+            return {};
+        builder.set(id, withPlaneCurve(*design.element(id), std::move(*curve)));
+    }
+    return builder.result(patchesVerb(design, patches, QT_TRANSLATE_NOOP("Message", "Change the size of %1"),
+                                      QT_TRANSLATE_NOOP("Message", "Change the size of %1 patches")));
+}
+
 Edit scalePoints(const Design& design, const PatternPoints& points, const Vec2& centre, const Vec2& factors)
 {
     if (!sensible(factors))

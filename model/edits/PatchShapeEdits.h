@@ -15,6 +15,9 @@ using PatternPoints = std::set<std::pair<ElementId, int>>;
 /// targets of handle curves stay.
 Edit scalePatches(const Design& design, std::span<const ElementId> patches, const Vec2& centre,
                   const Vec2& factors);
+/// Gives the outline's box in outline coordinates another width (axis 0) or height (1), mm; that corner of it which
+/// is its lower left one stays where it is in the layout. Limits as for scalePatches.
+Edit resizePatches(const Design& design, std::span<const ElementId> patches, int axis, double size);
 Edit scalePoints(const Design& design, const PatternPoints& points, const Vec2& centre, const Vec2& factors);
 /// Counter-clockwise, degrees.
 Edit turnPoints(const Design& design, const PatternPoints& points, const Vec2& centre, double degrees);

@@ -68,6 +68,53 @@ TEST_F(ShapeEdits, ScalesPatchesWithTheirCurvesInTheLayout)
     EXPECT_TRUE(scalePatches(design, std::vector{rail}, Vec2(0, 0), Vec2(2, 2)).empty());
 }
 
+TEST_F(ShapeEdits, PatchesTakeAWidthAndAHeight)
+{
+    Design sized = after(resizePatches(design, std::vector{seat, side}, 0, 300));
+    EXPECT_EQ(sized.find<Patch>(seat)->outline.boundingBox().sizes(), Vec2(300, 480));
+    EXPECT_NEAR(sized.find<Patch>(side)->outline.boundingBox().sizes().x(), 300, 1e-9)
+        << "its own width, turned or not";
+    EXPECT_LT((place(sized, side, 0) - place(design, side, 0)).norm(), 1e-9);
+    EXPECT_NEAR(sized.find<FancySeam>(pipe)->curve.points()[1].x(), 240, 1e-9);
+    sized = after(sized, resizePatches(sized, std::vector{seat}, 1, 600));
+    EXPECT_LT((sized.find<Patch>(seat)->outline.boundingBox().sizes() - Vec2(300, 600)).norm(), 1e-9);
+    EXPECT_TRUE(resizePatches(design, std::vector{seat}, 0, 0).empty());
+    EXPECT_TRUE(resizePatches(design, std::vector{seat}, 0, std::nan("")).empty());
+}
+
+TEST_F(ShapeEdits, AnEdgeTakesALengthAboutItsMiddle)
+{
+    const Design changed = after(setEdgeLengths(design, std::array{Stretch{seat, 0, 1}}, 600));
+    EXPECT_LT((changed.find<Patch>(seat)->outline.points()[0] - Vec2(-50, 0)).norm(), 1e-6);
+    EXPECT_LT((changed.find<Patch>(seat)->outline.points()[1] - Vec2(550, 0)).norm(), 1e-6);
+    EXPECT_EQ(changed.find<Patch>(seat)->outline.points()[2], Vec2(500, 480));
+    Message problem;
+    EXPECT_TRUE(setEdgeLengths(design, std::array{Stretch{seat, 0.5, 1}}, 600, &problem).empty());
+    EXPECT_FALSE(problem.empty()) << "it does not begin at a corner";
+    EXPECT_TRUE(setEdgeLengths(design, std::array{Stretch{seat, 0, 1}}, -1).empty());
+}
+
+TEST_F(ShapeEdits, EdgesBecomeEquallyLongAndTheFirstOneStays)
+{
+    // All round one patch, each sharing both its corners, and one of another patch.
+    const std::vector<Stretch> edges = {{side, 1, 2}, {side, 2, 3}, {side, 3, 0}, {side, 0, 1}, {seat, 1, 2}};
+    const Design changed = after(makeEdgesEqual(design, edges));
+    for (const Stretch& edge : edges)
+        EXPECT_NEAR(edgeLength(changed, edge), 120, 1e-4);
+    EXPECT_EQ(changed.find<Patch>(side)->outline.points()[1], Vec2(480, 0));
+    EXPECT_EQ(changed.find<Patch>(side)->outline.points()[2], Vec2(480, 120));
+    EXPECT_TRUE(makeEdgesEqual(changed, edges).empty()) << "nothing is left to do";
+    EXPECT_TRUE(makeEdgesEqual(design, std::array{Stretch{side, 1, 2}}).empty());
+}
+
+TEST_F(ShapeEdits, TheSecondSideOfASeamBecomesAsLongAsTheFirst)
+{
+    const Design uneven = after(setEdgeLengths(design, std::array{Stretch{seat, 1, 2}}, 510));
+    const Design even = after(uneven, makeSeamSidesEqual(uneven, std::array{seam}));
+    EXPECT_NEAR(edgeLength(even, {side, 0, 1}), 510, 1e-6);
+    EXPECT_NEAR(edgeLength(even, {seat, 1, 2}), 510, 1e-6);
+}
+
 TEST_F(ShapeEdits, ScalesAndTurnsPoints)
 {
     const Design scaled = after(scalePoints(design, {{seat, 1}, {seat, 2}}, Vec2(10, 20), Vec2(1.2, 1)));

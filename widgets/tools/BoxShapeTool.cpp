@@ -1,6 +1,7 @@
 #include "BoxShapeTool.h"
 
 #include "CurvePath.h"
+#include "FreeRoom.h"
 #include "OutlineDraft.h"
 #include "SnapHints.h"
 #include "ToolGeometry.h"
@@ -21,7 +22,7 @@ void BoxShapeTool::press(const PatternPointer& pointer)
     if (m_first) {
         m_typed.clear();
         pointerMoved();
-        finish(outline());
+        add();
     } else {
         m_first = m_next->point;
         m_pressed = pointer.pixel;
@@ -43,7 +44,7 @@ void BoxShapeTool::release(const PatternPointer& pointer)
         return;
     const QPointF way = pointer.pixel - *m_pressed;
     m_pressed.reset();
-    if (m_first && std::hypot(way.x(), way.y()) >= dragDistance && !finish(outline()))
+    if (m_first && std::hypot(way.x(), way.y()) >= dragDistance && !add())
         giveUp();
     m_context.refresh();
 }
@@ -51,6 +52,7 @@ void BoxShapeTool::release(const PatternPointer& pointer)
 void BoxShapeTool::pointerMoved()
 {
     m_next.reset();
+    m_shifted.reset();
     m_typedGood = false;
     if (m_pointer) {
         SnapQuery query;
@@ -66,10 +68,49 @@ void BoxShapeTool::pointerMoved()
     }
     if (!m_typed.open() || !m_first)
         return;
-    const auto size = typedSize(m_typed.text(), m_next ? Vec2(m_next->point - *m_first) : Vec2(1, 1));
+    const Vec2 way = m_next ? Vec2(m_next->point - *m_first) : Vec2::Zero();
+    const auto size = typedSize(m_typed.text(), way);
     m_typedGood = size.has_value();
     if (size)
-        m_next = Snapped{*m_first + *size, {}};
+        place(*size, way.norm() * m_context.transform().scale() >= dragDistance);
+}
+
+/// What is typed grows where the pointer is; if it has not been moved, where there is room.
+void BoxShapeTool::place(const Vec2& size, bool pointed)
+{
+    m_shifted.reset();
+    m_next = Snapped{*m_first + size, {}};
+    if (pointed || patchesUnder(m_context.scene(), box()).isEmpty())
+        return;
+    if (const auto free = freeQuadrant(m_context.scene(), *m_first, size.cwiseAbs())) {
+        m_next->point = *free;
+    } else {
+        const Box2 room = freeBox(m_context.scene(), *m_first, size.cwiseAbs());
+        m_shifted = room.min();
+        m_next->point = room.max();
+    }
+}
+
+Box2 BoxShapeTool::box() const
+{
+    Box2 box(m_shifted.value_or(*m_first));
+    box.extend(m_next->point);
+    return box;
+}
+
+/// Adds it and says what else would be a surprise.
+bool BoxShapeTool::add()
+{
+    const QStringList under = m_first && m_next ? patchesUnder(m_context.scene(), box()) : QStringList();
+    const bool shifted = m_first && m_next && m_shifted;
+    if (!finish(outline()))
+        return false;
+    if (shifted)
+        m_context.report(tr("There was no room where you clicked: the patch lies beside the others."));
+    else if (!under.isEmpty())
+        m_context.report(tr("The new patch lies on %1: drag it away, or let all be arranged (Pattern > Arrange).")
+                             .arg(under.join(QStringLiteral(", "))));
+    return true;
 }
 
 void BoxShapeTool::giveUp()
@@ -85,15 +126,16 @@ void BoxShapeTool::enter()
     if (m_typed.open() && !m_typedGood)
         m_context.report(tr("\"%1\" is no size: try 300 x 200").arg(m_typed.text()));
     else if (m_first && m_next)
-        finish(outline());
+        add();
 }
 
 std::optional<BSpline2> BoxShapeTool::outline() const
 {
     if (!m_first || !m_next)
         return std::nullopt;
-    return m_shape == BoxShape::Rectangle ? rectangleOutline(*m_first, m_next->point)
-                                          : ellipseOutline(*m_first, m_next->point);
+    const Vec2 first = m_shifted.value_or(*m_first);
+    return m_shape == BoxShape::Rectangle ? rectangleOutline(first, m_next->point)
+                                          : ellipseOutline(first, m_next->point);
 }
 
 QString BoxShapeTool::prompt() const
@@ -128,15 +170,18 @@ void BoxShapeTool::paint(QPainter& painter, const ViewColors& colors) const
         if (m_shape == BoxShape::Ellipse) {
             painter.setPen(QPen(mixed(colors.canvas, colors.accent, 0.5), 1, Qt::DashLine));
             painter.setBrush(Qt::NoBrush);
-            painter.drawRect(QRectF(transform.toPixels(*m_first), transform.toPixels(m_next->point)).normalized());
+            painter.drawRect(QRectF(transform.toPixels(box().min()), transform.toPixels(box().max())).normalized());
         }
     }
-    const Vec2 size = (m_next->point - *m_first).cwiseAbs();
+    const Vec2 size = box().sizes();
+    const QStringList under = patchesUnder(m_context.scene(), box());
+    const QString on = under.isEmpty() ? QString() : tr("lies on %1").arg(under.join(QStringLiteral(", ")));
     if (m_typed.open())
         m_typed.paint(painter, colors, beside, m_typedGood);
     else
-        paintNote(painter, colors, beside,
-                  {tr("%1 \u00d7 %2").arg(lengthText(size.x()), lengthText(size.y())), snapText(m_next->hints)});
+        paintNote(
+            painter, colors, beside,
+            {tr("%1 \u00d7 %2").arg(lengthText(size.x()), lengthText(size.y())), snapText(m_next->hints), on});
 }
 
 } // namespace bolster

@@ -1,6 +1,7 @@
 #include "PatternDrags.h"
 
 #include "Document.h"
+#include "LengthExpression.h"
 #include "PatchDrawingTool.h"
 #include "PatchEdits.h"
 #include "PatchShapeEdits.h"
@@ -36,24 +37,69 @@ public:
         , m_gesture(context.document())
     {}
 
+    void update(const PatternPointer& pointer) final
+    {
+        m_pointer = pointer;
+        m_hints.clear();
+        m_typedGood = false;
+        m_gesture.update(editAt(pointer));
+        if (m_typedGood)
+            m_hints.clear();
+    }
     void finish() override { m_gesture.commit(); }
     bool active() const override { return m_gesture.active(); }
+    bool keyPress(const QKeyEvent& event) override
+    {
+        if (!m_typed.keyPress(event))
+            return false;
+        update(m_pointer);
+        return true;
+    }
+    bool wants(int key) const override { return m_typed.wants(key); }
+    bool clearTyped() override
+    {
+        if (!m_typed.open())
+            return false;
+        m_typed.clear();
+        update(m_pointer);
+        return true;
+    }
     void paint(QPainter& painter, const ViewColors& colors) const override
     {
         paintSnapHints(painter, colors, m_context.transform(), m_hints);
-        if (!m_hints.empty())
+        if (m_typed.open())
+            m_typed.paint(painter, colors, m_pointer.pixel, m_typedGood);
+        else if (!m_hints.empty())
             paintNote(painter, colors, m_context.transform().toPixels(m_hints.front().to), {snapText(m_hints)});
     }
 
 protected:
+    /// What the drag means with the pointer there, or with what is typed if that can be understood.
+    virtual Edit editAt(const PatternPointer& pointer) = 0;
+
+    /// What `read` makes of the typed text; `dragged` when that is nothing.
+    template <class T, class Read>
+    T typedOr(const T& dragged, const Read& read)
+    {
+        const std::optional<T> typed = m_typed.open() ? read(m_typed.text()) : std::nullopt;
+        m_typedGood = typed.has_value();
+        return typed.value_or(dragged);
+    }
+    Vec2 typedOr(const Vec2& dragged)
+    {
+        return typedOr(dragged, [&](const QString& text) { return typedStep(text, dragged); });
+    }
+
     /// Shift keeps to an axis, Ctrl and Alt let go: then nothing snaps.
     static bool free(const PatternPointer& pointer)
     {
         return pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
     }
 
-    static QString shift(const Vec2& delta)
+    QString shift(const Vec2& delta) const
     {
+        if (m_typed.open())
+            return QCoreApplication::translate("PatternTool", "Enter moves it so far: 50, or 30, 20");
         return QCoreApplication::translate("PatternTool",
                                            "Moved by %1, %2 \u2013 Shift keeps to one axis, Esc takes it back")
             .arg(lengthText(delta.x()), lengthText(delta.y()));
@@ -61,6 +107,9 @@ protected:
 
     Gesture m_gesture;
     std::vector<SnapHint> m_hints;
+    PatternPointer m_pointer = m_from; ///< the last one
+    TypedEntry m_typed;
+    bool m_typedGood = false;
 };
 
 class PointDrag : public EditingDrag {
@@ -79,10 +128,13 @@ public:
         findNeighbours();
     }
 
-    void update(const PatternPointer& pointer) override
+    QString prompt() const override { return shift(m_delta); }
+    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+
+private:
+    Edit editAt(const PatternPointer& pointer) override
     {
         m_delta = moved(pointer);
-        m_hints.clear();
         if (!free(pointer)) {
             PatternPointer grabbed = pointer;
             grabbed.layout = m_grabbed + m_delta;
@@ -94,12 +146,10 @@ public:
                 m_delta = snapped.point - m_grabbed;
             m_hints = std::move(snapped.hints);
         }
-        m_gesture.update(movePointsInLayout(m_gesture.start(), m_points, m_delta));
+        m_delta = typedOr(m_delta);
+        return movePointsInLayout(m_gesture.start(), m_points, m_delta);
     }
-    QString prompt() const override { return shift(m_delta); }
-    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
 
-private:
     std::optional<Vec2> place(ElementId id, int index) const
     {
         const auto line = m_context.scene().lines().find(id);
@@ -144,22 +194,23 @@ public:
                         m_corners.push_back(patch->points[i]);
     }
 
-    void update(const PatternPointer& pointer) override
+    QString prompt() const override { return shift(m_delta); }
+    Qt::CursorShape cursor() const override { return Qt::ClosedHandCursor; }
+
+private:
+    Edit editAt(const PatternPointer& pointer) override
     {
         m_delta = moved(pointer);
-        m_hints.clear();
         if (!free(pointer)) {
             const Snapper snapper(m_context.scene(), m_context.transform(), m_context.snapSettings());
             Snapped snapped = snapper.snapMove(m_corners, m_delta, {m_patches.begin(), m_patches.end()});
             m_delta = snapped.point;
             m_hints = std::move(snapped.hints);
         }
-        m_gesture.update(edits::movePatches(m_gesture.start(), m_patches, m_delta));
+        m_delta = typedOr(m_delta);
+        return edits::movePatches(m_gesture.start(), m_patches, m_delta);
     }
-    QString prompt() const override { return shift(m_delta); }
-    Qt::CursorShape cursor() const override { return Qt::ClosedHandCursor; }
 
-private:
     std::vector<ElementId> m_patches;
     std::vector<Vec2> m_corners; ///< at the press, layout mm
     Vec2 m_delta = Vec2::Zero();
@@ -173,18 +224,11 @@ public:
         , m_centre(context.scene().boundingBox({m_patches.begin(), m_patches.end()}).center())
     {}
 
-    void update(const PatternPointer& pointer) override
-    {
-        const Vec2 a = m_from.layout - m_centre;
-        const Vec2 b = pointer.layout - m_centre;
-        m_degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180 / M_PI;
-        if (pointer.modifiers & Qt::ShiftModifier)
-            m_degrees = std::round(m_degrees / 15) * 15;
-        m_pointer = pointer.pixel;
-        m_gesture.update(edits::turnPatches(m_gesture.start(), m_patches, m_centre, m_degrees));
-    }
     QString prompt() const override
     {
+        if (m_typed.open())
+            return QCoreApplication::translate("PatternTool",
+                                               "Enter turns it by this angle, counter-clockwise: 45");
         return QCoreApplication::translate(
                    "PatternTool", "Turned by %1 \u2013 Shift turns in steps of 15\u00b0, Esc takes it back")
             .arg(angleText(m_degrees));
@@ -194,16 +238,27 @@ public:
     {
         const QPointF centre = m_context.transform().toPixels(m_centre);
         painter.setPen(QPen(colors.accent, 1, Qt::DashLine));
-        painter.drawLine(centre, m_pointer);
+        painter.drawLine(centre, m_pointer.pixel);
         painter.setBrush(colors.accent);
         painter.drawEllipse(centre, 2.5, 2.5);
+        EditingDrag::paint(painter, colors);
     }
 
 private:
+    Edit editAt(const PatternPointer& pointer) override
+    {
+        const Vec2 a = m_from.layout - m_centre;
+        const Vec2 b = pointer.layout - m_centre;
+        m_degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180 / M_PI;
+        if (pointer.modifiers & Qt::ShiftModifier)
+            m_degrees = std::round(m_degrees / 15) * 15;
+        m_degrees = typedOr(m_degrees, [](QString text) { return parseNumber(text.remove(u'\u00b0')); });
+        return edits::turnPatches(m_gesture.start(), m_patches, m_centre, m_degrees);
+    }
+
     std::vector<ElementId> m_patches;
     Vec2 m_centre;
     double m_degrees = 0;
-    QPointF m_pointer;
 };
 
 class ScaleDrag : public EditingDrag {
@@ -216,11 +271,26 @@ public:
         , m_anchor(m_box.min() + m_box.max() - m_corner)
     {}
 
-    void update(const PatternPointer& pointer) override
+    QString prompt() const override
+    {
+        if (m_typed.open())
+            return QCoreApplication::translate(
+                "PatternTool", "Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %");
+        const Vec2 size = m_box.sizes().cwiseProduct(m_factors);
+        return QCoreApplication::translate(
+                   "PatternTool",
+                   "Scaled to %1 \u00d7 %2 \u2013 or type the size; Shift keeps the proportions, Esc takes it back")
+            .arg(lengthText(size.x()), lengthText(size.y()));
+    }
+    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+
+private:
+    static constexpr double leastFactor = 0.01;
+
+    Edit editAt(const PatternPointer& pointer) override
     {
         PatternPointer grabbed = pointer;
         grabbed.layout = m_corner + pointer.layout - m_from.layout;
-        m_hints.clear();
         if (!free(pointer)) {
             SnapQuery query;
             query.ignored = {m_patches.begin(), m_patches.end()};
@@ -233,19 +303,24 @@ public:
         m_factors = way.cwiseQuotient(whole).cwiseMax(leastFactor); // mirroring is another operation
         if (pointer.modifiers & Qt::ShiftModifier)
             m_factors.setConstant(std::max(way.dot(whole) / whole.squaredNorm(), leastFactor));
-        m_gesture.update(edits::scalePatches(m_gesture.start(), m_patches, m_anchor, m_factors));
+        m_factors = typedOr(m_factors, [this](const QString& text) { return typedFactors(text); });
+        return edits::scalePatches(m_gesture.start(), m_patches, m_anchor, m_factors);
     }
-    QString prompt() const override
-    {
-        const Vec2 size = m_box.sizes().cwiseProduct(m_factors);
-        return QCoreApplication::translate(
-                   "PatternTool", "Scaled to %1 \u00d7 %2 \u2013 Shift keeps the proportions, Esc takes it back")
-            .arg(lengthText(size.x()), lengthText(size.y()));
-    }
-    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
 
-private:
-    static constexpr double leastFactor = 0.01;
+    std::optional<Vec2> typedFactors(QString text) const
+    {
+        std::optional<Vec2> factors;
+        if (text.endsWith(u'%')) {
+            text.chop(1);
+            if (const auto share = parseNumber(text))
+                factors = Vec2::Constant(*share / 100);
+        } else if (const auto width = parseLength(text)) {
+            factors = Vec2::Constant(*width / m_box.sizes().x());
+        } else if (const auto size = typedSize(text, Vec2(1, 1))) {
+            factors = size->cwiseQuotient(m_box.sizes());
+        }
+        return factors && factors->minCoeff() >= 1e-3 && factors->maxCoeff() <= 1e3 ? factors : std::nullopt;
+    }
 
     std::vector<ElementId> m_patches;
     Box2 m_box; ///< at the press

@@ -18,6 +18,11 @@ public:
 
     virtual void update(const PatternPointer& pointer) = 0;
     virtual void finish() = 0;
+    /// Numbers that are typed meanwhile; true: used.
+    virtual bool keyPress(const QKeyEvent&) { return false; }
+    virtual bool wants(int) const { return false; }
+    /// Gives up what is typed; false when nothing is.
+    virtual bool clearTyped() { return false; }
     virtual bool active() const { return true; } ///< false: somebody else ended it (undo)
     virtual QString prompt() const = 0;
     virtual Qt::CursorShape cursor() const = 0;
@@ -39,6 +44,7 @@ std::unique_ptr<PatternDrag> dragPatches(PatternToolContext& context, const Patt
 /// Turns the selected patches about the middle of their common box; with Shift in steps of 15 degrees.
 std::unique_ptr<PatternDrag> turnPatches(PatternToolContext& context, const PatternPointer& from);
 /// Scales the selected patches by dragging this corner of their common box; with Shift alike in both directions.
+/// Typed: "300 x 200", "300" (wide, in proportion) or "120 %". So are the ways of the others, and their angle.
 std::unique_ptr<PatternDrag> scalePatches(PatternToolContext& context, const PatternPointer& from,
                                           Box2::CornerType corner);
 /// Selects the control points and patches in a box; with Shift it adds them.

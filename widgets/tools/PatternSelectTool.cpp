@@ -1,9 +1,12 @@
 #include "PatternSelectTool.h"
 
 #include "Document.h"
+#include "HitSelection.h"
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchPick.h"
+#include "StretchToFix.h"
 #include "ToolGeometry.h"
 #include "ViewColors.h"
 
@@ -51,7 +54,7 @@ void PatternSelectTool::press(const PatternPointer& pointer)
     m_pressedEnd = m_pressedHandle || m_pressedCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
     const bool onHandle = m_pressedHandle || m_pressedCorner || m_pressedEnd;
     m_pressedHit = onHandle ? PatternHit{} : m_context.hit(pointer.pixel);
-    m_alreadySelected = false;
+    m_alreadySelected = m_onSelectedEdge = false;
     if (!onHandle)
         select(pointer);
     m_context.refresh();
@@ -61,22 +64,13 @@ void PatternSelectTool::select(const PatternPointer& pointer)
 {
     Selection& selection = m_context.selection();
     const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
-    const PatternHit& hit = m_pressedHit;
-    if (hit.kind == PatternHit::Kind::Point) {
-        const Selection::Point point{hit.patch, hit.point};
-        m_alreadySelected = selection.contains(point);
-        if (add)
-            selection.toggle(point);
-        else if (!m_alreadySelected)
-            selection.set({hit.patch}, {point});
-    } else if (hit) {
-        m_alreadySelected = selection.contains(hit.element()) && selection.points().empty();
-        if (add)
-            selection.toggle(hit.element());
-        else if (!m_alreadySelected)
-            selection.set({hit.element()});
-    }
-    m_alreadySelected = m_alreadySelected && !add;
+    m_alreadySelected = !add && isSelected(selection, m_context.scene(), m_pressedHit);
+    const auto edge = edgeAt(m_context.scene(), m_pressedHit);
+    m_onSelectedEdge = m_alreadySelected && edge && selection.contains(*edge);
+    if (add)
+        selectToo(selection, m_context.scene(), m_pressedHit);
+    else if (m_pressedHit && !m_alreadySelected)
+        selectOnly(selection, m_context.scene(), m_pressedHit);
 }
 
 std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
@@ -102,6 +96,9 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
                    ? dragPoints(m_context, *m_pressed, allPoints(m_pressedHit.seam))
                    : nullptr;
     case PatternHit::Kind::Outline:
+        if (m_onSelectedEdge)
+            return dragPoints(m_context, *m_pressed, pointsOfEdges(m_context.document().design(), selection));
+        break;
     case PatternHit::Kind::Inside:
         break;
     }
@@ -156,10 +153,8 @@ void PatternSelectTool::release(const PatternPointer& pointer)
     } else if (m_pressed) {
         m_pressed.reset();
         const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
-        if (m_alreadySelected && m_pressedHit.kind == PatternHit::Kind::Point)
-            m_context.selection().set({m_pressedHit.patch}, {{m_pressedHit.patch, m_pressedHit.point}});
-        else if (m_alreadySelected)
-            m_context.selection().set({m_pressedHit.element()});
+        if (m_alreadySelected)
+            selectOnly(m_context.selection(), m_context.scene(), m_pressedHit);
         else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !m_pressedEnd && !add)
             m_context.selection().clear();
     }
@@ -185,10 +180,32 @@ void PatternSelectTool::doubleClick(const PatternPointer& pointer)
     m_context.refresh();
 }
 
+bool PatternSelectTool::wants(int key) const
+{
+    return m_drag && (m_drag->wants(key) || key == Qt::Key_Return || key == Qt::Key_Enter);
+}
+
+/// Enter lets go.
+bool PatternSelectTool::keyDuringDrag(const QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+        const std::unique_ptr<PatternDrag> drag = std::move(m_drag);
+        m_pressed.reset();
+        if (drag->active())
+            drag->finish();
+    } else if (!m_drag->keyPress(event)) {
+        return false;
+    }
+    m_context.refresh();
+    return true;
+}
+
 bool PatternSelectTool::keyPress(const QKeyEvent& event)
 {
+    if (m_drag)
+        return keyDuringDrag(event);
     const std::optional<Vec2> direction = arrowDirection(event.key());
-    if (!direction || m_drag)
+    if (!direction)
         return false;
     Document& document = m_context.document();
     if (!m_nudge || !m_nudge->active()) {
@@ -216,7 +233,9 @@ void PatternSelectTool::endNudge()
 
 bool PatternSelectTool::escape()
 {
-    if (m_drag || m_nudge) {
+    if (m_drag && m_drag->clearTyped()) {
+        // what is dragged follows the pointer again
+    } else if (m_drag || m_nudge) {
         m_drag.reset();
         m_nudge.reset();
         m_pressed.reset();
@@ -243,7 +262,7 @@ void PatternSelectTool::leave()
 Box2 PatternSelectTool::selectedBox() const
 {
     const Selection& selection = m_context.selection();
-    if (!selection.points().empty())
+    if (!selection.points().empty() || !selection.edges().empty())
         return {};
     const std::vector<ElementId> patches = selectedOf<Patch>(m_context.document().design(), selection.elements());
     return m_context.scene().boundingBox({patches.begin(), patches.end()});
@@ -295,10 +314,16 @@ QString PatternSelectTool::prompt() const
     switch (m_hover.kind) {
     case PatternHit::Kind::Point:
         return tr("Drag to move the control point \u2013 Shift+click selects several, Del removes");
-    case PatternHit::Kind::Outline:
+    case PatternHit::Kind::Outline: {
+        const auto edge = edgeAt(m_context.scene(), m_hover);
+        if (edge && m_context.selection().contains(*edge))
+            return tr("Drag to move the edge, double click to add a control point here \u2013 its length is in the "
+                      "properties");
         return m_hover.seam == settingsId
-                   ? tr("Double click to add a control point here, drag to move the patch")
-                   : tr("Click to select the seam, double click to add a control point here");
+                   ? tr("Click to select the edge, double click to add a control point here, drag to move the "
+                        "patch")
+                   : tr("Click to select the seam and the edge, double click to add a control point here");
+    }
     case PatternHit::Kind::Line:
         return tr("Click to select the curve, drag to move it, double click to add a control point here");
     case PatternHit::Kind::Inside:
@@ -333,15 +358,29 @@ QCursor PatternSelectTool::cursor() const
     return Qt::ArrowCursor;
 }
 
+/// The selected ones with their lengths.
+void PatternSelectTool::paintEdges(QPainter& painter, const ViewColors& colors) const
+{
+    const Design& design = m_context.document().design();
+    for (const Selection::Edge& edge : m_context.selection().edges())
+        if (isOutlineEdge(design, edge.stretch))
+            paintStretch(painter, m_context, edge.stretch, colors.accent);
+    for (const Selection::Edge& edge : m_context.selection().edges())
+        if (isOutlineEdge(design, edge.stretch))
+            paintEdgeLength(painter, colors, m_context, edge.stretch);
+}
+
 void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
 {
     if (m_drag) {
+        paintEdges(painter, colors);
         m_drag->paint(painter, colors);
         return;
     }
     if (m_hover.kind == PatternHit::Kind::Point)
         if (const auto twin = m_context.scene().twins().follower(m_context.scene(), m_hover.patch, m_hover.point))
             paintFollower(painter, m_context.transform().toPixels(*twin), colors);
+    paintEdges(painter, colors);
     paintStretchEnds(painter, colors, m_context, m_overEnd);
     const std::optional<QPointF> handle = turnHandle();
     if (!handle)

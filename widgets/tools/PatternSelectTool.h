@@ -9,9 +9,10 @@
 
 namespace bolster {
 
-/// Click selects, Shift adds, a drag from nothing selects a box. Control points are dragged together, patches by
-/// their inside, turned by the handle above the selection, ends of selected seams along the outline. A double
-/// click on an outline or line inserts a control point, arrow keys move by 1 mm (Shift: 10 mm).
+/// Click selects, Shift adds, a drag from nothing selects a box. A click on an outline selects the edge there with
+/// its patch or seam; a selected edge is dragged. Control points are dragged together, patches by their inside,
+/// turned by the handle above the selection, ends of selected seams along the outline. A double click on an outline
+/// or line inserts a control point, arrow keys move by 1 mm (Shift: 10 mm).
 class PatternSelectTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(PatternSelectTool)
 
@@ -24,6 +25,7 @@ public:
     void doubleClick(const PatternPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
     bool keyRelease(const QKeyEvent& event) override;
+    bool wants(int key) const override;
     bool escape() override;
     void leave() override;
 
@@ -40,7 +42,9 @@ private:
     void select(const PatternPointer& pointer);
     std::unique_ptr<PatternDrag> newDrag() const;
     std::set<std::pair<ElementId, int>> allPoints(ElementId line) const;
+    bool keyDuringDrag(const QKeyEvent& event);
     void endNudge();
+    void paintEdges(QPainter& painter, const ViewColors& colors) const;
     Box2 selectedBox() const;
     bool onTurnHandle(QPointF pixel) const;
     std::optional<Box2::CornerType> scaleHandleAt(QPointF pixel) const;
@@ -55,6 +59,7 @@ private:
     bool m_pressedHandle = false;
     std::optional<Box2::CornerType> m_pressedCorner;
     std::optional<StretchEndHandle> m_pressedEnd;
+    bool m_onSelectedEdge = false;
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 

@@ -1,11 +1,16 @@
 #include "StretchPick.h"
 
+#include "ArcLength.h"
 #include "CurvePath.h"
 #include "Document.h"
 #include "Selection.h"
 #include "StretchToFix.h"
+#include "Units.h"
+#include "ViewColors.h"
 
 #include <QPainter>
+
+#include <cmath>
 
 namespace bolster {
 
@@ -42,6 +47,37 @@ void paintStretch(QPainter& painter, const PatternToolContext& context, const St
     painter.setBrush(painter.background().color());
     for (const double share : {0.0, 1.0})
         painter.drawEllipse(drawn.pointAtPercent(share), 3.5, 3.5);
+}
+
+void paintEdgeLength(QPainter& painter, const ViewColors& colors, const PatternToolContext& context,
+                     const Stretch& stretch)
+{
+    const PatternPatch* patch = context.scene().patch(stretch.patch);
+    if (!patch)
+        return;
+    constexpr double gap = 16, padding = 4; // pixels
+    const BSpline2& outline = patch->patch().outline;
+    const ArcLength2 lengths(outline);
+    const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+    const double from = lengths.at(stretch.from), to = lengths.at(end);
+    const double middle = outline.wrapped(lengths.parameterAt((from + to) / 2));
+    const auto pixel = [&](const Vec2& at) { return context.transform().toPixels(toLayout(patch->patch(), at)); };
+    const QPointF on = pixel(outline.at(middle)), ahead = pixel(outline.at(middle) + outline.derivative(middle));
+    QPointF way = ahead - on;
+    const double speed = std::hypot(way.x(), way.y());
+    way = speed > 0 ? way / speed : QPointF(1, 0);
+    // To the right of the outline's way when it runs counter-clockwise; pixels run downwards.
+    const QPointF out = (outline.signedArea() > 0 ? 1 : -1) * QPointF(-way.y(), way.x());
+    const QString text = lengthText(to - from);
+    const QFontMetricsF metrics(painter.font());
+    QRectF box(QPointF(), QSizeF(metrics.horizontalAdvance(text) + 2 * padding, metrics.height() + padding));
+    const double reach = std::abs(out.x()) * box.width() / 2 + std::abs(out.y()) * box.height() / 2;
+    box.moveCenter(on + (gap - padding + reach) * out);
+    painter.setPen(QPen(colors.accent, 1));
+    painter.setBrush(colors.pointFill);
+    painter.drawRoundedRect(box, 3, 3);
+    painter.setPen(colors.label);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace bolster

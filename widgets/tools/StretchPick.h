@@ -17,5 +17,8 @@ std::optional<Stretch> stretchUnder(PatternToolContext& context, QPointF pixel);
 /// A bold line with its ends.
 void paintStretch(QPainter& painter, const PatternToolContext& context, const Stretch& stretch,
                   const QColor& color);
+/// Its length beside the middle of it, outside the patch.
+void paintEdgeLength(QPainter& painter, const ViewColors& colors, const PatternToolContext& context,
+                     const Stretch& stretch);
 
 } // namespace bolster

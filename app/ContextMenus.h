@@ -1,0 +1,38 @@
+// The menus of the right button in both views.
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+
+class QMenu;
+class QWidget;
+
+namespace bolster {
+
+class Actions;
+class Document;
+class Selection;
+
+/// The commands for what is selected, in the order in which they are used, or those for the view itself. They are
+/// the actions of the menus; what cannot be done now is left out.
+class ContextMenus : public QObject {
+    Q_OBJECT
+
+public:
+    ContextMenus(Document& document, Selection& selection, Actions& actions, QWidget* window);
+
+    /// `onSomething`: what lies there is selected; else the view is meant.
+    void showInPattern(const QPoint& global, bool onSomething);
+    void showInSurface(const QPoint& global, bool onSomething);
+
+private:
+    QMenu* begin();
+    void finish(QMenu& menu, const QPoint& global);
+
+    Document& m_document;
+    Selection& m_selection;
+    Actions& m_actions;
+    QWidget* m_window;
+};
+
+} // namespace bolster
