@@ -14,6 +14,7 @@ using Vec3f = Eigen::Vector3f;
 
 constexpr float foamGives = 120;      ///< mm: how far a cover presses a frame down at most
 constexpr float straightAbove = 0.8F; ///< cosine between the cover and the way to what it presses
+constexpr float notOpposite = -0.3F;  ///< the same beside a ridge, where both may be square to each other
 constexpr float facesAlike = 0.35F;   ///< cosine between a frame and the cover that lies on it
 constexpr double longestEdge = 12;    ///< mm of triangles that bend with the cover
 constexpr std::size_t mostSkinTriangles = 300000;
@@ -209,7 +210,7 @@ FrameSkins::Vec3f FrameSkins::pressed(const Vec3f& point, const Vec3f& outward) 
             break;
         gone += hit->distance;
         if (m_faces[hit->triangle].dot(outward) > facesAlike)
-            return point - (gone + m_depth) * outward;
+            return point - gone * outward - m_depth * m_faces[hit->triangle];
         gone += 0.01F;
     }
     // Beside a ridge no ray along the normal meets the cover.
@@ -218,7 +219,7 @@ FrameSkins::Vec3f FrameSkins::pressed(const Vec3f& point, const Vec3f& outward) 
         return point;
     const Vec3f& face = m_faces[near->triangle];
     const Vec3f away = point - near->point;
-    if (face.dot(outward) > facesAlike && face.dot(away) > straightAbove * away.norm())
+    if (face.dot(outward) > notOpposite && face.dot(away) > straightAbove * away.norm())
         return near->point - m_depth * face;
     return point;
 }
