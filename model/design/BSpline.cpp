@@ -124,15 +124,12 @@ int BSpline<Dim>::spanAt(double t) const
 template <int Dim>
 int BSpline<Dim>::multiplicity(double knotValue) const
 {
-    int count = 0;
-    if (!m_closed)
-        return static_cast<int>(std::count(m_knots.begin(), m_knots.end(), knotValue));
-    for (int i = 0; i < pointCount(); ++i) {
-        const double value = m_knots[static_cast<std::size_t>(i)];
-        if (value == knotValue || (knotValue == domainStart() && value == domainEnd()))
-            ++count;
-    }
-    return count;
+    const auto end = m_closed ? m_knots.begin() + pointCount() : m_knots.end();
+    const auto count = [&](double value) {
+        const auto [first, last] = std::equal_range(m_knots.begin(), end, value);
+        return static_cast<int>(last - first);
+    };
+    return count(knotValue) + (m_closed && knotValue == domainStart() ? count(domainEnd()) : 0);
 }
 
 // The d + 1 points that act on a span.

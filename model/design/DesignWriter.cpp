@@ -315,6 +315,8 @@ void addFields(Line& line, const Frame& frame)
     addPlacement(line, frame);
     line.unless(false, "contact", frame.contact).unless(0.0, "contact_gap", frame.contactGap);
     addMaterial(line, frame.material);
+    if (!frame.hiddenParts.empty())
+        line.raw("hidden_parts", listOf(frame.hiddenParts, json::quoted));
 }
 
 void addFields(Line& line, const Cushion& cushion)

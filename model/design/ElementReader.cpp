@@ -371,6 +371,19 @@ FrameMaterial readMaterial(Fields& parent)
     return material;
 }
 
+std::vector<std::string> namesIn(Fields& fields, std::string_view key)
+{
+    std::vector<std::string> names;
+    eachOptional(fields, key, [&](const Value& item, const std::string& field) {
+        if (item.kind() == Kind::String)
+            names.push_back(item.string());
+        else
+            fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a text in quotation marks")});
+    });
+    refuseEmpty(fields, key);
+    return names;
+}
+
 Frame readFrame(Fields& fields)
 {
     Frame frame;
@@ -380,6 +393,7 @@ Frame readFrame(Fields& fields)
     frame.contact = fields.flag("contact", frame.contact);
     frame.contactGap = fields.number("contact_gap", frame.contactGap);
     frame.material = readMaterial(fields);
+    frame.hiddenParts = namesIn(fields, "hidden_parts");
     return frame;
 }
 
@@ -411,19 +425,6 @@ FancySeam readFancySeam(Fields& fields)
     seam.profile = static_cast<Profile>(fields.choice("profile", {"round", "sharp", "welt"}));
     seam.trim = readTrim(fields);
     return seam;
-}
-
-std::vector<std::string> partsIn(Fields& fields)
-{
-    std::vector<std::string> parts;
-    eachOptional(fields, "parts", [&](const Value& item, const std::string& field) {
-        if (item.kind() == Kind::String)
-            parts.push_back(item.string());
-        else
-            fields.report().add(field, {QT_TRANSLATE_NOOP("Message", "must be a text in quotation marks")});
-    });
-    refuseEmpty(fields, "parts");
-    return parts;
 }
 
 std::vector<ElementId> patchesIn(Fields& fields)
@@ -467,7 +468,7 @@ Cushion readCushion(Fields& fields)
     Cushion cushion;
     cushion.name = fields.text("name");
     cushion.frame = fields.id("frame");
-    cushion.parts = partsIn(fields);
+    cushion.parts = namesIn(fields, "parts");
     cushion.patches = patchesIn(fields);
     cushion.voxel = fields.number("voxel_mm", cushion.voxel);
     cushion.dilation = fields.number("dilation_mm", cushion.dilation);

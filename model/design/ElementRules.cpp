@@ -72,6 +72,7 @@ bool rightSidesMeetReversed(const Patch& a, const Patch& b)
 ElementRules::ElementRules(const Design& design, Problems& problems)
     : m_design(design)
     , m_problems(problems)
+    , m_smallestEdge(smallestEdgeLength(design))
     , m_twins(twinPairs(design))
 {
     design.each<Patch>([&](ElementId, const Patch& patch) { m_usedFabrics.insert(patch.fabric); });
@@ -197,16 +198,15 @@ void ElementRules::rules(const Settings& settings)
         warn("colourway",
              {QT_TRANSLATE_NOOP("Message", "there is no colourway %1; the patches show their own fabrics"),
               {std::to_string(number(settings.colourway))}});
-    const double smallest = smallestEdgeLength(m_design);
     if (!isEdgeLength(settings.edgeLength))
         error("edge_length",
               {QT_TRANSLATE_NOOP("Message", "is %1, but must be a positive length of at most %2; 12 mm is usual"),
                {numberText(settings.edgeLength), numberText(largestNumber, 8)}});
-    else if (settings.edgeLength < smallest)
+    else if (settings.edgeLength < m_smallestEdge)
         error("edge_length",
               {QT_TRANSLATE_NOOP("Message", "%1 mm would make more than 5 million triangles; take at "
                                             "least %2 mm for these patches"),
-               {numberText(settings.edgeLength), numberText(std::ceil(smallest * 100) / 100)}});
+               {numberText(settings.edgeLength), numberText(std::ceil(m_smallestEdge * 100) / 100)}});
 }
 
 void ElementRules::color(std::string field, const std::string& text)
@@ -257,7 +257,7 @@ void ElementRules::rules(const Fabric& fabric)
     if (!m_usedFabrics.contains(m_id) || !isEdgeLength(edgeLength) || fabric.bendingLength >= resolved)
         return;
     const double finest = fabric.bendingLength / resolvedShare;
-    if (finest >= smallestEdgeLength(m_design))
+    if (finest >= m_smallestEdge)
         warn(
             "bending_length",
             {QT_TRANSLATE_NOOP("Message",

@@ -70,6 +70,7 @@ private:
     Problems& m_problems;
     ElementId m_id{};
     std::string m_label;
+    double m_smallestEdge; // that the patches allow, mm
     std::set<ElementId> m_usedFabrics;
     std::map<ElementId, ElementId> m_twins;                 // originals by follower
     std::map<ElementId, ArcLength2> m_lengths;              // by patch

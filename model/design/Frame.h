@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bolster {
 
@@ -16,6 +17,8 @@ struct Frame : Placement {
     bool contact = false;        ///< keeps the cover from passing through
     double contactGap = 0;       ///< mm that the cover keeps away then
     FrameMaterial material = {}; ///< what it looks like
+    /// Of the file's parts and their pieces (FramePiece): not there for anybody.
+    std::vector<std::string> hiddenParts{};
 
     friend bool operator==(const Frame&, const Frame&) = default;
 };

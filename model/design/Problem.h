@@ -28,6 +28,9 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
+/// Appends those that are not there yet, each once.
+void addNew(Problems& problems, const Problems& more);
+
 bool hasErrors(const Problems& problems);
 
 } // namespace bolster

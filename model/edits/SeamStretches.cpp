@@ -51,12 +51,12 @@ void eachSewn(const Design& design, ElementId patch, Visit visit)
 }
 
 /// From corner to corner around t, unwrapped.
-struct Range {
+struct EdgeRange {
     double from = 0;
     double to = 0;
 };
 
-Range edgeAround(const BSpline2& outline, double t)
+EdgeRange edgeAround(const BSpline2& outline, double t)
 {
     const std::vector<double> corners = outlineCorners(outline);
     if (corners.empty())
@@ -173,7 +173,7 @@ std::optional<Stretch> stretchAt(const Design& design, ElementId patch, double p
     const BSpline2* outline = outlineOf(design, patch);
     if (!outline || !std::isfinite(parameter))
         return std::nullopt;
-    const Range edge = edgeAround(*outline, outline->wrapped(parameter));
+    const EdgeRange edge = edgeAround(*outline, outline->wrapped(parameter));
     return stretchBetween(patch, *outline, edge.from, edge.to);
 }
 
@@ -185,7 +185,7 @@ std::optional<Stretch> freeStretchAt(const Design& design, ElementId patch, doub
     const double t = outline->wrapped(parameter);
     const double period = outline->period();
     const double slack = 1e-9 * period;
-    Range edge = edgeAround(*outline, t);
+    EdgeRange edge = edgeAround(*outline, t);
     eachSewn(design, patch, [&](ElementId, const Stretch& sewn) {
         for (const double turn : {-period, 0.0, period}) {
             const double from = sewn.from + turn;
