@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <set>
 
 namespace bolster {
 namespace {
@@ -50,14 +51,12 @@ Message sizeProblem(const Element& element, const FileContent& content)
 
 void readFiles(OpenedDesign& opened, const QString& folder)
 {
-    for (const auto& [id, found] : opened.design.elements()) {
-        const ElementPtr& element = found; // clang 14 lets no lambda take a structured binding
-        const bool refused =
-            std::any_of(opened.problems.begin(), opened.problems.end(), [&, id = id](const Problem& known) {
-                return known.element == id && known.severity == Severity::Error &&
-                       known.field == elementFileField(*element);
-            });
-        if (refused || !elementFile(*element))
+    std::set<std::pair<ElementId, std::string>> refused;
+    for (const Problem& known : opened.problems)
+        if (known.severity == Severity::Error)
+            refused.emplace(known.element, known.field);
+    for (const auto& [id, element] : opened.design.elements()) {
+        if (!elementFile(*element) || refused.contains({id, elementFileField(*element)}))
             continue;
         if (!hasShapeFile(*element)) { // whoever looks at it reads it, and marks what is missing
             Message missing;

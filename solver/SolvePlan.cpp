@@ -103,7 +103,7 @@ SolvePlan compare(const Placement& a, const Placement& b)
 
 SolvePlan compare(const Frame& a, const Frame& b)
 {
-    if (a.contact != b.contact || (a.contact && a.contactGap != b.contactGap))
+    if (a.hiddenParts != b.hiddenParts || a.contact != b.contact || (a.contact && a.contactGap != b.contactGap))
         return SolvePlan::Retarget;
     return compare(static_cast<const Placement&>(a), static_cast<const Placement&>(b));
 }

@@ -76,7 +76,7 @@ int bench(std::span<const std::string> words)
     arguments.expectNoFile();
     const bench::Extent extent = extentOf(arguments);
 
-    const Interrupt interrupt;
+    Interrupt interrupt;
     std::vector<bench::Row> rows;
     printResult(bench::tableHead());
     for (const bench::Benchmark& benchmark : bench::benchmarks(extent)) {
@@ -89,6 +89,7 @@ int bench(std::span<const std::string> words)
         printError("error: interrupted");
         return otherFailure;
     }
+    interrupt.beginWriting();
     const bool jsonWritten = write(arguments, "--json", json(rows));
     return write(arguments, "--markdown", bench::markdown(rows)) && jsonWritten ? done : otherFailure;
 }

@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "FrameWarnings.h"
 #include "Output.h"
 #include "Project.h"
 #include "RestingSolve.h"
@@ -24,12 +25,11 @@ int check(std::span<const std::string> words)
 {
     const QString path = Arguments(words, {}).onlyFile("DESIGN");
     OpenedDesign opened = openDesignOrProject(path);
-    if (opened.readable)
-        for (const Problem& problem : checkSolvable(opened.design))
-            if (std::find(opened.problems.begin(), opened.problems.end(), problem) == opened.problems.end())
-                opened.problems.push_back(problem);
-    if (opened.readable)
+    if (opened.readable) {
+        addNew(opened.problems, checkSolvable(opened.design));
+        addNew(opened.problems, checkFrames({opened.design, opened.files}));
         addMissingPatch(opened.problems, opened.design);
+    }
     std::stable_sort(opened.problems.begin(), opened.problems.end(),
                      [](const Problem& a, const Problem& b) { return a.element < b.element; });
     printProblems(opened.problems);

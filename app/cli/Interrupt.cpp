@@ -1,5 +1,10 @@
 #include "Interrupt.h"
 
+#include "Commands.h"
+#include "Output.h"
+
+#include <chrono>
+#include <cstdlib>
 #include <ctime>
 
 namespace bolster::cli {
@@ -10,7 +15,7 @@ Interrupt::Interrupt()
     sigaddset(&m_signals, SIGINT);
     sigaddset(&m_signals, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
-    m_watcher = std::jthread([this](std::stop_token end) { watch(std::move(end)); });
+    m_watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
 
 Interrupt::~Interrupt()
@@ -19,7 +24,19 @@ Interrupt::~Interrupt()
     pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
 }
 
-void Interrupt::watch(std::stop_token end)
+void Interrupt::whenEnded(std::function<void()> leave)
+{
+    const std::scoped_lock lock(m_mutex);
+    m_leave = std::move(leave);
+}
+
+void Interrupt::beginWriting()
+{
+    const std::scoped_lock lock(m_mutex);
+    m_writing = true;
+}
+
+void Interrupt::watch(const std::stop_token& end)
 {
     constexpr timespec pause = {0, 50'000'000};
     while (!end.stop_requested()) {
@@ -27,8 +44,26 @@ void Interrupt::watch(std::stop_token end)
             continue;
         m_source.request_stop();
         pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr); // the next one takes its usual course
+        endUnlessBack(end);
         return;
     }
+}
+
+void Interrupt::endUnlessBack(const std::stop_token& end)
+{
+    constexpr int rounds = 10;
+    for (int round = 0; round < rounds; ++round) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        if (end.stop_requested())
+            return;
+    }
+    const std::scoped_lock lock(m_mutex); // so that nobody begins to write meanwhile
+    if (m_writing || end.stop_requested())
+        return;
+    printError("error: interrupted");
+    if (m_leave)
+        m_leave();
+    std::_Exit(otherFailure);
 }
 
 } // namespace bolster::cli

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 
 namespace bolster::cli {
 
 /// From construction on, SIGINT and SIGTERM stop the token instead of the program; a second one ends the program.
-/// Make it before any other thread is started: they inherit that the signals are not theirs.
+/// Who does not come back within half a second is in the middle of something long that nobody needs to end in
+/// order: then the program ends here. Make it before any other thread is started: they inherit that the signals are
+/// not theirs.
 class Interrupt {
 public:
     Interrupt();
@@ -17,13 +21,21 @@ public:
     Interrupt& operator=(const Interrupt&) = delete;
 
     std::stop_token token() const { return m_source.get_token(); }
+    /// What is still to be done then, on another thread.
+    void whenEnded(std::function<void()> leave);
+    /// Files are written from now on: they are put away in order, however long that takes.
+    void beginWriting();
 
 private:
-    void watch(std::stop_token end);
+    void watch(const std::stop_token& end);
+    void endUnlessBack(const std::stop_token& end);
 
     sigset_t m_signals;
     sigset_t m_before;
     std::stop_source m_source;
+    std::mutex m_mutex;
+    bool m_writing = false;
+    std::function<void()> m_leave;
     std::jthread m_watcher;
 };
 

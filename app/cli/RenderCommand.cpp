@@ -204,7 +204,7 @@ void Pictures::printMap(const CoverMap& map)
 int render(std::span<const std::string> words)
 {
     const RenderOrder order = RenderOrder::from(words);
-    const Interrupt interrupt;
+    Interrupt interrupt;
     const OpenedDesign opened = openDesignOrProject(order.design);
     if (QFileInfo::exists(order.image) && QFileInfo(order.image) == QFileInfo(order.design))
         throw UsageError("--image would overwrite the design");
@@ -216,6 +216,7 @@ int render(std::span<const std::string> words)
     printFindings(result);
     if (!result.surface)
         return result.status == SolveResult::Status::Failed && !result.errors.empty() ? badInput : otherFailure;
+    interrupt.beginWriting();
     if (!Pictures(order, opened, result.surface, interrupt.token()).drawAll())
         return otherFailure;
     return result.status == SolveResult::Status::NotConverged ? notConverged : done;

@@ -84,13 +84,15 @@ int solve(std::span<const std::string> words)
     const SolveOptions options = solveOptions(arguments);
     const SolveOutputs outputs(arguments, options.threads);
 
-    const Interrupt interrupt;
+    Interrupt interrupt;
     const OpenedDesign opened = openDesignOrProject(path);
     outputs.protectInputs(path, opened.design);
+    interrupt.whenEnded([&] { outputs.write(interruptedResult(), {}, {}); });
     const SolveResult result = solveOpened(opened, options, interrupt.token());
     printFindings(result);
     if (result.surface)
         printSummary(result);
+    interrupt.beginWriting();
     const bool written = outputs.write(result, opened.design, interrupt.token());
 
     switch (result.status) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 
 namespace bolster::cli {
 
@@ -24,13 +25,6 @@ Problems withSeverity(const Problems& problems, Severity severity)
     return found;
 }
 
-void add(Problems& problems, const Problems& more)
-{
-    for (const Problem& problem : more)
-        if (std::find(problems.begin(), problems.end(), problem) == problems.end())
-            problems.push_back(problem);
-}
-
 Problems errorsOf(const OpenedDesign& opened)
 {
     Problems errors = withSeverity(opened.problems, Severity::Error);
@@ -42,10 +36,11 @@ Problems errorsOf(const OpenedDesign& opened)
 Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
 {
     Problems all = errors;
-    for (const Problem& problem : leftOutBySolver)
-        if (std::none_of(errors.begin(), errors.end(),
-                         [&](const Problem& error) { return error.element == problem.element; }))
-            all.push_back(problem);
+    std::set<ElementId> wrong;
+    for (const Problem& error : errors)
+        wrong.insert(error.element);
+    std::ranges::copy_if(leftOutBySolver, std::back_inserter(all),
+                         [&](const Problem& problem) { return !wrong.contains(problem.element); });
     std::stable_sort(all.begin(), all.end(),
                      [](const Problem& a, const Problem& b) { return a.element < b.element; });
     return all;
@@ -55,7 +50,7 @@ SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const So
                            std::stop_token stop)
 {
     SolveResult result = solveResting({opened.design, opened.files}, options, std::move(stop));
-    add(errors, result.errors);
+    addNew(errors, result.errors);
     result.leftOut = leftOut(errors, result.leftOut);
     result.errors = result.surface ? Problems() : errors;
     return result;
@@ -96,7 +91,15 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
         result.reason = {"interrupted", {}};
     else if (result.reason.empty() && !result.errors.empty())
         result.reason = {firstOf(result.errors), {}};
-    add(result.warnings, withSeverity(opened.problems, Severity::Warning));
+    addNew(result.warnings, withSeverity(opened.problems, Severity::Warning));
+    return result;
+}
+
+SolveResult interruptedResult()
+{
+    SolveResult result;
+    result.status = SolveResult::Status::Cancelled;
+    result.reason = {"interrupted", {}};
     return result;
 }
 

@@ -12,6 +12,9 @@ void addMissingPatch(Problems& problems, const Design& design);
 /// Refuses designs with errors, unless `options` are lenient. What went wrong is in the result.
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop);
 
+/// Of a solve that is given up in the middle.
+SolveResult interruptedResult();
+
 /// On stderr: errors, what was left out, warnings, and why there is no cover.
 void printFindings(const SolveResult& result);
 

@@ -1,8 +1,9 @@
 #include "MeshBuilder.h"
 
+#include "PlaceHash.h"
 #include "PolygonSplit.h"
 
-#include <bit>
+#include <algorithm>
 #include <random>
 
 namespace bolster {
@@ -16,13 +17,6 @@ constexpr std::size_t largestPartCount = 100'000;
                QT_TRANSLATE_NOOP("Message", "%1: the mesh is too large, the limit is %2 points and as many "
                                             "triangles"),
                {std::to_string(largestMeshCount)});
-}
-
-std::uint64_t mixed(std::uint64_t x)
-{
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
 }
 
 /// A stray point would make the frame look larger than it is.
@@ -49,6 +43,7 @@ void dropUnusedPoints(TriangleMesh& mesh)
 
 MeshBuilder::MeshBuilder()
     : m_weldingSeed(std::random_device{}())
+    , m_doubles(m_weldingSeed)
 {}
 
 void MeshBuilder::reservePoints(std::uint64_t count, FilePlace place)
@@ -88,11 +83,8 @@ void MeshBuilder::growWelding()
 
 std::size_t MeshBuilder::weldingSlot(const Vec3& point) const
 {
-    std::uint64_t hash = m_weldingSeed;
-    for (int i = 0; i < 3; ++i)
-        hash = mixed(hash ^ std::bit_cast<std::uint64_t>(point[i]));
     const std::size_t mask = m_welded.size() - 1; // the size is a power of two
-    std::size_t slot = hash & mask;
+    std::size_t slot = placeHash(point, m_weldingSeed) & mask;
     while (m_welded[slot] != 0 && m_points[m_welded[slot] - 1] != point)
         slot = (slot + 1) & mask;
     return slot;
@@ -121,14 +113,29 @@ void MeshBuilder::addFace(std::span<const std::int64_t> corners, FilePlace place
     if (m_face.size() == 3) {
         addTriangle({m_face[0], m_face[1], m_face[2]}, place);
     } else if (m_face.size() > 3) {
+        const bool turned = turnLikeItsDouble();
         m_corners.clear();
         for (const std::uint32_t index : m_face)
             m_corners.push_back(m_points[index]);
         m_split.clear();
         splitPolygon(m_corners, m_split, m_effort);
         for (const auto& [a, b, c] : m_split)
-            addTriangle({m_face[a], m_face[b], m_face[c]}, place);
+            addTriangle({m_face[a], m_face[turned ? c : b], m_face[turned ? b : c]}, place);
     }
+}
+
+/// A face that was there before becomes the same triangles, also when its corners are listed from another one or
+/// the other way round: bodies whose faces are all there twice are told by that. True if it is the other way round.
+bool MeshBuilder::turnLikeItsDouble()
+{
+    m_corners.clear();
+    for (const std::uint32_t index : m_face)
+        m_corners.push_back(m_points[index]);
+    const FaceDoubles::Order order = m_doubles.meet(m_corners);
+    if (order.backwards)
+        std::ranges::reverse(m_face);
+    std::ranges::rotate(m_face, m_face.begin() + static_cast<std::ptrdiff_t>(order.first));
+    return order.backwards;
 }
 
 void MeshBuilder::addTriangle(std::array<std::uint32_t, 3> triangle, FilePlace place)

@@ -1,6 +1,7 @@
 // What all mesh readers share: limits, checks, welding, and polygons split into triangles.
 #pragma once
 
+#include "FaceDoubles.h"
 #include "FileRefused.h"
 #include "TriangleMesh.h"
 
@@ -41,6 +42,7 @@ private:
     };
 
     void addTriangle(std::array<std::uint32_t, 3> triangle, FilePlace place);
+    bool turnLikeItsDouble();
     Part& currentPart(FilePlace place);
     void growWelding();
     std::size_t weldingSlot(const Vec3& point) const;
@@ -59,6 +61,7 @@ private:
 
     std::vector<std::uint32_t> m_welded; // open addressing: index of a point + 1, or 0
     std::uint64_t m_weldingSeed;         // random, so that no file can be made to collide
+    FaceDoubles m_doubles;
     static constexpr std::size_t noPart = static_cast<std::size_t>(-1);
 };
 

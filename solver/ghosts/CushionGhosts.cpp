@@ -1,6 +1,8 @@
 #include "CushionGhosts.h"
 
+#include "CushionVoxels.h"
 #include "DrawField.h"
+#include "FrameWarnings.h"
 #include "GuessParts.h"
 #include "SolveReport.h"
 
@@ -105,11 +107,42 @@ Placement relative(const Placement& placement, const Placement& frame)
     return result;
 }
 
-TriangleMeshPtr meshOf(const SolveInput& input, ElementId id)
+void addWarning(Problems& problems, ElementId id, const Design& design, std::string field, Message message)
 {
-    const auto found = input.files.meshes.find(id);
-    return found == input.files.meshes.end() ? nullptr : found->second;
+    const Problem problem{id, elementLabel(id, *design.element(id)), std::move(field), std::move(message),
+                          Severity::Warning};
+    if (std::find(problems.begin(), problems.end(), problem) == problems.end())
+        problems.push_back(problem);
 }
+
+/// What the fields of all components together lack.
+class FieldWarnings {
+public:
+    void met(const ForceField& field, const std::vector<int>& thin)
+    {
+        m_met = true;
+        m_any = m_any || field.insideCount() > 0;
+        m_thin.insert(thin.begin(), thin.end());
+    }
+
+    /// Nothing when there is nothing to say.
+    std::optional<Message> message(VoxelUser user, const TriangleMesh& mesh, double edge) const
+    {
+        if (!m_met)
+            return Message{
+                QT_TRANSLATE_NOOP("Message", "it pushes nothing: no part of the frame lies under the cover")};
+        if (!m_any)
+            return noVoxelsMessage(user, edge);
+        if (m_thin.empty())
+            return std::nullopt;
+        return thinPartsMessage(user, mesh, {m_thin.begin(), m_thin.end()}, edge);
+    }
+
+private:
+    bool m_met = false; ///< a field
+    bool m_any = false; ///< voxel inside
+    std::set<int> m_thin;
+};
 
 class CushionMaker {
 public:
@@ -127,12 +160,13 @@ public:
     std::unique_ptr<GhostSource> make(ElementId id, const Cushion& cushion)
     {
         const Frame& frame = *m_input.design.find<Frame>(cushion.frame);
-        const TriangleMeshPtr mesh = meshOf(m_input, cushion.frame);
+        const TriangleMeshPtr mesh = meshOfFrame(m_input, cushion.frame);
         const FoamList foam = foamOf(id, cushion, frame);
         if (!mesh || *std::max_element(foam.strengths.begin(), foam.strengths.end()) == 0)
             return nullptr;
         const std::vector<std::vector<int>> parts = partsOf(id, cushion, frame, mesh);
         CushionGhosts::Fields fields(m_mesh.diameter.size());
+        FieldWarnings warnings;
         for (const int component : componentsOf(cushion)) {
             if (parts[component].empty() && foam.keys.empty())
                 continue;
@@ -143,7 +177,13 @@ public:
             if (isTooLarge(id, key))
                 return nullptr;
             fields[component] = m_fields.cushion(key, m_pool, m_stop);
+            if (fields[component])
+                warnings.met(*fields[component], m_fields.thinParts(key.frame, m_pool, m_stop));
         }
+        if (m_stop.stop_requested())
+            return nullptr;
+        if (auto message = warnings.message(VoxelUser::Cushion, *mesh, cushion.voxel))
+            warn(id, "voxel_mm", std::move(*message));
         return std::make_unique<CushionGhosts>(id, cushionGamma, frame, std::move(fields), foam.strengths);
     }
 
@@ -152,7 +192,9 @@ private:
     {
         FoamList list{{}, {cushion.strength}};
         m_input.design.each<Foam>([&](ElementId foamId, const Foam& foam) {
-            const TriangleMeshPtr mesh = foam.shape == Foam::Shape::Mesh ? meshOf(m_input, foamId) : nullptr;
+            const auto file = m_input.files.meshes.find(foamId);
+            const bool known = foam.shape == Foam::Shape::Mesh && file != m_input.files.meshes.end();
+            const TriangleMeshPtr mesh = known ? file->second : nullptr;
             if (foam.cushion != id || (foam.shape == Foam::Shape::Mesh && !mesh))
                 return;
             constexpr std::size_t most = 255; // an owner is a byte
@@ -184,20 +226,11 @@ private:
             if (parts.size() == before)
                 warn(id, "parts",
                      {QT_TRANSLATE_NOOP("Message", "the frame has no part \"%1\"; it has %2"),
-                      {name, names(*mesh)}});
+                      {name, partNames(*mesh)}});
         }
         std::sort(parts.begin(), parts.end());
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
         return std::vector<std::vector<int>>(m_mesh.diameter.size(), parts);
-    }
-
-    static std::string names(const TriangleMesh& mesh)
-    {
-        constexpr std::size_t enough = 10;
-        std::string list;
-        for (std::size_t p = 0; p < std::min(enough, mesh.parts.size()); ++p)
-            list.append(list.empty() ? "" : ", ").append("\"").append(mesh.parts[p].name).append("\"");
-        return mesh.parts.size() > enough ? list + " \u2026" : list;
     }
 
     std::set<int> componentsOf(const Cushion& cushion) const
@@ -227,10 +260,7 @@ private:
 
     void warn(ElementId id, std::string field, Message message)
     {
-        const Problem problem{id, elementLabel(id, *m_input.design.element(id)), std::move(field),
-                              std::move(message), Severity::Warning};
-        if (std::find(m_problems.begin(), m_problems.end(), problem) == m_problems.end())
-            m_problems.push_back(problem);
+        addWarning(m_problems, id, m_input.design, std::move(field), std::move(message));
     }
 
     const SolveInput& m_input;
@@ -256,17 +286,28 @@ void addCushionGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields
 }
 
 void addContactGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields& fields, WorkerPool& pool,
-                      const std::stop_token& stop, Ghosts& ghosts)
+                      const std::stop_token& stop, Ghosts& ghosts, Problems& problems)
 {
     input.design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const TriangleMeshPtr triangles = meshOf(input, id);
+        const TriangleMeshPtr triangles = meshOfFrame(input, id);
         if (!frame.contact || !triangles || stop.stop_requested())
             return;
         const FrameFields::Shape shape{triangles, frame.scale};
         CushionGhosts::Fields ofComponents;
-        for (const std::vector<int>& parts : guessParts(*fields.parts(shape), frame, mesh))
-            ofComponents.push_back(parts.empty() ? nullptr
-                                                 : fields.contact({shape, parts, frame.contactGap}, pool, stop));
+        FieldWarnings warnings;
+        double edge = 0;
+        for (const std::vector<int>& parts : guessParts(*fields.parts(shape), frame, mesh)) {
+            const FrameFields::ContactKey key{shape, parts, frame.contactGap};
+            ofComponents.push_back(parts.empty() ? nullptr : fields.contact(key, pool, stop));
+            if (!ofComponents.back())
+                continue;
+            edge = std::max(edge, fields.edgeOf(key));
+            warnings.met(*ofComponents.back(), fields.thinParts(key, pool, stop));
+        }
+        if (stop.stop_requested())
+            return;
+        if (auto message = warnings.message(VoxelUser::Contact, *triangles, edge))
+            addWarning(problems, id, input.design, "contact", std::move(*message));
         constexpr double wholeWay = 2; // the target is p + f / 2
         ghosts.push_back(std::make_unique<CushionGhosts>(id, contactGamma, frame, std::move(ofComponents),
                                                          std::vector<double>{wholeWay}));

@@ -35,13 +35,13 @@ private:
     std::vector<double> m_strengths;
 };
 
-/// For every enabled cushion that pushes at all. `problems` gets cushions whose fields would be too large and names
-/// of parts that the frame does not have. Gives up when stopped.
+/// For every enabled cushion that pushes at all. `problems` gets cushions whose fields would be too large or have
+/// no voxels, parts too thin for them, and names of parts that the frame does not have. Gives up when stopped.
 void addCushionGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields& fields, WorkerPool& pool,
                       const std::stop_token& stop, Ghosts& ghosts, Problems& problems);
 
-/// For every frame with contact: a cover stays out of the parts that belong to it.
+/// For every frame with contact: a cover stays out of the parts that belong to it. `problems` likewise.
 void addContactGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields& fields, WorkerPool& pool,
-                      const std::stop_token& stop, Ghosts& ghosts);
+                      const std::stop_token& stop, Ghosts& ghosts, Problems& problems);
 
 } // namespace bolster

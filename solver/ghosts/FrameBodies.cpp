@@ -1,98 +1,36 @@
 #include "FrameBodies.h"
 
 #include "UnionFind.h"
+#include "WeldedFrame.h"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <cmath>
+#include <utility>
 
 namespace bolster {
 
 namespace {
 
-using Corners = std::array<int, 3>;
-
-/// Triangles whose corners are numbered by place, without those that have no area for that.
-struct Welded {
-    std::vector<Vec3> points;
-    std::vector<Corners> triangles;
-
-    Vec3 doubleArea(int t) const
-    {
-        const auto& [a, b, c] = triangles[t];
-        return (points[b] - points[a]).cross(points[c] - points[a]);
-    }
-    Vec3 middle(int t) const
-    {
-        const auto& [a, b, c] = triangles[t];
-        return (points[a] + points[b] + points[c]) / 3;
-    }
-};
-
-Welded weld(const TriangleMesh& mesh, const TriangleMesh::Part& part, const Placement& placement)
-{
-    Welded welded;
-    std::map<std::array<double, 3>, int> numbers;
-    for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
-        Corners corners;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3& p = mesh.points[mesh.triangles[t][k]];
-            const auto [found, isNew] = numbers.try_emplace({p.x(), p.y(), p.z()}, std::ssize(welded.points));
-            if (isNew)
-                welded.points.push_back(placement.placed(p));
-            corners[k] = found->second;
-        }
-        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
-            welded.triangles.push_back(corners);
-    }
-    return welded;
-}
-
-struct HalfEdge {
-    int low = 0;
-    int high = 0;
-    int triangle = 0;
-    bool forward = false; ///< from low to high
-};
-
-/// Sorted, so that those of one edge follow each other.
-std::vector<HalfEdge> halfEdges(const Welded& welded)
-{
-    std::vector<HalfEdge> halves;
-    for (int t = 0; t < std::ssize(welded.triangles); ++t)
-        for (int k = 0; k < 3; ++k) {
-            const int a = welded.triangles[t][k], b = welded.triangles[t][(k + 1) % 3];
-            halves.push_back({std::min(a, b), std::max(a, b), t, a < b});
-        }
-    std::sort(halves.begin(), halves.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
-    return halves;
-}
-
 /// Triangles that hang together across edges of exactly two.
 class Shells {
 public:
-    explicit Shells(Welded& welded)
+    explicit Shells(WeldedFrame& welded)
         : m_welded(welded)
         , m_neighbours(welded.triangles.size())
     {
         UnionFind joined(static_cast<int>(welded.triangles.size()));
-        const std::vector<HalfEdge> halves = halfEdges(welded);
         std::vector<int> open;
-        for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
-            while (end < halves.size() && halves[end].low == halves[i].low && halves[end].high == halves[i].high)
-                ++end;
-            if ((end - i) % 2 == 1)
-                for (std::size_t k = i; k < end; ++k)
-                    open.push_back(halves[k].triangle);
-            if (end - i != 2)
-                continue;
-            const HalfEdge &a = halves[i], &b = halves[i + 1];
+        eachEdge(halfEdges(welded.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+            if ((last - first) % 2 == 1)
+                for (const HalfEdge* half = first; half != last; ++half)
+                    open.push_back(half->triangle);
+            if (last - first != 2)
+                return;
+            const HalfEdge &a = first[0], &b = first[1];
             joined.join(a.triangle, b.triangle);
             m_neighbours[a.triangle].push_back({b.triangle, a.forward == b.forward});
             m_neighbours[b.triangle].push_back({a.triangle, a.forward == b.forward});
-        }
+        });
         int count = 0;
         const std::vector<int> label = joined.labels(&count);
         triangles.resize(count);
@@ -142,12 +80,12 @@ private:
         }
     }
 
-    Welded& m_welded;
+    WeldedFrame& m_welded;
     std::vector<std::vector<Neighbour>> m_neighbours;
     std::vector<char> m_seen;
 };
 
-Vec3 middleOf(const Welded& welded, const std::vector<int>& triangles)
+Vec3 middleOf(const WeldedFrame& welded, const std::vector<int>& triangles)
 {
     Vec3 sum = Vec3::Zero();
     double area = 0;
@@ -159,14 +97,26 @@ Vec3 middleOf(const Welded& welded, const std::vector<int>& triangles)
     return area > 0 ? Vec3(sum / area) : welded.middle(triangles.front());
 }
 
-FrameBody body(const Welded& welded, const std::vector<int>& triangles, bool closed)
+double thickness(const WeldedFrame& welded, const std::vector<int>& triangles)
+{
+    double sixVolumes = 0, doubleArea = 0;
+    const Vec3 middle = middleOf(welded, triangles);
+    for (const int t : triangles) {
+        sixVolumes += welded.doubleArea(t).dot(welded.middle(t) - middle);
+        doubleArea += welded.doubleArea(t).norm();
+    }
+    return doubleArea > 0 ? 2.0 / 3 * std::abs(sixVolumes) / doubleArea : 0;
+}
+
+FrameBody body(const WeldedFrame& welded, const std::vector<int>& triangles, bool closed)
 {
     std::vector<TriangleTree::Triangle> list;
     for (int t : triangles) {
         const auto& [a, b, c] = welded.triangles[t];
         list.push_back({welded.points[a], welded.points[b], welded.points[c]});
     }
-    return {TriangleTree(std::move(list)), closed};
+    return {TriangleTree(std::move(list)), closed,
+            closed ? std::optional(thickness(welded, triangles)) : std::nullopt};
 }
 
 } // namespace
@@ -174,7 +124,7 @@ FrameBody body(const Welded& welded, const std::vector<int>& triangles, bool clo
 std::vector<FrameBody> frameBodies(const TriangleMesh& mesh, const TriangleMesh::Part& part,
                                    const Placement& placement)
 {
-    Welded welded = weld(mesh, part, placement);
+    WeldedFrame welded = weldFrame(mesh, part, placement);
     Shells shells(welded);
     std::vector<FrameBody> bodies;
     std::vector<int> open;

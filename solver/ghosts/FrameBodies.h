@@ -6,6 +6,7 @@
 #include "TriangleTree.h"
 
 #include <memory>
+#include <optional>
 
 namespace bolster {
 
@@ -13,6 +14,8 @@ namespace bolster {
 struct FrameBody {
     TriangleTree tree;
     bool closed = false; ///< no open edges: the winding number only changes at triangles
+    /// Twice the volume over the area, mm: of a board its thickness, of a rod its radius. Nothing of open ones.
+    std::optional<double> thickness;
 };
 
 /// The bodies of one part of a mesh, each point p as placement.placed(p). Corners in the same place are one; what

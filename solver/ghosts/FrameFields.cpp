@@ -1,8 +1,10 @@
 #include "FrameFields.h"
 
+#include "CushionVoxels.h"
 #include "FoamBody.h"
 #include "Voxelise.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bolster {
@@ -58,18 +60,45 @@ Box3 FrameFields::boxOf(const SolidKey& key)
     return box;
 }
 
-std::shared_ptr<const Voxels> FrameFields::solid(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop)
+bool isThin(const FrameBody& body, double edge, std::optional<bool> found)
 {
-    return m_solids.get(key, [&](const SolidKey& k) -> std::shared_ptr<const Voxels> {
-        auto voxels = std::make_shared<Voxels>();
-        voxels->grid = VoxelGrid::around(boxOf(k), k.edge, 1);
-        voxels->inside.assign(voxels->grid.voxelCount(), 0);
-        const auto all = parts(k.shape);
-        for (const int part : k.parts)
-            for (const FrameBody& body : (*all)[part])
-                fillInside(body, *voxels, pool, stop);
-        return stop.stop_requested() ? nullptr : voxels;
+    constexpr double small = 4; // voxels
+    if (body.tree.box().isEmpty() || body.tree.box().sizes().maxCoeff() < small * edge)
+        return false;
+    return found == false || (body.thickness && *body.thickness < edge);
+}
+
+/// Fills the parts in; those that are too thin for it.
+std::vector<int> FrameFields::fill(const SolidKey& key, Voxels& voxels, WorkerPool& pool,
+                                   const std::stop_token& stop)
+{
+    std::vector<int> thin;
+    const auto all = parts(key.shape);
+    for (const int part : key.parts)
+        for (const FrameBody& body : (*all)[part]) {
+            const bool found = fillInside(body, voxels, pool, stop);
+            if (isThin(body, voxels.grid.edge, found) && (thin.empty() || thin.back() != part))
+                thin.push_back(part);
+        }
+    return thin;
+}
+
+std::shared_ptr<const FrameFields::Solid> FrameFields::solid(const SolidKey& key, WorkerPool& pool,
+                                                             const std::stop_token& stop)
+{
+    return m_solids.get(key, [&](const SolidKey& k) -> std::shared_ptr<const Solid> {
+        auto solid = std::make_shared<Solid>();
+        solid->voxels.grid = VoxelGrid::around(boxOf(k), k.edge, 1);
+        solid->voxels.inside.assign(solid->voxels.grid.voxelCount(), 0);
+        solid->thin = fill(k, solid->voxels, pool, stop);
+        return stop.stop_requested() ? nullptr : solid;
     });
+}
+
+std::vector<int> FrameFields::thinParts(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop)
+{
+    const auto made = solid(key, pool, stop);
+    return made ? made->thin : std::vector<int>();
 }
 
 double FrameFields::voxelCount(const CushionKey& key)
@@ -77,14 +106,17 @@ double FrameFields::voxelCount(const CushionKey& key)
     Box3 box = grown(boxOf(key.frame), key.dilation);
     for (const FoamKey& foam : key.foams)
         box.extend(grown(foamBox(foam), foam.dilation)); // cutting ones too: their own grids need room
-    return VoxelGrid::count(box, key.frame.edge, 5);
+    return bolster::voxelCount(box, key.frame.edge, cushionMargin);
 }
 
 std::shared_ptr<const ForceField> FrameFields::cushion(const CushionKey& key, WorkerPool& pool,
                                                        const std::stop_token& stop)
 {
     return m_cushions.get(key, [&](const CushionKey& k) -> std::shared_ptr<const ForceField> {
-        std::vector<CushionBody> bodies = {{solid(k.frame, pool, stop), k.dilation, false}};
+        const auto made = solid(k.frame, pool, stop);
+        if (!made)
+            return nullptr;
+        std::vector<CushionBody> bodies = {{{made, &made->voxels}, k.dilation, false}};
         for (const FoamKey& foam : k.foams)
             bodies.push_back({foamVoxels(foam, k.frame.edge, pool, stop), foam.dilation, foam.cut});
         if (stop.stop_requested())
@@ -93,30 +125,49 @@ std::shared_ptr<const ForceField> FrameFields::cushion(const CushionKey& key, Wo
     });
 }
 
-std::shared_ptr<const ForceField> FrameFields::contact(const ContactKey& key, WorkerPool& pool,
-                                                       const std::stop_token& stop)
+double FrameFields::edgeOf(const ContactKey& key)
 {
-    return m_contacts.get(key, [&](const ContactKey& k) -> std::shared_ptr<const ForceField> {
-        const Box3 box = grown(boxOf({k.shape, k.parts, 0}), k.gap);
-        constexpr double resolution = 150; // voxels along the longest side
-        const double edge = std::max(box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / resolution, 1.0);
-        Voxels voxels{VoxelGrid::around(box, edge, 3), {}};
+    const Box3 box = grown(boxOf({key.shape, key.parts, 0}), key.gap);
+    constexpr double resolution = 150; // voxels along the longest side
+    return std::max(box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / resolution, 1.0);
+}
+
+std::shared_ptr<const FrameFields::Contact> FrameFields::contactField(const ContactKey& key, WorkerPool& pool,
+                                                                      const std::stop_token& stop)
+{
+    return m_contacts.get(key, [&](const ContactKey& k) -> std::shared_ptr<const Contact> {
+        const double edge = edgeOf(k);
+        const SolidKey solid{k.shape, k.parts, edge};
+        Voxels voxels{VoxelGrid::around(grown(boxOf(solid), k.gap), edge, 3), {}};
         voxels.inside.assign(voxels.grid.voxelCount(), 0);
+        std::vector<int> thin = fill(solid, voxels, pool, stop);
         std::vector<const FrameBody*> bodies;
         const auto all = parts(k.shape);
         for (const int part : k.parts)
             for (const FrameBody& body : (*all)[part])
                 bodies.push_back(&body);
-        for (const FrameBody* body : bodies)
-            fillInside(*body, voxels, pool, stop);
         std::vector<float> depths = depthsOf(voxels, VoxelMetric::Euclidean, pool, stop);
         refine(bodies, voxels.grid, k.gap + 2 * edge, depths, pool, stop);
         if (stop.stop_requested())
             return nullptr;
         for (float& depth : depths)
             depth += static_cast<float>(k.gap);
-        return std::make_shared<const ForceField>(voxels.grid, depths, std::vector<std::uint8_t>{}, pool);
+        return std::make_shared<const Contact>(
+            Contact{ForceField(voxels.grid, depths, std::vector<std::uint8_t>{}, pool), std::move(thin)});
     });
+}
+
+std::shared_ptr<const ForceField> FrameFields::contact(const ContactKey& key, WorkerPool& pool,
+                                                       const std::stop_token& stop)
+{
+    const auto made = contactField(key, pool, stop);
+    return made ? std::shared_ptr<const ForceField>(made, &made->field) : nullptr;
+}
+
+std::vector<int> FrameFields::thinParts(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop)
+{
+    const auto made = contactField(key, pool, stop);
+    return made ? made->thin : std::vector<int>();
 }
 
 void FrameFields::endRound()

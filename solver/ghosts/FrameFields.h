@@ -52,26 +52,45 @@ public:
 
     /// The bodies of every part.
     std::shared_ptr<const FrameParts> parts(const Shape& shape);
+    /// Of those of the key that have a body which is thinner than a voxel: cushioning is likely to have gaps there.
+    std::vector<int> thinParts(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop);
     /// Null when stopped.
     std::shared_ptr<const ForceField> cushion(const CushionKey& key, WorkerPool& pool, const std::stop_token& stop);
     /// The way out of these parts, and `gap` further. Null when stopped.
     std::shared_ptr<const ForceField> contact(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop);
+    /// Likewise, of the voxels of the contact.
+    std::vector<int> thinParts(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop);
+    /// Of its voxels, mm.
+    double edgeOf(const ContactKey& key);
 
     /// Of the grid that a cushion needs, without making it.
     double voxelCount(const CushionKey& key);
     void endRound();
 
 private:
-    std::shared_ptr<const Voxels> solid(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop);
+    struct Solid {
+        Voxels voxels;
+        std::vector<int> thin; ///< parts
+    };
+    struct Contact {
+        ForceField field;
+        std::vector<int> thin; ///< parts
+    };
+
+    std::shared_ptr<const Solid> solid(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop);
+    std::shared_ptr<const Contact> contactField(const ContactKey& key, WorkerPool& pool,
+                                                const std::stop_token& stop);
+    std::vector<int> fill(const SolidKey& key, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop);
     Box3 boxOf(const SolidKey& key);
 
     Kept<Shape, FrameParts> m_parts;
-    Kept<SolidKey, Voxels> m_solids;
+    Kept<SolidKey, Solid> m_solids;
     Kept<CushionKey, ForceField> m_cushions;
-    Kept<ContactKey, ForceField> m_contacts;
+    Kept<ContactKey, Contact> m_contacts;
 };
 
-/// Grids with more voxels than this are refused: about 700 MB while they are made.
-constexpr double mostVoxels = 2.4e7;
+/// Whether a body is so thin that voxels of this edge (mm) are likely to miss parts of it, when it is known whether
+/// they found any. What is smaller than a few voxels in every direction is no part that anybody would miss.
+bool isThin(const FrameBody& body, double edge, std::optional<bool> found);
 
 } // namespace bolster

@@ -1,6 +1,7 @@
 #include "MakeGhosts.h"
 
 #include "CushionGhosts.h"
+#include "FrameWarnings.h"
 #include "ScanGhosts.h"
 
 namespace bolster {
@@ -51,8 +52,9 @@ Ghosts makeGhosts(const SolveInput& input, const SewnMesh& mesh, GhostCache& cac
                   WorkerPool& pool, const std::stop_token& stop)
 {
     Ghosts ghosts;
+    addUnknownParts(input, problems);
     addCushionGhosts(input, mesh, cache.frames, pool, stop, ghosts, problems);
-    addContactGhosts(input, mesh, cache.frames, pool, stop, ghosts);
+    addContactGhosts(input, mesh, cache.frames, pool, stop, ghosts, problems);
     addScans(input, mesh, cache, problems, ghosts, stop);
     if (!stop.stop_requested())
         cache.frames.endRound();

@@ -27,11 +27,6 @@ struct VoxelGrid {
         }
         return grid;
     }
-    /// How many voxels that would be; also where they could not be counted in an int.
-    static double count(const Box3& box, double edge, int margin)
-    {
-        return box.isEmpty() ? 0 : ((box.sizes() / edge).array().ceil() + 1 + 2 * margin).prod();
-    }
 
     std::size_t voxelCount() const { return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]); }
     std::size_t index(int x, int y, int z) const

@@ -1,20 +1,25 @@
 #include "Voxelise.h"
 
+#include "CushionVoxels.h"
+
 #include <algorithm>
+#include <atomic>
 
 namespace bolster {
 
 namespace {
 
-struct Range {
+struct VoxelRange {
     std::array<int, 3> begin;
     std::array<int, 3> end;
+
+    std::size_t size(int axis) const { return static_cast<std::size_t>(end[axis] - begin[axis]); }
 };
 
 /// The voxels that a box touches.
-Range rangeOf(const Box3& box, const VoxelGrid& grid)
+VoxelRange rangeOf(const Box3& box, const VoxelGrid& grid)
 {
-    Range range{};
+    VoxelRange range{};
     for (int k = 0; k < 3; ++k) {
         const double low = box.min()[k] / grid.edge - grid.low[k], high = box.max()[k] / grid.edge - grid.low[k];
         range.begin[k] = static_cast<int>(std::clamp(std::floor(low), 0.0, double(grid.size[k])));
@@ -23,50 +28,110 @@ Range rangeOf(const Box3& box, const VoxelGrid& grid)
     return range;
 }
 
-/// Marks every voxel that the triangle passes through, and a few more.
-void mark(const TriangleTree::Triangle& triangle, const VoxelGrid& grid, std::vector<std::uint8_t>& touched)
-{
-    Box3 box;
-    for (const Vec3& corner : triangle)
-        box.extend(corner);
-    const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-    const double reach = 0.5 * grid.edge * normal.cwiseAbs().sum() * (1 + 1e-9);
-    const Range range = rangeOf(box, grid);
-    for (int z = range.begin[2]; z < range.end[2]; ++z)
-        for (int y = range.begin[1]; y < range.end[1]; ++y)
-            for (int x = range.begin[0]; x < range.end[0]; ++x)
-                if (std::abs(normal.dot(grid.centre(x, y, z) - triangle[0])) <= reach)
-                    touched[grid.index(x, y, z)] = 1;
-}
+/// Which voxels of a range triangles pass through, and a few more.
+class Touched {
+public:
+    Touched(const FrameBody& body, const VoxelGrid& grid, const std::stop_token& stop)
+        : m_grid(grid)
+        , m_range(rangeOf(body.tree.box(), grid))
+        , m_marks(m_range.size(0) * m_range.size(1) * m_range.size(2), 0)
+    {
+        for (const TriangleTree::Triangle& triangle : body.tree.triangles()) {
+            if (stop.stop_requested())
+                return;
+            mark(triangle);
+        }
+    }
+
+    const VoxelRange& range() const { return m_range; }
+    /// Of one row, from the first voxel of the range.
+    const std::uint8_t* row(int y, int z) const { return m_marks.data() + index(m_range.begin[0], y, z); }
+
+private:
+    std::size_t index(int x, int y, int z) const
+    {
+        return std::size_t(x - m_range.begin[0]) +
+               m_range.size(0) *
+                   (std::size_t(y - m_range.begin[1]) + m_range.size(1) * std::size_t(z - m_range.begin[2]));
+    }
+
+    /// Column by column of the axis that it faces most: in each it passes through few.
+    void mark(const TriangleTree::Triangle& triangle)
+    {
+        Box3 box;
+        for (const Vec3& corner : triangle)
+            box.extend(corner);
+        const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+        if (!(normal.squaredNorm() > 0))
+            return; // nothing changes where it is
+        const double reach = 0.5 * m_grid.edge * normal.cwiseAbs().sum() * (1 + 1e-9);
+        const VoxelRange range = rangeOf(box, m_grid);
+        int across = 0;
+        normal.cwiseAbs().maxCoeff(&across);
+        const int u = (across + 1) % 3, v = (across + 2) % 3;
+        const double first = 0.5 + m_grid.low[across] - triangle[0][across] / m_grid.edge;
+        const double most = reach / (std::abs(normal[across]) * m_grid.edge) + 1; // in voxels, and one for rounding
+        std::array<int, 3> at{};
+        for (at[u] = range.begin[u]; at[u] < range.end[u]; ++at[u])
+            for (at[v] = range.begin[v]; at[v] < range.end[v]; ++at[v]) {
+                at[across] = 0;
+                const Vec3 way = m_grid.centre(at[0], at[1], at[2]) - triangle[0];
+                const double middle =
+                    -(normal[u] * way[u] + normal[v] * way[v]) / (normal[across] * m_grid.edge) - first;
+                const double low =
+                    std::clamp(std::floor(middle - most), double(range.begin[across]), double(range.end[across]));
+                for (at[across] = static_cast<int>(low);
+                     at[across] < range.end[across] && at[across] <= middle + most; ++at[across])
+                    if (std::abs(normal.dot(m_grid.centre(at[0], at[1], at[2]) - triangle[0])) <= reach)
+                        m_marks[index(at[0], at[1], at[2])] = 1;
+            }
+    }
+
+    const VoxelGrid& m_grid;
+    VoxelRange m_range;
+    std::vector<std::uint8_t> m_marks;
+};
 
 /// Fills one row of voxels, from `begin` to `end`.
 class Row {
 public:
-    Row(const FrameBody& body, Voxels& voxels, const std::vector<std::uint8_t>& touched, int y, int z)
+    Row(const FrameBody& body, Voxels& voxels, const Touched& touched, int y, int z)
         : m_body(body)
         , m_grid(voxels.grid)
         , m_inside(voxels.inside.data() + voxels.grid.index(0, y, z))
-        , m_touched(touched.data() + voxels.grid.index(0, y, z))
+        , m_touched(touched.row(y, z))
+        , m_begin(touched.range().begin[0])
+        , m_end(touched.range().end[0])
         , m_y(y)
         , m_z(z)
     {}
 
-    void fill(int begin, int end)
+    /// False when there is nothing to fill.
+    bool fill()
     {
         constexpr int longestOfOpen = 8;
-        while (begin < end) {
+        for (int begin = m_begin; begin < m_end;) {
             int stop = begin + 1;
-            if (!m_touched[begin])
-                while (stop < end && !m_touched[stop] && (m_body.closed || stop - begin < longestOfOpen))
+            if (!touched(begin))
+                while (stop < m_end && !touched(stop) && (m_body.closed || stop - begin < longestOfOpen))
                     ++stop;
             const bool first = contains(begin);
             set(begin, stop, first, m_body.closed || stop - begin < 2 ? first : contains(stop - 1));
             begin = stop;
         }
+        return m_any;
     }
+    int looks() const { return m_looks; }
 
 private:
-    bool contains(int x) const { return m_body.tree.windingNumber(m_grid.centre(x, m_y, m_z)) > 0.5; }
+    bool touched(int x) const { return m_touched[x - m_begin]; }
+    bool contains(int x)
+    {
+        ++m_looks;
+        const bool inside = m_body.tree.windingNumber(m_grid.centre(x, m_y, m_z)) > 0.5;
+        m_any = m_any || inside;
+        return inside;
+    }
 
     /// The first and the last are known, and between them it changes once at most.
     void set(int begin, int end, bool first, bool last)
@@ -89,25 +154,51 @@ private:
     const FrameBody& m_body;
     const VoxelGrid& m_grid;
     std::uint8_t* m_inside;
-    const std::uint8_t* m_touched;
+    const std::uint8_t* m_touched; // from m_begin on
+    int m_begin;
+    int m_end;
     int m_y;
     int m_z;
+    int m_looks = 0;
+    bool m_any = false;
 };
 
 } // namespace
 
-void fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop)
+bool fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop)
 {
     if (body.tree.box().isEmpty())
-        return;
-    std::vector<std::uint8_t> touched(voxels.inside.size(), 0);
-    for (const TriangleTree::Triangle& triangle : body.tree.triangles())
-        mark(triangle, voxels.grid, touched);
-    const Range range = rangeOf(body.tree.box(), voxels.grid);
+        return false;
+    std::atomic<bool> any = false;
+    const Touched touched(body, voxels.grid, stop);
+    const VoxelRange& range = touched.range();
     pool.forTasks(range.end[2] - range.begin[2], [&](int task) {
         for (int y = range.begin[1]; y < range.end[1] && !stop.stop_requested(); ++y)
-            Row(body, voxels, touched, y, range.begin[2] + task).fill(range.begin[0], range.end[0]);
+            if (Row(body, voxels, touched, y, range.begin[2] + task).fill())
+                any = true;
     });
+    return any;
+}
+
+std::optional<bool> hasInside(const FrameBody& body, double edge, int& looks)
+{
+    const Box3& box = body.tree.box();
+    constexpr double most = 1e7; // bytes
+    if (box.isEmpty() || voxelCount(box, edge, 0) > most)
+        return box.isEmpty() ? std::optional(false) : std::nullopt;
+    Voxels voxels{VoxelGrid::around(box, edge, 0), {}};
+    voxels.inside.assign(voxels.grid.voxelCount(), 0);
+    const Touched touched(body, voxels.grid, {});
+    for (int z = touched.range().begin[2]; z < touched.range().end[2]; ++z)
+        for (int y = touched.range().begin[1]; y < touched.range().end[1]; ++y) {
+            Row row(body, voxels, touched, y, z);
+            if (row.fill())
+                return true;
+            looks -= row.looks();
+            if (looks < 0)
+                return std::nullopt;
+        }
+    return false;
 }
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "VoxelGrid.h"
 #include "WorkerPool.h"
 
+#include <optional>
 #include <stop_token>
 
 namespace bolster {
@@ -12,6 +13,11 @@ namespace bolster {
 /// Sets the voxels whose centres lie inside of a body: where its triangles wind around them more than half a time.
 /// Openings close along the surface where that is just half. Only voxels near triangles are looked at one by one;
 /// between them nothing changes in a closed body, and little in an open one, of which every eighth is looked at.
-void fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop = {});
+/// False when there are none: the body is thinner than a voxel, or so open that it has no inside.
+bool fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop = {});
+
+/// Whether there are any on a grid of this edge (mm); nothing when that is not known
+/// after looking at so many voxels as are left; `looks` counts down.
+std::optional<bool> hasInside(const FrameBody& body, double edge, int& looks);
 
 } // namespace bolster

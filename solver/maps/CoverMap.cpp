@@ -1,5 +1,6 @@
 #include "CoverMap.h"
 
+#include "FramePieces.h"
 #include "MeanCurvature.h"
 #include "ScanMeasure.h"
 #include "TriangleStrain.h"
@@ -96,13 +97,14 @@ void measureThickness(CoverMap& map, const SurfaceMesh& surface, const Design& d
 {
     std::vector<TriangleTree::Triangle> triangles;
     design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const auto mesh = files.meshes.find(id);
-        if (mesh == files.meshes.end() || !mesh->second)
+        const auto file = files.meshes.find(id);
+        if (file == files.meshes.end() || !file->second)
             return;
-        for (const auto& corners : mesh->second->triangles) {
+        const FrameMeshPtr mesh = shownMesh(file->second, frame.hiddenParts);
+        for (const auto& corners : mesh->triangles) {
             TriangleTree::Triangle triangle;
             for (std::size_t k = 0; k < 3; ++k)
-                triangle[k] = frame.placed(mesh->second->points[corners[k]]);
+                triangle[k] = frame.placed(mesh->points[corners[k]]);
             triangles.push_back(triangle);
         }
     });

@@ -36,9 +36,14 @@ std::pair<double, double> CutOutline::pieceParameters(int piece) const
 
 int CutOutline::near(double s, double tolerance) const
 {
+    const double inside = wrap(s);
+    const int last = pieceCount() - 1;
+    const int above = static_cast<int>(std::ranges::lower_bound(cuts, inside, {}, &Cut::s) - cuts.begin());
     int best = -1;
-    for (int i = 0; i < pieceCount(); ++i) {
-        const double apart = std::abs(wrap(s) - cuts[i].s);
+    for (const int i : {0, above - 1, above, last}) { // the neighbours, also across the start
+        if (i < 0 || i > last || i == best)
+            continue;
+        const double apart = std::abs(inside - cuts[i].s);
         const double distance = std::min(apart, total() - apart);
         if (distance <= tolerance) {
             tolerance = distance;

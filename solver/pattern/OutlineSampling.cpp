@@ -274,7 +274,8 @@ bool redrawLines(OutlineSampling& sampling, const std::vector<PatchLine>& drawn)
 {
     std::map<ElementId, std::size_t> known; // by patch: lines that have been met
     for (const PatchLine& line : drawn) {
-        const auto outline = std::ranges::find(sampling.outlines, line.patch, &OutlineSampling::Outline::patch);
+        const auto outline =
+            std::ranges::lower_bound(sampling.outlines, line.patch, {}, &OutlineSampling::Outline::patch);
         const std::size_t index = known[line.patch]++;
         if (index >= outline->lines.size())
             return false;

@@ -30,6 +30,29 @@ PatchBorder::PatchBorder(const BSpline2& outline, double step)
         }
     }
     m_parameters.push_back(outline.domainEnd());
+    sortIntoRows(step);
+}
+
+void PatchBorder::sortIntoRows(double step)
+{
+    const Box2 around = box();
+    const double height = around.sizes().y();
+    const double wanted = std::clamp(height / step, 1.0, static_cast<double>(m_points.size()));
+    m_low = around.min().y();
+    m_rowHeight = height / std::floor(wanted);
+    m_rows.resize(static_cast<std::size_t>(wanted));
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        const auto [low, high] = std::minmax(m_points[i].y(), m_points[(i + 1) % m_points.size()].y());
+        for (std::size_t row = rowAt(low); row <= rowAt(high); ++row)
+            m_rows[row].push_back(static_cast<int>(i));
+    }
+}
+
+/// Of heights beyond the polygon the nearest one.
+std::size_t PatchBorder::rowAt(double y) const
+{
+    const double row = (y - m_low) / m_rowHeight;
+    return row > 0 ? std::min(static_cast<std::size_t>(std::min(row, 1e9)), m_rows.size() - 1) : 0;
 }
 
 Box2 PatchBorder::box() const
@@ -43,7 +66,7 @@ Box2 PatchBorder::box() const
 bool PatchBorder::contains(const Vec2& p) const
 {
     bool inside = false;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
+    for (const int i : m_rows[rowAt(p.y())]) {
         const Vec2 &a = m_points[i], &b = m_points[(i + 1) % m_points.size()];
         if ((a.y() <= p.y()) != (b.y() <= p.y()) &&
             p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
@@ -56,7 +79,14 @@ std::optional<PatchBorder::Meeting> PatchBorder::firstMeeting(const Vec2& a, con
 {
     std::optional<Meeting> first;
     const Vec2 u = b - a;
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
+    const auto [low, high] = std::minmax(a.y(), b.y());
+    const double slack = 1e-6 * m_rowHeight; // for rounding
+    std::vector<int> near;
+    for (std::size_t row = rowAt(low - slack); row <= rowAt(high + slack); ++row)
+        near.insert(near.end(), m_rows[row].begin(), m_rows[row].end());
+    std::ranges::sort(near);
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const int i : near) {
         const Vec2 v = m_points[(i + 1) % m_points.size()] - m_points[i], w = m_points[i] - a;
         const double denominator = cross(u, v);
         if (denominator == 0)

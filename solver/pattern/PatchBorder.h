@@ -27,9 +27,16 @@ public:
     std::optional<Meeting> firstMeeting(const Vec2& a, const Vec2& b) const;
 
 private:
+    void sortIntoRows(double step);
+    std::size_t rowAt(double y) const;
+
     const BSpline2* m_outline;
     std::vector<double> m_parameters; // one more than points: the last is the domain's end
     std::vector<Vec2> m_points;
+    // Which edges of the polygon lie at which height: those of one row of many.
+    double m_low = 0;       // mm
+    double m_rowHeight = 1; // mm
+    std::vector<std::vector<int>> m_rows;
 };
 
 } // namespace bolster

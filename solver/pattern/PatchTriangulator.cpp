@@ -34,18 +34,20 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStr
 constexpr double seedGap = 0.55; // seeds keep this many edge lengths away from the outline and inner lines
 constexpr int smoothingRounds = 3;
 
-/// Where a horizontal line enters and leaves the outline, increasing.
-std::vector<double> crossings(const std::vector<Vec2>& boundary, double y)
+/// For each of these heights, increasing: where a horizontal line enters and leaves the outline, increasing.
+std::vector<std::vector<double>> crossings(const std::vector<Vec2>& boundary, const std::vector<double>& heights)
 {
-    std::vector<double> xs;
+    std::vector<std::vector<double>> crossings(heights.size());
     for (std::size_t i = 0; i < boundary.size(); ++i) {
         const Vec2& p = boundary[i];
         const Vec2& q = boundary[(i + 1) % boundary.size()];
-        if ((p.y() <= y) != (q.y() <= y))
-            xs.push_back(p.x() + (y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
+        const auto [low, high] = std::minmax(p.y(), q.y());
+        for (auto y = std::ranges::lower_bound(heights, low); y != heights.end() && *y < high; ++y)
+            crossings[y - heights.begin()].push_back(p.x() + (*y - p.y()) / (q.y() - p.y()) * (q.x() - p.x()));
     }
-    std::sort(xs.begin(), xs.end());
-    return xs;
+    for (std::vector<double>& xs : crossings)
+        std::sort(xs.begin(), xs.end());
+    return crossings;
 }
 
 std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, const std::vector<InnerLine>& lines, double edge)
@@ -61,11 +63,15 @@ std::vector<Vec2> seeds(const std::vector<Vec2>& boundary, const std::vector<Inn
     // The rows are centred, so that a symmetric patch gets a symmetric mesh as far as rows can be.
     const int rows = static_cast<int>(box.sizes().y() / height);
     const double firstY = box.center().y() - 0.5 * rows * height;
+    std::vector<double> heights;
+    for (int row = 0; row <= rows; ++row)
+        heights.push_back(firstY + row * height);
+    const std::vector<std::vector<double>> crossed = crossings(boundary, heights);
     std::vector<Vec2> points;
     for (int row = 0; row <= rows; ++row) {
-        const double y = firstY + row * height;
+        const double y = heights[row];
         const double shift = box.center().x() + (row % 2 ? 0.5 * edge : 0);
-        const std::vector<double> xs = crossings(boundary, y);
+        const std::vector<double>& xs = crossed[row];
         for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
             for (double i = std::ceil((xs[k] - shift) / edge); shift + i * edge < xs[k + 1]; ++i) {
                 const Vec2 p(shift + i * edge, y);

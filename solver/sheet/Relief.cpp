@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace bolster {
 
@@ -32,11 +33,10 @@ public:
         relief.seam = seam;
         relief.depth = shape.depth;
         relief.profile = shape.profile;
-        std::vector<int> own;
         const std::vector<OutlineSampling::Line>& lines = m_sampling.outlines[outline].lines;
-        for (int k = 0; k < std::ssize(lines); ++k)
-            if (lines[k].element == seam)
-                own.push_back(k);
+        const auto drawn = std::ranges::equal_range(lines, seam, {}, &OutlineSampling::Line::element);
+        std::vector<int> own(drawn.size());
+        std::iota(own.begin(), own.end(), static_cast<int>(drawn.begin() - lines.begin()));
         const bool fadesAtStart = !endsInTheOpen(outline, own, true),
                    fadesAtEnd = !endsInTheOpen(outline, own, false);
         for (int k : own) {
@@ -101,9 +101,10 @@ std::vector<SewnMesh::Relief> makeReliefs(const SewnMesh& mesh, const OutlineSam
     std::vector<SewnMesh::Relief> reliefs;
     const ReliefMaker maker(mesh, sampling);
     design.each<FancySeam>([&](ElementId id, const FancySeam& seam) {
-        for (int o = 0; o < std::ssize(sampling.outlines); ++o)
-            if (sampling.outlines[o].patch == seam.patch)
-                reliefs.push_back(maker.relief(o, id, seam));
+        const auto outline =
+            std::ranges::lower_bound(sampling.outlines, seam.patch, {}, &OutlineSampling::Outline::patch);
+        if (outline != sampling.outlines.end() && outline->patch == seam.patch)
+            reliefs.push_back(maker.relief(static_cast<int>(outline - sampling.outlines.begin()), id, seam));
     });
     return reliefs;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -221,9 +222,11 @@ void collectChains(SurfaceTopology& topology, const OutlineSampling& sampling, c
         topology.seams.push_back({seam.seam, vertices(seam.outlineA, seam.a), vertices(seam.outlineB, seam.b)});
     for (const auto& chain : sampling.fixations)
         topology.fixations.push_back({chain.fixation, vertices(chain.outline, chain.samples), {}});
+    std::set<ElementId> held;
+    for (const auto& chain : sampling.fixations)
+        held.insert(chain.fixation);
     for (const auto& chain : sampling.orientations)
-        if (chain.line < 0 && std::ranges::none_of(sampling.fixations,
-                                                   [&](const auto& held) { return held.fixation == chain.owner; }))
+        if (chain.line < 0 && !held.contains(chain.owner))
             topology.fixations.push_back({chain.owner, vertices(chain.outline, chain.samples), {}});
 }
 

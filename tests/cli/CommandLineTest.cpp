@@ -395,6 +395,81 @@ TEST_F(CommandLine, UsesPointsWhateverTheLocale)
     EXPECT_EQ(runProgram({"check", file}, german).exitCode, 0);
 }
 
+/// A comb with as many points as an outline may have: preparing it takes a while, in the middle of which nobody
+/// looks whether to stop.
+TEST_F(CommandLine, EndsAtOnceWhenInterruptedInTheMiddleOfPreparing)
+{
+    Json comb = hammock();
+    Json points = Json::array({{0, -50}, {100'000, -50}});
+    for (int tooth = 2497; tooth >= 0; --tooth)
+        for (const auto& [x, y] : {std::pair(20, 0), {15, 2000}, {5, 2000}, {0, 0}})
+            points.push_back({40 * tooth + x, y});
+    comb["elements"].push_back({{"id", 30},
+                                {"kind", "patch"},
+                                {"name", "Comb"},
+                                {"fabric", 1},
+                                {"outline", {{"degree", 1}, {"closed", true}, {"points", points}}}});
+    comb["settings"]["edge_length"] = 12;
+    const QString file = design("comb.json", comb);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        QProcess process;
+        process.setProcessEnvironment(bareEnvironment());
+        process.start(QString::fromStdString(test::program()),
+                      {"solve", file, "--obj", path("a.obj"), "--report", path("report.json")});
+        ASSERT_TRUE(process.waitForStarted());
+        EXPECT_FALSE(process.waitForFinished(2000)); // it is at work, or only getting there: both must end well
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        ASSERT_TRUE(process.waitForFinished(60'000)) << "less than preparing would still take";
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        EXPECT_EQ(process.exitCode(), 1);
+        EXPECT_TRUE(contains(process.readAllStandardError().toStdString(), "interrupted"));
+        EXPECT_FALSE(QFileInfo::exists(path("a.obj")));
+        EXPECT_EQ(report()["reason"], "interrupted");
+        QFile::remove(path("report.json"));
+    }
+}
+
+/// SketchUp writes every face twice, once for each side.
+TEST_F(CommandLine, CushionsADoubleSidedFrameAndSaysWhenThereIsNothingToCushion)
+{
+    const std::string points = "v 0 0 -80\nv 300 0 -80\nv 300 280 -80\nv 0 280 -80\n"
+                               "v 0 0 -20\nv 300 0 -20\nv 300 280 -20\nv 0 280 -20\n";
+    const std::string faces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
+    const std::string backs = "f 4 1 2 3\nf 8 7 6 5\nf 6 2 1 5\nf 8 4 3 7\nf 4 8 5 1\nf 7 3 2 6\n";
+    write("twice.obj", points + faces + backs);
+    write("sheet.obj", points + "f 5 6 7 8\nf 7 6 5 8\n");
+    const auto cushioned = [&](const char* mesh) {
+        Json design = with(hammock(), {{"id", 40}, {"kind", "frame"}, {"name", "Chair"}, {"file", mesh}});
+        return this->design("chair.json",
+                            with(design, {{"id", 41}, {"kind", "cushion"}, {"name", "Padding"}, {"frame", 40}}));
+    };
+    QString file = cushioned("twice.obj");
+    ProgramRun run = callCommandLine({"solve", file, "--report", path("report.json")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_GT(report()["cushions"][0]["voxels"], 10'000);
+    EXPECT_EQ(callCommandLine({"check", file}).err, "");
+
+    file = cushioned("sheet.obj");
+    for (const char* command : {"solve", "check"}) {
+        run = callCommandLine({command, file});
+        EXPECT_EQ(run.exitCode, 0);
+        EXPECT_TRUE(contains(run.err, "warning: cushion 41 \"Padding\", voxel_mm: it pushes nothing")) << run.err;
+    }
+}
+
+/// Each of them is told once; to compare each with each would take minutes.
+TEST_F(CommandLine, CheckCopesWithThousandsOfBadElements)
+{
+    Json design = hammock();
+    constexpr int count = 30'000;
+    for (int i = 0; i < count; ++i)
+        design["elements"].push_back({{"id", 100 + i}, {"kind", "frame"}, {"name", "F"}, {"file", "none.obj"}});
+    const ProgramRun run = callCommandLine({"check", this->design("a.json", design)});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_TRUE(contains(run.out, std::to_string(count) + " errors")) << run.out;
+}
+
 TEST_F(CommandLine, EndsCleanlyWhenInterrupted)
 {
     Json large = hammock();

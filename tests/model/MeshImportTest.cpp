@@ -2,6 +2,7 @@
 #include "PolygonSplit.h"
 #include "TestFiles.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -36,6 +37,34 @@ double area(const TriangleMesh& mesh)
     for (const auto& [a, b, c] : mesh.triangles)
         sum += (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm() / 2;
     return sum;
+}
+
+/// Which faces hide each other must be seen by their triangles.
+TEST_F(MeshImportTest, TheTwoSidesOfAFaceBecomeTheSameTriangles)
+{
+    const std::string points = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 3 0\nv 0 1 0\n";
+    for (const char* second : {"f 5 4 3 2 1\n", "f 2 1 5 4 3\n", "f 3 4 5 1 2\n", "f -1 -2 -3 -4 -5\n",
+                               "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 3 0\nv 0 1 -0\nf 8 7 6 10 9\n"}) {
+        const auto mesh = import("double.obj", points + "f 1 2 3 4 5\n" + second);
+        ASSERT_TRUE(mesh) << m_problem;
+        ASSERT_EQ(mesh->triangles.size(), 6u);
+        const auto places = [&](std::size_t t) {
+            std::vector<std::pair<double, double>> corners;
+            for (const std::uint32_t corner : mesh->triangles[t])
+                corners.emplace_back(mesh->points[corner].x(), mesh->points[corner].y());
+            std::ranges::sort(corners);
+            return corners;
+        };
+        const auto normal = [&](std::size_t t) {
+            const auto& [a, b, c] = mesh->triangles[t];
+            return (mesh->points[b] - mesh->points[a]).cross(mesh->points[c] - mesh->points[a]).z();
+        };
+        const bool sameSide = std::string_view(second).starts_with("f 3 4 5");
+        for (std::size_t t = 0; t < 3; ++t) {
+            EXPECT_EQ(places(t), places(t + 3)) << second;
+            EXPECT_EQ(normal(t), (sameSide ? 1 : -1) * normal(t + 3)) << "each side keeps its own";
+        }
+    }
 }
 
 TEST_F(MeshImportTest, ReadsObjWithGroupsPolygonsAndEveryKindOfCorner)

@@ -1,4 +1,5 @@
 // Covers over frames: cushioning, foam and contact.
+#include "FrameWarnings.h"
 #include "MakeGhosts.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
@@ -146,6 +147,100 @@ INSTANTIATE_TEST_SUITE_P(Both, Distances,
                          [](const auto& chosen) {
                              return chosen.param == Cushion::Distance::CityBlock ? "CityBlock" : "Euclidean";
                          });
+
+/// Those of one element, in English.
+std::vector<std::string> warningsOf(const Problems& problems, ElementId id)
+{
+    std::vector<std::string> found;
+    for (const Problem& problem : problems)
+        if (problem.element == id && problem.severity == Severity::Warning)
+            found.push_back(problem.english());
+    return found;
+}
+
+TEST(Cushion, AFrameWithEveryFaceTwiceIsCushionedAsOneThatHasThemOnce)
+{
+    std::vector<SurfaceMeshPtr> surfaces;
+    for (const bool twice : {false, true}) {
+        Bench bench(sheetOver());
+        TriangleMesh mesh = boxMesh(block);
+        if (twice) { // as SketchUp writes them
+            for (std::size_t t = 0; t < 12; ++t) {
+                const auto [a, b, c] = mesh.triangles[t];
+                mesh.triangles.push_back({a, c, b});
+            }
+            mesh.parts[0].triangleCount = 24;
+        }
+        const ElementId id = bench.add(cushionOf(bench.frame(mesh), 20));
+        const SolveResult result = bench.solve();
+        EXPECT_GT(result.report.cushions.at(0).voxels, 1000);
+        EXPECT_TRUE(warningsOf(result.warnings, id).empty());
+        surfaces.push_back(result.surface);
+    }
+    EXPECT_EQ(surfaces[0]->positions, surfaces[1]->positions);
+}
+
+TEST(Cushion, SaysWhenItHasNoVoxelsOrAPartIsTooThinForThem)
+{
+    const auto warnings = [](const TriangleMesh& mesh, bool contact, bool checked) {
+        Bench bench(sheetOver());
+        Frame frame;
+        frame.contact = contact;
+        const ElementId id = bench.frame(mesh, frame);
+        const ElementId cushion = contact ? id : bench.add(cushionOf(id, 20));
+        return warningsOf(checked ? checkFrames(bench.input) : bench.solve().warnings, cushion);
+    };
+    TriangleMesh sheet = boxMesh(block);
+    std::erase_if(sheet.triangles,
+                  [&](const auto& t) { return triangleMiddle(sheet, t).z() < block.max().z() - 0.1; });
+    sheet.parts[0].triangleCount = static_cast<std::uint32_t>(sheet.triangles.size());
+    const TriangleMesh plate = boxMesh(Box3(Vec3(30, 30, 66.1), Vec3(270, 270, 67.1)));
+    TriangleMesh both = together(boxMesh(block), boxMesh(Box3(Vec3(30, 30, -90), Vec3(270, 270, -89.1))));
+    both.parts[1].name = "Thin plate";
+    for (const bool contact : {false, true})
+        for (const bool checked : {false, true}) {
+            const auto one = [&](const TriangleMesh& mesh) {
+                const std::vector<std::string> found = warnings(mesh, contact, checked);
+                EXPECT_EQ(found.size(), 1u) << contact << checked;
+                return found.empty() ? std::string() : found.front();
+            };
+            EXPECT_TRUE(warnings(boxMesh(block), contact, checked).empty()) << contact << checked;
+            EXPECT_NE(one(sheet).find("no inside"), std::string::npos);
+            EXPECT_FALSE(one(plate).empty());
+            EXPECT_NE(one(both).find("\"Thin plate\""), std::string::npos);
+        }
+}
+
+TEST(Cushion, WhatAFrameHidesIsNotThere)
+{
+    const TriangleMesh lump = boxMesh(Box3(Vec3(100, 100, 90), Vec3(200, 200, 140)));
+    const SurfaceMeshPtr alone = [] {
+        Bench bench(sheetOver());
+        bench.add(cushionOf(bench.frame(boxMesh(block)), 10));
+        return bench.solve().surface;
+    }();
+    TriangleMesh both = together(boxMesh(block), lump);
+    both.parts[1].name = "Lump";
+    TriangleMesh onePart = both;
+    onePart.parts = {{"All", 0, 24}};
+    for (const auto& [mesh, hidden] : {std::pair(both, "Lump"), std::pair(onePart, "All#2")}) {
+        Bench bench(sheetOver());
+        Frame frame;
+        frame.hiddenParts = {hidden};
+        const ElementId id = bench.frame(mesh, frame);
+        bench.add(cushionOf(id, 10));
+        const SolveResult result = bench.solve();
+        EXPECT_EQ(result.surface->positions, alone->positions) << hidden;
+        EXPECT_TRUE(warningsOf(result.warnings, id).empty());
+        const SolveInput before = bench.input;
+        bench.change<Frame>(id, [](Frame& f) { f.hiddenParts.clear(); });
+        EXPECT_EQ(planSolve(before, bench.input), SolvePlan::Retarget);
+        EXPECT_NE(bench.solve().surface->positions, alone->positions);
+        bench.change<Frame>(id, [](Frame& f) { f.hiddenParts = {"Leg"}; });
+        ASSERT_EQ(warningsOf(bench.solve().warnings, id).size(), 1u);
+        EXPECT_NE(warningsOf(checkFrames(bench.input), id).at(0).find("no part \"Leg\""), std::string::npos);
+    }
+}
 
 TEST(Cushion, DoesNotDependOnTheSizeOfVoxelsOrTheFramesAxes)
 {

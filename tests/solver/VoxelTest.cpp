@@ -121,6 +121,80 @@ TEST(Voxelise, NestedBoxesHaveNoHole)
     expectBoxes(voxelsOf(together(boxMesh(box), boxMesh(inner)), 4), {box});
 }
 
+/// Every face a second time, the other way round; with points of its own if these are not shared.
+TriangleMesh doubleSided(const TriangleMesh& mesh, bool sharedPoints)
+{
+    TriangleMesh both = mesh;
+    const auto count = static_cast<std::uint32_t>(mesh.points.size());
+    if (!sharedPoints)
+        both.points.insert(both.points.end(), mesh.points.begin(), mesh.points.end());
+    const std::uint32_t first = sharedPoints ? 0 : count;
+    for (const auto& [a, b, c] : mesh.triangles)
+        both.triangles.push_back({first + b, first + a, first + c});
+    both.parts = {{"Box", 0, static_cast<std::uint32_t>(both.triangles.size())}};
+    return both;
+}
+
+TEST(Voxelise, FillsABoxThatHasEveryFaceTwice)
+{
+    for (const bool sharedPoints : {true, false})
+        expectBoxes(voxelsOf(doubleSided(boxMesh(box), sharedPoints), 4), {box});
+    TriangleMesh twice = boxMesh(box);
+    twice.triangles.insert(twice.triangles.end(), twice.triangles.begin(), twice.triangles.end());
+    twice.parts[0].triangleCount *= 2;
+    expectBoxes(voxelsOf(twice, 4), {box});
+}
+
+TEST(Voxelise, FillsAnOpenBoxThatHasEveryFaceTwiceUpToItsPlane)
+{
+    TriangleMesh mesh = boxMesh(box);
+    removeFace(mesh, 0, box.min().x());
+    expectBoxes(voxelsOf(doubleSided(mesh, true), 4), {box}, 2.5);
+}
+
+TEST(Voxelise, AWallThatTwoBoxesShareIsInsideOfThem)
+{
+    const Box3 above(Vec3(0, 0, 47), Vec3(103, 61, 97));
+    TriangleMesh both = together(boxMesh(box), boxMesh(above));
+    both.parts = {{"Both", 0, 24}};
+    expectBoxes(voxelsOf(both, 4), {box, above});
+}
+
+TEST(Voxelise, SaysWhenThereIsNothingInside)
+{
+    WorkerPool pool(1);
+    const auto inside = [&](const TriangleMesh& mesh) {
+        const auto bodies = frameParts(mesh, {});
+        Voxels voxels{VoxelGrid::around(mesh.boundingBox(), 5, 1), {}};
+        voxels.inside.assign(voxels.grid.voxelCount(), 0);
+        bool any = false;
+        for (const FrameBody& body : bodies[0]) {
+            const bool filled = fillInside(body, voxels, pool);
+            int looks = 1'000'000;
+            EXPECT_EQ(hasInside(body, 5, looks), filled);
+            any = any || filled;
+        }
+        EXPECT_EQ(any, std::ranges::count(voxels.inside, 1) > 0);
+        return any;
+    };
+    EXPECT_TRUE(inside(boxMesh(box)));
+    EXPECT_FALSE(inside(boxMesh(Box3(Vec3(1, 1, 0.5), Vec3(301, 301, 2))))) << "no centre of a voxel lies in it";
+    TriangleMesh sheet = boxMesh(box);
+    std::erase_if(sheet.triangles, [&](const auto& t) { return triangleMiddle(sheet, t).z() > 0.1; });
+    sheet.parts[0].triangleCount = 2;
+    EXPECT_FALSE(inside(doubleSided(sheet, true))) << "a seat of one face";
+}
+
+TEST(FrameBody, KnowsHowThickItIs)
+{
+    const auto thickness = [](const TriangleMesh& mesh) { return frameParts(mesh, {})[0][0].thickness; };
+    EXPECT_NEAR(thickness(boxMesh(Box3(Vec3(0, 0, 0), Vec3(500, 500, 4)))).value(), 4, 0.1);
+    EXPECT_NEAR(thickness(boxMesh(Box3(Vec3(0, 0, 0), Vec3(500, 10, 10)))).value(), 5, 0.1);
+    TriangleMesh open = boxMesh(box);
+    removeFace(open, 0, box.min().x());
+    EXPECT_FALSE(thickness(open));
+}
+
 TEST(Voxelise, ASphereHasItsVolume)
 {
     const TriangleMesh sphere = sphereMesh(100, 40);

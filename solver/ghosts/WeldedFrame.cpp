@@ -1,0 +1,167 @@
+#include "WeldedFrame.h"
+
+#include "UnionFind.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace bolster {
+
+namespace {
+
+using Corners = WeldedFrame::Corners;
+
+/// Numbers for the points of a mesh that some triangles use, the same for points in the same place.
+class Places {
+public:
+    explicit Places(const TriangleMesh& mesh, const TriangleMesh::Part& part)
+    {
+        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
+            m_used.insert(m_used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+        std::ranges::sort(m_used);
+        m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
+        const auto place = [&](std::uint32_t i) {
+            const Vec3& p = mesh.points[m_used[i]];
+            return std::tuple(p.x(), p.y(), p.z());
+        };
+        std::vector<std::uint32_t> order(m_used.size());
+        std::iota(order.begin(), order.end(), 0U);
+        std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+        m_place.resize(m_used.size());
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            m_count += k == 0 || place(order[k - 1]) != place(order[k]) ? 1 : 0;
+            m_place[order[k]] = m_count - 1;
+        }
+    }
+
+    int count() const { return m_count; }
+    int of(std::uint32_t point) const { return m_place[std::ranges::lower_bound(m_used, point) - m_used.begin()]; }
+
+private:
+    std::vector<std::uint32_t> m_used; // increasing
+    std::vector<int> m_place;          // of each
+    int m_count = 0;
+};
+
+/// Faces that are there more than once, whichever way round.
+class DoubleFaces {
+public:
+    explicit DoubleFaces(std::vector<Corners>& triangles)
+        : m_triangles(triangles)
+    {
+        std::vector<std::pair<Corners, int>> faces;
+        faces.reserve(triangles.size());
+        for (int t = 0; t < std::ssize(triangles); ++t) {
+            faces.emplace_back(triangles[t], t);
+            std::ranges::sort(faces.back().first);
+        }
+        std::ranges::sort(faces);
+        for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
+            while (end < faces.size() && faces[end].first == faces[i].first)
+                ++end;
+            if (end - i > 1)
+                m_copies.push_back({faces[i].second, static_cast<int>(end - i)});
+            for (std::size_t k = i + 1; k < end; ++k)
+                m_again.push_back(faces[k].second);
+        }
+    }
+
+    void remove()
+    {
+        if (m_copies.empty())
+            return;
+        drop(m_again);
+        dropWalls();
+        std::erase(m_triangles, Corners{-1, -1, -1});
+    }
+
+private:
+    struct Copies {
+        int triangle = 0; ///< the first one
+        int count = 0;
+    };
+
+    void drop(const std::vector<int>& triangles)
+    {
+        for (const int t : triangles)
+            m_triangles[t] = {-1, -1, -1};
+    }
+
+    /// Where faces that were double meet exactly one other face, they close a surface. Where they meet two, these
+    /// close it without them. What hangs together decides by the majority of its rim.
+    void dropWalls()
+    {
+        std::vector<int> number(m_triangles.size(), -1);
+        for (int i = 0; i < std::ssize(m_copies); ++i)
+            number[m_copies[i].triangle] = i;
+        UnionFind joined(static_cast<int>(m_copies.size()));
+        std::vector<std::pair<int, int>> votes; // of a double face; positive: it is needed
+        eachEdge(halfEdges(m_triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+            int any = -1, others = 0;
+            for (const HalfEdge* half = first; half != last; ++half) {
+                const int copies = half->low < 0 ? -1 : number[half->triangle];
+                others += copies < 0 ? 1 : 0;
+                if (copies >= 0 && any >= 0)
+                    joined.join(any, copies);
+                any = std::max(any, copies);
+            }
+            if (any >= 0 && others > 0)
+                votes.emplace_back(any, others % 2 == 1 ? 1 : -1);
+        });
+        std::vector<int> needed(m_copies.size(), 0);
+        for (const auto& [copies, vote] : votes)
+            needed[joined.root(copies)] += vote;
+        std::vector<int> walls;
+        for (int i = 0; i < std::ssize(m_copies); ++i)
+            if (needed[joined.root(i)] < 0 && m_copies[i].count % 2 == 0)
+                walls.push_back(m_copies[i].triangle);
+        drop(walls);
+    }
+
+    std::vector<Corners>& m_triangles; // those that are dropped have corners of -1 for a while
+    std::vector<Copies> m_copies;
+    std::vector<int> m_again; // all but the first of each
+};
+
+} // namespace
+
+std::vector<HalfEdge> halfEdges(const std::vector<Corners>& triangles)
+{
+    std::vector<HalfEdge> halves;
+    halves.reserve(3 * triangles.size());
+    for (int t = 0; t < std::ssize(triangles); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+            halves.push_back({std::min(a, b), std::max(a, b), t, a < b});
+        }
+    std::ranges::sort(halves, [](const HalfEdge& a, const HalfEdge& b) {
+        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    });
+    return halves;
+}
+
+WeldedFrame weldFrame(const TriangleMesh& mesh, const TriangleMesh::Part& part, const Placement& placement)
+{
+    WeldedFrame welded;
+    const Places places(mesh, part);
+    std::vector<int> numbers(static_cast<std::size_t>(places.count()), -1);
+    for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
+        Corners corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t point = mesh.triangles[t][k];
+            int& number = numbers[places.of(point)];
+            if (number < 0) {
+                number = static_cast<int>(welded.points.size());
+                welded.points.push_back(placement.placed(mesh.points[point]));
+            }
+            corners[k] = number;
+        }
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+            welded.triangles.push_back(corners);
+    }
+    DoubleFaces(welded.triangles).remove();
+    return welded;
+}
+
+} // namespace bolster

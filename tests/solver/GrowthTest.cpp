@@ -1,0 +1,115 @@
+// Work that must not grow with the square of what there is to do.
+#include "OutlineSampling.h"
+#include "PatchLines.h"
+#include "PreparedSheet.h"
+#include "Voxelise.h"
+
+#include "Growth.h"
+#include "TestDesigns.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+namespace bolster::test {
+namespace {
+
+/// A patch with n teeth, each higher than an edge is long.
+Design comb(int teeth)
+{
+    std::vector<Vec2> points = {{0, -10}, {20.0 * teeth, -10}};
+    for (int k = teeth - 1; k >= 0; --k) {
+        const double x = 20.0 * k;
+        points.insert(points.end(), {{x + 20, 0}, {x + 15, 60}, {x + 5, 60}, {x, 0}});
+    }
+    DesignBuilder b(12);
+    b.patch(points, b.fabric(0.3, 0));
+    return b.design();
+}
+
+/// A patch as high as its n fancy seams need.
+Design seamed(int seams)
+{
+    DesignBuilder b(12);
+    const ElementId patch = b.patch(rectangle(400, 40.0 * (seams + 1)), b.fabric(0.3, 0));
+    for (int k = 1; k <= seams; ++k) {
+        FancySeam seam;
+        seam.patch = patch;
+        seam.width = 8;
+        seam.depth = 2;
+        seam.curve = BSpline2(1, false, {{30, 40.0 * k}, {200, 40.0 * k + 10}, {370, 40.0 * k}});
+        b.add(seam);
+    }
+    return b.design();
+}
+
+Design patches(int count)
+{
+    DesignBuilder b(60);
+    const ElementId fabric = b.fabric(0.3, 0);
+    Edit edit;
+    int id = 100;
+    for (int k = 0; k < count; ++k) {
+        Patch patch;
+        patch.fabric = fabric;
+        patch.outline = BSpline2(1, true, rectangle(100, 100));
+        edit.changes.push_back({ElementId{id++}, nullptr, makeElement(std::move(patch))});
+    }
+    return b.design().with(edit);
+}
+
+TEST(Growth, OutlinesWithManyPointsAreSampled)
+{
+    EXPECT_LT(growth(250, comb, [](const Design& design) { EXPECT_TRUE(sampleOutlines(design).problems.empty()); }),
+              nearlyLinear);
+}
+
+TEST(Growth, FancySeamsAreDrawn)
+{
+    EXPECT_LT(
+        growth(25, seamed, [](const Design& design) { EXPECT_TRUE(drawPatchLines(design).problems.empty()); }),
+        nearlyLinear);
+}
+
+void prepare(const Design& design)
+{
+    TriangulationCache cache;
+    const auto sheet = prepareSheet(design, cache);
+    ASSERT_TRUE(sheet);
+    EXPECT_TRUE(sheet->leftOut.empty());
+    EXPECT_FALSE(sheet->mesh.parts.empty());
+}
+
+TEST(Growth, PatchesWithTeethArePrepared)
+{
+    EXPECT_LT(growth(100, comb, prepare), nearlyLinear);
+}
+
+TEST(Growth, FancySeamsArePrepared)
+{
+    EXPECT_LT(growth(10, seamed, prepare), nearlyLinear);
+}
+
+TEST(Growth, PatchesArePrepared)
+{
+    EXPECT_LT(growth(500, patches, prepare), nearlyLinear);
+}
+
+/// Many small bodies in a large frame: what one costs must not depend on the frame.
+TEST(Growth, ASmallBodyIsFilledInALargeGridAsFastAsInASmallOne)
+{
+    const auto bodies = frameParts(boxMesh(Box3(Vec3(0, 0, 0), Vec3(50, 50, 50))), {});
+    WorkerPool pool(1);
+    const auto grid = [](int thousands) {
+        Voxels voxels{VoxelGrid{5, {-1, -1, -1}, {100, 100, thousands}}, {}};
+        voxels.inside.assign(voxels.grid.voxelCount(), 0);
+        return std::make_shared<Voxels>(std::move(voxels));
+    };
+    const auto fill = [&](const std::shared_ptr<Voxels>& voxels) {
+        for (int round = 0; round < 20; ++round)
+            EXPECT_TRUE(fillInside(bodies[0][0], *voxels, pool));
+    };
+    EXPECT_LT(growth(50, grid, fill), 3);
+}
+
+} // namespace
+} // namespace bolster::test
