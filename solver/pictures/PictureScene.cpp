@@ -3,6 +3,7 @@
 #include "ColourwayEdits.h"
 #include "FabricShown.h"
 #include "FoamShape.h"
+#include "FramePieces.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
 #include "SurfaceRefiner.h"
@@ -74,7 +75,9 @@ std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, cons
         const auto found = files.meshes.find(id);
         return found != files.meshes.end() ? found->second : nullptr;
     };
-    design.each<Frame>([&](ElementId id, const Frame& frame) { add(fileOf(id), frame, frame.material); });
+    design.each<Frame>([&](ElementId id, const Frame& frame) {
+        add(shownMesh(fileOf(id), frame.hiddenParts), frame, frame.material);
+    });
     design.each<Foam>([&](ElementId id, const Foam& foam) {
         if (foam.cut)
             return;
