@@ -18,6 +18,7 @@ struct Change {
 struct Edit {
     Message verb; ///< for the menu and the history: "Move 3 points of %1"
     std::vector<Change> changes;
+    Message note{}; ///< what is to be said about it at once: something is not quite as it was asked for
 
     bool empty() const { return changes.empty(); }
     Edit inverse() const;

@@ -50,12 +50,15 @@ inline Message patchesVerb(const Design& design, std::span<const ElementId> ids,
     return {many, {std::to_string(ids.size())}};
 }
 
-/// "Seat", or "Seat 2" ... when an element of the kind has that name.
+/// "Seat", or "Seat 2" ... when an element of the kind has that name, another one than `own`.
 template <class T>
-std::string freeName(const Design& design, const std::string& wanted)
+std::string freeName(const Design& design, const std::string& wanted, ElementId own = settingsId)
 {
     std::set<std::string> taken;
-    design.each<T>([&](ElementId, const T& value) { taken.insert(value.name); });
+    design.each<T>([&](ElementId id, const T& value) {
+        if (id != own)
+            taken.insert(value.name);
+    });
     if (!taken.contains(wanted))
         return wanted;
     // "Seat 2" is followed by "Seat 3", not by "Seat 2 2".

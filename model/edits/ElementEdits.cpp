@@ -1,5 +1,6 @@
 #include "ElementEdits.h"
 
+#include "EditBuilder.h"
 #include "EditHelpers.h"
 
 #include <algorithm>
@@ -7,6 +8,13 @@
 namespace bolster::edits {
 
 namespace {
+
+/// Elements without a name have nothing to be told apart by anyway.
+template <class T>
+std::string freeNameOf(const Design& design, const std::string& wanted, ElementId own)
+{
+    return wanted.empty() ? wanted : freeName<T>(design, wanted, own);
+}
 
 Message addVerb(const Element& element)
 {
@@ -111,14 +119,34 @@ Edit renameElement(const Design& design, ElementId id, const std::string& name)
     if (!before)
         return {};
     Element renamed = *before;
+    std::string free = name;
     std::visit(
-        [&](auto& value) {
+        [&]<class T>(T& value) {
             if constexpr (requires { value.name; })
-                value.name = name;
+                if (value.name != name) { // two that have the same one from elsewhere may keep it
+                    free = freeNameOf<T>(design, name, id);
+                    value.name = free;
+                }
         },
         renamed);
-    return replaceElement(design, id, std::make_shared<const Element>(std::move(renamed)),
-                          {QT_TRANSLATE_NOOP("Message", "Rename %1 to %2"), {displayName(design, id), name}});
+    Edit edit = replaceElement(design, id, std::make_shared<const Element>(std::move(renamed)),
+                               {QT_TRANSLATE_NOOP("Message", "Rename %1 to %2"), {displayName(design, id), free}});
+    if (free != name)
+        edit.note = {QT_TRANSLATE_NOOP("Message", "There is a \"%1\" already: this one is called \"%2\"."),
+                     {name, free}};
+    return edit;
+}
+
+ElementPtr withFreeName(const Design& design, const Element& element)
+{
+    Element named = element;
+    std::visit(
+        [&]<class T>(T& value) {
+            if constexpr (requires { value.name; })
+                value.name = freeNameOf<T>(design, value.name, settingsId);
+        },
+        named);
+    return std::make_shared<const Element>(std::move(named));
 }
 
 Edit removeElements(const Design& design, std::span<const ElementId> ids)

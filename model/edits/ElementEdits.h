@@ -11,7 +11,10 @@ namespace bolster::edits {
 Edit addElement(const Design& design, ElementPtr element);
 /// Replaces an element; empty when the content is the same.
 Edit replaceElement(const Design& design, ElementId id, ElementPtr element, Message verb);
+/// Where another element of its kind has that name, it gets a number, and the edit's note says so.
 Edit renameElement(const Design& design, ElementId id, const std::string& name);
+/// The element with a name that no other one of its kind has.
+ElementPtr withFreeName(const Design& design, const Element& element);
 /// Removes elements and everything that refers to them (seams of a patch, fixation seams of a curve, cushions of a
 /// frame and their foam). Patches of a removed fabric are kept: fabrics in use are not removed. Colourways lose
 /// what they say of removed patches and fabrics, piping of a removed fabric takes that of its patch.

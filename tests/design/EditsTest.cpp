@@ -126,11 +126,35 @@ TEST_F(Edits, AddsUnderAFreshId)
     EXPECT_TRUE(addElement(design, makeElement(Settings{})).empty());
 }
 
+TEST_F(Edits, NoTwoOfAKindGetTheSameName)
+{
+    Design now = design;
+    Patch back;
+    back.name = "Back";
+    const auto add = [&] {
+        now = now.with(addElement(now, makeElement(back)));
+        return std::prev(now.elements().end())->first;
+    };
+    const ElementId first = add(), second = add();
+    const auto nameAfter = [&](const Edit& edit, ElementId id) { return now.with(edit).find<Patch>(id)->name; };
+    EXPECT_TRUE(renameElement(now, second, "Back").empty()) << "as it came";
+    const Edit taken = renameElement(now, second, "Seat");
+    EXPECT_EQ(nameAfter(taken, second), "Seat 2");
+    EXPECT_EQ(taken.note.english(), "There is a \"Seat\" already: this one is called \"Seat 2\".");
+    EXPECT_EQ(taken.verb.english(), "Rename Back to Seat 2");
+    now = now.with(taken);
+    EXPECT_TRUE(renameElement(now, second, "Seat").empty()) << "it has the next free one";
+    EXPECT_FALSE(renameElement(now, second, "Seat").note.empty());
+    EXPECT_EQ(nameAfter(renameElement(now, first, "Seat"), first), "Seat 3");
+    EXPECT_EQ(nameAfter(renameElement(now, first, ""), first), "");
+}
+
 TEST_F(Edits, ReplacesAndRenames)
 {
     const Edit edit = renameElement(design, seat, "Cushion");
     EXPECT_EQ(design.with(edit).find<Patch>(seat)->name, "Cushion");
     EXPECT_EQ(edit.verb.english(), "Rename Seat to Cushion");
+    EXPECT_TRUE(edit.note.empty());
     EXPECT_TRUE(renameElement(design, seat, "Seat").empty());
     EXPECT_TRUE(renameElement(design, seam, "A seam has no name").empty());
     EXPECT_TRUE(replaceElement(design, seat, design.element(seat), {"Replace"}).empty());
