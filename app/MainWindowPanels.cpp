@@ -41,6 +41,7 @@ void MainWindow::connectPanels()
     connect(&m_history->view(), &HistoryView::compareWanted, this, &MainWindow::compareWith);
     m_thumbnails = std::make_unique<Thumbnails>(*m_session, *m_solver, *m_surface);
     m_history->view().history().setPictures([this](NodeId node) { return m_thumbnails->picture(node); });
+    connect(m_thumbnails.get(), &Thumbnails::made, &m_history->view().history(), &HistoryModel::pictureMade);
     connect(m_actions->nextPart, &QAction::triggered, this, [this] { focusNextPart(true); });
     connect(m_actions->previousPart, &QAction::triggered, this, [this] { focusNextPart(false); });
     connect(m_elements, &ElementsView::propertiesWanted, this, [this] {

@@ -84,6 +84,7 @@ void Thumbnails::keep(NodeId node, const QByteArray& png)
     m_pictures[node] = png;
     if (const auto& journal = m_session.journal().journal())
         (void)journal->setThumbnail(node, png.toStdString()); // without it there is only a picture less
+    emit made(node);
 }
 
 QByteArray Thumbnails::picture(NodeId node)

@@ -26,6 +26,9 @@ public:
     /// A PNG, or nothing when the version has none.
     QByteArray picture(NodeId node);
 
+signals:
+    void made(bolster::NodeId node);
+
 private:
     void make();
     void keep(NodeId node, const QByteArray& png);

@@ -3,11 +3,19 @@
 #include "Document.h"
 #include "Translated.h"
 
+#include <QBuffer>
+#include <QImageReader>
 #include <QLocale>
 
 #include <set>
 
 namespace bolster {
+
+namespace {
+
+constexpr QSize largestPicture(1024, 1024); // pixels; the file may come from anywhere
+
+} // namespace
 
 HistoryModel::HistoryModel(Document& document, QObject* parent)
     : QAbstractListModel(parent)
@@ -25,6 +33,7 @@ HistoryModel::HistoryModel(Document& document, QObject* parent)
 void HistoryModel::rebuild()
 {
     beginResetModel();
+    m_small.clear();
     m_rows = rowsNow();
     m_current = m_document.history().current();
     m_places.resize(m_rows.size());
@@ -142,6 +151,43 @@ QString HistoryModel::toolTip(NodeId node) const
         .arg(QString::fromLatin1(png.toBase64()), when.toHtmlEscaped());
 }
 
+QString HistoryModel::timeText(NodeId node) const
+{
+    const QDateTime time = m_document.history().node(node).time.toLocalTime();
+    const QLocale locale;
+    const QString clock = locale.toString(time.time(), QLocale::ShortFormat);
+    return time.date() == QDate::currentDate() ? clock
+                                               : locale.toString(time.date(), QLocale::ShortFormat) + u' ' + clock;
+}
+
+/// Read when it is seen: a history may be long.
+QImage HistoryModel::picture(NodeId node) const
+{
+    if (const QImage* known = m_small.object(node))
+        return *known;
+    QByteArray png = m_pictures ? m_pictures(node) : QByteArray();
+    QBuffer bytes(&png);
+    QImageReader reader(&bytes, "png");
+    const bool sensible =
+        !png.isEmpty() && reader.size().isValid() && reader.size().boundedTo(largestPicture) == reader.size();
+    const QImage image = sensible ? reader.read() : QImage();
+    m_small.insert(node, new QImage(image));
+    return image;
+}
+
+void HistoryModel::setPictures(Pictures pictures)
+{
+    m_pictures = std::move(pictures);
+    m_small.clear();
+}
+
+void HistoryModel::pictureMade(NodeId node)
+{
+    m_small.remove(node);
+    if (const QModelIndex changed = indexOf(node); changed.isValid())
+        emit dataChanged(changed, changed, {PictureRole});
+}
+
 QVariant HistoryModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
@@ -167,6 +213,10 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
         return row.done;
     case FirstOfBranchRole:
         return row.firstOfBranch;
+    case TimeRole:
+        return timeText(row.node);
+    case PictureRole:
+        return picture(row.node);
     case LaneBitsRole:
         return row.lanes;
     default:

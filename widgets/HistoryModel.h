@@ -4,6 +4,8 @@
 #include "History.h"
 
 #include <QAbstractListModel>
+#include <QCache>
+#include <QImage>
 
 #include <algorithm>
 #include <functional>
@@ -27,6 +29,8 @@ public:
         LaneBitsRole,            ///< quint32: at which depths a line passes on downwards
         NameRole,                ///< QString: what the user calls this version, or ""
         BranchRole,              ///< QString: what the user calls the branch that begins here, or ""
+        TimeRole,                ///< QString: when it was made, as short as today allows
+        PictureRole,             ///< QImage: small, null where there is none
     };
 
     explicit HistoryModel(Document& document, QObject* parent = nullptr);
@@ -37,9 +41,11 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QModelIndex indexOf(NodeId node) const;
-    /// PNGs of versions, for tool tips; empty ones where there are none.
+    /// PNGs of versions; empty ones where there are none.
     using Pictures = std::function<QByteArray(NodeId)>;
-    void setPictures(Pictures pictures) { m_pictures = std::move(pictures); }
+    void setPictures(Pictures pictures);
+    /// It has another one now.
+    void pictureMade(NodeId node);
 
 private:
     struct Row {
@@ -60,9 +66,12 @@ private:
     Row& rowOf(NodeId node) { return m_rows[static_cast<std::size_t>(m_places[static_cast<std::size_t>(node)])]; }
     QString text(NodeId node) const;
     QString toolTip(NodeId node) const;
+    QString timeText(NodeId node) const;
+    QImage picture(NodeId node) const;
 
     Document& m_document;
     Pictures m_pictures;
+    mutable QCache<NodeId, QImage> m_small{300}; // pictures that were seen lately; null ones, too
     std::vector<Row> m_rows;
     std::vector<int> m_places; // rows by node
     NodeId m_current = 0;      // up to there rows are marked as done

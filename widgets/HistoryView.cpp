@@ -20,7 +20,8 @@ namespace {
 // Pixels.
 constexpr int laneWidth = 16;
 constexpr int leftMargin = 14;
-constexpr int rowHeight = 26;
+constexpr int rowHeight = 38;
+constexpr int pictureMargin = 3;
 constexpr int branchGap = 8;
 
 /// A line with dots, as in a plan of an underground railway.
@@ -35,7 +36,7 @@ public:
                           option.fontMetrics.horizontalAdvance(index.data(HistoryModel::BranchRole).toString()) +
                           option.fontMetrics.horizontalAdvance(index.data(HistoryModel::NameRole).toString());
         return {leftMargin + (depth + 1) * laneWidth + width + 12,
-                std::max(rowHeight, option.fontMetrics.height() + 8)};
+                std::max(rowHeight, 2 * option.fontMetrics.height() + 6)};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -62,6 +63,9 @@ public:
         painter->drawEllipse(dot, current ? 5 : 3.5, current ? 5 : 3.5);
 
         QRect place = textPlace(option.rect, depth);
+        place.setRight(paintPicture(*painter, option.rect, index, done) - 6);
+        paintTime(*painter, option, index, place);
+        place = upperLine(place, option.fontMetrics);
         if (const QString branch = index.data(HistoryModel::BranchRole).toString(); !branch.isEmpty())
             place.setLeft(paintBranch(*painter, option, branch, place, done) + branchGap);
         paintText(*painter, option, index, place, text);
@@ -71,7 +75,8 @@ public:
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override
     {
-        editor->setGeometry(textPlace(option.rect, index.data(HistoryModel::DepthRole).toInt()));
+        editor->setGeometry(
+            textPlace(option.rect, index.data(HistoryModel::DepthRole).toInt()).adjusted(0, 5, 0, -5));
     }
 
     void setFiltered(bool filtered) { m_filtered = filtered; }
@@ -105,6 +110,44 @@ private:
     static QRect textPlace(const QRect& rect, int depth)
     {
         return rect.adjusted(static_cast<int>(laneX(rect, depth)) - rect.left() + 13, 0, -4, 0);
+    }
+
+    static QRect upperLine(const QRect& place, const QFontMetrics& metrics)
+    {
+        return {place.left(), place.center().y() - metrics.height(), place.width(), metrics.height() + 1};
+    }
+
+    /// Where the version has one, at the right. Returns where it begins.
+    static int paintPicture(QPainter& painter, const QRect& rect, const QModelIndex& index, bool done)
+    {
+        const auto image = index.data(HistoryModel::PictureRole).value<QImage>();
+        if (image.isNull())
+            return rect.right();
+        const int height = rect.height() - 2 * pictureMargin;
+        const int width = image.width() * height / image.height();
+        const QRect place(rect.right() - width - pictureMargin, rect.top() + pictureMargin, width, height);
+        painter.save();
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setOpacity(done ? 1 : 0.55);
+        const qreal ratio = painter.device()->devicePixelRatioF();
+        QImage scaled = image.scaled(place.size() * ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        painter.drawImage(place, scaled);
+        painter.restore();
+        return place.left();
+    }
+
+    /// Below what was done.
+    static void paintTime(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index,
+                          const QRect& place)
+    {
+        QFont small = option.font;
+        small.setPointSizeF(small.pointSizeF() * 0.88);
+        painter.setFont(small);
+        painter.setPen(mixed(option.palette.color(QPalette::Base), option.palette.color(QPalette::Text), 0.5));
+        const QRect line(place.left(), place.center().y() + 1, place.width(), option.fontMetrics.height());
+        painter.drawText(line, Qt::AlignTop | Qt::AlignLeft,
+                         QFontMetrics(small).elidedText(index.data(HistoryModel::TimeRole).toString(),
+                                                        Qt::ElideRight, place.width()));
     }
 
     /// A label with round ends. Returns where it ends.
@@ -208,7 +251,9 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
     connect(m_model, &QAbstractItemModel::rowsInserted, this,
             [this](const QModelIndex&, int first, int last) { applyFilter(first, last); });
     connect(m_model, &QAbstractItemModel::dataChanged, this,
-            [this](const QModelIndex& first, const QModelIndex& last) {
+            [this](const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) {
+                if (roles == QList<int>{HistoryModel::PictureRole})
+                    return; // nothing has moved
                 applyFilter(first.row(), last.row());
                 showCurrent();
             });
