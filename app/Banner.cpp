@@ -45,7 +45,7 @@ Banner::Banner(QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
+int Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
 {
     m_kind = kind;
     const QString name = kind == Kind::Problem ? QStringLiteral("error") : QStringLiteral("info");
@@ -66,6 +66,7 @@ void Banner::announce(Kind kind, const QString& text, const QList<Button>& butto
     m_shown = true;
     updateGeometry();
     emit toggled(true);
+    return ++m_number;
 }
 
 QString Banner::text() const
@@ -89,6 +90,12 @@ void Banner::dismiss()
 {
     m_shown = false;
     emit toggled(false);
+}
+
+void Banner::withdraw(int number)
+{
+    if (m_shown && number == m_number)
+        dismiss();
 }
 
 void Banner::paintEvent(QPaintEvent*)

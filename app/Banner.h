@@ -22,9 +22,11 @@ public:
 
     explicit Banner(QWidget* parent = nullptr);
 
-    /// Replaces what is shown.
-    void announce(Kind kind, const QString& text, const QList<Button>& buttons);
+    /// Replaces what is shown. Returns its number, for withdraw.
+    int announce(Kind kind, const QString& text, const QList<Button>& buttons);
     void dismiss();
+    /// What it said is not so any more; does nothing when it says something else by now.
+    void withdraw(int number);
     QString text() const;
     bool shown() const { return m_shown; }
     /// As high as the text needs in the width of the window.
@@ -42,6 +44,7 @@ protected:
 private:
     Kind m_kind = Kind::Information;
     bool m_shown = false;
+    int m_number = 0;
     QLabel* m_sign;
     QLabel* m_text;
     QHBoxLayout* m_buttons;

@@ -2,12 +2,14 @@
 
 #include "ElementEdits.h"
 
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QStandardPaths>
 #include <QUuid>
+
+#include <algorithm>
 
 namespace bolster {
 
@@ -16,6 +18,14 @@ namespace {
 QString ownRoot()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/untitled");
+}
+
+/// Beside the folder. Only that of a program that has ended can be had: no age makes it invalid.
+std::unique_ptr<QLockFile> lockOfOwn(const QString& folder)
+{
+    auto lock = std::make_unique<QLockFile>(folder + QStringLiteral(".lock"));
+    lock->setStaleLockTime(0);
+    return lock->tryLock(0) ? std::move(lock) : nullptr;
 }
 
 bool sameContent(const QString& a, const QString& b)
@@ -63,17 +73,39 @@ Message copyInto(const QDir& folder, const QString& name, const QString& source)
 
 } // namespace
 
-void DesignFolder::removeForgotten(const QStringList& wanted)
+OwnFolder::OwnFolder(const QString& path, std::unique_ptr<QLockFile> lock)
+    : m_path(path)
+    , m_lock(std::move(lock))
+{}
+
+OwnFolder::~OwnFolder()
 {
-    const QDateTime monthAgo = QDateTime::currentDateTime().addDays(-30);
-    for (const QFileInfo& folder : QDir(ownRoot()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
-        if (folder.lastModified() < monthAgo && !wanted.contains(folder.absoluteFilePath()))
-            QDir(folder.absoluteFilePath()).removeRecursively();
+    if (!m_kept)
+        QDir(m_path).removeRecursively();
 }
 
-bool DesignFolder::isOwnFolder(const QString& folder)
+std::shared_ptr<OwnFolder> OwnFolder::make()
 {
-    return !folder.isEmpty() && QFileInfo(folder).absolutePath() == QFileInfo(ownRoot()).absoluteFilePath();
+    return takeOver(ownRoot() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces));
+}
+
+std::shared_ptr<OwnFolder> OwnFolder::takeOver(const QString& path)
+{
+    if (path.isEmpty() || QFileInfo(path).absolutePath() != QFileInfo(ownRoot()).absoluteFilePath() ||
+        !QDir().mkpath(ownRoot()))
+        return nullptr;
+    auto lock = lockOfOwn(path); // before there is a folder that somebody might find forgotten
+    if (!lock || !QDir().mkpath(path))
+        return nullptr;
+    return std::shared_ptr<OwnFolder>(new OwnFolder(path, std::move(lock)));
+}
+
+void OwnFolder::removeForgotten(const QStringList& wanted)
+{
+    for (const QFileInfo& folder : QDir(ownRoot()).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot))
+        if (const QString path = folder.absoluteFilePath(); !wanted.contains(path))
+            if (const auto lock = lockOfOwn(path))
+                QDir(path).removeRecursively();
 }
 
 QString DesignFolder::find(const QString& name) const
@@ -88,19 +120,29 @@ QString DesignFolder::find(const QString& name) const
     return {};
 }
 
-void DesignFolder::start(const QString& folder)
+void DesignFolder::start(const QString& folder, const std::shared_ptr<OwnFolder>& own)
 {
-    for (const QString& old : QStringList(m_folder) + m_earlier)
-        if (old != folder && isOwnFolder(old))
-            QDir(old).removeRecursively();
     m_earlier.clear();
-    m_folder = folder;
+    m_own.clear();
+    m_folder = own ? own->path() : folder;
+    if (own) {
+        own->keep(false);
+        m_own.push_back(own);
+    }
 }
 
 void DesignFolder::leave()
 {
+    for (const std::shared_ptr<OwnFolder>& own : m_own)
+        own->keep();
+    m_own.clear();
     m_earlier.clear();
     m_folder.clear();
+}
+
+bool DesignFolder::ownFolder() const
+{
+    return std::ranges::any_of(m_own, [&](const auto& own) { return own->path() == m_folder; });
 }
 
 void DesignFolder::moved(const QString& folder)
@@ -112,20 +154,15 @@ void DesignFolder::moved(const QString& folder)
     m_folder = folder;
 }
 
-QString DesignFolder::newOwnFolder()
-{
-    const QString folder = ownRoot() + u'/' + QUuid::createUuid().toString(QUuid::WithoutBraces);
-    return QDir().mkpath(folder) ? folder : QString();
-}
-
 Message DesignFolder::makeOwnFolder(const Design& design)
 {
-    const QString folder = newOwnFolder();
-    if (folder.isEmpty())
+    const auto own = OwnFolder::make();
+    if (!own)
         return {QT_TRANSLATE_NOOP("Message", "the folder \"%1\" could not be made"), {ownRoot().toStdString()}};
+    m_own.push_back(own);
     Design copied;
-    Message problem = copyTo(folder, design, &copied);
-    moved(folder);
+    Message problem = copyTo(own->path(), design, &copied);
+    moved(own->path());
     return problem;
 }
 

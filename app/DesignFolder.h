@@ -7,8 +7,38 @@
 #include <QStringList>
 
 #include <functional>
+#include <memory>
+#include <vector>
+
+class QLockFile;
 
 namespace bolster {
+
+/// A folder of ours in the user's local state. It is locked, so that other running programs leave it alone; it goes
+/// away with this object unless somebody will come back for it.
+class OwnFolder {
+public:
+    /// A new one. Null when it could not be made.
+    static std::shared_ptr<OwnFolder> make();
+    /// One that a crash has left, or that was kept; made again if it is gone. Null when it is none of ours, or when
+    /// a running program has it.
+    static std::shared_ptr<OwnFolder> takeOver(const QString& path);
+    ~OwnFolder();
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
+
+    const QString& path() const { return m_path; }
+    void keep(bool kept = true) { m_kept = kept; }
+    /// Removes all that no running program has, but those in `wanted`: copies of files for work that is over.
+    static void removeForgotten(const QStringList& wanted);
+
+private:
+    OwnFolder(const QString& path, std::unique_ptr<QLockFile> lock);
+
+    QString m_path;
+    std::unique_ptr<QLockFile> m_lock;
+    bool m_kept = false;
+};
 
 /// A saved design has its files beside it. Until it is saved they lie in a folder of their own in the user's local
 /// state, so nothing is lost when the source goes away or the program crashes.
@@ -19,19 +49,14 @@ public:
     /// The file that an element means, or "" when it is nowhere, or outside the folder.
     QString find(const QString& name) const;
 
-    /// For another design: the folder of a file on disk, of a sample, or of a copy that a crash has left. Folders
-    /// that were made here for the last design are removed.
-    void start(const QString& folder);
+    /// For another design: the folder of a file on disk or of a sample, or `own`. Those that were made here for the
+    /// last design go away; `own` does, too, when it is over.
+    void start(const QString& folder, const std::shared_ptr<OwnFolder>& own = {});
     /// Lets go of the folders as they are: somebody will come back for what is in them.
     void leave();
-    /// A new folder of our own. Empty when it could not be made.
-    static QString newOwnFolder();
-    /// The same, for a design without a file; what `design` refers to is copied there.
+    /// A folder of our own for a design without a file; what `design` refers to is copied there.
     Message makeOwnFolder(const Design& design);
-    bool ownFolder() const { return isOwnFolder(m_folder); }
-    /// Removes folders of new designs that nobody has come back for in a month; `wanted` are kept.
-    static void removeForgotten(const QStringList& wanted);
-    static bool isOwnFolder(const QString& folder);
+    bool ownFolder() const;
 
     /// Brings a file into the folder unless it is there, under a free name if its own is taken by another one.
     /// `name` is what an element then refers to. What `taken` says of a name that is free here: other versions of
@@ -47,6 +72,7 @@ public:
 private:
     QString m_folder;
     QStringList m_earlier;
+    std::vector<std::shared_ptr<OwnFolder>> m_own; // among these
 };
 
 } // namespace bolster

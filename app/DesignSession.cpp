@@ -3,21 +3,12 @@
 #include "Background.h"
 #include "EditCodec.h"
 #include "ElementEdits.h"
-#include "Project.h"
-#include "Samples.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
-#include <iterator>
 
 namespace bolster {
-
-/// What was read in the background.
-struct DesignSession::Opened {
-    OpenedDesign design;
-    WorkJournal::Taken journal; // of a project
-};
 
 DesignSession::DesignSession(QObject* parent)
     : QObject(parent)
@@ -37,128 +28,12 @@ QString DesignSession::title() const
     return m_title.isEmpty() ? tr("New design") : m_title;
 }
 
-void DesignSession::startNew()
+bool DesignSession::readOnly() const
 {
-    Design design;
-    const Edit fabric = edits::addElement(design, makeElement(Fabric{tr("Fabric").toStdString()}));
-    take({{design.with(fabric), {}, {}, true}, {}}, {}, {}, {});
-}
-
-/// The design may have been changed while another one was read.
-void DesignSession::takeUnlessChanged(std::uint64_t revision, const Replace& replace,
-                                      const std::function<void()>& take)
-{
-    if (m_document.revision() == revision)
-        take();
-    else
-        replace(take);
-}
-
-/// The current design of a project; its files are put into the folder.
-DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, const QString& files)
-{
-    Opened opened;
-    if (!taken.journal) {
-        opened.design.problems.push_back({{}, {}, {}, taken.project.problem});
-        return opened;
-    }
-    const Design& design = taken.project.design;
-    Problems lacking = extractAssets(taken.project, design, files);
-    opened.design = openReadDesign({design, {}, true}, files);
-    std::ranges::move(lacking, std::back_inserter(opened.design.problems));
-    opened.journal = std::move(taken);
-    opened.journal.files = files;
-    return opened;
-}
-
-void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done)
-{
-    const QString file = QFileInfo(path).absoluteFilePath();
-    const int generation = ++m_generation;
-    const std::uint64_t revision = m_document.revision();
-    inBackground<Opened>([file] {
-        if (!looksLikeProject(file))
-            return Opened{openDesign(file), {}};
-        return readProject(WorkJournal::takeProject(file), DesignFolder::newOwnFolder());
-    }).then(this, [this, file, opening, generation, revision, replace, done](const Opened& opened) {
-        if (generation != m_generation)
-            return; // something else was opened meanwhile
-        if (!opened.design.readable) {
-            done(opened.design.problems.empty()
-                     ? Message{QT_TRANSLATE_NOOP("Message", "the file is not a design"), {}}
-                     : opened.design.problems.front().message);
-            return;
-        }
-        takeUnlessChanged(revision, replace, [this, file, opening, opened, done] {
-            const QString& files = opened.journal.files;
-            const bool look = opening == Opening::ToLook || isSample(file);
-            take(opened, look ? QString() : file, files.isEmpty() ? QFileInfo(file).absolutePath() : files,
-                 titleOf(file));
-            done({});
-        });
-    });
-}
-
-void DesignSession::restore(const WorkJournal::Left& left, const Replace& replace, const Done& done)
-{
-    const std::uint64_t revision = m_document.revision();
-    inBackground<Opened>([left] {
-        return readProject(WorkJournal::takeLeft(left), left.place.files);
-    }).then(this, [this, left, revision, replace, done](const Opened& opened) {
-        if (!opened.design.readable) {
-            done(opened.design.problems.front().message);
-            return;
-        }
-        takeUnlessChanged(revision, replace, [this, left, opened, done] {
-            const QString& original = left.place.original;
-            take(opened, isSample(original) ? QString() : original, left.place.files, tr("Restored design"));
-            done({});
-        });
-    });
-}
-
-void DesignSession::take(const Opened& opened, const QString& path, const QString& folder, const QString& title)
-{
-    ++m_generation;
-    leaveWork();
-    m_folder.start(folder);
-    m_path = path;
-    m_title = title;
-    m_saving.reset();
-    m_opened = opened.design.problems;
-    m_known.clear();
-    m_reading.clear();
-    m_names.clear();
-    const Design& design = opened.design.design;
-    const DesignFiles& files = opened.design.files;
-    for (const auto& [id, element] : design.elements()) {
-        const auto mesh = files.meshes.find(id);
-        const auto cloud = files.clouds.find(id);
-        if (mesh != files.meshes.end())
-            m_known[keyOf(*element)] = {{mesh->second, nullptr}, {}};
-        else if (cloud != files.clouds.end())
-            m_known[keyOf(*element)] = {{nullptr, cloud->second}, {}};
-    }
-    for (const Problem& problem : m_opened)
-        if (const ElementPtr element = design.element(problem.element);
-            element && problem.field == "file" && hasShapeFile(*element))
-            if (ImportedFile& file =
-                    m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message}).first->second;
-                file.content)
-                file.warning = problem.message;
-    if (const OpenedProject& project = opened.journal.project; opened.journal.journal) {
-        m_document.reset(design, project.history);
-        m_document.markSaved(project.saved.value_or(0));
-    } else {
-        m_document.reset(design);
-    }
-    m_journal.start({path, folder}, opened.journal);
-    for (const auto& [id, element] : design.elements())
-        noteFile(*element);
-    updateFiles();
-    emit titleChanged();
-    emit problemsChanged();
-    emit DesignSession::opened();
+    const QFileInfo file(m_path);
+    if (m_path.isEmpty() || !file.exists())
+        return m_path.isEmpty() && m_onlyToLook;
+    return !file.isWritable() || !QFileInfo(file.absolutePath()).isWritable();
 }
 
 bool DesignSession::isElementFile(const QString& path) const
@@ -181,7 +56,7 @@ void DesignSession::end()
 /// Whatever becomes of unsaved work, its files must be there as long.
 void DesignSession::leaveWork()
 {
-    if (m_document.dirty())
+    if (m_document.hasUnsavedWork())
         m_folder.leave();
     m_journal.end();
 }
@@ -201,7 +76,9 @@ Message DesignSession::addWithFile(const QString& source, FileContent content, c
     };
     if (Message problem = m_folder.add(source, &name, taken); !problem.empty())
         return problem;
-    const ElementPtr added = withFile(element, name.toStdString());
+    ElementPtr added = withFile(element, name.toStdString());
+    if (!replaced)
+        added = edits::withFreeName(m_document.design(), *added);
     if (hasShapeFile(*added))
         m_known[keyOf(*added)] = {std::move(content), {}};
     const Design& design = m_document.design();

@@ -31,6 +31,8 @@ public:
     const QString& path() const { return m_path; }
     /// For the window's title.
     QString title() const;
+    /// What is changed must be saved under another name.
+    bool readOnly() const;
     /// What has been read by now.
     const DesignFiles& files() const { return m_files; }
     /// The same of another version; the rest is read from now on, see fileRead().
@@ -62,8 +64,12 @@ public:
     /// Writes a project that somebody else is to have; the work stays where it is.
     void saveCopy(const QString& path, const SaveOptions& options, const Done& done);
     static bool isProject(const QString& path) { return path.endsWith(u".bolster", Qt::CaseInsensitive); }
-    /// A save of the design as it is now is on its way.
-    bool savingAll() const { return m_saving == m_document.history().current(); }
+    static bool isDesign(const QString& path)
+    {
+        return isProject(path) || path.endsWith(u".json", Qt::CaseInsensitive);
+    }
+    /// A save is on its way: what the file will hold is not known yet.
+    bool saving() const { return m_saves > 0; }
     /// Writing there would destroy a file that the design refers to.
     bool isElementFile(const QString& path) const;
     /// The window closes.
@@ -85,6 +91,8 @@ signals:
     /// By the user, just now.
     void imported(bolster::ElementId id);
     void problemsChanged();
+    /// The design is shown where one stood at the end, which is not where its file stands.
+    void wentToLastPlace();
     /// Unsaved work cannot be protected against a crash.
     void recoveryFailed(const bolster::Message& why);
 
@@ -95,13 +103,19 @@ private:
     struct Opened;
 
     static FileKey keyOf(const Element& element);
-    static Opened readProject(WorkJournal::Taken taken, const QString& files);
-    void takeUnlessChanged(std::uint64_t revision, const Replace& replace, const std::function<void()>& take);
+    struct Moment;
+
+    static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own);
+    static Opened readLeft(const WorkJournal::Left& left);
+    Moment now() const;
+    void takeUnlessChanged(const Moment& before, const Replace& replace, const std::function<void()>& take);
+    void goToLastPlace();
     void take(const Opened& opened, const QString& path, const QString& folder, const QString& title);
     void leaveWork();
     void saveProject(const QString& file, const Done& done);
     void saveText(const QString& file, const Done& done);
-    void endSaving(const QString& file, std::optional<NodeId> node, const Message& problem, const Done& done);
+    void endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
+                   const Done& done);
     void besideEdits(const std::function<Message(Journal&)>& work, const Done& done);
     void addFiles(const Done& done);
     void renameFiles(const std::map<std::string, std::string>& names);
@@ -117,12 +131,13 @@ private:
     DesignFolder m_folder;
     QString m_path;
     QString m_title; ///< of a design without a path
+    bool m_onlyToLook = false;
     Problems m_opened;
     std::map<FileKey, ImportedFile> m_known;
     std::set<FileKey> m_reading;
     std::set<QString> m_names; ///< of the files that the design has meant since it was opened
     DesignFiles m_files;
-    std::optional<NodeId> m_saving; ///< what is being written
+    int m_saves = 0; ///< on their way
     bool m_changedByOthers = false;
     int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
 };

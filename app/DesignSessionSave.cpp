@@ -13,7 +13,7 @@ namespace bolster {
 namespace {
 
 struct Saving {
-    NodeId version = 0; // that was written: edits may have come before the journal was read
+    HistoryMark held; // by the file: edits may have come before the journal was read
     bool changedByOthers = false;
 };
 
@@ -34,7 +34,7 @@ Message saveOurs(Journal& journal, const QString& file, Saving& saving)
                 QT_TRANSLATE_NOOP("Message", "there is another project in the file now; save under another name"),
                 {}};
         }
-    return journal.save(file, &saving.version);
+    return journal.save(file, &saving.held);
 }
 
 /// The files of their design that are not here yet.
@@ -54,7 +54,7 @@ Message extractMissing(const OpenedProject& theirs, const DesignFolder& folder)
 void DesignSession::save(const QString& path, const Done& done)
 {
     const QString file = QFileInfo(path).absoluteFilePath();
-    m_saving = m_document.history().current();
+    ++m_saves;
     m_changedByOthers = false;
     if (isProject(file))
         saveProject(file, done);
@@ -69,16 +69,15 @@ void DesignSession::saveProject(const QString& file, const Done& done)
             endSaving(file, {}, problem, done);
             return;
         }
-        m_saving = m_document.history().current();
         const bool ours = file == m_path;
         auto saving = std::make_shared<Saving>();
         besideEdits(
             [=](Journal& journal) {
-                return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->version);
+                return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->held);
             },
             [=, this](const Message& why) {
                 m_changedByOthers = saving->changedByOthers;
-                endSaving(file, saving->version, why, done);
+                endSaving(file, HeldHistory{saving->held, false}, why, done);
             });
     });
 }
@@ -116,14 +115,14 @@ void DesignSession::saveCopy(const QString& path, const SaveOptions& options, co
     });
 }
 
-void DesignSession::endSaving(const QString& file, std::optional<NodeId> node, const Message& problem,
+void DesignSession::endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
                               const Done& done)
 {
-    m_saving.reset();
+    --m_saves;
     if (problem.empty()) {
         m_path = file;
+        m_document.setHeld(*held);
         m_journal.move({file, m_folder.folder()});
-        m_document.markSaved(*node);
         emit titleChanged();
     }
     done(problem);
@@ -144,7 +143,7 @@ void DesignSession::besideEdits(const std::function<Message(Journal&)>& work, co
 /// The files that any version uses become part of the project.
 void DesignSession::addFiles(const Done& done)
 {
-    if (const Message problem = m_journal.prepare(); !problem.empty()) {
+    if (const Message problem = m_journal.catchUp(); !problem.empty()) {
         done(problem);
         return;
     }
@@ -206,15 +205,13 @@ void DesignSession::saveText(const QString& file, const Done& done)
         m_document.commit(renamed);
     const NodeId node = m_document.history().current();
     const int generation = m_generation;
-    m_saving = node;
+    const HeldHistory held{{node, 1, {}}, true};
     inBackground<Message>([file, design = m_document.committed()] {
         return saveDesign(design, file);
-    }).then(this, [this, file, node, generation, done](const Message& problem) {
+    }).then(this, [this, file, held, generation, done](const Message& problem) {
         if (generation != m_generation)
             return;
-        if (problem.empty())
-            m_journal.savedAsText(node);
-        endSaving(file, node, problem, done);
+        endSaving(file, held, problem, done);
     });
 }
 

@@ -1,6 +1,7 @@
 #include "FileFlow.h"
 
 #include "Banner.h"
+#include "RecentFiles.h"
 #include "Samples.h"
 #include "Translated.h"
 
@@ -8,34 +9,20 @@
 #include <QFileDialog>
 #include <QLocale>
 #include <QMenu>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
-
-#include <algorithm>
 
 namespace bolster {
 
 namespace {
 
-const QString recentFilesKey = QStringLiteral("recent");
 const QString folderKey = QStringLiteral("folder");
-const QString projectEnding = QStringLiteral("bolster");
-const QString designEnding = QStringLiteral("json");
-constexpr qsizetype mostRecentFiles = 10;
 
 QString openFilter()
 {
     return FileFlow::tr("Projects and designs (*.bolster *.json)");
 }
-
-QString saveFilter()
-{
-    return FileFlow::tr("Project with its history (*.bolster);;Design as text (*.json)");
-}
-
-const QStringList saveEndings{projectEnding, designEnding};
 
 bool is(FileKind kind, const QString& file)
 {
@@ -49,7 +36,16 @@ FileFlow::FileFlow(DesignSession& session, QWidget* window, Banner* banner)
     , m_session(session)
     , m_window(window)
     , m_banner(banner)
-{}
+{
+    connect(&session, &DesignSession::saveEnded, this, [this] {
+        if (!m_session.document().hasUnsavedWork())
+            m_banner->withdraw(m_restored);
+    });
+    connect(&session, &DesignSession::wentToLastPlace, this, [this] {
+        emit done(
+            tr("This is the version where you were last; the one in the file is under File > Revert to saved"));
+    });
+}
 
 QString FileFlow::startFolder() const
 {
@@ -60,52 +56,6 @@ QString FileFlow::startFolder() const
         if (!folder.isEmpty() && QFileInfo(folder).isDir())
             return folder;
     return QDir::homePath();
-}
-
-void FileFlow::fail(const QString& title, const Message& why)
-{
-    QMessageBox box(QMessageBox::Warning, tr("Bolster"), title, QMessageBox::Ok, m_window);
-    box.setInformativeText(translated(why));
-    box.exec();
-}
-
-void FileFlow::keepWork(const Then& then)
-{
-    m_session.document().cancelGesture();
-    if (!m_session.document().dirty()) {
-        then();
-        return;
-    }
-    if (m_session.savingAll()) { // nothing to ask unless that fails
-        connect(
-            &m_session, &DesignSession::saveEnded, this, [this, then] { keepWork(then); },
-            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
-        return;
-    }
-    QMessageBox box(QMessageBox::Question, tr("Bolster"), tr("Save the changes in \"%1\"?").arg(m_session.title()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
-    box.setInformativeText(tr("Work that is kept for later, with all its steps, is under File > Unsaved work."));
-    const QPushButton* keep = box.addButton(tr("&Keep for later"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    if (box.clickedButton() == keep) {
-        m_session.journal().setFate(WorkJournal::Fate::KeepForLater);
-        then();
-    } else if (answer == QMessageBox::Discard) {
-        m_session.journal().setFate(WorkJournal::Fate::Bin);
-        then();
-    } else if (answer == QMessageBox::Save) {
-        const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
-        if (!m_session.path().isEmpty())
-            saveTo(m_session.path(), saved);
-        else if (const QString path = chooseSaveTarget(); !path.isEmpty())
-            saveTo(path, saved);
-    }
-}
-
-QString FileFlow::chooseSaveTarget()
-{
-    return chooseTarget(tr("Save project"), proposed(projectEnding), saveFilter(), saveEndings);
 }
 
 void FileFlow::startNew()
@@ -171,116 +121,37 @@ void FileFlow::announceProblems()
         {{tr("Show"), [this] { emit problemsWanted(); }}});
 }
 
-void FileFlow::save()
-{
-    if (m_session.path().isEmpty())
-        saveAs();
-    else
-        saveTo(m_session.path(), [] {});
-}
-
-void FileFlow::saveAs()
-{
-    if (const QString path = chooseSaveTarget(); !path.isEmpty())
-        saveTo(path, [] {});
-}
-
-void FileFlow::saveCopy(const SaveOptions& options)
-{
-    const QString path = chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
-                                      tr("Project (*.%1)").arg(projectEnding), {projectEnding});
-    if (path.isEmpty())
-        return;
-    m_session.saveCopy(path, options, [this, path](const Message& problem) {
-        if (problem.empty())
-            emit done(tr("Saved a copy as %1").arg(QDir::toNativeSeparators(path)));
-        else
-            fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
-    });
-}
-
 void FileFlow::revert()
 {
-    if (const auto saved = m_session.document().saved())
-        m_session.document().jumpTo(*saved);
-}
-
-/// The title as a file in the usual folder.
-QString FileFlow::proposed(const QString& ending, const QString& addition) const
-{
-    QString name = m_session.title();
-    for (const QString& known : saveEndings)
-        if (name.endsWith(u'.' + known))
-            name.chop(known.size() + 1);
-    name.replace(u'/', u'-');
-    return QDir(startFolder()).filePath(name + addition + u'.' + ending);
-}
-
-/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's files.
-QString FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
-                               const QStringList& endings)
-{
-    QString chosenFilter;
-    QString path = QFileDialog::getSaveFileName(m_window, title, proposal, filter, &chosenFilter);
-    if (path.isEmpty())
-        return {};
-    if (!endings.contains(QFileInfo(path).suffix().toLower())) {
-        const auto asFiltered = std::ranges::find_if(
-            endings, [&](const QString& ending) { return chosenFilter.contains(QStringLiteral("*.") + ending); });
-        path += u'.' + (asFiltered == endings.end() ? endings.front() : *asFiltered);
-        const QString question = tr("\"%1\" exists already. Replace it?").arg(QFileInfo(path).fileName());
-        if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Bolster"), question) != QMessageBox::Yes)
-            return {};
-    }
-    if (m_session.isElementFile(path)) {
-        fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
-             {QT_TRANSLATE_NOOP("Message", "it is a file that this design refers to; choose another name")});
-        return {};
-    }
-    return path;
-}
-
-void FileFlow::saveTo(const QString& path, const Then& then)
-{
-    m_session.save(path, [this, path, then](const Message& problem) {
-        if (m_session.changedByOthers()) {
-            saveBesideOthers(path, then);
-            return;
-        }
-        if (!problem.empty()) {
-            fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
-            return;
-        }
-        remember(path);
-        emit done(tr("Saved as %1").arg(QDir::toNativeSeparators(path)));
-        then();
-    });
+    m_session.document().jumpTo(m_session.document().saved());
 }
 
 void FileFlow::remember(const QString& path)
 {
-    QSettings settings;
-    QStringList recent = settings.value(recentFilesKey).toStringList();
-    const QString file = QFileInfo(path).absoluteFilePath();
-    recent.removeAll(file);
-    recent.prepend(file);
-    settings.setValue(recentFilesKey, QStringList(recent.mid(0, mostRecentFiles)));
-    settings.setValue(folderKey, QFileInfo(file).absolutePath());
+    recentFiles::add(path);
+    QSettings().setValue(folderKey, QFileInfo(path).absolutePath());
 }
 
+/// Names that are the same are told apart by their folders.
 void FileFlow::fillRecent(QMenu& menu)
 {
+    constexpr int folderWidth = 320; // pixels
     menu.clear();
-    const QStringList recent = QSettings().value(recentFilesKey).toStringList();
-    for (const QString& file : recent) {
-        if (!QFileInfo::exists(file))
-            continue;
-        QAction* action = menu.addAction(QFileInfo(file).fileName(), this, [this, file] { open(file); });
+    menu.setToolTipsVisible(true);
+    for (const QString& file : recentFiles::all()) {
+        const QString number = QString::number((menu.actions().size() + 1) % 10);
+        const QString name = QFileInfo(file).fileName().replace(u'&', QStringLiteral("&&"));
+        const QString folder = recentFiles::folderText(file, menu.fontMetrics(), folderWidth);
+        QAction* action = menu.addAction(QStringLiteral("&%1  %2\t%3").arg(number, name, folder), this,
+                                         [this, file] { open(file); });
         action->setToolTip(QDir::toNativeSeparators(file));
     }
-    menu.setToolTipsVisible(true);
-    if (menu.isEmpty())
+    if (menu.isEmpty()) {
         menu.addAction(tr("Nothing yet"))->setEnabled(false);
+        return;
+    }
+    menu.addSeparator();
+    menu.addAction(tr("&Clear this list"), this, [] { recentFiles::clear(); });
 }
 
 void FileFlow::fillSamples(QMenu& menu)
@@ -297,8 +168,7 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return saveEndings.contains(QFileInfo(file).suffix().toLower()) || is(FileKind::Mesh, file) ||
-           is(FileKind::Cloud, file);
+    return DesignSession::isDesign(file) || is(FileKind::Mesh, file) || is(FileKind::Cloud, file);
 }
 
 void FileFlow::drop(const QString& file)

@@ -5,6 +5,8 @@
 #include "SurfaceMesh.h"
 
 #include <QImage>
+#include <QMessageBox>
+#include <QPointer>
 
 class QMenu;
 class QWidget;
@@ -60,6 +62,9 @@ signals:
 private:
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
+    void askAboutWork(const Then& then);
+    void keepForLater(const Then& then);
+    void saveForGood(bool asProject, const Then& then);
     QString chooseSaveTarget();
     void openNow(const QString& path);
     void offerSalvage(const QString& path, const Message& problem);
@@ -67,6 +72,8 @@ private:
     void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
     std::optional<DesignSession::Opening> howToOpen(const QString& original);
     void saveTo(const QString& path, const Then& then);
+    void saveCopyTo(const QString& path, const SaveOptions& options);
+    void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
@@ -80,11 +87,15 @@ private:
     Message place(const QString& path, const FileContent& content, const Element& element,
                   std::optional<ElementId> replaced);
     void fail(const QString& title, const Message& why);
+    QMessageBox* newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons);
+    void ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered);
     QString startFolder() const;
 
     DesignSession& m_session;
     QWidget* m_window;
     Banner* m_banner;
+    QPointer<QMessageBox> m_question; ///< what becomes of unsaved work
+    int m_restored = 0;               ///< number of what the banner says about it
 };
 
 } // namespace bolster

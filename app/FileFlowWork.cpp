@@ -19,14 +19,6 @@ namespace bolster {
 
 namespace {
 
-/// How many steps lie between what was saved and what is here now.
-int unsavedSteps(const Document& document)
-{
-    const std::vector<NodeId> way = document.history().pathTo(document.history().current());
-    const auto saved = std::ranges::find(way, document.saved().value_or(0));
-    return static_cast<int>(saved == way.end() ? way.size() - 1 : way.end() - saved - 1);
-}
-
 /// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
 QString freePathBeside(const QString& path)
 {
@@ -47,11 +39,8 @@ QString freePathBeside(const QString& path)
 void FileFlow::recover()
 {
     const QList<WorkJournal::Left> all = WorkJournal::left();
-    QStringList wanted;
-    for (const WorkJournal::Left& left : all)
-        wanted << left.place.files;
-    DesignFolder::removeForgotten(wanted);
     WorkJournal::emptyBin();
+    OwnFolder::removeForgotten(WorkJournal::filesInUse());
     const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
     if (crashed != all.end())
         restore(*crashed, static_cast<int>(all.size()) - 1);
@@ -70,16 +59,19 @@ void FileFlow::restore(const WorkJournal::Left& left, int others)
 
 void FileFlow::announceRestored(int others)
 {
-    const Document& document = m_session.document();
-    QString text = tr("%n unsaved edits restored.", nullptr, unsavedSteps(document));
+    const UnsavedWork unsaved = m_session.document().unsavedWork();
+    QStringList text;
+    if (const int here = unsaved.edits - unsaved.elsewhere; here > 0 || !unsaved.any())
+        text << tr("%n unsaved edits restored.", nullptr, here);
+    if (unsaved.elsewhere > 0)
+        text << tr("%n unsaved edits are in the history, undone or on other branches.", nullptr, unsaved.elsewhere);
+    if (unsaved.names)
+        text << tr("Unsaved names of versions or branches restored.");
     if (others > 0)
-        text += QLatin1Char(' ') + tr("%n more designs are under File > Unsaved work.", nullptr, others);
-    m_banner->announce(Banner::Kind::Information, text,
-                       {{tr("Show"), [this] { emit historyWanted(); }},
-                        {tr("Go back to saved"), [this] {
-                             m_session.document().jumpTo(m_session.document().saved().value_or(0));
-                             m_banner->dismiss();
-                         }}});
+        text << tr("%n more designs are under File > Unsaved work.", nullptr, others);
+    m_restored = m_banner->announce(
+        Banner::Kind::Information, text.join(QLatin1Char(' ')),
+        {{tr("Show"), [this] { emit historyWanted(); }}, {tr("Go back to saved"), [this] { revert(); }}});
 }
 
 /// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.

@@ -245,7 +245,9 @@ void MainWindow::designOpened()
 
 void MainWindow::updateTitle()
 {
-    setWindowTitle(tr("%1[*] \u2013 Bolster").arg(m_session->title()));
+    const QString title = m_session->title();
+    setWindowTitle(
+        (m_session->readOnly() ? tr("%1[*] (read-only) \u2013 Bolster") : tr("%1[*] \u2013 Bolster")).arg(title));
     setWindowModified(document().dirty());
 }
 
@@ -335,7 +337,7 @@ void MainWindow::storeLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!std::exchange(m_workKept, false) && document().dirty()) {
+    if (!std::exchange(m_workKept, false) && (document().hasUnsavedWork() || m_session->saving())) {
         event->ignore();
         m_files->keepWork([this] {
             m_workKept = true;

@@ -25,6 +25,8 @@ void MainWindow::connectPattern()
     connect(&document(), &Document::refused, this, [this](const Message& why) {
         m_status->flash(tr("%1 It is back where it was.").arg(translated(why)));
     });
+    connect(&document(), &Document::noted, this,
+            [this](const Message& note) { m_status->flash(translated(note)); });
     connect(&document(), &Document::changed, this, [this] {
         if (document().gestureRunning())
             m_status->flash({}); // what was said about the last drag would hide what this one says

@@ -19,7 +19,7 @@ void MainWindow::connectFirstSteps()
     connect(hint, &StartHint::outlineWanted, this, [this] { m_pattern->setTool(PatternToolKind::Outline); });
     connect(hint, &StartHint::frameWanted, m_actions->importFrame, &QAction::trigger);
     connect(hint, &StartHint::openWanted, this, [this] { m_files->open(); });
-    connect(hint, &StartHint::sampleWanted, this, &MainWindow::open);
+    connect(hint, &StartHint::fileWanted, this, &MainWindow::open);
     connect(m_pattern, &PatternView::toolChanged, hint,
             [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
 

@@ -2,11 +2,14 @@
 
 #include "Document.h"
 #include "Icons.h"
+#include "RecentFiles.h"
 #include "Samples.h"
 #include "ViewColors.h"
 
 #include <QBoxLayout>
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 
@@ -17,6 +20,9 @@ namespace bolster {
 namespace {
 
 constexpr qsizetype mostSamples = 7;
+constexpr qsizetype mostFiles = 5;
+constexpr int widest = 420; // pixels
+constexpr int widestName = 220;
 
 } // namespace
 
@@ -41,7 +47,6 @@ void StartHint::build()
     title->setFont(font);
     auto* begin = new QLabel(tr("Draw the first patch, import a frame, or open a design:"), this);
     begin->setWordWrap(true);
-    auto* look = new QLabel(tr("Or look at a sample:"), this);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
@@ -50,26 +55,93 @@ void StartHint::build()
     layout->addWidget(title);
     layout->addWidget(begin);
     addBeginning(*layout);
-    layout->addSpacing(8);
-    layout->addWidget(look);
-    const QString muted = mixed(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.55).name();
+    layout->addStretch();
+    fillLists();
+}
+
+/// They may be others than at the last time.
+void StartHint::fillLists()
+{
+    auto* outer = static_cast<QVBoxLayout*>(layout());
+    if (m_lists) {
+        m_lists->hide();
+        m_lists->deleteLater(); // a link in it may have asked for this
+    }
+    m_lists = new QWidget(this);
+    auto* lists = new QVBoxLayout(m_lists);
+    lists->setContentsMargins(0, 8, 0, 0);
+    const QStringList recent = recentFiles::all().mid(0, mostFiles);
+    if (!recent.isEmpty())
+        addRecent(*lists, recent);
+    addSamples(*lists, mostSamples - (recent.size() + 1) / 2);
+    outer->insertWidget(outer->count() - 1, m_lists);
+    m_lists->show();
+    place();
+}
+
+QString StartHint::muted() const
+{
+    return mixed(palette().color(QPalette::Base), palette().color(QPalette::Text), 0.55).name();
+}
+
+void StartHint::addRecent(QVBoxLayout& layout, const QStringList& files)
+{
+    auto* title = new QHBoxLayout;
+    title->addWidget(new QLabel(tr("Go on with:"), m_lists));
+    title->addStretch();
+    auto* clear = new QLabel(QStringLiteral("<a href=\"clear\" style=\"text-decoration: none; color: %1\">%2</a>")
+                                 .arg(muted(), tr("Clear this list").toHtmlEscaped()),
+                             m_lists);
+    clear->setObjectName(QStringLiteral("clear-recent"));
+    connect(clear, &QLabel::linkActivated, this, [this] {
+        recentFiles::clear();
+        fillLists();
+    });
+    title->addWidget(clear);
+    layout.addLayout(title);
+    for (const QString& file : files) {
+        const QString name = fontMetrics().elidedText(QFileInfo(file).fileName(), Qt::ElideMiddle, widestName);
+        auto* link =
+            new QLabel(QStringLiteral("<a href=\"%1\" style=\"text-decoration: none\">%2</a>&nbsp; "
+                                      "<span style=\"color: %3\">%4</span>")
+                           .arg(file.toHtmlEscaped(), name.toHtmlEscaped(), muted(),
+                                recentFiles::folderText(file, fontMetrics(),
+                                                        widest - 56 - fontMetrics().horizontalAdvance(name))
+                                    .toHtmlEscaped()),
+                       m_lists);
+        link->setToolTip(QDir::toNativeSeparators(file));
+        link->setObjectName(QStringLiteral("recent"));
+        connect(link, &QLabel::linkActivated, this, &StartHint::fileWanted);
+        layout.addWidget(link);
+    }
+    layout.addSpacing(8);
+}
+
+void StartHint::addSamples(QVBoxLayout& layout, qsizetype most)
+{
+    layout.addWidget(new QLabel(tr("Or look at a sample:"), m_lists));
     const QList<Sample> all = samples();
-    for (const Sample& sample : all.first(std::min<qsizetype>(all.size(), mostSamples))) {
+    for (const Sample& sample : all.first(std::min(all.size(), most))) {
         auto* link = new QLabel(QStringLiteral("<a href=\"%1\" style=\"text-decoration: none\">%2</a>"
                                                "<br><span style=\"color: %3\">%4</span>")
-                                    .arg(sample.path.toHtmlEscaped(), sample.title.toHtmlEscaped(), muted,
+                                    .arg(sample.path.toHtmlEscaped(), sample.title.toHtmlEscaped(), muted(),
                                          sample.description.toHtmlEscaped()),
-                                this);
+                                m_lists);
         link->setWordWrap(true);
-        connect(link, &QLabel::linkActivated, this, &StartHint::sampleWanted);
-        layout->addWidget(link);
+        connect(link, &QLabel::linkActivated, this, &StartHint::fileWanted);
+        layout.addWidget(link);
     }
-    if (all.size() > mostSamples) {
-        auto* more = new QLabel(tr("%1 more are under File > Samples").arg(all.size() - mostSamples), this);
+    if (all.size() > most) {
+        auto* more = new QLabel(tr("%1 more are under File > Samples").arg(all.size() - most), m_lists);
         more->setForegroundRole(QPalette::PlaceholderText);
-        layout->addWidget(more);
+        layout.addWidget(more);
     }
-    layout->addStretch();
+}
+
+void StartHint::showEvent(QShowEvent* event)
+{
+    fillLists();
+    QWidget::showEvent(event);
 }
 
 void StartHint::addBeginning(QBoxLayout& layout)
@@ -101,7 +173,7 @@ void StartHint::place()
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
     setVisible(!begun && !m_drawing);
     const QSize room = m_over->size();
-    const QSize size(std::min(room.width(), 420), std::min(room.height(), sizeHint().height()));
+    const QSize size(std::min(room.width(), widest), std::min(room.height(), sizeHint().height()));
     setGeometry(QRect(QPoint((room.width() - size.width()) / 2, (room.height() - size.height()) / 2), size));
 }
 

@@ -1,9 +1,10 @@
-// What a new design shows in place of a pattern: ways to begin.
+// What a new design shows in place of a pattern: ways to begin, and to go on.
 #pragma once
 
 #include <QWidget>
 
 class QBoxLayout;
+class QVBoxLayout;
 
 namespace bolster {
 
@@ -23,18 +24,25 @@ signals:
     void outlineWanted();
     void frameWanted();
     void openWanted();
-    void sampleWanted(const QString& path);
+    /// A sample, or what was open lately.
+    void fileWanted(const QString& path);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void build();
     void addBeginning(QBoxLayout& layout);
+    void fillLists();
+    void addRecent(QVBoxLayout& layout, const QStringList& files);
+    void addSamples(QVBoxLayout& layout, qsizetype most);
+    QString muted() const;
     void place();
 
     Document& m_document;
     QWidget* m_over;
+    QWidget* m_lists = nullptr; ///< made anew each time this is shown
     bool m_drawing = false;
 };
 

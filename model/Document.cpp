@@ -17,11 +17,22 @@ Document::~Document()
         m_gesture->m_document = nullptr;
 }
 
+void Document::reset(Design design)
+{
+    begin(std::move(design), History(), false);
+}
+
 void Document::reset(Design design, History history)
+{
+    begin(std::move(design), std::move(history), true);
+}
+
+void Document::begin(Design design, History history, bool project)
 {
     cancelGesture();
     m_history = std::move(history);
-    m_saved = m_history.current();
+    m_held = {m_history.mark(), !project};
+    m_names = m_held.mark.names;
     m_base = std::move(design);
     show(m_base);
     emit historyReplaced();
@@ -32,6 +43,8 @@ void Document::reset(Design design, History history)
 void Document::commit(Edit edit)
 {
     cancelGesture();
+    if (!edit.note.empty())
+        emit noted(edit.note);
     // What counts is what the edit does to this design: `before` is taken from here, so undo is always exact.
     edit = edits::withFollowers(m_base, std::move(edit));
     Design next = m_base.with(edit);
@@ -85,7 +98,7 @@ void Document::jumpTo(NodeId node)
 void Document::takeIn(std::vector<History::Node> nodes, std::shared_ptr<StoredEdits> edits)
 {
     m_history.takeIn(std::move(nodes), std::move(edits));
-    emit historyChanged();
+    namesChanged();
 }
 
 void Document::nameVersion(NodeId node, std::string name)
@@ -94,7 +107,7 @@ void Document::nameVersion(NodeId node, std::string name)
         return;
     m_history.setName(node, std::move(name));
     emit named(node);
-    emit historyChanged();
+    namesChanged();
 }
 
 void Document::nameBranch(NodeId node, std::string name)
@@ -103,23 +116,25 @@ void Document::nameBranch(NodeId node, std::string name)
         return;
     m_history.setBranch(node, std::move(name));
     emit named(node);
+    namesChanged();
+}
+
+void Document::namesChanged()
+{
+    m_names = m_history.mark().names;
     emit historyChanged();
-}
-
-bool Document::dirty() const
-{
-    return m_history.current() != m_saved;
-}
-
-void Document::markSaved(NodeId node)
-{
-    m_saved = node;
     announceDirty();
 }
 
-void Document::markUnsaved()
+/// Of a text, saving it again would not help against what it cannot hold.
+bool Document::dirty() const
 {
-    m_saved = -1;
+    return m_history.current() != m_held.mark.current || (!m_held.designAlone && hasUnsavedWork());
+}
+
+void Document::setHeld(HeldHistory held)
+{
+    m_held = std::move(held);
     announceDirty();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "EditCheck.h"
-#include "History.h"
+#include "HeldHistory.h"
 
 #include <QObject>
 
@@ -33,8 +33,8 @@ public:
     const History& history() const { return m_history; }
 
     /// A new design with a new history (open, new).
-    void reset(Design design) { reset(std::move(design), History()); }
-    /// That of a project; `design` is that of the history's current node.
+    void reset(Design design);
+    /// That of a project, which holds all of it; `design` is that of the history's current node.
     void reset(Design design, History history);
     /// The edit takes along mirror twins and what lies on outlines. Does nothing with an empty edit. Cancels a
     /// running gesture first.
@@ -53,16 +53,21 @@ public:
     /// The same for the branch that begins with `node`.
     void nameBranch(NodeId node, std::string name);
 
-    /// The current node is not the saved one.
+    /// The file shows another design, or lacks something of what is here: versions, names. Saving it helps.
     bool dirty() const;
-    /// Nothing when no node is.
-    std::optional<NodeId> saved() const { return m_saved < 0 ? std::nullopt : std::optional(m_saved); }
-    /// The current node is the saved one from now on, or the one that was current when a save in the background
-    /// began.
-    void markSaved() { markSaved(m_history.current()); }
-    void markSaved(NodeId node);
-    /// No node is the saved one (a restored design, a file that could not be written).
-    void markUnsaved();
+    /// Something that was made would be lost without asking. Merely standing elsewhere is nothing of that kind.
+    bool hasUnsavedWork() const { return !holdsAllWork(m_held, m_history, mark()); }
+    UnsavedWork unsavedWork() const { return bolster::unsavedWork(m_held, m_history, mark()); }
+    /// history().mark(), at no cost.
+    HistoryMark mark() const { return {m_history.current(), m_history.count(), m_names}; }
+    /// What the file holds: all of an opened project, the design alone of anything else.
+    const HeldHistory& held() const { return m_held; }
+    /// Where the file stands.
+    NodeId saved() const { return m_held.mark.current; }
+    /// That is what the file holds from now on: as the document was when a save in the background began.
+    void setHeld(HeldHistory held);
+    /// The file is a project that holds all that is here now.
+    void markSaved() { setHeld({mark(), false}); }
 
     bool gestureRunning() const { return m_gesture != nullptr; }
     /// What the running gesture's preview would break, if anything: it is to be seen as invalid, not to be solved,
@@ -82,17 +87,22 @@ signals:
     void dirtyChanged(bool dirty);
     /// An edit was not made: a gesture that would have broken something, or what cannot be stored.
     void refused(const bolster::Message& why);
+    /// An edit was made, or came to nothing, with a note to its maker.
+    void noted(const bolster::Message& note);
 
 private:
     friend class Gesture;
+    void begin(Design design, History history, bool project);
     void show(Design design);
+    void namesChanged();
     void announceDirty();
 
     Design m_base;
     Design m_design; // m_base, or the running gesture's preview
     std::uint64_t m_revision = 0;
     History m_history;
-    NodeId m_saved = 0;
+    HeldHistory m_held;
+    QByteArray m_names; // of m_history's mark
     bool m_wasDirty = false;
     Gesture* m_gesture = nullptr;
     std::optional<edits::Breakage> m_breakage;

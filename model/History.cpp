@@ -5,6 +5,18 @@
 
 namespace bolster {
 
+void NamesHash::add(NodeId node, std::string_view version, std::string_view branch)
+{
+    if (version.empty() && branch.empty())
+        return;
+    m_any = true;
+    m_hash.addData(QByteArray::number(node));
+    for (const std::string_view name : {version, branch}) {
+        m_hash.addData(QByteArray::number(static_cast<qulonglong>(name.size())) + ':');
+        m_hash.addData(QByteArrayView(name.data(), static_cast<qsizetype>(name.size())));
+    }
+}
+
 History::History()
     : m_nodes(1)
 {
@@ -108,6 +120,14 @@ std::vector<NodeId> History::pathTo(NodeId id) const
         path.push_back(at);
     std::reverse(path.begin(), path.end());
     return path;
+}
+
+HistoryMark History::mark() const
+{
+    NamesHash names;
+    for (NodeId id = 0; id < count(); ++id)
+        names.add(id, node(id).name, node(id).branch);
+    return {m_current, count(), names.value()};
 }
 
 } // namespace bolster

@@ -3,12 +3,15 @@
 
 #include "Design.h"
 
+#include <QByteArray>
+#include <QCryptographicHash>
 #include <QDateTime>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,27 @@ public:
     /// The edit that leads to `node`, always forward; `design` is that of the node's parent or its own one. Nothing
     /// when the edit cannot be read any more.
     virtual std::optional<Edit> edit(NodeId node, const Design& design, Known known) = 0;
+};
+
+/// Tells a history from an earlier one of itself: nodes are only ever added.
+struct HistoryMark {
+    NodeId current = 0;
+    NodeId count = 1;
+    QByteArray names; ///< NamesHash of all versions and branches
+
+    friend bool operator==(const HistoryMark&, const HistoryMark&) = default;
+};
+
+/// Of the names that a user gave, taken up from the lowest node to the highest.
+class NamesHash {
+public:
+    void add(NodeId node, std::string_view version, std::string_view branch);
+    /// "" when there are no names.
+    QByteArray value() const { return m_any ? m_hash.result() : QByteArray(); }
+
+private:
+    QCryptographicHash m_hash{QCryptographicHash::Blake2b_256};
+    bool m_any = false;
 };
 
 class History {
@@ -68,6 +92,8 @@ public:
     std::optional<NodeId> branchOf(NodeId id) const;
     /// The nodes from the root to `id`, both included.
     std::vector<NodeId> pathTo(NodeId id) const;
+    /// Looks at all nodes for their names.
+    HistoryMark mark() const;
 
 private:
     std::optional<Design> step(NodeId node, const Design& design, StoredEdits::Known known) const;

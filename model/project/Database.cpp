@@ -1,6 +1,7 @@
 #include "Database.h"
 
 #include <QFileInfo>
+#include <QScopeGuard>
 #include <QUrl>
 
 #include <sqlite3.h>
@@ -268,6 +269,8 @@ void Database::thaw()
 void Database::vacuumInto(const QString& path)
 {
     const QByteArray address = addressOf(path) + "?vfs=" + sqlite3_vfs_find(nullptr)->zName;
+    m_target = path;
+    const auto done = qScopeGuard([this] { m_target.clear(); });
     runVacuum("VACUUM INTO ?", {Value::text({address.constData(), static_cast<std::size_t>(address.size())})});
 }
 
@@ -307,7 +310,9 @@ void Database::fail(int code) const
 {
     if ((code & 0xff) == SQLITE_NOMEM)
         throw std::bad_alloc();
-    throw DatabaseError(sentence(code, name().toStdString(), sqlite3_errmsg(m_handle)));
+    const int kind = code & 0xff; // SQLite says no file; what is damaged is what is read
+    const bool reading = m_target.isEmpty() || kind == SQLITE_CORRUPT || kind == SQLITE_NOTADB;
+    throw DatabaseError(sentence(code, (reading ? name() : m_target).toStdString(), sqlite3_errmsg(m_handle)));
 }
 
 Transaction::Transaction(Database& database)

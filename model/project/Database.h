@@ -123,6 +123,7 @@ private:
     std::recursive_mutex m_turn;
     QString m_path;
     QString m_name;
+    QString m_target; // of what is being written to another file
     const char* m_vfs;
     sqlite3* m_handle = nullptr;
     std::map<std::string, sqlite3_stmt*, std::less<>> m_statements;

@@ -55,14 +55,16 @@ public:
     std::string thumbnail(NodeId node);
 
     /// Writes the project, as it is when this begins, to a file beside `path`, checks it, and puts it in the place
-    /// of `path`, which holds the old bytes or the new ones at any moment. `version` is told which node was
-    /// current.
-    Message save(const QString& path, NodeId* version = nullptr);
+    /// of `path`, which holds the old bytes or the new ones at any moment. `held` is told what is in it. What goes
+    /// wrong in the journal after that is not the file's fault: the next step tells.
+    Message save(const QString& path, HistoryMark* held = nullptr);
     /// The same for a copy: what is saved elsewhere does not count as saved.
     Message saveCopy(const QString& path, const SaveOptions& options);
     /// The seal that the project file had when it was last saved or opened: another one means that somebody else
     /// has changed it.
     std::optional<Hash> base() const;
+    /// The project's name among all, 16 bytes.
+    const std::string& uuid() const { return m_uuid; }
 
     /// What the file of this project has that is not here.
     enum class Theirs { NothingNew, MoreVersions, AnotherProject };
@@ -92,6 +94,8 @@ private:
     void storeRedo(Step& step, const History& history);
     void accept(Step& step, NodeId current);
     void snapshotBeforeSave();
+    HistoryMark mark();
+    void rememberSaved(const Hash& seal, NodeId version);
     void takeNode(Step& step, const OpenedProject& theirs, NodeId node, std::vector<NodeId>& places,
                   TakenIn& taken);
     static void takeNames(Step& step, const OpenedProject& theirs, const std::vector<NodeId>& places,

@@ -131,7 +131,7 @@ private:
     std::unique_ptr<Database> m_frozen;
 };
 
-Message Journal::save(const QString& path, NodeId* version)
+Message Journal::save(const QString& path, HistoryMark* held)
 {
     return caught([&] {
         const std::scoped_lock one(m_longWork);
@@ -141,7 +141,8 @@ Message Journal::save(const QString& path, NodeId* version)
         ProjectContents contents;
         contents.uuid = m_uuid;
         contents.seal = m_seal;
-        contents.current = m_current;
+        const HistoryMark now = mark();
+        contents.current = now.current;
         moment.freeze();
         const Hash seal = replaceProject(path, [&](const QString& file) {
             moment.rows().vacuumInto(file);
@@ -149,14 +150,31 @@ Message Journal::save(const QString& path, NodeId* version)
                 putSavePoint(database, rows, contents.current);
             });
         });
-        if (version)
-            *version = contents.current;
-        const std::scoped_lock turn(*m_database);
+        if (held)
+            *held = now;
+        rememberSaved(seal, now.current);
+    });
+}
+
+HistoryMark Journal::mark()
+{
+    NamesHash names;
+    Query labels(*m_database, "SELECT node, version, branch FROM label ORDER BY node");
+    while (labels.next())
+        names.add(static_cast<NodeId>(labels.integer(0)), labels.value(1).bytes, labels.value(2).bytes);
+    return {m_current, static_cast<NodeId>(m_rowHashes.size()), names.value()};
+}
+
+/// Where the journal's own disk is full, a comparison tells later that the file is ours.
+void Journal::rememberSaved(const Hash& seal, NodeId version)
+{
+    const std::scoped_lock turn(*m_database);
+    m_base = seal;
+    (void)caught([&] {
         Step step(*m_database, m_seal);
         putProject(step.rows, m_uuid, seal);
-        putSavePoint(*m_database, step.rows, contents.current);
+        putSavePoint(*m_database, step.rows, version);
         accept(step, m_current);
-        m_base = seal;
     });
 }
 

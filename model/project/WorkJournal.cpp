@@ -1,6 +1,7 @@
 #include "WorkJournal.h"
 
 #include "EditCodec.h"
+#include "LastPlaces.h"
 #include "TemporaryFile.h"
 #include "WholeFile.h"
 
@@ -57,8 +58,42 @@ QString baseOf(const WorkJournal::Left& left)
 struct About {
     WorkJournal::Place place;
     bool kept = false;
-    std::optional<NodeId> savedAsText;
+    std::optional<HeldHistory> held;
 };
+
+/// "text 5" or "project 5 12 HASH": the present version, and of a project how many there are, and their names.
+QString textOf(const HeldHistory& held)
+{
+    const QString current = QString::number(held.mark.current);
+    if (held.designAlone)
+        return QStringLiteral("text ") + current;
+    return QStringLiteral("project %1 %2 ").arg(current).arg(held.mark.count) + held.mark.names.toHex();
+}
+
+std::optional<HeldHistory> heldFrom(const QString& text)
+{
+    const QStringList words = text.split(' ');
+    HeldHistory held;
+    held.designAlone = words[0] == QLatin1String("text");
+    if (!held.designAlone && words[0] != QLatin1String("project"))
+        return std::nullopt;
+    held.mark.current = words.value(1).toInt();
+    held.mark.count = words.value(2).toInt();
+    held.mark.names = QByteArray::fromHex(words.value(3).toLatin1());
+    return held;
+}
+
+/// Where nobody could say it before the program was killed: as little as may be.
+HeldHistory heldOf(const About& about, const OpenedProject& project)
+{
+    const NodeId count = project.history.count();
+    HeldHistory held = about.held.value_or(HeldHistory{});
+    if (!about.held && (project.base || project.saved))
+        held = {{project.saved.value_or(0), project.saved.value_or(0) + 1, {}}, false};
+    if (held.mark.current < 0 || held.mark.current >= count)
+        held.mark.current = 0;
+    return held;
+}
 
 About readAbout(const QString& base)
 {
@@ -67,9 +102,7 @@ About readAbout(const QString& base)
     About about;
     about.place = {lines.value(0), lines.value(1)};
     about.kept = lines.value(2) == QLatin1String("kept");
-    bool saved = false;
-    if (const NodeId node = lines.value(3).toInt(&saved); saved)
-        about.savedAsText = node;
+    about.held = heldFrom(lines.value(3));
     return about;
 }
 
@@ -77,7 +110,7 @@ Message writeAboutFile(const QString& base, const About& about)
 {
     const QStringList lines{about.place.original, about.place.files,
                             about.kept ? QStringLiteral("kept") : QString(),
-                            about.savedAsText ? QString::number(*about.savedAsText) : QString()};
+                            about.held ? textOf(*about.held) : QString()};
     return replaceWholeFile(base + aboutEnding, lines.join('\n').toStdString());
 }
 
@@ -108,10 +141,19 @@ WorkJournal::Taken taken(const QString& base, std::shared_ptr<QLockFile> lock, J
 {
     if (!opened.journal)
         return notTaken(std::move(opened.project.problem));
-    WorkJournal::Taken result{std::move(lock), std::move(opened.journal), base, std::move(opened.project), {}};
-    if (const auto saved = readAbout(base).savedAsText)
-        result.project.saved = saved;
-    return result;
+    HeldHistory held = heldOf(readAbout(base), opened.project);
+    return {std::move(lock), std::move(opened.journal), base, std::move(opened.project), std::move(held)};
+}
+
+/// Of a project without unsaved work: nobody has made it, but whoever comes back wants to be there.
+void keepPlace(const Journal& journal, const HeldHistory& held, NodeId current)
+{
+    if (held.designAlone)
+        return;
+    if (const auto seal = journal.base(); seal && current != held.mark.current)
+        lastPlaces::keep(journal.uuid(), *seal, current);
+    else
+        lastPlaces::forget(journal.uuid());
 }
 
 /// Whether there is unsaved work in the journal of a program that has ended.
@@ -120,9 +162,12 @@ bool hasUnsavedWork(const QString& base)
     const auto opened = Journal::open(base + journalEnding);
     if (!opened.journal)
         return true; // whatever it is, it is not for us to throw it away
-    const auto asText = readAbout(base).savedAsText;
-    const NodeId saved = asText.value_or(opened.project.saved.value_or(0));
-    return opened.project.history.current() != saved;
+    const HeldHistory held = heldOf(readAbout(base), opened.project);
+    const HistoryMark now = opened.project.history.mark();
+    if (!holdsAllWork(held, opened.project.history, now))
+        return true;
+    keepPlace(*opened.journal, held, now.current);
+    return false;
 }
 
 /// Those with unsaved work among the journals of which `wanted` likes what stands about them.
@@ -182,8 +227,12 @@ WorkJournal::Taken WorkJournal::takeProject(const QString& project)
     if (Message problem = writeAboutFile(base, {{project, {}}, false, {}}); !problem.empty())
         return notTaken(std::move(problem));
     Taken result = taken(base, std::move(lock), Journal::begin(project, base + journalEnding));
-    if (!result.journal)
+    if (!result.journal) {
         removeJournal(base);
+        return result;
+    }
+    result.held = {result.project.history.mark(), false};
+    (void)writeAboutFile(base, {{project, {}}, false, result.held});
     return result;
 }
 
@@ -210,6 +259,15 @@ void WorkJournal::emptyBin()
             QFile::remove(file.absoluteFilePath());
 }
 
+QStringList WorkJournal::filesInUse()
+{
+    QStringList folders;
+    for (const QString& folder : {journals(), bin()})
+        for (const QFileInfo& file : QDir(folder).entryInfoList({'*' + aboutEnding}, QDir::Files))
+            folders << readAbout(file.absoluteFilePath().chopped(aboutEnding.size())).place.files;
+    return folders;
+}
+
 WorkJournal::WorkJournal(Document& document, QObject* parent)
     : QObject(parent)
     , m_document(document)
@@ -231,7 +289,6 @@ void WorkJournal::start(const Place& place, const Taken& taken)
     m_lock = taken.lock;
     m_journal = taken.journal;
     m_renamed.clear();
-    m_savedAsText = m_journal ? readAbout(m_base).savedAsText : std::nullopt;
     m_fate = Fate::Leave;
     m_failing = false;
     m_following = true;
@@ -249,22 +306,30 @@ void WorkJournal::move(const Place& place)
 
 Message WorkJournal::writeAbout() const
 {
-    return writeAboutFile(m_base, {m_place, false, m_savedAsText});
+    return writeAboutFile(m_base, {m_place, false, m_document.held()});
 }
 
 void WorkJournal::end()
 {
     if (!std::exchange(m_following, false) || !m_journal)
         return;
-    const bool unsaved = m_document.dirty();
+    const bool unsaved = m_document.hasUnsavedWork();
+    if (!unsaved)
+        keepPlace(*m_journal, m_document.held(), m_document.history().current());
     m_journal.reset();
     if (!unsaved)
         removeJournal(m_base);
     else if (m_fate == Fate::Bin)
         moveToBin(m_base);
     else if (m_fate == Fate::KeepForLater)
-        writeAboutFile(m_base, {m_place, true, m_savedAsText});
+        writeAboutFile(m_base, {m_place, true, m_document.held()});
     m_lock.reset();
+}
+
+std::optional<NodeId> WorkJournal::lastPlace() const
+{
+    const auto seal = m_journal ? m_journal->base() : std::nullopt;
+    return seal ? lastPlaces::find(m_journal->uuid(), *seal) : std::nullopt;
 }
 
 Message WorkJournal::prepare()
@@ -285,16 +350,16 @@ Message WorkJournal::prepare()
 
 void WorkJournal::follow()
 {
-    if (!m_following || (!m_journal && m_document.history().count() == 1))
-        return;
+    if (!m_following || (!m_journal && m_document.history().count() == 1 && m_renamed.empty()))
+        return;           // nothing was done
     m_fate = Fate::Leave; // was said of the work as it was then
-    const Message problem = record();
+    const Message problem = catchUp();
     if (!problem.empty() && !std::exchange(m_failing, true))
         emit failed(problem);
     m_failing = !problem.empty();
 }
 
-Message WorkJournal::record()
+Message WorkJournal::catchUp()
 {
     if (Message problem = prepare(); !problem.empty())
         return problem;
@@ -313,7 +378,7 @@ Message WorkJournal::record()
 
 Message WorkJournal::takeIn(const OpenedProject& theirs, const std::string& name, NodeId& tip)
 {
-    if (Message problem = record(); !problem.empty())
+    if (Message problem = catchUp(); !problem.empty())
         return problem;
     Journal::TakenIn taken;
     if (Message problem = m_journal->takeIn(theirs, name, m_document.history(), taken); !problem.empty())
@@ -325,12 +390,6 @@ Message WorkJournal::takeIn(const OpenedProject& theirs, const std::string& name
     for (const auto& [node, text] : taken.branches)
         m_document.nameBranch(node, text);
     return {};
-}
-
-void WorkJournal::savedAsText(NodeId node)
-{
-    m_savedAsText = node;
-    move(m_place);
 }
 
 } // namespace bolster

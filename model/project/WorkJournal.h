@@ -39,7 +39,7 @@ public:
         std::shared_ptr<Journal> journal;
         QString base; ///< path of the journal without its ending
         OpenedProject project;
-        QString files; ///< where the project's files were put; for whoever reads it
+        HeldHistory held; ///< what the file holds of the project's history
     };
 
     /// Of no running program, newest first; those without unsaved work are removed.
@@ -54,6 +54,8 @@ public:
     /// Kept for 30 days more, then gone.
     static void putIntoBin(const Left& left);
     static void emptyBin();
+    /// The folders of files of all work that is there, be it in the bin.
+    static QStringList filesInUse();
 
     /// The document must outlive it; it is not touched by the destructor.
     explicit WorkJournal(Document& document, QObject* parent = nullptr);
@@ -62,23 +64,23 @@ public:
 
     /// Follows the document, which has just been reset: to a design that is not in a project, or to `taken`.
     void start(const Place& place, const Taken& taken = {});
-    /// The work belongs there from now on.
+    /// The work belongs there from now on; what the file there holds, the document says.
     void move(const Place& place);
     const Place& place() const { return m_place; }
+    /// Where somebody stood when the project was closed, unless its file was written since.
+    std::optional<NodeId> lastPlace() const;
     /// What becomes of unsaved work when it ends; otherwise it is found at the next start.
     enum class Fate { Leave, KeepForLater, Bin };
     void setFate(Fate fate) { m_fate = fate; }
-    /// Stops following, before the document is reset. Without unsaved work nothing remains.
+    /// Stops following, before the document is reset. Without unsaved work nothing remains but where one stood.
     void end();
 
-    /// Makes a journal if there is none yet.
-    Message prepare();
+    /// Makes sure that all that was done is in the journal, and that there is one.
+    Message catchUp();
     /// Null before the first edit.
     const std::shared_ptr<Journal>& journal() const { return m_journal; }
     /// Journal::takeIn, for the document too. `tip` is told where they were.
     Message takeIn(const OpenedProject& theirs, const std::string& name, NodeId& tip);
-    /// The document has been saved in another form, as it is at `node`.
-    void savedAsText(NodeId node);
 
 signals:
     /// What is done is not protected until a later step succeeds.
@@ -86,7 +88,7 @@ signals:
 
 private:
     void follow();
-    Message record();
+    Message prepare();
     Message writeAbout() const;
 
     Document& m_document;
@@ -97,7 +99,6 @@ private:
     std::shared_ptr<QLockFile> m_lock;
     std::shared_ptr<Journal> m_journal;
     std::set<NodeId> m_renamed; ///< these names are not in the journal yet
-    std::optional<NodeId> m_savedAsText;
     bool m_following = false;
     bool m_failing = false;
 };

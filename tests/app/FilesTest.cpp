@@ -5,11 +5,15 @@
 #include "ElementEdits.h"
 #include "FileFlow.h"
 #include "MeshImport.h"
+#include "RecentFiles.h"
 #include "Samples.h"
+#include "StartHint.h"
 #include "Theme.h"
 
 #include <QDir>
 #include <QFile>
+#include <QLabel>
+#include <QMenu>
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -101,6 +105,7 @@ TEST_F(FilesTest, ClosingAsksBeforeWorkIsLost)
 
     answer(QMessageBox::Cancel);
     EXPECT_FALSE(window.close());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
     EXPECT_TRUE(window.isVisible());
 
     answer(QMessageBox::Save);
@@ -186,6 +191,38 @@ TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheJournalOfUnsavedWork)
     QTest::qWait(300);
     EXPECT_GT(copies(), 0);
     EXPECT_TRUE(window.document().dirty());
+}
+
+TEST_F(FilesTest, WhatWasOpenLatelyIsListedWithItsFolderUntilTheListIsCleared)
+{
+    recentFiles::clear();
+    QFile good(sample("box-cushion"));
+    ASSERT_TRUE(good.open(QIODevice::ReadOnly));
+    const QByteArray text = good.readAll();
+    for (const char* name : {"one", "two"}) {
+        QDir(folder.path()).mkdir(name);
+        ASSERT_TRUE(open(write(QString(name) + "/box.json", text)));
+    }
+    QMenu menu;
+    window.files().fillRecent(menu);
+    ASSERT_GE(menu.actions().size(), 3);
+    EXPECT_EQ(menu.actions()[0]->toolTip(), QDir::toNativeSeparators(folder.filePath("two/box.json")));
+    EXPECT_TRUE(menu.actions()[0]->text().endsWith("two")) << qPrintable(menu.actions()[0]->text());
+    EXPECT_TRUE(menu.actions()[1]->text().endsWith("one")) << qPrintable(menu.actions()[1]->text());
+
+    window.actions().newDesign->trigger();
+    auto* hint = window.findChild<StartHint*>();
+    ASSERT_TRUE(hint && hint->isVisible());
+    const auto links = [&] {
+        return std::ranges::count_if(hint->findChildren<QLabel*>("recent"), &QWidget::isVisible);
+    };
+    EXPECT_EQ(links(), 2);
+    menu.actions().back()->trigger();
+    window.files().fillRecent(menu);
+    EXPECT_FALSE(menu.actions()[0]->isEnabled()) << "nothing yet";
+    hint->hide();
+    hint->show();
+    EXPECT_EQ(links(), 0);
 }
 
 TEST_F(FilesTest, PlacesInTheSamplesAreSamples)

@@ -83,6 +83,7 @@ TEST_F(FullDiskTest, SavingSaysSoAndNothingIsLost)
         const Design now = window.document().design();
         const std::string problem = save(path).english();
         EXPECT_NE(problem.find("full"), std::string::npos) << left << ": " << problem;
+        EXPECT_NE(problem.find(path.toStdString()), std::string::npos) << left << ": " << problem;
         EXPECT_TRUE(window.isWindowModified());
         EXPECT_TRUE(window.document().design() == now);
         const OpenedProject there = openProject(path, ProjectCheck::Everything);
@@ -98,6 +99,37 @@ TEST_F(FullDiskTest, SavingSaysSoAndNothingIsLost)
     const OpenedProject there = openProject(path, ProjectCheck::Everything);
     EXPECT_TRUE(there.design == window.document().design());
     EXPECT_EQ(there.history.count(), 4);
+}
+
+TEST_F(FullDiskTest, OneTriesAgainOrSavesElsewhereWithoutBeginningAnew)
+{
+    SmallDisk disk(4096);
+    if (!disk.mounted())
+        GTEST_SKIP() << "making a file system is not allowed here";
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = disk.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    change();
+    disk.fill(4096);
+    int failures = 0;
+    whenABoxHas([&](QMessageBox& box) -> QAbstractButton* {
+        EXPECT_TRUE(box.informativeText().contains(path)) << qPrintable(box.informativeText());
+        QAbstractButton* again = nullptr;
+        int elsewhere = 0;
+        for (QAbstractButton* button : box.buttons()) {
+            const QString text = button->text().remove('&');
+            again = text == "Try again" ? button : again;
+            elsewhere += text.startsWith("Save as");
+        }
+        EXPECT_EQ(elsewhere, 1);
+        ++failures;
+        disk.makeRoom();
+        return again;
+    });
+    window.actions().save->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
+    EXPECT_EQ(failures, 1);
+    EXPECT_TRUE(openProject(path).design == window.document().design());
 }
 
 } // namespace

@@ -5,8 +5,9 @@
 
 namespace bolster::ProgramThatDies {
 
-/// Opens the design, makes so many edits, takes `undone` of them back and is killed. True when it came that far.
-bool run(const QString& design, int edits, int undone);
+/// Opens the design, makes so many edits, takes so many back, makes others and is killed. True when it came that
+/// far.
+bool run(const QString& design, int edits, int undone, int editsThen = 0);
 
 /// In the second program: what it is to do, or nothing in the first one.
 QStringList wanted();

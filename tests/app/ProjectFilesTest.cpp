@@ -131,8 +131,55 @@ TEST_F(ProjectFilesTest, TheWorkOfAKilledProgramIsThereAtTheNextStart)
     ASSERT_NE(back, buttons.end());
     (*back)->click();
     EXPECT_EQ(window.document().design().settings().edgeLength, edge);
+    EXPECT_TRUE(window.document().dirty()) << "what was left is a branch, and in no file";
+    EXPECT_EQ(window.document().history().count(), 6);
+}
+
+TEST_F(ProjectFilesTest, TheBannerCountsWhatIsNotInTheFileAndGoesWithIt)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change(10);
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+
+    ASSERT_TRUE(ProgramThatDies::run(path, 0, 3, 4)); // away from what was saved
+    window.recover();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().startsWith("4 unsaved edits")) << qPrintable(window.banner().text());
+    window.actions().save->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !window.banner().shown(); }, 30000));
     EXPECT_FALSE(window.document().dirty());
-    EXPECT_EQ(window.document().history().count(), 6) << "what was left is a branch";
+    EXPECT_EQ(openProject(path).history.count(), 15);
+}
+
+TEST_F(ProjectFilesTest, CopiesOfFilesDoNotPileUpWhenProgramsAreKilled)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    const QString path = folder.filePath("chair.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    const auto copies = [] {
+        return QDir(stateFolder("untitled")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size();
+    };
+    const auto areGone = [&] { return QTest::qWaitFor([&] { return copies() == 0; }, 30000); };
+    ASSERT_TRUE(areGone());
+    for (int killed = 0; killed < 3; ++killed)
+        ASSERT_TRUE(ProgramThatDies::run(path, 0, 0)); // nothing was done
+    ASSERT_TRUE(ProgramThatDies::run(path, 2, 0));
+    EXPECT_GE(copies(), 4);
+    window.recover();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_EQ(copies(), 2) << "that of the work that is restored, and its lock";
+    EXPECT_EQ(window.session().files().meshes.size(), 1U);
+    window.actions().save->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.document().dirty(); }, 30000));
+    window.actions().newDesign->trigger();
+    EXPECT_TRUE(areGone());
+    answer(QMessageBox::Ok);
+    window.open(folder.filePath("nothing.bolster")); // cannot be opened
+    ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+    EXPECT_TRUE(areGone());
 }
 
 TEST_F(ProjectFilesTest, ANewDesignThatWasNeverSavedIsFoundAgain)
@@ -292,6 +339,8 @@ TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
     other.open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return opened; }, 30000));
     EXPECT_TRUE(other.session().path().isEmpty()) << "Save must not write to it";
+    EXPECT_TRUE(other.windowTitle().contains("(read-only)")) << qPrintable(other.windowTitle());
+    EXPECT_FALSE(window.windowTitle().contains("(read-only)")) << qPrintable(window.windowTitle());
     EXPECT_TRUE(other.document().design() == window.document().design());
 }
 
@@ -346,6 +395,9 @@ TEST_F(ProjectFilesTest, VersionsHavePicturesThatComeBack)
     auto* model = &window.findChild<HistoryView*>()->history();
     const auto toolTip = [&] { return model->indexOf(node).data(Qt::ToolTipRole).toString(); };
     EXPECT_TRUE(QTest::qWaitFor([&] { return toolTip().contains("<img"); }, 60000));
+    EXPECT_FALSE(model->indexOf(node).data(HistoryModel::PictureRole).value<QImage>().isNull())
+        << "seen at a glance";
+    EXPECT_FALSE(model->indexOf(node).data(HistoryModel::TimeRole).toString().isEmpty());
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
     ASSERT_TRUE(open(sample("pillow")));

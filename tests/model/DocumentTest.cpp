@@ -157,29 +157,61 @@ TEST(Document, UndoIsExactEvenWhenTheEditWasComputedFromAnotherDesign)
     EXPECT_EQ(nameOf(document, 1), "Leather");
 }
 
-TEST(Document, IsDirtyWhenTheCurrentNodeIsNotTheSavedOne)
+TEST(Document, IsDirtyWhileItsFileDoesNotHoldAllThatItsHistoryHolds)
 {
     Document document;
-    EXPECT_FALSE(document.dirty());
+    Witness witness(document);
+    const auto expect = [&](bool dirty, const UnsavedWork& unsaved) {
+        EXPECT_EQ(document.dirty(), dirty);
+        EXPECT_EQ(document.unsavedWork(), unsaved);
+        EXPECT_EQ(document.hasUnsavedWork(), unsaved.any());
+        witness.check();
+    };
+    expect(false, {});
     document.commit(setFabric(document.design(), 1, "Leather"));
-    EXPECT_TRUE(document.dirty());
+    expect(true, {.edits = 1, .another = true});
     document.markSaved();
-    EXPECT_FALSE(document.dirty());
+    expect(false, {});
     document.undo();
-    EXPECT_TRUE(document.dirty());
-    document.redo();
-    EXPECT_FALSE(document.dirty());
-    document.markSaved(0); // a save that took a while
-    EXPECT_TRUE(document.dirty());
-    document.undo();
-    EXPECT_FALSE(document.dirty());
-    document.markUnsaved();
-    EXPECT_TRUE(document.dirty());
-    document.redo();
-    EXPECT_TRUE(document.dirty());
+    expect(true, {}); // nothing was made, but the file shows something else
+    document.commit(setFabric(document.design(), 1, "Wool"));
+    expect(true, {.edits = 1});
+    document.jumpTo(1);
+    expect(true, {.edits = 1, .elsewhere = 1}); // the branch is in no file
+    const HistoryMark before = document.mark();
+    document.nameVersion(2, "Cheaper");
+    document.setHeld({before, false}); // a save that took a while
+    expect(true, {.names = true});
+    document.nameVersion(2, "");
+    expect(false, {});
+    document.nameBranch(2, "Wool");
+    expect(true, {.names = true});
+    document.markSaved();
+    expect(false, {});
     document.reset(Design());
-    EXPECT_FALSE(document.dirty());
+    expect(false, {});
     EXPECT_EQ(document.history().count(), 1);
+}
+
+TEST(Document, ATextHoldsTheDesignAndTheWayToItButNoBranchesOrNames)
+{
+    Document document;
+    for (const char* name : {"Leather", "Wool", "Felt"})
+        document.commit(setFabric(document.design(), 1, name));
+    const auto save = [&] { document.setHeld({{document.history().current(), 1, {}}, true}); };
+    save();
+    EXPECT_FALSE(document.dirty());
+    EXPECT_FALSE(document.hasUnsavedWork());
+    document.undo();
+    EXPECT_TRUE(document.dirty());
+    EXPECT_EQ(document.unsavedWork(), UnsavedWork{.another = true});
+    document.commit(setFabric(document.design(), 1, "Linen"));
+    save();
+    EXPECT_FALSE(document.dirty()) << "saving it once more would not help";
+    EXPECT_EQ(document.unsavedWork(), (UnsavedWork{.edits = 1, .elsewhere = 1}));
+    document.nameVersion(1, "First");
+    EXPECT_FALSE(document.dirty());
+    EXPECT_TRUE(document.unsavedWork().names);
 }
 
 TEST(Document, CanBeChangedFromItsOwnSignal)

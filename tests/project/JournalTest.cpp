@@ -141,9 +141,9 @@ TEST_F(JournalTest, WhatIsSavedIsOneVersionWhileEditsGoOn)
     Hands hands(5);
     for (int round = 0; round < 5; ++round) {
         std::atomic<bool> saving = true;
-        NodeId saved = -1;
+        HistoryMark mark;
         std::thread saver([&] {
-            expectFine(journal->save(path("a.bolster"), &saved));
+            expectFine(journal->save(path("a.bolster"), &mark));
             saving = false;
         });
         int during = 0;
@@ -155,6 +155,8 @@ TEST_F(JournalTest, WhatIsSavedIsOneVersionWhileEditsGoOn)
         EXPECT_GT(during, 0);
         const OpenedProject project = openProject(path("a.bolster"), ProjectCheck::Everything);
         ASSERT_EQ(project.problem.english(), "");
+        EXPECT_EQ(project.history.mark(), mark);
+        const NodeId saved = mark.current;
         EXPECT_EQ(project.history.current(), saved);
         EXPECT_EQ(project.saved, saved);
         EXPECT_GT(project.history.count(), saved);

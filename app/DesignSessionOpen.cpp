@@ -1,0 +1,195 @@
+// Opening designs and projects.
+#include "Background.h"
+#include "DesignSession.h"
+#include "ElementEdits.h"
+#include "Project.h"
+#include "Samples.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <iterator>
+
+namespace bolster {
+
+/// What was read in the background.
+struct DesignSession::Opened {
+    OpenedDesign design;
+    WorkJournal::Taken journal;     // of a project
+    std::shared_ptr<OwnFolder> own; // in which its files are
+};
+
+/// What tells whether something was done since.
+struct DesignSession::Moment {
+    std::uint64_t revision = 0;
+    HistoryMark mark;
+
+    bool operator==(const Moment&) const = default;
+};
+
+void DesignSession::startNew()
+{
+    Design design;
+    const Edit fabric = edits::addElement(design, makeElement(Fabric{tr("Fabric").toStdString()}));
+    take({{design.with(fabric), {}, {}, true}, {}, {}}, {}, {}, {});
+}
+
+DesignSession::Moment DesignSession::now() const
+{
+    return {m_document.revision(), m_document.mark()};
+}
+
+/// Something may have been done while another design was read.
+void DesignSession::takeUnlessChanged(const Moment& before, const Replace& replace,
+                                      const std::function<void()>& take)
+{
+    if (now() == before)
+        take();
+    else
+        replace(take);
+}
+
+/// The current design of a project; its files are put into the folder.
+DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own)
+{
+    Opened opened;
+    if (!taken.journal) {
+        opened.design.problems.push_back({{}, {}, {}, taken.project.problem});
+        return opened;
+    }
+    if (!own) {
+        opened.design.problems.push_back(
+            {{}, {}, {}, {QT_TRANSLATE_NOOP("Message", "there is no place for the files of this project"), {}}});
+        return opened;
+    }
+    const Design& design = taken.project.design;
+    Problems lacking = extractAssets(taken.project, design, own->path());
+    opened.design = openReadDesign({design, {}, true}, own->path());
+    std::ranges::move(lacking, std::back_inserter(opened.design.problems));
+    opened.journal = std::move(taken);
+    opened.own = std::move(own);
+    return opened;
+}
+
+/// In the folder that it had, if that was one of ours; what lies elsewhere belongs to the user, and is copied.
+DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
+{
+    WorkJournal::Taken taken = WorkJournal::takeLeft(left);
+    auto own = taken.journal ? OwnFolder::takeOver(left.place.files) : nullptr;
+    if (own) {
+        own->keep(); // for the work, whatever comes of this
+    } else if (taken.journal) {
+        own = OwnFolder::make();
+        DesignFolder elsewhere;
+        elsewhere.start(left.place.files);
+        Design copied;
+        if (own)
+            (void)elsewhere.copyTo(own->path(), taken.project.design, &copied); // what is missing is reported
+    }
+    return readProject(std::move(taken), std::move(own));
+}
+
+void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done)
+{
+    const QString file = QFileInfo(path).absoluteFilePath();
+    const int generation = ++m_generation;
+    inBackground<Opened>([file] {
+        if (!looksLikeProject(file))
+            return Opened{openDesign(file), {}, {}};
+        return readProject(WorkJournal::takeProject(file), OwnFolder::make());
+    }).then(this, [this, file, opening, generation, before = now(), replace, done](const Opened& opened) {
+        if (generation != m_generation)
+            return; // something else was opened meanwhile
+        if (!opened.design.readable) {
+            done(opened.design.problems.empty()
+                     ? Message{QT_TRANSLATE_NOOP("Message", "the file is not a design"), {}}
+                     : opened.design.problems.front().message);
+            return;
+        }
+        takeUnlessChanged(before, replace, [this, file, opening, opened, done] {
+            const bool look = opening == Opening::ToLook || isSample(file);
+            take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
+            m_onlyToLook = opening == Opening::ToLook;
+            if (m_onlyToLook)
+                emit titleChanged();
+            if (opened.journal.journal)
+                goToLastPlace();
+            done({});
+        });
+    });
+}
+
+void DesignSession::restore(const WorkJournal::Left& left, const Replace& replace, const Done& done)
+{
+    inBackground<Opened>([left] {
+        return readLeft(left);
+    }).then(this, [this, left, before = now(), replace, done](const Opened& opened) {
+        if (!opened.design.readable) {
+            done(opened.design.problems.front().message);
+            return;
+        }
+        takeUnlessChanged(before, replace, [this, left, opened, done] {
+            const QString& original = left.place.original;
+            take(opened, isSample(original) ? QString() : original, left.place.files, tr("Restored design"));
+            done({});
+        });
+    });
+}
+
+void DesignSession::take(const Opened& opened, const QString& path, const QString& folder, const QString& title)
+{
+    ++m_generation;
+    leaveWork();
+    m_folder.start(folder, opened.own);
+    m_path = path;
+    m_title = title;
+    m_saves = 0;
+    m_onlyToLook = false;
+    m_opened = opened.design.problems;
+    m_known.clear();
+    m_reading.clear();
+    m_names.clear();
+    const Design& design = opened.design.design;
+    const DesignFiles& files = opened.design.files;
+    for (const auto& [id, element] : design.elements()) {
+        const auto mesh = files.meshes.find(id);
+        const auto cloud = files.clouds.find(id);
+        if (mesh != files.meshes.end())
+            m_known[keyOf(*element)] = {{mesh->second, nullptr}, {}};
+        else if (cloud != files.clouds.end())
+            m_known[keyOf(*element)] = {{nullptr, cloud->second}, {}};
+    }
+    for (const Problem& problem : m_opened)
+        if (const ElementPtr element = design.element(problem.element);
+            element && problem.field == "file" && hasShapeFile(*element))
+            if (ImportedFile& file =
+                    m_known.try_emplace(keyOf(*element), ImportedFile{{}, problem.message}).first->second;
+                file.content)
+                file.warning = problem.message;
+    if (const OpenedProject& project = opened.journal.project; opened.journal.journal) {
+        m_document.reset(design, project.history);
+        m_document.setHeld(opened.journal.held);
+    } else {
+        m_document.reset(design);
+    }
+    m_journal.start({path, m_folder.folder()}, opened.journal);
+    for (const auto& [id, element] : design.elements())
+        noteFile(*element);
+    updateFiles();
+    emit titleChanged();
+    emit problemsChanged();
+    emit DesignSession::opened();
+}
+
+/// Merely standing somewhere is nothing to ask about, and nothing to write a file for.
+void DesignSession::goToLastPlace()
+{
+    const auto place = m_journal.lastPlace();
+    if (!place || *place == m_document.history().current())
+        return;
+    m_document.jumpTo(*place);
+    if (m_document.history().current() == *place)
+        emit wentToLastPlace();
+}
+
+} // namespace bolster

@@ -1,0 +1,248 @@
+// Saving, and what becomes of unsaved work.
+#include "Banner.h"
+#include "FileFlow.h"
+#include "Translated.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+const QString projectEnding = QStringLiteral("bolster");
+const QString designEnding = QStringLiteral("json");
+const QStringList saveEndings{projectEnding, designEnding};
+
+QString saveFilter()
+{
+    return FileFlow::tr("Project with its history (*.bolster);;Design as text (*.json)");
+}
+
+/// A sentence.
+QString whatNoFileHolds(const UnsavedWork& unsaved)
+{
+    QStringList what;
+    if (const int here = unsaved.edits - unsaved.elsewhere; here > 0)
+        what << FileFlow::tr("%n edits", nullptr, here);
+    if (unsaved.elsewhere > 0)
+        what << FileFlow::tr("%n edits that were undone or are on other branches", nullptr, unsaved.elsewhere);
+    if (unsaved.names)
+        what << FileFlow::tr("names of versions or branches");
+    return what.isEmpty() ? FileFlow::tr("The file holds another version of the design than the one you see.")
+                          : FileFlow::tr("In no file yet: %1.").arg(what.join(QStringLiteral(", ")));
+}
+
+} // namespace
+
+QMessageBox* FileFlow::newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons)
+{
+    return new QMessageBox(icon, tr("Bolster"), text, buttons, m_window);
+}
+
+/// Nothing waits for the answer: it comes when the box is closed.
+void FileFlow::ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered)
+{
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::finished, this, [box, answered] { answered(box->clickedButton()); });
+    box->open();
+}
+
+void FileFlow::fail(const QString& title, const Message& why)
+{
+    QMessageBox* box = newBox(QMessageBox::Warning, title, QMessageBox::Ok);
+    box->setInformativeText(translated(why));
+    ask(box, [](const QAbstractButton*) {});
+}
+
+void FileFlow::keepWork(const Then& then)
+{
+    m_session.document().cancelGesture();
+    if (m_session.saving()) { // who knows what there is to ask then
+        connect(
+            &m_session, &DesignSession::saveEnded, this, [this, then] { keepWork(then); },
+            Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        return;
+    }
+    if (!m_session.document().hasUnsavedWork()) {
+        then();
+        return;
+    }
+    if (m_question)
+        m_question->raise(); // one answer at a time
+    else
+        askAboutWork(then);
+}
+
+void FileFlow::askAboutWork(const Then& then)
+{
+    const UnsavedWork unsaved = m_session.document().unsavedWork();
+    const bool asProject = !m_session.path().isEmpty() && !DesignSession::isProject(m_session.path()) &&
+                           (unsaved.elsewhere > 0 || unsaved.names); // a text would not hold it
+    QMessageBox* box = newBox(QMessageBox::Question, tr("Save the changes in \"%1\"?").arg(m_session.title()),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    QStringList text{whatNoFileHolds(unsaved)};
+    if (asProject)
+        text << tr("A design as text cannot hold that, a project can.");
+    text << tr("Work that is kept for later, with all its steps, is under File > Unsaved work.");
+    box->setInformativeText(text.join(QStringLiteral("\n\n")));
+    if (asProject)
+        box->button(QMessageBox::Save)->setText(tr("Save as &project \u2026"));
+    const QAbstractButton* keep = box->addButton(tr("&Keep for later"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Save);
+    m_question = box;
+    ask(box, [this, box, keep, asProject, then](const QAbstractButton* pressed) {
+        m_question.clear();
+        if (pressed == keep) {
+            keepForLater(then);
+        } else if (pressed == box->button(QMessageBox::Discard)) {
+            m_session.journal().setFate(WorkJournal::Fate::Bin);
+            then();
+        } else if (pressed == box->button(QMessageBox::Save)) {
+            saveForGood(asProject, then);
+        }
+    });
+}
+
+void FileFlow::keepForLater(const Then& then)
+{
+    if (const Message problem = m_session.journal().catchUp(); !problem.empty()) {
+        fail(tr("The work cannot be kept."), problem);
+        return;
+    }
+    m_session.journal().setFate(WorkJournal::Fate::KeepForLater);
+    then();
+}
+
+void FileFlow::saveForGood(bool asProject, const Then& then)
+{
+    const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
+    if (!m_session.path().isEmpty() && !asProject)
+        saveTo(m_session.path(), saved);
+    else if (const QString path = chooseSaveTarget(); !path.isEmpty())
+        saveTo(path, saved);
+}
+
+QString FileFlow::chooseSaveTarget()
+{
+    return chooseTarget(tr("Save project"), proposed(projectEnding), saveFilter(), saveEndings);
+}
+
+void FileFlow::save()
+{
+    if (m_session.path().isEmpty())
+        saveAs();
+    else
+        saveTo(m_session.path(), [] {});
+}
+
+void FileFlow::saveAs()
+{
+    if (const QString path = chooseSaveTarget(); !path.isEmpty())
+        saveTo(path, [] {});
+}
+
+void FileFlow::saveCopy(const SaveOptions& options)
+{
+    const QString path = chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
+                                      tr("Project (*.%1)").arg(projectEnding), {projectEnding});
+    if (path.isEmpty())
+        return;
+    saveCopyTo(path, options);
+}
+
+void FileFlow::saveCopyTo(const QString& path, const SaveOptions& options)
+{
+    m_session.saveCopy(path, options, [this, path, options](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Saved a copy as %1").arg(QDir::toNativeSeparators(path)));
+        else
+            offerAnotherTry(
+                path, problem, [this, path, options] { saveCopyTo(path, options); },
+                [this, options] { saveCopy(options); });
+    });
+}
+
+/// The title as a file in the usual folder.
+QString FileFlow::proposed(const QString& ending, const QString& addition) const
+{
+    QString name = m_session.title();
+    for (const QString& known : saveEndings)
+        if (name.endsWith(u'.' + known))
+            name.chop(known.size() + 1);
+    name.replace(u'/', u'-');
+    return QDir(startFolder()).filePath(name + addition + u'.' + ending);
+}
+
+/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's files.
+QString FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
+                               const QStringList& endings)
+{
+    QString chosenFilter;
+    QString path = QFileDialog::getSaveFileName(m_window, title, proposal, filter, &chosenFilter);
+    if (path.isEmpty())
+        return {};
+    if (!endings.contains(QFileInfo(path).suffix().toLower())) {
+        const auto asFiltered = std::ranges::find_if(
+            endings, [&](const QString& ending) { return chosenFilter.contains(QStringLiteral("*.") + ending); });
+        path += u'.' + (asFiltered == endings.end() ? endings.front() : *asFiltered);
+        const QString question = tr("\"%1\" exists already. Replace it?").arg(QFileInfo(path).fileName());
+        if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Bolster"), question) != QMessageBox::Yes)
+            return {};
+    }
+    if (m_session.isElementFile(path)) {
+        fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
+             {QT_TRANSLATE_NOOP("Message", "it is a file that this design refers to; choose another name")});
+        return {};
+    }
+    return path;
+}
+
+void FileFlow::saveTo(const QString& path, const Then& then)
+{
+    m_session.save(path, [this, path, then](const Message& problem) {
+        if (m_session.changedByOthers()) {
+            saveBesideOthers(path, then);
+            return;
+        }
+        if (!problem.empty()) {
+            offerAnotherTry(
+                path, problem, [this, path, then] { saveTo(path, then); },
+                [this, then] {
+                    if (const QString other = chooseSaveTarget(); !other.isEmpty())
+                        saveTo(other, then);
+                });
+            return;
+        }
+        remember(path);
+        const QString saved = tr("Saved as %1").arg(QDir::toNativeSeparators(path));
+        emit done(DesignSession::isProject(path) ? saved
+                                                 : tr("%1: the design alone, without its history").arg(saved));
+        then();
+    });
+}
+
+/// Whoever can make room or choose another place must not begin again.
+void FileFlow::offerAnotherTry(const QString& path, const Message& problem, const Then& again,
+                               const Then& elsewhere)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Warning, tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()),
+               QMessageBox::Cancel);
+    box->setInformativeText(translated(problem));
+    const QAbstractButton* retry = box->addButton(tr("&Try again"), QMessageBox::AcceptRole);
+    const QAbstractButton* other = box->addButton(tr("Save &as \u2026"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    ask(box, [retry, other, again, elsewhere](const QAbstractButton* pressed) {
+        if (pressed == retry)
+            again();
+        else if (pressed == other)
+            elsewhere();
+    });
+}
+
+} // namespace bolster
