@@ -32,7 +32,11 @@ Hash replaceProject(const QString& path, const std::function<void(const QString&
     removeLeftTemporaryFiles(QFileInfo(path).absolutePath());
     TemporaryFile temporary(path);
     throwUnless(temporary.problem());
-    write(temporary.path());
+    try {
+        write(temporary.path());
+    } catch (const DatabaseError& error) {
+        throw DatabaseError(naming(error.message, temporary.path(), path));
+    }
     OpenedProject written = openProject(temporary.path(), check);
     throwUnless(naming(written.problem, temporary.path(), path));
     written.database->setName(path);
