@@ -67,6 +67,7 @@ void Document::commit(Edit edit)
 
 void Document::undo()
 {
+    finishGesture();
     if (m_gesture)
         cancelGesture(); // that was the last thing done
     else if (m_history.canUndo())
@@ -75,6 +76,7 @@ void Document::undo()
 
 void Document::redo()
 {
+    finishGesture();
     if (m_gesture)
         cancelGesture();
     else if (m_history.canRedo())
@@ -138,8 +140,15 @@ void Document::setHeld(HeldHistory held)
     announceDirty();
 }
 
+void Document::finishGesture()
+{
+    if (m_gesture && m_gesture->isLetGo())
+        m_gesture->commit();
+}
+
 void Document::cancelGesture()
 {
+    finishGesture();
     if (!m_gesture)
         return;
     std::exchange(m_gesture, nullptr)->m_document = nullptr;

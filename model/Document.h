@@ -73,8 +73,11 @@ public:
     /// What the running gesture's preview would break, if anything: it is to be seen as invalid, not to be solved,
     /// and is taken back on release.
     const std::optional<edits::Breakage>& breakage() const { return m_breakage; }
-    /// Takes back the running gesture, if there is one (undo during a drag, Escape).
+    /// Takes back the running gesture, if there is one (undo during a drag, Escape). One that was let go is
+    /// committed.
     void cancelGesture();
+    /// Commits a gesture that was let go, and leaves any other.
+    void finishGesture();
 
 signals:
     void changed(const bolster::ChangeSet& ids);

@@ -17,7 +17,10 @@ Gesture::Gesture(Document& document)
 
 Gesture::~Gesture()
 {
-    cancel();
+    if (m_letGo)
+        commit();
+    else
+        cancel();
 }
 
 void Gesture::update(Edit edit)
@@ -34,6 +37,7 @@ void Gesture::commit()
 {
     if (!m_document)
         return;
+    m_letGo = false;
     // Detached first: the document goes from the preview straight to the committed design, without a way back.
     Document& document = *std::exchange(m_document, nullptr);
     if (const std::optional<edits::Breakage> broken = document.m_breakage) {
@@ -47,6 +51,7 @@ void Gesture::commit()
 
 void Gesture::cancel()
 {
+    m_letGo = false;
     if (m_document)
         m_document->cancelGesture();
 }

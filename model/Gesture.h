@@ -26,11 +26,17 @@ public:
     void commit();
     void cancel();
 
+    /// Nobody holds it now, but it may be taken up again: whatever would cancel it commits it (Document).
+    void letGo() { m_letGo = true; }
+    void takeUp() { m_letGo = false; }
+    bool isLetGo() const { return m_letGo; }
+
 private:
     friend class Document;
     Document* m_document;
     Design m_start;
     Edit m_edit;
+    bool m_letGo = false;
 };
 
 } // namespace bolster

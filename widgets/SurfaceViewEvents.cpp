@@ -177,6 +177,12 @@ bool SurfaceView::handle(QEvent* event)
         return true;
     }
     if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
+        const int key = static_cast<const QKeyEvent&>(*event).key();
+        const bool nudges = key >= Qt::Key_Left && key <= Qt::Key_PageDown;
+        if (!nudges && key != Qt::Key_Shift)
+            m_document.finishGesture(); // other keys mean what they always do
+    }
+    if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
         // During a drag these belong to the tool, whatever the menus say.
         const int key = static_cast<const QKeyEvent&>(*event).key();
         if (key == Qt::Key_Escape || key == Qt::Key_S || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z) {

@@ -221,17 +221,53 @@ TEST_F(PatternViewTest, AddsAPointWithADoubleClick)
     EXPECT_TRUE(document.design() == twoSquares());
 }
 
-TEST_F(PatternViewTest, MovesWithTheArrowKeysAsOneEditPerPress)
+TEST_F(PatternViewTest, MovesWithTheArrowKeysAsOneEditPerSeries)
 {
     selection.set({firstSquare}, {{firstSquare, 0}});
     QTest::keyPress(&view, Qt::Key_Right);
     QTest::keyPress(&view, Qt::Key_Right, Qt::ShiftModifier);
     QTest::keyRelease(&view, Qt::Key_Right);
-    EXPECT_EQ(document.history().count(), 2);
-    EXPECT_TRUE(patch(firstSquare).outline.points()[0].isApprox(Vec2(11, 0)));
-    selection.set({secondSquare});
+    QTest::keyClick(&view, Qt::Key_Right);
+    QTest::keyClick(&view, Qt::Key_Down);
+    EXPECT_TRUE(patch(firstSquare).outline.points()[0].isApprox(Vec2(12, -1)));
+    selection.set({secondSquare}); // another series
     QTest::keyClick(&view, Qt::Key_Up);
     EXPECT_TRUE(patch(secondSquare).position.isApprox(Vec2(200, 1)));
+    EXPECT_EQ(document.history().count(), 2);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document.history().count() == 3; })) << "a pause ends it";
+    document.undo();
+    document.undo();
+    EXPECT_TRUE(document.design() == twoSquares());
+}
+
+TEST_F(PatternViewTest, NothingOfASeriesOfArrowKeysIsLost)
+{
+    selection.set({firstSquare});
+    const auto nudge = [&] {
+        QTest::keyClick(&view, Qt::Key_Right);
+        QTest::keyClick(&view, Qt::Key_Right);
+    };
+    const auto x = [&] { return patch(firstSquare).position.x(); };
+    const double start = x();
+    nudge();
+    document.cancelGesture(); // as commands and dialogs do first
+    EXPECT_EQ(x(), start + 2);
+    nudge();
+    document.undo();
+    EXPECT_EQ(x(), start + 2) << "the series is what is undone";
+    document.redo();
+    EXPECT_EQ(x(), start + 4);
+    nudge();
+    document.jumpTo(0);
+    EXPECT_EQ(x(), start);
+    EXPECT_EQ(document.history().count(), 4);
+    document.jumpTo(3);
+    EXPECT_EQ(x(), start + 6);
+
+    nudge();
+    QTest::keyClick(&view, Qt::Key_Escape); // leaves the selection, not the place
+    EXPECT_EQ(x(), start + 8);
+    EXPECT_FALSE(document.gestureRunning());
 }
 
 TEST_F(PatternViewTest, EscapeGoesBackStepByStep)

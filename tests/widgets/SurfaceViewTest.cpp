@@ -358,10 +358,10 @@ TEST_F(SurfaceViewTest, ArrowKeysNudge)
     QTest::keyPress(&view, Qt::Key_Right, Qt::ShiftModifier);
     EXPECT_LT((point(1) - before - Vec3(12, 0, 0)).norm(), 1e-9);
     QTest::keyRelease(&view, Qt::Key_Right);
-    EXPECT_EQ(document.history().count(), 2); // one edit
-    QTest::keyClick(&view, Qt::Key_Up);       // seen from above, up is +y and away is -z
+    QTest::keyClick(&view, Qt::Key_Up); // seen from above, up is +y and away is -z
     QTest::keyClick(&view, Qt::Key_PageUp);
     EXPECT_LT((point(1) - before - Vec3(12, 1, -1)).norm(), 1e-9);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return document.history().count() == 2; })) << "one edit for the series";
 }
 
 TEST_F(SurfaceViewTest, DeleteRemovesPointsAndDoubleClickAddsThem)

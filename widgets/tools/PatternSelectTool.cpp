@@ -47,7 +47,7 @@ std::optional<Vec2> arrowDirection(int key)
 
 void PatternSelectTool::press(const PatternPointer& pointer)
 {
-    endNudge();
+    m_nudges.end();
     m_pressed = pointer;
     m_pressedHandle = onTurnHandle(pointer.pixel);
     m_pressedCorner = m_pressedHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
@@ -205,41 +205,42 @@ bool PatternSelectTool::keyPress(const QKeyEvent& event)
     if (m_drag)
         return keyDuringDrag(event);
     const std::optional<Vec2> direction = arrowDirection(event.key());
-    if (!direction)
+    if (!direction) {
+        if (event.key() != Qt::Key_Shift)
+            m_nudges.end();
         return false;
-    Document& document = m_context.document();
-    if (!m_nudge || !m_nudge->active()) {
-        m_nudge = std::make_unique<Gesture>(document);
-        m_nudged.setZero();
     }
-    m_nudged += *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
-    m_nudge->update(nudge(m_nudge->start(), m_context.selection(), m_nudged));
+    m_nudges.step(m_context.document(), m_context.selection(),
+                  *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1),
+                  [&selection = m_context.selection()](const Design& start, const Vec2& way) {
+                      return nudge(start, selection, way);
+                  });
     return true;
 }
 
 bool PatternSelectTool::keyRelease(const QKeyEvent& event)
 {
-    if (!m_nudge || event.isAutoRepeat() || !arrowDirection(event.key()))
+    if (!m_nudges.keyIsDown() || event.isAutoRepeat() || !arrowDirection(event.key()))
         return false;
-    endNudge();
+    m_nudges.release(m_context.document());
     return true;
-}
-
-void PatternSelectTool::endNudge()
-{
-    if (const std::unique_ptr<Gesture> nudged = std::move(m_nudge))
-        nudged->commit();
 }
 
 bool PatternSelectTool::escape()
 {
-    if (m_drag && m_drag->clearTyped()) {
-        // what is dragged follows the pointer again
-    } else if (m_drag || m_nudge) {
+    if (m_drag && m_drag->clearTyped()) { // what is dragged follows the pointer again
+        m_context.refresh();
+        return true;
+    }
+    if (m_drag || m_nudges.keyIsDown()) {
         m_drag.reset();
-        m_nudge.reset();
+        m_nudges.cancel();
         m_pressed.reset();
-    } else if (!m_context.selection().narrow()) {
+        m_context.refresh();
+        return true;
+    }
+    m_nudges.end();
+    if (!m_context.selection().narrow()) {
         return false;
     }
     m_context.refresh();
@@ -248,7 +249,7 @@ bool PatternSelectTool::escape()
 
 void PatternSelectTool::leave()
 {
-    endNudge();
+    m_nudges.end();
     if (m_drag || m_pressed)
         return;
     m_hover = {};

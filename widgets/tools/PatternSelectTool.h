@@ -1,6 +1,7 @@
 // Selects, moves and turns in the pattern view.
 #pragma once
 
+#include "NudgeSeries.h"
 #include "StretchEndDrag.h"
 
 #include <QCoreApplication>
@@ -43,7 +44,6 @@ private:
     std::unique_ptr<PatternDrag> newDrag() const;
     std::set<std::pair<ElementId, int>> allPoints(ElementId line) const;
     bool keyDuringDrag(const QKeyEvent& event);
-    void endNudge();
     void paintEdges(QPainter& painter, const ViewColors& colors) const;
     Box2 selectedBox() const;
     bool onTurnHandle(QPointF pixel) const;
@@ -63,8 +63,7 @@ private:
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 
-    std::unique_ptr<Gesture> m_nudge; ///< while an arrow key is held down
-    Vec2 m_nudged = Vec2::Zero();
+    NudgeSeries<Vec2> m_nudges;
 };
 
 } // namespace bolster

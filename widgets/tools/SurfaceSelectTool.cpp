@@ -67,7 +67,7 @@ std::optional<SurfacePointDrag::Axis> axisOf(int key)
 
 void SurfaceSelectTool::press(const SurfacePointer& pointer)
 {
-    endNudge();
+    m_nudges.end();
     if (m_gizmo.press(pointer)) {
         m_context.refresh();
         return;
@@ -189,20 +189,10 @@ bool SurfaceSelectTool::startNudge(const QKeyEvent& event)
     const std::set<std::pair<ElementId, int>>& points = m_context.selection().points();
     if (!direction || points.empty())
         return false;
-    Document& document = m_context.document();
-    if (!m_nudge || !m_nudge->active()) {
-        m_nudge = std::make_unique<Gesture>(document);
-        m_nudged.setZero();
-    }
-    m_nudged += *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1);
-    m_nudge->update(moveCurvePointsTogether(m_nudge->start(), points, m_nudged));
+    m_nudges.step(
+        m_context.document(), m_context.selection(), *direction * (event.modifiers() & Qt::ShiftModifier ? 10 : 1),
+        [points](const Design& start, const Vec3& way) { return moveCurvePointsTogether(start, points, way); });
     return true;
-}
-
-void SurfaceSelectTool::endNudge()
-{
-    if (const std::unique_ptr<Gesture> nudged = std::move(m_nudge))
-        nudged->commit();
 }
 
 void SurfaceSelectTool::removePoints()
@@ -234,25 +224,33 @@ bool SurfaceSelectTool::keyPress(const QKeyEvent& event)
         removePoints();
         return true;
     }
-    return startNudge(event);
+    if (startNudge(event))
+        return true;
+    if (event.key() != Qt::Key_Shift)
+        m_nudges.end();
+    return false;
 }
 
 bool SurfaceSelectTool::keyRelease(const QKeyEvent& event)
 {
-    if (!m_nudge || event.isAutoRepeat() || !keyDirection(event.key(), m_context.toolCamera()))
+    if (!m_nudges.keyIsDown() || event.isAutoRepeat() || !keyDirection(event.key(), m_context.toolCamera()))
         return false;
-    endNudge();
+    m_nudges.release(m_context.document());
     return true;
 }
 
 bool SurfaceSelectTool::escape()
 {
-    if (m_drag || m_nudge || m_gizmo.dragging()) {
+    if (m_drag || m_nudges.keyIsDown() || m_gizmo.dragging()) {
         m_gizmo.cancel();
         m_drag.reset();
-        m_nudge.reset();
+        m_nudges.cancel();
         m_pressed.reset();
-    } else if (!m_context.selection().narrow()) {
+        m_context.refresh();
+        return true;
+    }
+    m_nudges.end();
+    if (!m_context.selection().narrow()) {
         return false;
     }
     m_context.refresh();
@@ -261,7 +259,7 @@ bool SurfaceSelectTool::escape()
 
 void SurfaceSelectTool::leave()
 {
-    endNudge();
+    m_nudges.end();
     if (m_drag || m_pressed || m_gizmo.dragging())
         return;
     m_gizmo.cancel();

@@ -1,6 +1,7 @@
 // Selects in the 3D view and moves control points of curves.
 #pragma once
 
+#include "NudgeSeries.h"
 #include "PlacementGizmo.h"
 #include "SurfacePointDrag.h"
 
@@ -38,7 +39,6 @@ private:
     bool drag(const SurfacePointer& pointer);
     void removePoints();
     bool startNudge(const QKeyEvent& event);
-    void endNudge();
 
     SurfaceHit m_hover;
     std::optional<SurfacePointer> m_pressed;
@@ -47,8 +47,7 @@ private:
     std::unique_ptr<SurfacePointDrag> m_drag;
     PlacementGizmo m_gizmo{m_context};
 
-    std::unique_ptr<Gesture> m_nudge; ///< while an arrow key is held down
-    Vec3 m_nudged = Vec3::Zero();
+    NudgeSeries<Vec3> m_nudges;
 };
 
 } // namespace bolster
