@@ -21,6 +21,8 @@ QString nameOrNumber(const Design& design, ElementId id)
     const ElementPtr element = design.element(id);
     if (!element)
         return QCoreApplication::translate("ElementText", "missing element %1").arg(number(id));
+    if (id == settingsId) // there is only one
+        return kindWord(kindOf(*element));
     const QString name = QString::fromStdString(elementName(*element));
     return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindWord(kindOf(*element))).arg(number(id)) : name;
 }

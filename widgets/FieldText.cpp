@@ -1,12 +1,21 @@
 #include "FieldText.h"
 
+#include "ElementText.h"
+#include "Units.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLocale>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
+#include <set>
+#include <vector>
 
 namespace bolster {
 
@@ -113,6 +122,115 @@ QString fieldValueText(const std::string& json)
         return objectText(value.toObject());
     const QString text = QString::fromStdString(json);
     return text.size() > longest ? text.left(longest - 1) + u'\u2026' : text;
+}
+
+namespace {
+
+const std::set<std::string> keysOfElements{"colourway", "curve", "cushion", "fabric",       "frame",
+                                           "of",        "patch", "patches", "piping_fabric"};
+const std::set<std::string> keysOfLengths{"bending_length", "contact_gap", "depth", "edge_length",
+                                          "position",       "size",        "width"};
+const std::set<std::string> keysOfAngles{"grain", "rotation"};
+
+class ValueWords {
+public:
+    ValueWords(const Design& design, std::string key)
+        : m_design(design)
+        , m_key(std::move(key))
+        , m_length(keysOfLengths.contains(m_key) || m_key.ends_with("_mm"))
+    {}
+
+    QString text(const QJsonValue& value) const
+    {
+        if (value.isDouble())
+            return numberText(value.toDouble());
+        if (value.isString())
+            return value.toString().replace(u'_', u' ');
+        if (value.isBool())
+            return value.toBool() ? FieldWords::tr("yes") : FieldWords::tr("no");
+        return value.isArray() ? listText(value.toArray()) : objectText(value.toObject());
+    }
+
+private:
+    QString numberText(double number) const
+    {
+        if (keysOfElements.contains(m_key))
+            return displayName(m_design, static_cast<ElementId>(static_cast<int>(number)));
+        if (keysOfAngles.contains(m_key))
+            return angleText(number);
+        return m_length ? lengthText(number, 2) : QLocale().toString(number, 'g', 4);
+    }
+
+    QString listText(const QJsonArray& values) const
+    {
+        if (m_key == "rotation" && values.size() == 4) // a quaternion, w first
+            return FieldWords::tr("turned by %1").arg(angleText(turn(values.at(0).toDouble())));
+        QStringList parts;
+        for (const QJsonValue& value : values)
+            parts << (m_length && value.isDouble() ? decimalText(value.toDouble(), 2, false) : text(value));
+        const QString all = parts.join(QStringLiteral(", "));
+        return m_length ? FieldWords::tr("%1 mm").arg(all) : all;
+    }
+
+    static double turn(double w) { return 360 / std::numbers::pi * std::acos(std::clamp(std::abs(w), 0.0, 1.0)); }
+
+    /// What a curve looks like: how many points, and how large.
+    static QString curveText(const QJsonArray& points)
+    {
+        std::vector<double> low, high;
+        for (const QJsonValue& point : points) {
+            const QJsonArray at = point.toArray();
+            low.resize(static_cast<std::size_t>(at.size()), std::numeric_limits<double>::infinity());
+            high.resize(low.size(), -std::numeric_limits<double>::infinity());
+            for (std::size_t axis = 0; axis < low.size(); ++axis) {
+                const double value = at.at(static_cast<qsizetype>(axis)).toDouble();
+                low[axis] = std::min(low[axis], value);
+                high[axis] = std::max(high[axis], value);
+            }
+        }
+        QStringList sizes;
+        for (std::size_t axis = 0; axis < low.size(); ++axis)
+            sizes << decimalText(high[axis] - low[axis], 1, false);
+        return FieldWords::tr("%n points, %1 mm", nullptr, static_cast<int>(points.size()))
+            .arg(sizes.join(QStringLiteral(" \u00d7 ")));
+    }
+
+    QString objectText(const QJsonObject& object) const
+    {
+        if (const QJsonArray points = object[QStringLiteral("points")].toArray(); !points.isEmpty())
+            return curveText(points);
+        const auto part = [&](const char* key) {
+            return ValueWords(m_design, key).text(object[QLatin1String(key)]);
+        };
+        if (object.contains(QLatin1String("patch")) && object.contains(QLatin1String("from")))
+            return FieldWords::tr("%1, from %2 to %3").arg(part("patch"), part("from"), part("to"));
+        if (object.contains(QLatin1String("patch")) && object.contains(QLatin1String("fabric")))
+            return FieldWords::tr("%1: %2").arg(part("patch"), part("fabric"));
+        QStringList parts;
+        for (auto field = object.begin(); field != object.end(); ++field) {
+            const std::string key = field.key().toStdString();
+            parts << FieldWords::tr("%1: %2").arg(fieldText(key), ValueWords(m_design, key).text(field.value()));
+        }
+        return parts.join(QStringLiteral(", "));
+    }
+
+    const Design& m_design;
+    std::string m_key;
+    bool m_length;
+};
+
+} // namespace
+
+QString fieldValueText(const Design& design, const std::string& key, const std::string& json)
+{
+    if (json.empty())
+        return key == "colourway" ? FieldWords::tr("as made")
+               : key == "twin"    ? FieldWords::tr("none")
+                                  : FieldWords::tr("usual");
+    const QJsonDocument wrapped = QJsonDocument::fromJson("[" + QByteArray::fromStdString(json) + "]");
+    const QString text = ValueWords(design, key).text(wrapped.array().at(0));
+    constexpr qsizetype most = 80; // characters
+    return text.size() > most ? text.left(most - 1) + u'\u2026' : text;
 }
 
 } // namespace bolster

@@ -208,6 +208,27 @@ TEST(FieldText, SaysAPartOfAnElementInWords)
     EXPECT_EQ(fieldValueText(R"({"patch": 2, "from": 0, "to": 1})"), "Begins at: 0, patch: 2, Ends at: 1");
 }
 
+TEST(FieldText, SaysValuesInTheWordsOfTheDesign)
+{
+    const Design design = twoSquares();
+    const auto text = [&](const char* key, const char* json) { return fieldValueText(design, key, json); };
+    const QString first = displayName(design, firstSquare);
+    EXPECT_EQ(text("patch", "1"), displayName(design, ElementId{1}));
+    EXPECT_EQ(text("patches", ("[" + std::to_string(number(firstSquare)) + "]").c_str()), first);
+    EXPECT_EQ(
+        text("a", (R"({"patch": )" + std::to_string(number(firstSquare)) + R"(, "from": 0, "to": 1})").c_str()),
+        first + ", from 0 to 1");
+    EXPECT_EQ(text("edge_length", "12.123456"), "12.12 mm");
+    EXPECT_EQ(text("position", "[1.5, 0.333333]"), "1.5, 0.33 mm");
+    EXPECT_EQ(text("grain", "45"), "45\u00b0");
+    EXPECT_EQ(text("rotation", "[0.7071067811865476, 0.7071067811865476, 0, 0]"), "turned by 90\u00b0");
+    EXPECT_EQ(text("outline", R"({"degree": 1, "points": [[0, 0], [100, 0], [100, 50]]})"),
+              "3 points, 100 \u00d7 50 mm");
+    EXPECT_EQ(text("colourway", ""), "as made");
+    EXPECT_EQ(text("trim", R"({"stitch": "twin", "stitch_length_mm": 4})"), "Stitching: twin, Stitch length: 4 mm");
+    EXPECT_EQ(displayName(design, settingsId), "Design");
+}
+
 TEST_F(ListsTest, ASliderChangesTheDesignWhileItIsDraggedAsOneEdit)
 {
     const ElementId id{9};
