@@ -62,7 +62,7 @@ SpotsPanel::SpotsPanel(const MapLink& maps, const Actions& actions, QWidget* par
     , m_table(new QTreeWidget(m_list))
     , m_hint(new QWidget(this))
     , m_advice(new QLabel(m_hint))
-    , m_offer(new QPushButton(tr("Show the largest strain"), m_hint))
+    , m_offer(new QPushButton(tr("Show the &largest strain"), m_hint))
 {
     QFont bold = m_title->font();
     bold.setBold(true);

@@ -180,7 +180,7 @@ void InspectorForms::addFabricKind(PropertyForm& form, const Ids& ids) const
         return;
     fabric.info(tr("File"), [](const Design&, const Fabric& f) { return QString::fromStdString(f.look.file); });
     if (ids.size() == 1)
-        form.addButton(tr("Choose another picture \u2026"),
+        form.addButton(tr("Choose an&other picture \u2026"),
                        [chooseFile = m_chooseFile, id = ids.front()] { chooseFile(id); });
 }
 

@@ -308,7 +308,7 @@ void InspectorForms::addFrame(PropertyForm& form, const Ids& ids) const
                  QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
     addFrameMaterial(form, ids);
     if (!frame.several())
-        form.addButton(tr("Choose another file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
+        form.addButton(tr("Choose an&other file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
 }
 
 void InspectorForms::addUnusable(PropertyForm& form, const Ids& ids) const

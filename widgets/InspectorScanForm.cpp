@@ -34,9 +34,9 @@ void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
     if (scan.several())
         return;
     const ElementId id = ids.front();
-    form.addButton(tr("Place on the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
+    form.addButton(tr("Place on &the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
     addScanCuts(form, id);
-    form.addButton(tr("Choose another file \u2026"), [this, id] { m_chooseFile(id); });
+    form.addButton(tr("Choose an&other file \u2026"), [this, id] { m_chooseFile(id); });
 }
 
 void InspectorForms::addScanSize(PropertyForm& form, ElementId id) const
@@ -80,10 +80,10 @@ void InspectorForms::addScanCuts(PropertyForm& form, ElementId id) const
         tr("Floor at"), lengthRange, [scan] { return edits::floorOf(scan.now()).value_or(0); },
         [this, id](double height) { m_document.commit(edits::cutFloor(m_document.design(), id, height)); });
     scan.info(tr("Cuts"), [](const Design&, const Scan& s) { return QString::number(s.cuts.size()); });
-    form.addButton(tr("Cut away \u2026"), [this, id] { m_scanWish(id, ScanWish::CutAway); });
-    form.addButton(tr("Keep only \u2026"), [this, id] { m_scanWish(id, ScanWish::KeepOnly); });
-    form.addButton(tr("Keep around the cover"), [this, id] { m_scanWish(id, ScanWish::KeepAroundCover); });
-    form.addButton(tr("Remove all cuts"), [this, id] { m_scanWish(id, ScanWish::ShowAll); });
+    form.addButton(tr("Cut awa&y \u2026"), [this, id] { m_scanWish(id, ScanWish::CutAway); });
+    form.addButton(tr("&Keep only \u2026"), [this, id] { m_scanWish(id, ScanWish::KeepOnly); });
+    form.addButton(tr("Keep aroun&d the cover"), [this, id] { m_scanWish(id, ScanWish::KeepAroundCover); });
+    form.addButton(tr("Remove a&ll cuts"), [this, id] { m_scanWish(id, ScanWish::ShowAll); });
 }
 
 } // namespace bolster

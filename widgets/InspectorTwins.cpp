@@ -70,10 +70,10 @@ void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
                                      : displayName(now, other);
     });
     if (released)
-        form.addButton(tr("Re-link to its mirror image"),
+        form.addButton(tr("Re-lin&k to its mirror image"),
                        [this, id] { m_document.commit(relinkedSewing(m_document.design(), id)); });
     else
-        form.addButton(tr("Release from its mirror image"),
+        form.addButton(tr("Re&lease from its mirror image"),
                        [this, id] { m_document.commit(releasedSewing(m_document.design(), id)); });
 }
 
@@ -90,10 +90,10 @@ void InspectorForms::addTwin(PropertyForm& form, ElementId id) const
         const std::size_t count = releasedPoints(m_document.design(), id).size();
         return count == 0 ? tr("none") : tr("%n released points", nullptr, static_cast<int>(count));
     });
-    form.addButton(tr("Unlink from its twin"),
+    form.addButton(tr("&Unlink from its twin"),
                    [this, id] { m_document.commit(edits::unlinkTwins(m_document.design(), std::array{id})); });
     if (!releasedPoints(m_document.design(), id).empty())
-        form.addButton(tr("Re-link all points"), [this, id] {
+        form.addButton(tr("Re-link all poi&nts"), [this, id] {
             const Design& design = m_document.design();
             m_document.commit(edits::relinkPoints(design, id, releasedPoints(design, id)));
         });

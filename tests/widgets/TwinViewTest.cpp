@@ -72,7 +72,7 @@ protected:
     QPushButton* button(Inspector& inspector, const QString& text)
     {
         for (auto* button : inspector.findChildren<QPushButton*>())
-            if (button->text() == text)
+            if (button->text().remove(u'&') == text)
                 return button;
         return nullptr;
     }
