@@ -6,6 +6,8 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QScrollBar>
 
 namespace bolster {
@@ -78,6 +80,22 @@ void Inspector::showEvent(QShowEvent* event)
 {
     m_form->refresh();
     QScrollArea::showEvent(event);
+}
+
+/// Fields have taken what was typed when Enter comes here, and leave Escape to us.
+void Inspector::keyPressEvent(QKeyEvent* event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!enter && event->key() != Qt::Key_Escape) {
+        QScrollArea::keyPressEvent(event);
+        return;
+    }
+    if (!enter) {
+        for (QLineEdit* edit : m_form->findChildren<QLineEdit*>())
+            edit->setModified(false);
+        m_form->refresh();
+    }
+    emit typed();
 }
 
 void Inspector::changeEvent(QEvent* event)

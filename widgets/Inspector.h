@@ -24,10 +24,13 @@ signals:
     /// The user wants another file for this element.
     void fileWanted(bolster::ElementId element);
     void scanWish(bolster::ElementId scan, bolster::ScanWish wish);
+    /// What was typed is done, or given up: the keyboard may go elsewhere.
+    void typed();
 
 protected:
     void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void rebuild();
