@@ -52,6 +52,7 @@ Actions::Actions(QObject* parent)
     addPatternEdits();
     addDrawing();
     addTwins();
+    addScans();
     addFabrics();
     addRest();
     giveIds();
@@ -126,7 +127,8 @@ void Actions::addFile()
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportSurface = add(tr("&Export surface \u2026"), QStringLiteral("export"), QKeySequence(Qt::CTRL | Qt::Key_E));
     exportPicture = add(tr("Export &picture \u2026"), QStringLiteral("picture"));
-    renderPicture = add(tr("Render picture \u2026"), QStringLiteral("picture"), QKeySequence(Qt::Key_F12));
+    renderPicture = add(tr("Ren&der picture \u2026"), QStringLiteral("picture"), QKeySequence(Qt::Key_F12));
+    renderPicture->setShortcuts({QKeySequence(Qt::Key_F12), QKeySequence::Print}); // there is nothing else to print
     quit = add(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q));
 }
 
@@ -351,6 +353,27 @@ void Actions::addTwins()
     symmetry = add(tr("S&ymmetry \u2026"), {});
 }
 
+void Actions::addScans()
+{
+    const auto addWith = [this](const QString& text, const QKeySequence& keys, const QString& tip) {
+        QAction* action = add(text, {}, keys);
+        action->setToolTip(
+            keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+        return action;
+    };
+    placeScan = addWith(tr("&Place on the cover"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P),
+                        tr("Moves and turns the scan so that it lies on the cover as well as it can"));
+    cutScan = addWith(tr("&Cut away \u2026"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_X),
+                      tr("Drag a rectangle in the 3D view over what is to be cut away of the scan"));
+    keepScan = addWith(tr("&Keep only \u2026"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_K),
+                       tr("Drag a rectangle in the 3D view around what is to be kept of the scan"));
+    keepAroundCover = addWith(tr("Keep &around the cover"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_A),
+                              tr("Cuts away what is farther from the cover than the threshold"));
+    removeCuts = addWith(tr("&Remove all cuts"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_R),
+                         tr("Brings back all that was cut away of the scan"));
+    replaceScan = addWith(tr("Choose another &file \u2026"), {}, tr("Reads the scan from another file"));
+}
+
 void Actions::addFabrics()
 {
     const auto addWith = [this](const QString& text, const QString& iconName, const QString& tip) {
@@ -398,7 +421,9 @@ void Actions::addRest()
         add(tr("Turn 90\u00b0 to the &left"), QStringLiteral("rotate-left"), QKeySequence(Qt::CTRL | Qt::Key_L));
     turnRight = add(tr("Turn 90\u00b0 to the &right"), QStringLiteral("rotate-right"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L));
-    pause = addToggle(tr("&Pause"), QStringLiteral("pause"), false, QKeySequence(Qt::CTRL | Qt::Key_P));
+    pause = addToggle(tr("&Pause"), QStringLiteral("pause"), false);
+    pause->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Period), QKeySequence(Qt::Key_Pause)});
+    describe(*pause);
     report = add(tr("&Figures \u2026"), {});
     resetLayout = add(tr("&Reset layout"), {});
     nextPart = add(tr("&Next part of the window"), {}, QKeySequence(Qt::Key_F6));

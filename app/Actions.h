@@ -121,6 +121,13 @@ public:
     QAction* releasePoints;
     QAction* relinkPoints;
     QAction* symmetry;
+    // Scan
+    QAction* placeScan;
+    QAction* cutScan;
+    QAction* keepScan;
+    QAction* keepAroundCover;
+    QAction* removeCuts;
+    QAction* replaceScan;
     // Fabric
     QAction* newFabric; ///< its menu offers presets
     QAction* newPictureFabric;
@@ -170,6 +177,7 @@ private:
     void addPatternEdits();
     void addDrawing();
     void addTwins();
+    void addScans();
     void addFabrics();
     void addRest();
 };

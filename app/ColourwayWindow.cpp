@@ -7,22 +7,27 @@
 #include "VersionPane.h"
 
 #include <QComboBox>
+#include <QShortcut>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 namespace bolster {
 
-ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, FabricLink& link, QWidget* parent)
+ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, FabricLink& link, SolverLink& solver,
+                                 QWidget* parent)
     : QWidget(parent, Qt::Window)
     , m_document(document)
     , m_files(files)
     , m_link(link)
 {
     setWindowTitle(tr("Compare colourways"));
+    setAttribute(Qt::WA_DeleteOnClose); // what it shows is large
+    connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::close);
     auto* panes = new QSplitter(Qt::Horizontal);
     for (Side& side : m_sides) {
         side = {new QComboBox, new VersionPane};
         side.pane->showForLooks();
+        side.pane->follow(solver);
         auto* part = new QWidget;
         auto* layout = new QVBoxLayout(part);
         layout->setContentsMargins(6, 6, 6, 6);
@@ -48,7 +53,7 @@ ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, F
     resize(1200, 760);
     connect(&link, &FabricLink::changed, this, [this] {
         for (const Side& side : m_sides)
-            side.pane->surface().setFabricMaps(m_link.maps());
+            side.pane->setFabrics(m_link.maps());
     });
     connect(&document, &Document::historyChanged, this, [this] {
         if (isVisible())
@@ -89,6 +94,7 @@ void ColourwayWindow::display(const Side& side)
     const auto colourway = static_cast<ElementId>(side.choice->currentData().toInt());
     side.pane->setVersion(side.choice->currentText(), design.with(edits::showColourway(design, colourway)),
                           m_files);
+    side.pane->setFabrics(m_link.maps());
 }
 
 } // namespace bolster

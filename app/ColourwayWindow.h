@@ -13,13 +13,16 @@ class QComboBox;
 namespace bolster {
 
 class FabricLink;
+class SolverLink;
 class VersionPane;
 
 class ColourwayWindow : public QWidget {
     Q_OBJECT
 
 public:
-    ColourwayWindow(Document& document, const DesignFiles& files, FabricLink& link, QWidget* parent = nullptr);
+    /// `solver` is that of the document: colourways change nothing of the shape.
+    ColourwayWindow(Document& document, const DesignFiles& files, FabricLink& link, SolverLink& solver,
+                    QWidget* parent = nullptr);
 
     /// The design as it is made beside what it shows, or beside the first of its colourways.
     void compare();

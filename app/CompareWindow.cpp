@@ -1,6 +1,8 @@
 #include "CompareWindow.h"
 
+#include "Background.h"
 #include "ElementText.h"
+#include "FabricLink.h"
 #include "FieldText.h"
 #include "PatternView.h"
 #include "SurfaceView.h"
@@ -14,6 +16,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -27,10 +30,12 @@ constexpr int columnGap = 32; // pixels
 
 } // namespace
 
-CompareWindow::CompareWindow(Document& document, FilesOf filesOf, QWidget* parent)
+CompareWindow::CompareWindow(Document& document, FilesOf filesOf, FabricLink& fabrics, SolverLink& solver,
+                             QWidget* parent)
     : QWidget(parent, Qt::Window)
     , m_document(document)
     , m_filesOf(std::move(filesOf))
+    , m_fabrics(fabrics)
     , m_left(new VersionPane)
     , m_right(new VersionPane)
     , m_list(new QTreeWidget)
@@ -38,6 +43,10 @@ CompareWindow::CompareWindow(Document& document, FilesOf filesOf, QWidget* paren
     , m_together(new QCheckBox(tr("&Move both together")))
 {
     setWindowTitle(tr("Compare versions"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::close);
+    m_right->follow(solver);
+    connect(&fabrics, &FabricLink::changed, this, [this] { m_right->setFabrics(m_fabrics.maps()); });
     m_list->setHeaderLabels({tr("What differs"), tr("There"), tr("Now")});
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setAlternatingRowColors(true);
@@ -101,7 +110,23 @@ bool CompareWindow::compareWith(NodeId node)
     m_other = *other;
     m_left->setVersion(titleOf(node), m_other, m_filesOf(m_other));
     refresh();
+    bakeFabrics();
     return true;
+}
+
+/// Those of the other version may look otherwise, or not be there any more.
+void CompareWindow::bakeFabrics()
+{
+    using Maps = std::map<ElementId, FabricMapsPtr>;
+    m_left->setFabrics({});
+    inBackground<Maps>([bake = m_fabrics.baker(), other = m_other] {
+        Maps maps;
+        other.each<Fabric>([&](ElementId id, const Fabric& fabric) { maps[id] = bake(id, fabric); });
+        return maps;
+    }).then(this, [this, other = m_other](const Maps& maps) {
+        if (other == m_other)
+            m_left->setFabrics(maps);
+    });
 }
 
 QString CompareWindow::titleOf(NodeId node) const
@@ -117,6 +142,7 @@ QString CompareWindow::titleOf(NodeId node) const
 void CompareWindow::refresh()
 {
     m_right->setVersion(tr("Now"), m_document.committed(), m_filesOf(m_document.committed()));
+    m_right->setFabrics(m_fabrics.maps());
     fillList();
     selectionChanged();
 }
@@ -141,8 +167,9 @@ void CompareWindow::fillList()
         else if (difference.kind == Difference::Kind::Removed)
             item->setText(1, tr("only there"));
         for (const Difference::Field& field : difference.fields) {
-            auto* child = new QTreeWidgetItem(
-                item, {fieldText(field.key), fieldValueText(field.before), fieldValueText(field.after)});
+            auto* child =
+                new QTreeWidgetItem(item, {fieldText(field.key), fieldValueText(m_other, field.key, field.before),
+                                           fieldValueText(m_document.committed(), field.key, field.after)});
             child->setData(0, elementRole, static_cast<int>(difference.element));
         }
     }

@@ -14,15 +14,20 @@ class QTreeWidget;
 
 namespace bolster {
 
+class FabricLink;
+class SolverLink;
 class VersionPane;
 
 /// The other version is on the left, the present one on the right; what is chosen in the list can be taken over.
+/// Deletes itself when it is closed: what it shows is large.
 class CompareWindow : public QWidget {
     Q_OBJECT
 
 public:
     using FilesOf = std::function<DesignFiles(const Design& design)>; ///< as far as they have been read
-    CompareWindow(Document& document, FilesOf filesOf, QWidget* parent = nullptr);
+    /// `solver` is that of the document, so the present version is not computed twice.
+    CompareWindow(Document& document, FilesOf filesOf, FabricLink& fabrics, SolverLink& solver,
+                  QWidget* parent = nullptr);
 
     /// The version at a node; false when it cannot be read any more.
     bool compareWith(NodeId node);
@@ -37,6 +42,7 @@ public:
 private:
     void tieViews(VersionPane& moved, VersionPane& other);
     void refresh();
+    void bakeFabrics();
     void fillList();
     void selectionChanged();
     void takeChosen();
@@ -45,6 +51,7 @@ private:
 
     Document& m_document;
     FilesOf m_filesOf;
+    FabricLink& m_fabrics;
     Design m_other;
     VersionPane* m_left;
     VersionPane* m_right;

@@ -1,6 +1,7 @@
 #include "Docks.h"
 
 #include "DockTitle.h"
+#include "PaneSizes.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>
@@ -38,6 +39,7 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
     , spots(newDock(window, QStringLiteral("spots"), QCoreApplication::translate("Docks", "Worst spots"),
                     parts.spots))
     , m_window(window)
+    , m_sizes(new PaneSizes(window, all(), {pattern, cover}))
 {
     window.setDockNestingEnabled(true);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -64,6 +66,17 @@ void Docks::reset()
     elements->raise();
     m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
     m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);
+    m_sizes->take();
+}
+
+QByteArray Docks::saveSizes() const
+{
+    return m_sizes->save();
+}
+
+void Docks::restoreSizes(const QByteArray& saved)
+{
+    m_sizes->restore(saved);
 }
 
 void Docks::reveal(QDockWidget* dock)

@@ -1,12 +1,15 @@
 // The parts of the window and where they stand.
 #pragma once
 
+#include <QByteArray>
 #include <QDockWidget>
 #include <QList>
 
 class QMainWindow;
 
 namespace bolster {
+
+class PaneSizes;
 
 /// All parts are docks: pattern and cover side by side, the lists beside them. The user may move them; the
 /// arrangement is kept, and reset() brings back the first one.
@@ -41,11 +44,14 @@ public:
     }
 
     void reset();
+    QByteArray saveSizes() const;
+    void restoreSizes(const QByteArray& saved);
     /// Shows a part and brings it to the front.
     static void reveal(QDockWidget* dock);
 
 private:
     QMainWindow& m_window;
+    PaneSizes* m_sizes;
 };
 
 } // namespace bolster

@@ -1,5 +1,6 @@
 #include "FabricCommands.h"
 
+#include "Ask.h"
 #include "ColourwayEdits.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
@@ -8,8 +9,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QInputDialog>
-#include <QMessageBox>
 
 namespace bolster {
 
@@ -41,9 +40,7 @@ bool FabricCommands::commit(const Edit& edit)
 
 void FabricCommands::fail(const QString& title, const Message& why)
 {
-    QMessageBox box(QMessageBox::Warning, tr("Bolster"), title, QMessageBox::Ok, m_window);
-    box.setInformativeText(translated(why));
-    box.exec();
+    tell(m_window, QMessageBox::Warning, title, translated(why));
 }
 
 void FabricCommands::add(const Fabric& fabric)
@@ -67,11 +64,8 @@ void FabricCommands::rename()
 
 void FabricCommands::askName(ElementId id, const QString& title)
 {
-    bool ok = false;
-    const QString name =
-        QInputDialog::getText(m_window, title, tr("Name:"), QLineEdit::Normal, displayName(design(), id), &ok);
-    if (ok && !name.trimmed().isEmpty())
-        commit(edits::renameElement(design(), id, name.trimmed().toStdString()));
+    askForText(m_window, title, tr("Name:"), displayName(design(), id),
+               [this, id](const QString& name) { commit(edits::renameElement(design(), id, name.toStdString())); });
 }
 
 void FabricCommands::remove()
@@ -93,19 +87,17 @@ void FabricCommands::remove()
         return;
     }
     if (others.empty()) {
-        QMessageBox::information(m_window, tr("Delete fabric"),
-                                 tr("\"%1\" is the only fabric, and patches are made of it. Add another one first.")
-                                     .arg(displayName(design(), id)));
+        tell(m_window, QMessageBox::Information, tr("\"%1\" is not deleted.").arg(displayName(design(), id)),
+             tr("It is the only fabric, and patches are made of it. Add another one first."));
         return;
     }
-    bool ok = false;
-    const QString chosen = QInputDialog::getItem(
+    askForOneOf(
         m_window, tr("Delete fabric"),
         tr("%n patches have \"%1\". What shall they get instead?", nullptr, uses).arg(displayName(design(), id)),
-        names, 0, false, &ok);
-    const qsizetype place = names.indexOf(chosen);
-    if (ok && place >= 0)
-        commit(edits::removeFabric(design(), id, others[static_cast<std::size_t>(place)]));
+        names, [this, id, others, names](const QString& chosen) {
+            if (const qsizetype place = names.indexOf(chosen); place >= 0)
+                commit(edits::removeFabric(design(), id, others[static_cast<std::size_t>(place)]));
+        });
 }
 
 void FabricCommands::assign(const std::vector<ElementId>& patches, ElementId fabric)
@@ -126,12 +118,9 @@ void FabricCommands::assignToSelection()
 
 void FabricCommands::newColourway()
 {
-    bool ok = false;
-    const QString name = QInputDialog::getText(m_window, tr("New colourway"),
-                                               tr("Name of the colourway; it begins as what is shown now:"),
-                                               QLineEdit::Normal, tr("Colourway"), &ok);
-    if (ok && !name.trimmed().isEmpty())
-        commit(edits::addColourway(design(), name.trimmed().toStdString()));
+    askForText(m_window, tr("New colourway"), tr("Name of the colourway; it begins as what is shown now:"),
+               tr("Colourway"),
+               [this](const QString& name) { commit(edits::addColourway(design(), name.toStdString())); });
 }
 
 void FabricCommands::renameColourway()

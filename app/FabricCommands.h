@@ -43,8 +43,11 @@ private:
     void askName(ElementId id, const QString& title);
     bool commit(const Edit& edit);
     void fail(const QString& title, const Message& why);
+    void readPicture(const QString& file, ElementId fabric);
     void takePicture(const QString& path, ElementId fabric);
+    void readFabrics(const QString& file);
     void takeFabrics(const QString& path, const Design& from, const QString& folder);
+    void exportTo(const QString& file, const Fabric& fabric);
     QString startFolder() const;
 
     DesignSession& m_session;

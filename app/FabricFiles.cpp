@@ -1,4 +1,5 @@
 // Fabrics from files and to files, and pictures for them.
+#include "Ask.h"
 #include "Background.h"
 #include "DesignFolder.h"
 #include "ElementEdits.h"
@@ -7,9 +8,7 @@
 #include "Project.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QPointer>
 #include <QProgressDialog>
 #include <QStandardPaths>
@@ -18,16 +17,6 @@
 namespace bolster {
 
 namespace {
-
-QProgressDialog* newProgress(QWidget* window, const QString& text)
-{
-    auto* progress = new QProgressDialog(text, FabricCommands::tr("Cancel"), 0, 0, window);
-    progress->setWindowModality(Qt::WindowModal);
-    progress->setMinimumDuration(400);
-    progress->setAttribute(Qt::WA_DeleteOnClose);
-    progress->setAutoClose(false);
-    return progress;
-}
 
 /// A fabric file is a design that has nothing but the fabric; its picture lies beside it.
 Message writeFabric(const Fabric& fabric, const QString& picture, const QString& path)
@@ -58,23 +47,27 @@ QString FabricCommands::startFolder() const
 
 void FabricCommands::choosePicture(ElementId fabric, const QString& path)
 {
+    if (!path.isEmpty()) {
+        readPicture(path, fabric);
+        return;
+    }
     QStringList patterns;
     for (const QString& ending : imageFileEndings())
         patterns << QStringLiteral("*.") + ending;
-    QString file = path;
-    if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, tr("Picture of a fabric"), startFolder(),
-                                            tr("Pictures (%1)").arg(patterns.join(u' ')));
-    if (file.isEmpty())
-        return;
-    auto* progress = newProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName()));
+    askForFile(m_window, tr("Picture of a fabric"), startFolder(), tr("Pictures (%1)").arg(patterns.join(u' ')),
+               [this, fabric](const QString& file) { readPicture(file, fabric); });
+}
+
+void FabricCommands::readPicture(const QString& file, ElementId fabric)
+{
+    QProgressDialog* progress =
+        openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName())).dialog;
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     inBackground<ImageOutcome>([file, token = stop.get_token()] {
         return importImage(file, token);
     }).then(this, [this, file, fabric, progress = QPointer(progress), stop](const ImageOutcome& read) {
-        if (progress)
-            progress->deleteLater();
+        closeProgress(progress);
         if (stop.stop_requested())
             return;
         if (!read.pixels)
@@ -103,13 +96,18 @@ void FabricCommands::takePicture(const QString& path, ElementId fabric)
 
 void FabricCommands::importFabrics(const QString& path)
 {
-    QString file = path;
-    if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, tr("Import fabrics"), startFolder(),
-                                            tr("Fabrics, designs and projects (*.json *.bolster)"));
-    if (file.isEmpty())
-        return;
-    auto* progress = newProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName()));
+    if (!path.isEmpty())
+        readFabrics(path);
+    else
+        askForFile(m_window, tr("Import fabrics"), startFolder(),
+                   tr("Fabrics, designs and projects (*.json *.bolster)"),
+                   [this](const QString& file) { readFabrics(file); });
+}
+
+void FabricCommands::readFabrics(const QString& file)
+{
+    QProgressDialog* progress =
+        openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(file).fileName())).dialog;
     const auto folder = std::make_shared<QTemporaryDir>();
     inBackground<OpenedDesign>([file, folder] {
         if (!looksLikeProject(file))
@@ -126,8 +124,7 @@ void FabricCommands::importFabrics(const QString& path)
         return opened;
     }).then(this, [this, file, folder, progress = QPointer(progress)](const OpenedDesign& opened) {
         const bool cancelled = !progress || progress->wasCanceled();
-        if (progress)
-            progress->deleteLater();
+        closeProgress(progress);
         if (cancelled)
             return;
         if (!opened.readable)
@@ -165,18 +162,19 @@ void FabricCommands::exportFabric(const QString& path)
     const Fabric* found = design().find<Fabric>(fabric());
     if (!found)
         return;
-    QString file = path;
-    if (file.isEmpty())
-        file = QFileDialog::getSaveFileName(
-            m_window, tr("Export fabric"),
-            QDir(startFolder()).filePath(QString::fromStdString(found->name) + QStringLiteral(".json")),
-            tr("Fabrics (*.json)"));
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += QStringLiteral(".json");
-    const QString picture = found->look.kind == FabricLook::Kind::Image
-                                ? m_session.findFile(QString::fromStdString(found->look.file))
+    if (!path.isEmpty())
+        exportTo(path, *found);
+    else
+        askWhereToWrite(m_window, tr("Export fabric"),
+                        QDir(startFolder()).filePath(QString::fromStdString(found->name) + QStringLiteral(".json")),
+                        tr("Fabrics (*.json)"), {QStringLiteral("json")},
+                        [this, fabric = *found](const QString& file) { exportTo(file, fabric); });
+}
+
+void FabricCommands::exportTo(const QString& file, const Fabric& fabric)
+{
+    const QString picture = fabric.look.kind == FabricLook::Kind::Image
+                                ? m_session.findFile(QString::fromStdString(fabric.look.file))
                                 : QString();
     if (m_session.isElementFile(file)) {
         fail(tr("The fabric could not be exported."),
@@ -184,7 +182,7 @@ void FabricCommands::exportFabric(const QString& path)
               {file.toStdString()}});
         return;
     }
-    inBackground<Message>([fabric = *found, picture, file] {
+    inBackground<Message>([fabric, picture, file] {
         return writeFabric(fabric, picture, file);
     }).then(this, [this, file](const Message& problem) {
         if (problem.empty())

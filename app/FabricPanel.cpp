@@ -296,13 +296,14 @@ void FabricPanel::showMenu(const QPoint& at)
 {
     if (!m_fabrics->itemAt(at))
         return;
-    QMenu menu;
-    menu.addActions({m_actions.assignFabric, m_actions.editFabric, m_actions.fabricPicture});
-    menu.addSeparator();
-    menu.addActions({m_actions.duplicateFabric, m_actions.renameFabric, m_actions.removeFabric});
-    menu.addSeparator();
-    menu.addAction(m_actions.exportFabric);
-    menu.exec(m_fabrics->viewport()->mapToGlobal(at));
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions({m_actions.assignFabric, m_actions.editFabric, m_actions.fabricPicture});
+    menu->addSeparator();
+    menu->addActions({m_actions.duplicateFabric, m_actions.renameFabric, m_actions.removeFabric});
+    menu->addSeparator();
+    menu->addAction(m_actions.exportFabric);
+    menu->popup(m_fabrics->viewport()->mapToGlobal(at));
 }
 
 } // namespace bolster

@@ -82,10 +82,11 @@ private:
     void remember(const QString& path);
     void announceProblems();
     template <class T>
-    void import(T element, const QString& title, const QString& filter, const QString& path);
+    void import(const T& element, const QString& title, const QString& filter, const QString& path);
     void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
-    Message place(const QString& path, const FileContent& content, const Element& element,
-                  std::optional<ElementId> replaced);
+    void place(const QString& path, const FileContent& content, const Element& element,
+               std::optional<ElementId> replaced);
+    void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);
     QMessageBox* newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons);
     void ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered);

@@ -1,13 +1,14 @@
 // Importing frames and scans, exporting surfaces and pictures.
+#include "Ask.h"
 #include "Background.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
 #include "SurfaceExport.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPointer>
+#include <QProgressBar>
 #include <QProgressDialog>
 
 namespace bolster {
@@ -50,37 +51,33 @@ void FileFlow::replaceFile(ElementId id)
     if (!element || !elementPlacement(*element))
         return;
     const QString filter = fileKind(*element) == FileKind::Mesh ? meshFilter() : scanFilter();
-    const QString file = QFileDialog::getOpenFileName(m_window, tr("Choose another file"), startFolder(), filter);
-    if (!file.isEmpty())
-        importNow(file, *element, id);
+    askForFile(m_window, tr("Choose another file"), startFolder(), filter,
+               [this, element, id](const QString& file) { importNow(file, *element, id); });
 }
 
 /// A new element like `element`, named after its file.
 template <class T>
-void FileFlow::import(T element, const QString& title, const QString& filter, const QString& path)
+void FileFlow::import(const T& element, const QString& title, const QString& filter, const QString& path)
 {
-    QString file = path;
-    if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, title, startFolder(), filter);
-    if (file.isEmpty())
-        return;
-    element.name = QFileInfo(file).completeBaseName().toStdString();
-    importNow(file, std::move(element), {});
+    const auto take = [this, element](const QString& file) {
+        T named = element;
+        named.name = QFileInfo(file).completeBaseName().toStdString();
+        importNow(file, std::move(named), {});
+    };
+    if (path.isEmpty())
+        askForFile(m_window, title, startFolder(), filter, take);
+    else
+        take(path);
 }
 
 void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
 {
     constexpr int steps = 100;
-    auto* progress = new QProgressDialog(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), tr("Cancel"), 0,
-                                         steps, m_window);
-    progress->setWindowModality(Qt::WindowModal);
-    progress->setMinimumDuration(400);
-    progress->setAttribute(Qt::WA_DeleteOnClose);
-    progress->setAutoClose(false);
-    progress->setAutoReset(false);
+    const auto [progress, bar] =
+        openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), steps);
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
-    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(progress)](double done) {
+    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar)](double done) {
         const int step = static_cast<int>(done * steps);
         if (step > std::exchange(*shown, step))
             QMetaObject::invokeMethod(this, [bar, step] { return bar ? bar->setValue(step) : void(); });
@@ -89,27 +86,34 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
         return importFile(kind, path, watch);
     }).then(this, [this, path, element, replaced, progress = QPointer(progress)](const ImportedFile& imported) {
         const bool cancelled = !progress || progress->wasCanceled();
-        if (progress)
-            progress->deleteLater();
+        closeProgress(progress);
         if (cancelled)
             return;
-        const Message problem =
-            imported.content ? place(path, imported.content, element, replaced) : imported.problem;
-        if (!problem.empty())
-            fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), problem);
+        if (imported.content)
+            place(path, imported.content, element, replaced);
+        else if (!imported.problem.empty())
+            failImport(path, imported.problem);
     });
 }
 
-Message FileFlow::place(const QString& path, const FileContent& content, const Element& element,
-                        std::optional<ElementId> replaced)
+void FileFlow::place(const QString& path, const FileContent& content, const Element& element,
+                     std::optional<ElementId> replaced)
 {
     std::optional<Placement> before;
     if (replaced)
         before = *elementPlacement(element);
-    FileImportDialog dialog(path, content, before, m_window);
-    if (dialog.exec() != QDialog::Accepted)
-        return {};
-    return m_session.addWithFile(path, content, *withPlacement(element, dialog.placement()), replaced);
+    auto* dialog = new FileImportDialog(path, content, before, m_window);
+    connect(dialog, &QDialog::accepted, this, [=, this] {
+        const Element placed = *withPlacement(element, dialog->placement());
+        if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty())
+            failImport(path, problem);
+    });
+    openDialog(dialog);
+}
+
+void FileFlow::failImport(const QString& path, const Message& why)
+{
+    fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), why);
 }
 
 void FileFlow::exportSurface(const SurfaceMeshPtr& surface)

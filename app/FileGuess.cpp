@@ -1,8 +1,22 @@
 #include "FileGuess.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bolster {
+
+namespace {
+
+constexpr double smallestFurniture = 300; // mm: a stool
+constexpr double smallestPlausible = 1, largestPlausible = 100'000;
+
+bool isPlausibleSize(double size)
+{
+    return size >= smallestPlausible && size <= largestPlausible;
+}
+
+} // namespace
 
 double millimetresPer(FileUnit unit)
 {
@@ -26,13 +40,33 @@ FileUnit guessUnit(const Box3& fileBox, double largest)
     if (fileBox.isEmpty())
         return FileUnit::Custom;
     const double fileSize = fileBox.sizes().maxCoeff();
+    FileUnit nearest = FileUnit::Custom;
+    double least = std::numeric_limits<double>::infinity();
     // The common units first: inches overlap with both centimetres and decimetres.
     for (const FileUnit unit : {FileUnit::Millimetre, FileUnit::Centimetre, FileUnit::Metre, FileUnit::Inch}) {
         const double size = fileSize * millimetresPer(unit);
-        if (size >= 300 && size <= largest)
-            return unit;
+        if (!isPlausibleSize(size))
+            continue;
+        const double off = std::max({size / largest, smallestFurniture / size, 1.0});
+        if (off < least) {
+            least = off;
+            nearest = unit;
+        }
     }
-    return FileUnit::Custom;
+    return nearest;
+}
+
+double guessFactor(const Box3& fileBox)
+{
+    const double size = fileBox.isEmpty() ? 0 : fileBox.sizes().maxCoeff();
+    if (!(size > 0))
+        return 1;
+    return std::pow(10.0, std::ceil(std::log10(smallestFurniture / size)));
+}
+
+bool isPlausible(const Box3& placed)
+{
+    return !placed.isEmpty() && isPlausibleSize(placed.sizes().maxCoeff());
 }
 
 UpAxis guessUpAxis(const QString& fileEnding)

@@ -14,8 +14,14 @@ enum class FileUnit { Millimetre, Centimetre, Metre, Inch, Custom };
 
 /// mm per unit; 0 for Custom.
 double millimetresPer(FileUnit unit);
-/// The unit with which the content has a size from a stool to `largest` mm; Custom when there is none.
+/// The unit with which the content has a size from a stool to `largest` mm, or comes nearest to it; Custom when it
+/// would be smaller or larger than anything that is meant (isPlausible) with all of them.
 FileUnit guessUnit(const Box3& fileBox, double largest);
+/// mm per unit for a content that has no known unit: the power of ten that makes it as large as furniture. 1 for
+/// one without any size.
+double guessFactor(const Box3& fileBox);
+/// Whether something of this size can be seen and worked with: 1 mm to 100 m.
+bool isPlausible(const Box3& placed);
 inline constexpr double largestFurniture = 3500; ///< mm: a long sofa
 inline constexpr double largestScan = 15000;     ///< mm: the room around it
 /// By the custom of the format.

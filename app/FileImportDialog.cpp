@@ -1,5 +1,6 @@
 #include "FileImportDialog.h"
 
+#include "Ask.h"
 #include "NumberBox.h"
 #include "Units.h"
 #include "ViewColors.h"
@@ -21,11 +22,11 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     : QDialog(parent)
     , m_content(std::move(content))
     , m_replaced(std::move(replaced))
-    , m_keep(new QCheckBox(tr("Keep scale, position and rotation"), this))
+    , m_keep(new QCheckBox(tr("&Keep scale, position and rotation"), this))
     , m_unit(new QComboBox(this))
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
     , m_up(new QComboBox(this))
-    , m_onFloor(new QCheckBox(tr("Place it on the floor, in the middle"), this))
+    , m_onFloor(new QCheckBox(tr("&Place it on the floor, in the middle"), this))
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
     , m_thinned(new QLabel(this))
@@ -57,14 +58,14 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     m_keep->setChecked(m_replaced.has_value());
     if (m_replaced)
         form->addRow(m_keep);
-    form->addRow(tr("Unit of the file"), m_unit);
-    form->addRow(tr("Factor"), m_factor);
-    form->addRow(tr("Axes"), m_up);
+    form->addRow(tr("&Unit of the file"), m_unit);
+    form->addRow(tr("&Factor"), m_factor);
+    form->addRow(tr("A&xes"), m_up);
     form->addRow(QString(), m_onFloor);
     form->addRow(tr("Width, depth, height"), m_size);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("&Import"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
@@ -84,9 +85,33 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FileImportDialog::updateSize);
     m_factor->setKeyboardTracking(true);
-    m_unit->setCurrentIndex(static_cast<int>(guessUnit(m_content.boundingBox(), largestSize())));
+    const FileUnit unit = guessUnit(m_content.boundingBox(), largestSize());
+    m_unit->setCurrentIndex(static_cast<int>(unit));
+    if (unit == FileUnit::Custom)
+        m_factor->display(guessFactor(m_content.boundingBox()));
     m_up->setCurrentIndex(static_cast<int>(guessUpAxis(QFileInfo(file).suffix())));
     updateSize();
+}
+
+/// What nobody could see is imported only on purpose.
+void FileImportDialog::accept()
+{
+    const Box3 box = placedBox(m_content.points(), placement());
+    if (m_keep->isChecked() || isPlausible(box)) {
+        QDialog::accept();
+        return;
+    }
+    const QString size = lengthText(box.isEmpty() ? 0 : box.sizes().maxCoeff(), 6);
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Bolster"),
+                        tr("It would be %1 large. Import it like that?").arg(size), QMessageBox::Cancel, this);
+    question->setInformativeText(tr("Another unit or factor makes it as large as it is meant."));
+    const QPushButton* import = question->addButton(tr("&Import"), QMessageBox::AcceptRole);
+    question->setDefaultButton(QMessageBox::Cancel);
+    openQuestion(question, [this, import](const QAbstractButton* pressed) {
+        if (pressed == import)
+            QDialog::accept();
+    });
 }
 
 void FileImportDialog::setUnit(FileUnit unit)
@@ -139,9 +164,10 @@ void FileImportDialog::updateSize()
     if (unit != FileUnit::Custom)
         m_factor->display(millimetresPer(unit));
     const Vec3 size = placedBox(m_content.points(), placement()).sizes();
+    const int decimals = size.maxCoeff() < 1 ? 6 : 0;
     m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm")
-                        .arg(decimalText(size.x(), 0, false), decimalText(size.y(), 0, false),
-                             decimalText(size.z(), 0, false)));
+                        .arg(decimalText(size.x(), decimals, false), decimalText(size.y(), decimals, false),
+                             decimalText(size.z(), decimals, false)));
     showThinning();
     const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();
     m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());

@@ -29,6 +29,8 @@ public:
     void setUnit(FileUnit unit);
     void setUpAxis(UpAxis up);
 
+    void accept() override;
+
 private:
     void updateSize();
     void showThinning();

@@ -34,6 +34,7 @@ public:
         addSeam();
         addFabric();
         addFrame();
+        addScan();
         addSurface();
         addWindow();
         QMenu* help = m_bar.addMenu(tr("&Help"));
@@ -188,6 +189,17 @@ private:
         QMenu* menu = m_bar.addMenu(tr("F&rame"));
         menu->addActions(m_actions.surfaceTools);
         menu->addAction(m_actions.createFixation);
+    }
+
+    void addScan()
+    {
+        QMenu* menu = m_bar.addMenu(tr("S&can"));
+        menu->setToolTipsVisible(true);
+        menu->addAction(m_actions.placeScan);
+        menu->addSeparator();
+        menu->addActions({m_actions.cutScan, m_actions.keepScan, m_actions.keepAroundCover, m_actions.removeCuts});
+        menu->addSeparator();
+        menu->addAction(m_actions.replaceScan);
     }
 
     void addSurface()

@@ -32,6 +32,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QToolBar>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -41,6 +42,7 @@ namespace {
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
+const QString sizesKey = QStringLiteral("window/panes");
 constexpr int layoutVersion = 4; // larger when docks are added or renamed
 
 } // namespace
@@ -121,13 +123,13 @@ void MainWindow::buildToolBars()
     bar->addActions(m_actions->surfaceTools);
     bar->addAction(m_actions->createFixation);
     bar->addSeparator();
-    bar->addActions({m_actions->fitAll, m_actions->fitSelection});
-    bar->addSeparator();
+    bar->addActions({m_actions->pause, m_actions->fitAll, m_actions->fitSelection, m_actions->perspective});
+    bar->addSeparator(); // what follows has keys and is in View > Layers: the first that a small window leaves out
     bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
                      m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
                      m_actions->showGrid, m_actions->snapping});
-    bar->addSeparator();
-    bar->addActions({m_actions->perspective, m_actions->pause});
+    if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+        more->setToolTip(tr("More commands"));
 
     addToolBarBreak();
     auto* messages = addToolBar(tr("Messages"));
@@ -323,9 +325,10 @@ void MainWindow::showEvent(QShowEvent* event)
     QMainWindow::showEvent(event);
     if (std::exchange(m_arranged, true))
         return;
-    restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
+    const bool restored = restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());
+    m_docks->restoreSizes(restored ? QSettings().value(sizesKey).toByteArray() : QByteArray());
 }
 
 void MainWindow::storeLayout()
@@ -333,6 +336,7 @@ void MainWindow::storeLayout()
     QSettings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(stateKey, saveState(layoutVersion));
+    settings.setValue(sizesKey, m_docks->saveSizes());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

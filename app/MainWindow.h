@@ -37,6 +37,7 @@ class SeamsView;
 class Shortcuts;
 class SpotsPanel;
 class StatusLine;
+enum class ScanWish;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -83,6 +84,8 @@ private:
     void connectDocument();
     void connectViews();
     void connectActions();
+    void connectTools();
+    void updateToolActions();
     void connectViewActions();
     void designOpened();
     void updateTitle();
@@ -93,6 +96,9 @@ private:
     void showMeasured();
     const SurfaceMapPtr& mapShown() const;
     void connectScans();
+    void workOnScan(ElementId scan, ScanWish wish);
+    void onTheScan(const std::function<void(ElementId)>& work);
+    void updateScanActions();
     void connectSewing();
     void updateSeamActions();
     void connectFixing();
@@ -107,6 +113,7 @@ private:
     void update3DActions();
     void connectDrawing();
     void connectBackground();
+    void traceBackground(const QString& path);
     void connectPanels();
     void connectFirstSteps();
     void showDrawn();
@@ -152,6 +159,7 @@ private:
     Actions* m_actions;
     PatternView* m_pattern;
     SurfaceView* m_surface;
+    QWidget* m_lastView = nullptr; ///< of these two, that had the keyboard; null: none yet
     ElementsView* m_elements;
     HistoryPanel* m_history;
     Inspector* m_inspector;

@@ -67,15 +67,7 @@ void MainWindow::connectActions()
         m_selection.set(std::move(all));
     });
     on(m_actions->selectNone, [this] { m_selection.clear(); });
-    for (QAction* action : m_actions->patternTools) {
-        const auto kind = static_cast<PatternToolKind>(action->data().toInt());
-        on(action, [this, action, kind](bool begin) {
-            m_pattern->setTool(begin ? kind : PatternToolKind::Select);
-            action->setChecked(m_pattern->tool() == kind); // who asks for what is there has not ended it
-        });
-        connect(m_pattern, &PatternView::toolChanged, action,
-                [action, kind](PatternToolKind now) { action->setChecked(now == kind); });
-    }
+    connectTools();
     on(m_actions->turnLeft, [this] { turnSelection(90); });
     on(m_actions->turnRight, [this] { turnSelection(-90); });
 

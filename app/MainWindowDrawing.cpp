@@ -2,10 +2,10 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "Ask.h"
 #include "PatternView.h"
 #include "StatusLine.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -54,24 +54,12 @@ void MainWindow::connectBackground()
     };
     enable();
     connect(m_actions->background, &QAction::triggered, this, [this, enable] {
-        const QString path = QFileDialog::getOpenFileName(
-            this, tr("Open a picture to trace"), QSettings().value(pictureFolderKey).toString(),
-            tr("Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)"));
-        if (path.isEmpty())
-            return;
-        QString problem;
-        BackgroundPicture picture =
-            readBackground(path, m_pattern->transform().visible(m_pattern->size()), &problem);
-        if (picture.empty()) {
-            m_status->flash(problem);
-            return;
-        }
-        QSettings().setValue(pictureFolderKey, QFileInfo(path).path());
-        picture.opacity = m_pattern->background().opacity;
-        m_actions->showBackground->setChecked(true);
-        m_pattern->setBackground(picture);
-        enable();
-        m_pattern->setTool(PatternToolKind::BackgroundScale); // its size is a guess
+        askForFile(this, tr("Open a picture to trace"), QSettings().value(pictureFolderKey).toString(),
+                   tr("Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)"),
+                   [this, enable](const QString& path) {
+                       traceBackground(path);
+                       enable();
+                   });
     });
     connect(m_actions->showBackground, &QAction::toggled, this,
             [change](bool on) { change([on](BackgroundPicture& picture) { picture.shown = on; }); });
@@ -89,6 +77,21 @@ void MainWindow::connectBackground()
         m_pattern->setBackground(none);
         enable();
     });
+}
+
+void MainWindow::traceBackground(const QString& path)
+{
+    QString problem;
+    BackgroundPicture picture = readBackground(path, m_pattern->transform().visible(m_pattern->size()), &problem);
+    if (picture.empty()) {
+        m_status->flash(problem);
+        return;
+    }
+    QSettings().setValue(pictureFolderKey, QFileInfo(path).path());
+    picture.opacity = m_pattern->background().opacity;
+    m_actions->showBackground->setChecked(true);
+    m_pattern->setBackground(picture);
+    m_pattern->setTool(PatternToolKind::BackgroundScale); // its size is a guess
 }
 
 } // namespace bolster

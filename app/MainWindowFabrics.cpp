@@ -186,7 +186,7 @@ void MainWindow::compareColourways()
 {
     auto* window = findChild<ColourwayWindow*>();
     if (!window) {
-        window = new ColourwayWindow(document(), m_session->files(), *m_fabricLink, this);
+        window = new ColourwayWindow(document(), m_session->files(), *m_fabricLink, *m_solver, this);
         connect(m_session.get(), &DesignSession::opened, window, &QWidget::close);
     }
     window->compare();

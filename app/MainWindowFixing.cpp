@@ -12,15 +12,6 @@ namespace bolster {
 
 void MainWindow::connectFixing()
 {
-    for (QAction* action : m_actions->surfaceTools) {
-        const auto kind = static_cast<SurfaceToolKind>(action->data().toInt());
-        connect(action, &QAction::triggered, this, [this, action, kind](bool begin) {
-            m_surface->setTool(begin ? kind : SurfaceToolKind::Select);
-            action->setChecked(m_surface->tool() == kind);
-        });
-        connect(m_surface, &SurfaceView::toolChanged, action,
-                [action, kind](SurfaceToolKind now) { action->setChecked(now == kind); });
-    }
     connect(m_actions->createFixation, &QAction::triggered, this, &MainWindow::createFixation);
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateFixingActions);
     connect(&document(), &Document::historyChanged, this, &MainWindow::updateFixingActions);

@@ -48,6 +48,14 @@ void MainWindow::connectPanels()
         Docks::reveal(m_docks->inspector);
         m_inspector->focusFirst();
     });
+    // Keys mean the view again in which one was before, not the next field.
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, QWidget* now) {
+        if (now == m_pattern || now == m_surface)
+            m_lastView = now;
+    });
+    connect(
+        m_inspector, &Inspector::typed, this,
+        [this] { (m_lastView ? m_lastView : m_pattern)->setFocus(Qt::OtherFocusReason); }, Qt::QueuedConnection);
     const QList<QDockWidget*> parts = m_docks->all();
     for (qsizetype i = 1; i < parts.size(); ++i)
         setTabOrder(parts[i - 1]->widget(), parts[i]->widget());
@@ -58,7 +66,7 @@ void MainWindow::compareWith(NodeId node)
     auto* window = findChild<CompareWindow*>();
     if (!window) {
         const auto filesOf = [session = m_session.get()](const Design& design) { return session->filesOf(design); };
-        window = new CompareWindow(document(), filesOf, this);
+        window = new CompareWindow(document(), filesOf, *m_fabricLink, *m_solver, this);
         connect(m_session.get(), &DesignSession::fileRead, window, &CompareWindow::updateFiles);
         connect(m_session.get(), &DesignSession::opened, window, &QWidget::close);
     }

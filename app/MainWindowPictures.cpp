@@ -2,6 +2,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "Ask.h"
 #include "Docks.h"
 #include "FabricLink.h"
 #include "MapLink.h"
@@ -106,7 +107,7 @@ void MainWindow::renderPicture()
                                   m_fabricLink->bakedByNow(),
                                   m_session->title(),
                                   m_surface->camera()};
-    RenderDialog(std::move(subject), this).exec();
+    openDialog(new RenderDialog(std::move(subject), this));
 }
 
 } // namespace bolster

@@ -33,6 +33,8 @@ void MainWindow::connectFirstSteps()
     auto* next = new NextStep(document(), *m_pattern);
     connect(next, &NextStep::drawWanted, this, [this] { m_pattern->setTool(PatternToolKind::Rectangle); });
     connect(next, &NextStep::sewWanted, this, [this] { m_pattern->setTool(PatternToolKind::Sew); });
+    connect(next, &NextStep::fixationWanted, this, [this] { m_surface->setTool(SurfaceToolKind::DrawFixation); });
+    connect(next, &NextStep::attachWanted, this, [this] { m_pattern->setTool(PatternToolKind::Attach); });
     connect(next, &NextStep::selectAllWanted, m_actions->selectAll, &QAction::trigger);
 }
 

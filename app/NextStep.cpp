@@ -36,10 +36,16 @@ FirstStep firstStep(const Design& design)
     const bool fixed = has<FixationSeam>(design), sewn = has<Seam>(design);
     if (patches == 0 || (patches == 1 && fixed))
         return FirstStep::None;
+    if (!sewn && !fixed && patches > 1)
+        return FirstStep::Sew;
+    const bool framed = has<Frame>(design) || has<Foam>(design);
+    const FirstStep hold = has<FixationCurve>(design) ? FirstStep::Attach : FirstStep::Fix;
     if (!sewn && !fixed)
-        return patches == 1 ? FirstStep::Another : FirstStep::Sew;
+        return framed ? hold : FirstStep::Another;
     const bool filled = anyOf<Patch>(design, [](const Patch& patch) { return patch.pressure != 0; });
-    return fixed || filled || has<Cushion>(design) ? FirstStep::None : FirstStep::Shape;
+    if (fixed || filled || has<Cushion>(design))
+        return FirstStep::None;
+    return framed ? hold : FirstStep::Shape;
 }
 
 NextStep::NextStep(Document& document, PatternView& over)
@@ -79,6 +85,14 @@ void NextStep::refresh()
         setText(tr("Next: %1 and give them a pressure in the properties.")
                     .arg(link(QStringLiteral("all"), tr("select all patches"))));
         break;
+    case FirstStep::Fix:
+        setText(tr("Next: %1 \u2013 click points on it, Enter ends \u2013 to which the cover is attached.")
+                    .arg(link(QStringLiteral("fix"), tr("draw a fixation curve on the frame"))));
+        break;
+    case FirstStep::Attach:
+        setText(tr("Next: select a fixation curve and %1 to it.")
+                    .arg(link(QStringLiteral("attach"), tr("attach an edge"))));
+        break;
     case FirstStep::None:
         break;
     }
@@ -100,6 +114,10 @@ void NextStep::follow(const QString& link)
         emit drawWanted();
     else if (link == QLatin1String("sew"))
         emit sewWanted();
+    else if (link == QLatin1String("fix"))
+        emit fixationWanted();
+    else if (link == QLatin1String("attach"))
+        emit attachWanted();
     else
         emit selectAllWanted();
 }

@@ -14,7 +14,9 @@ enum class FirstStep {
     None,    ///< nothing drawn yet, or the cover has a shape
     Another, ///< a patch has nothing to be sewn to
     Sew,
-    Shape ///< nothing holds or fills what is sewn
+    Shape,  ///< nothing holds or fills what is sewn
+    Fix,    ///< there is a frame, and nothing on it to which the cover could be fixed
+    Attach, ///< there is such a curve
 };
 
 /// What a design that is being begun lacks most.
@@ -31,6 +33,8 @@ signals:
     void drawWanted();
     void sewWanted();
     void selectAllWanted();
+    void fixationWanted();
+    void attachWanted();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

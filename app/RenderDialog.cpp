@@ -1,5 +1,6 @@
 #include "RenderDialog.h"
 
+#include "Ask.h"
 #include "MapLink.h"
 #include "SavedViews.h"
 #include "Translated.h"
@@ -8,12 +9,14 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
+#include <QDir>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -29,6 +32,7 @@ using namespace std::chrono_literals;
 
 constexpr QSize roughPreview{320, 240}; // is there at once
 constexpr int longestSide = 16384;
+const QString renderFolderKey = QStringLiteral("pictures/folder");
 
 /// On a background of squares where it is transparent, as programs for pictures show it.
 QPixmap pixmapOf(const PreviewImage& image)
@@ -169,11 +173,12 @@ void RenderDialog::build()
     top->addWidget(m_picture);
     top->addLayout(right, 1);
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    auto* buttons = new QDialogButtonBox(this);
+    m_close = buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
     m_render = buttons->addButton(tr("&Render \u2026"), QDialogButtonBox::AcceptRole);
     m_render->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &RenderDialog::reject);
-    connect(m_render, &QPushButton::clicked, this, &RenderDialog::choosePathAndRender);
+    connect(m_render, &QPushButton::clicked, this, &RenderDialog::choosePath);
     auto* all = new QVBoxLayout(this);
     all->addLayout(top);
     all->addWidget(buttons);
@@ -302,13 +307,16 @@ void RenderDialog::receive(const Result& result)
     emit rendered(problem);
 }
 
-void RenderDialog::choosePathAndRender()
+void RenderDialog::choosePath()
 {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Render to"), m_subject.title + QStringLiteral(".png"),
-        tr("PNG, 8 bits (*.png);;TIFF, 16 bits (*.tif *.tiff);;OpenEXR, linear light (*.exr)"));
-    if (!path.isEmpty())
-        renderTo(path);
+    const QString folder = QSettings().value(renderFolderKey).toString();
+    askWhereToWrite(this, tr("Render to"), QDir(folder).filePath(m_subject.title + QStringLiteral(".png")),
+                    tr("PNG, 8 bits (*.png);;TIFF, 16 bits (*.tif *.tiff);;OpenEXR, linear light (*.exr)"),
+                    {QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("exr")},
+                    [this](const QString& path) {
+                        QSettings().setValue(renderFolderKey, QFileInfo(path).absolutePath());
+                        renderTo(path);
+                    });
 }
 
 void RenderDialog::renderTo(const QString& path)
@@ -344,6 +352,7 @@ void RenderDialog::setRendering(bool rendering)
     for (QWidget* widget : std::initializer_list<QWidget*>{m_width, m_height, m_view, m_samples, m_shown,
                                                            m_turntable, m_frames, m_transparent, m_render})
         widget->setEnabled(!rendering);
+    m_close->setText(rendering ? tr("&Cancel") : tr("&Close"));
     if (rendering)
         m_message->setText(tr("Drawing \u2026"));
 }

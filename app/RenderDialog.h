@@ -72,7 +72,7 @@ private:
     /// Of a look that was not seen yet a rough picture comes first.
     void requestPreview();
     void receive(const Result& result);
-    void choosePathAndRender();
+    void choosePath();
     void setRendering(bool rendering);
 
     Subject m_subject;
@@ -88,7 +88,8 @@ private:
     QLabel* m_message;
     QProgressBar* m_progress;
     QPushButton* m_render;
-    QTimer m_pause; ///< before a preview, so that typing a number costs one
+    QPushButton* m_close; ///< cancels the picture while one is drawn
+    QTimer m_pause;       ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
     std::vector<PictureLook> m_looks;  ///< in the order of the list
     std::vector<PictureLook> m_seen;   ///< as rough pictures

@@ -152,10 +152,10 @@ void StartHint::addBeginning(QBoxLayout& layout)
         connect(button, &QPushButton::clicked, this, wanted);
         row->addWidget(button);
     };
-    add(QStringLiteral("rectangle"), tr("Rectangle"), &StartHint::rectangleWanted);
-    add(QStringLiteral("outline"), tr("Outline"), &StartHint::outlineWanted);
-    add(QStringLiteral("import-frame"), tr("Frame \u2026"), &StartHint::frameWanted);
-    add(QStringLiteral("open"), tr("Open \u2026"), &StartHint::openWanted);
+    add(QStringLiteral("rectangle"), tr("Rectan&gle"), &StartHint::rectangleWanted);
+    add(QStringLiteral("outline"), tr("Ou&tline"), &StartHint::outlineWanted);
+    add(QStringLiteral("import-frame"), tr("&Load frame \u2026"), &StartHint::frameWanted);
+    add(QStringLiteral("open"), tr("&Open \u2026"), &StartHint::openWanted);
     row->addStretch();
     layout.addLayout(row);
 }

@@ -1,5 +1,7 @@
 #include "Theme.h"
 
+#include "Icons.h"
+
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
@@ -126,6 +128,18 @@ public:
                   QStyleHintReturn* data) const override
     {
         return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+
+    /// Of the button behind which a tool bar keeps what it has no room for, Fusion makes a dot.
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override
+    {
+        return metric == PM_ToolBarExtensionExtent ? 28 : QProxyStyle::pixelMetric(metric, option, widget);
+    }
+
+    QIcon standardIcon(StandardPixmap pixmap, const QStyleOption* option, const QWidget* widget) const override
+    {
+        return pixmap == SP_ToolBarHorizontalExtensionButton ? icon(QStringLiteral("more"))
+                                                             : QProxyStyle::standardIcon(pixmap, option, widget);
     }
 };
 

@@ -25,6 +25,13 @@ VersionPane::VersionPane(QWidget* parent)
     , m_surface(new SurfaceView(m_document, m_selection))
 {
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
+    m_surface->setLayerVisible(SurfaceView::Layer::Checker, false);
+    m_computing = new QLabel(tr("Computing the cover \u2026"), m_surface);
+    m_computing->setObjectName(QStringLiteral("computing"));
+    m_computing->setAutoFillBackground(true);
+    m_computing->setFrameShape(QFrame::StyledPanel);
+    m_computing->setMargin(8);
+    m_computing->move(12, 12);
     QFont bold = m_title->font();
     bold.setBold(true);
     m_title->setFont(bold);
@@ -41,13 +48,9 @@ VersionPane::VersionPane(QWidget* parent)
     m_pattern->installEventFilter(this);
     m_surface->installEventFilter(this);
     connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
-    connect(m_solver.get(), &SolverLink::surfaceShown, m_surface, &SurfaceView::setSurface);
-    connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
-    connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
-        m_pattern->setSurface(surface);
-        if (surface && std::exchange(m_fitCover, false))
-            m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
-    });
+    connect(m_solver.get(), &SolverLink::surfaceChanged, this, &VersionPane::showSurface);
+    connect(m_solver.get(), &SolverLink::statusChanged, this, &VersionPane::showState);
+    showState();
 }
 
 VersionPane::~VersionPane() = default;
@@ -58,10 +61,47 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_selection.clear();
     m_document.reset(design);
     m_covers->setDesign(design);
-    m_solver->forget(files);
     m_surface->setFiles(files);
     m_pattern->fitAll();
     m_fitCover = true;
+    if (m_followed)
+        showSurface(m_followed->surface());
+    else
+        m_solver->forget(files);
+    showState();
+}
+
+void VersionPane::follow(SolverLink& solver)
+{
+    m_followed = &solver;
+    m_solver->setPaused(true);
+    connect(&solver, &SolverLink::surfaceChanged, this, &VersionPane::showSurface);
+    connect(&solver, &SolverLink::statusChanged, this, &VersionPane::showState);
+}
+
+void VersionPane::showSurface(const SurfaceMeshPtr& surface)
+{
+    m_surface->setSurface(surface);
+    m_pattern->setSurface(surface);
+    m_covers->setSurface(surface);
+    if (surface && std::exchange(m_fitCover, false))
+        m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+}
+
+void VersionPane::showState()
+{
+    using State = SolverStatus::State;
+    const SolverLink& solver = m_followed ? *m_followed : *m_solver;
+    const State state = solver.status().state;
+    const bool there = m_followed || state == State::Idle ? solver.upToDate() : solver.atRest();
+    m_computing->setVisible(state != State::Failed && !there);
+    m_computing->adjustSize();
+    m_computing->raise();
+}
+
+void VersionPane::setFabrics(std::map<ElementId, FabricMapsPtr> fabrics)
+{
+    m_surface->setFabricMaps(std::move(fabrics));
 }
 
 void VersionPane::showForLooks()
@@ -69,7 +109,7 @@ void VersionPane::showForLooks()
     m_title->hide();
     m_views->setSizes({100, 300});
     using Layer = SurfaceView::Layer;
-    for (const Layer layer : {Layer::Checker, Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
+    for (const Layer layer : {Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
         m_surface->setLayerVisible(layer, false);
 }
 

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "Document.h"
+#include "FabricMaps.h"
 #include "ProblemSet.h"
 #include "Selection.h"
+#include "SurfaceMesh.h"
 
 #include <QWidget>
 
+#include <map>
 #include <memory>
 
 class QLabel;
@@ -31,6 +34,10 @@ public:
     void setVersion(const QString& title, const Design& design, const DesignFiles& files);
     /// Of the same version, more of them.
     void setFiles(const DesignFiles& files);
+    /// What its fabrics look like, as far as that is known by now.
+    void setFabrics(std::map<ElementId, FabricMapsPtr> fabrics);
+    /// It shows the design of that solver: nothing is computed here.
+    void follow(SolverLink& solver);
     /// For looking at fabrics: most of the room for the cover, without what holds it; the title is said elsewhere.
     void showForLooks();
     const Design& design() const { return m_document.design(); }
@@ -42,12 +49,17 @@ protected:
     bool eventFilter(QObject* view, QEvent* event) override;
 
 private:
+    void showSurface(const SurfaceMeshPtr& surface);
+    void showState();
+
     Document m_document;
     Selection m_selection;
     ProblemSet m_problems;
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<CoverLink> m_covers;
+    SolverLink* m_followed = nullptr;
     QLabel* m_title;
+    QLabel* m_computing; ///< over the 3D view: what is seen there is not yet the cover
     QSplitter* m_views;
     PatternView* m_pattern;
     SurfaceView* m_surface;

@@ -258,9 +258,12 @@ void PropertyForm::addColor(const QString& label, const std::function<std::optio
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setIconSize({18, 18});
     connect(button, &QToolButton::clicked, this, [this, read, write] {
-        const QColor chosen = QColorDialog::getColor(read().value_or(Qt::white), this, tr("Colour of the fabric"));
-        if (chosen.isValid())
-            write(chosen);
+        auto* dialog = new QColorDialog(read().value_or(Qt::white), this);
+        dialog->setWindowTitle(tr("Colour of the fabric"));
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        // Later: the edit can end this form, and the dialog with it.
+        connect(dialog, &QColorDialog::colorSelected, this, write, Qt::QueuedConnection);
+        dialog->open();
     });
     addField(label, button, [button, read] {
         const std::optional<QColor> color = read();

@@ -81,7 +81,7 @@ protected:
     void answerInput(const std::optional<QString>& text)
     {
         auto* timer = new QTimer(qApp);
-        QObject::connect(timer, &QTimer::timeout, timer, [timer, text] {
+        QObject::connect(timer, &QTimer::timeout, timer, [this, timer, text] {
             auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
             if (!dialog)
                 return;
@@ -90,9 +90,15 @@ protected:
             if (text)
                 dialog->setTextValue(*text);
             text ? dialog->accept() : dialog->reject();
+            ++m_inputs;
         });
         timer->start(20);
     }
+    bool inputAnswered()
+    {
+        return QTest::qWaitFor([&] { return std::exchange(m_inputs, 0) == 1; }, 20000);
+    }
+    int m_inputs = 0; ///< answered, and not asked for yet
 
     /// A picture with stripes, 60 x 40 pixels.
     static QString writePicture(const QString& path)
@@ -176,6 +182,7 @@ TEST_F(FabricTest, ColourwaysSwitchWithAClickAndChangeOnlyWhatIsSeen)
     const std::size_t before = all<Colourway>().size();
     answerInput(QStringLiteral("Summer"));
     window.actions().newColourway->trigger();
+    ASSERT_TRUE(inputAnswered());
     const std::vector<ElementId> colourways = all<Colourway>();
     ASSERT_EQ(colourways.size(), before + 1);
     EXPECT_EQ(design().settings().colourway, colourways.back());
@@ -212,12 +219,14 @@ TEST_F(FabricTest, AFabricInUseIsNotDeletedWithoutAsking)
     window.selection().set({leather});
     answerInput(std::nullopt);
     window.actions().remove->trigger();
+    EXPECT_TRUE(inputAnswered());
     EXPECT_TRUE(design().find<Fabric>(leather));
 
     const ElementId velvet = preset(8);
     window.selection().set({leather});
     answerInput(QString::fromStdString(design().find<Fabric>(velvet)->name));
     window.actions().removeFabric->trigger();
+    EXPECT_TRUE(inputAnswered());
     EXPECT_FALSE(design().find<Fabric>(leather));
     EXPECT_EQ(design().find<Patch>(patch)->fabric, velvet);
 

@@ -27,8 +27,24 @@ TEST(FileImport, GuessesTheUnitFromTheSize)
     EXPECT_EQ(guessUnit(box(0.82, 0.87, 0.91).boundingBox(), largestFurniture), FileUnit::Metre);
     EXPECT_EQ(guessUnit(box(20, 20, 25).boundingBox(), largestFurniture), FileUnit::Inch);
     EXPECT_EQ(guessUnit(box(1e6, 1, 1).boundingBox(), largestFurniture), FileUnit::Custom);
+    EXPECT_EQ(guessUnit(box(5000, 2, 1).boundingBox(), largestFurniture), FileUnit::Millimetre) << "a long bench";
+    EXPECT_EQ(guessUnit(box(0.2, 0.1, 0.2).boundingBox(), largestFurniture), FileUnit::Metre) << "a small cushion";
     EXPECT_EQ(guessUnit(box(5, 2.5, 4).boundingBox(), largestScan), FileUnit::Metre) << "a room";
     EXPECT_EQ(guessUnit(Box3(), largestFurniture), FileUnit::Custom);
+}
+
+TEST(FileImport, GuessesAFactorWhereNoUnitFits)
+{
+    for (const double size : {1e-9, 4e-7, 2e-4, 3e5, 1e6, 9e6}) {
+        const FileContent content = box(size, size / 2, size / 3);
+        EXPECT_EQ(guessUnit(content.boundingBox(), largestFurniture), FileUnit::Custom) << size;
+        FileImportDialog dialog(QStringLiteral("seat.obj"), content);
+        const double large = size * dialog.placement().scale;
+        EXPECT_GE(large, 250) << size;
+        EXPECT_LE(large, 3500) << size;
+    }
+    FileImportDialog point(QStringLiteral("seat.obj"), box(0, 0, 0));
+    EXPECT_GT(point.placement().scale, 0);
 }
 
 TEST(FileImport, TurnsWhatPointsUp)

@@ -4,8 +4,11 @@
 #include "Inspector.h"
 #include "MeshImport.h"
 #include "SurfaceView.h"
+#include "Theme.h"
 
 #include <QSettings>
+#include <QToolBar>
+#include <QToolButton>
 
 namespace bolster {
 namespace {
@@ -27,6 +30,84 @@ TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
     for (const int height : heights)
         EXPECT_NEAR(height, heights.front(), 2);
     EXPECT_GT(heights.front(), 150);
+}
+
+TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
+{
+    window.actions().resetLayout->trigger();
+    QTest::qWait(100);
+    window.close();
+    std::vector<int> widths;
+    for (int start = 0; start < 4; ++start) {
+        MainWindow again;
+        again.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
+        again.open(sample("car-seat"));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !again.document().design().elements().empty(); }, 30000));
+        again.selection().set({again.document().design().elements().begin()->first}); // other fields, other widths
+        QTest::qWait(200);
+        widths.push_back(again.patternView().width());
+        again.document().markSaved();
+        again.close();
+    }
+    for (const int width : widths)
+        EXPECT_NEAR(width, widths.front(), 2);
+}
+
+TEST_F(WindowTest, AWindowMadeSmallAndLargeAgainIsAsItWas)
+{
+    window.actions().resetLayout->trigger();
+    QTest::qWait(100);
+    const auto sizes = [&] {
+        QList<QSize> found;
+        for (const QDockWidget* dock : {window.docks().pattern, window.docks().cover, window.docks().inspector})
+            found << dock->size();
+        return found;
+    };
+    const QSize large = window.size();
+    const QList<QSize> before = sizes();
+    for (const QSize small : {QSize(900, 600), QSize(1100, 500), QSize(700, 800)}) {
+        window.resize(small);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.width() < large.width(); }));
+        QTest::qWait(50);
+    }
+    window.resize(large);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.size() == large; }));
+    QTest::qWait(50);
+    const QList<QSize> after = sizes();
+    for (qsizetype i = 0; i < before.size(); ++i) {
+        EXPECT_NEAR(after[i].width(), before[i].width(), 3) << i;
+        EXPECT_NEAR(after[i].height(), before[i].height(), 3) << i;
+    }
+}
+
+TEST_F(WindowTest, ImportantCommandsAreSeenInASmallWindowAndTheOthersHaveAButton)
+{
+    applyTheme(*qApp, Theme::Light);
+    window.resize(1294, 800);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.width() == 1294; }));
+    auto* bar = window.findChild<QToolBar*>(QStringLiteral("tools"));
+    ASSERT_TRUE(bar);
+    const auto seen = [&](QAction* action) {
+        const QWidget* button = bar->widgetForAction(action);
+        return button && button->isVisible() && bar->rect().contains(button->geometry());
+    };
+    const Actions& actions = window.actions();
+    for (QAction* action :
+         actions.patternTools + actions.surfaceTools +
+             QList<QAction*>{actions.save, actions.undo, actions.redo, actions.pause, actions.fitAll})
+        EXPECT_TRUE(seen(action)) << action->objectName().toStdString();
+
+    window.resize(800, 600);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.width() == 800; }));
+    auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    ASSERT_TRUE(more);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return more->isVisible(); }));
+    EXPECT_GE(more->width(), 24);
+    EXPECT_FALSE(more->icon().isNull());
+    EXPECT_FALSE(more->toolTip().isEmpty());
+    QTest::mouseClick(more, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen(actions.showGrid); }));
 }
 
 TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)

@@ -384,6 +384,29 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     QTest::keyClick(pattern, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClick(pattern, Qt::Key_Delete);
     EXPECT_EQ(window.document().revision(), revision);
+    EXPECT_FALSE(left.layerVisible(SurfaceView::Layer::Checker)) << "fabrics, as in the window";
+    QTest::keyClick(pattern, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChild<CompareWindow*>() == nullptr; }))
+        << "closed, and its memory given back";
+}
+
+TEST_F(ProjectFilesTest, AComparedVersionSaysThatItIsBeingComputed)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    ASSERT_TRUE(waitUntilSolved());
+    change();
+    ASSERT_TRUE(waitUntilSolved());
+    emit window.findChild<HistoryView*>()->compareWanted(0);
+    auto* compare = window.findChild<CompareWindow*>();
+    ASSERT_TRUE(compare);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(compare));
+    const auto computing = [](VersionPane& pane) {
+        return pane.findChild<QWidget*>(QStringLiteral("computing"))->isVisible();
+    };
+    EXPECT_TRUE(computing(compare->left()));
+    EXPECT_FALSE(computing(compare->right())) << "the window has that already";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !computing(compare->left()); }, 120000));
+    EXPECT_EQ(compare->differences().topLevelItem(0)->text(0), "Design");
     compare->close();
 }
 

@@ -6,6 +6,7 @@
 #include "Inspector.h"
 #include "MapLegend.h"
 #include "ScanLink.h"
+#include "SurfaceView.h"
 
 #include <QTemporaryDir>
 
@@ -109,6 +110,41 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     EXPECT_EQ(scan().cuts.size(), 2U);
     window.actions().undo->trigger();
     EXPECT_EQ(scan().cuts.size(), 1U);
+}
+
+TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)
+{
+    ASSERT_TRUE(open(sample("room-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    const Actions& actions = window.actions();
+    for (const QAction* action : {actions.placeScan, actions.cutScan, actions.keepScan, actions.keepAroundCover})
+        EXPECT_FALSE(action->shortcut().isEmpty()) << action->objectName().toStdString();
+    window.patternView().setFocus();
+    window.selection().clear();
+    const std::size_t cuts = scan().cuts.size();
+    SurfaceView& view = window.surfaceView();
+    QTest::keyClick(&window.patternView(), Qt::Key_X, Qt::ControlModifier | Qt::AltModifier);
+    EXPECT_EQ(view.tool(), SurfaceToolKind::CutScan);
+    EXPECT_TRUE(window.selection().contains(scanId())) << "the only one";
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("cut away"))) << view.prompt().toStdString();
+
+    press(view, {40, 40});
+    move(view, {view.width() - 40, view.height() - 40}, Qt::LeftButton);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+    release(view, {view.width() - 40, view.height() - 40});
+    EXPECT_EQ(scan().cuts.size(), cuts);
+    EXPECT_TRUE(window.selection().contains(scanId())) << "it was the rectangle that was given up";
+
+    QTest::keyClick(&window.patternView(), Qt::Key_K, Qt::ControlModifier | Qt::AltModifier);
+    EXPECT_EQ(view.tool(), SurfaceToolKind::CutScan);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape); // nobody counts them
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+    EXPECT_TRUE(window.selection().contains(scanId()));
+    actions.removeCuts->trigger();
+    EXPECT_TRUE(scan().cuts.empty());
+    EXPECT_FALSE(actions.removeCuts->isEnabled());
 }
 
 TEST_F(ScanTest, AnImportedScanComesBackWithItsDesign)

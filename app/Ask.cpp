@@ -1,0 +1,147 @@
+#include "Ask.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QProgressBar>
+#include <QProgressDialog>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+class Ask {
+    Q_DECLARE_TR_FUNCTIONS(Ask)
+};
+
+QString withEnding(const QString& path, const QString& filter, const QStringList& endings)
+{
+    if (endings.isEmpty() || endings.contains(QFileInfo(path).suffix().toLower()))
+        return path;
+    const auto asFiltered = std::ranges::find_if(
+        endings, [&](const QString& ending) { return filter.contains(QStringLiteral("*.") + ending); });
+    return path + u'.' + (asFiltered == endings.end() ? endings.front() : *asFiltered);
+}
+
+void askWhetherToReplace(QWidget* window, const QString& path, const std::function<void(bool)>& answered)
+{
+    auto* box = new QMessageBox(QMessageBox::Question, Ask::tr("Bolster"),
+                                Ask::tr("\"%1\" exists already. Replace it?").arg(QFileInfo(path).fileName()),
+                                QMessageBox::Yes | QMessageBox::No, window);
+    box->setDefaultButton(QMessageBox::No);
+    openQuestion(box, [box, answered](const QAbstractButton* button) {
+        answered(button && button == box->button(QMessageBox::Yes));
+    });
+}
+
+} // namespace
+
+void openDialog(QDialog* dialog)
+{
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowModality(Qt::ApplicationModal);
+    dialog->show();
+}
+
+void openQuestion(QMessageBox* box, const std::function<void(const QAbstractButton*)>& answered)
+{
+    QObject::connect(box, &QDialog::finished, box, [box, answered] { answered(box->clickedButton()); });
+    openDialog(box);
+}
+
+void tell(QWidget* window, QMessageBox::Icon icon, const QString& text, const QString& more)
+{
+    auto* box = new QMessageBox(icon, Ask::tr("Bolster"), text, QMessageBox::Ok, window);
+    box->setInformativeText(more);
+    openDialog(box);
+}
+
+void askForFile(QWidget* window, const QString& title, const QString& folder, const QString& filter,
+                const Answer& chosen)
+{
+    auto* dialog = new QFileDialog(window, title, folder, filter);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen, Qt::QueuedConnection); // it closes first
+    openDialog(dialog);
+}
+
+void askWhereToWrite(QWidget* window, const QString& title, const QString& proposal, const QString& filter,
+                     const QStringList& endings, const Answer& chosen)
+{
+    auto* dialog = new QFileDialog(window, title, QFileInfo(proposal).path(), filter);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setFileMode(QFileDialog::AnyFile);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite); // asked below, with the ending
+    dialog->selectFile(QFileInfo(proposal).fileName());
+    const auto take = [=](const QString& path) {
+        if (!QFileInfo::exists(path)) {
+            chosen(path);
+            return;
+        }
+        askWhetherToReplace(window, path, [=](bool replace) {
+            if (replace)
+                chosen(path);
+            else
+                askWhereToWrite(window, title, path, filter, endings, chosen);
+        });
+    };
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, [=](const QString& typed) {
+        const QString path = withEnding(typed, dialog->selectedNameFilter(), endings);
+        QMetaObject::invokeMethod(
+            window, [=] { take(path); }, Qt::QueuedConnection); // it closes first
+    });
+    openDialog(dialog);
+}
+
+void askForText(QWidget* window, const QString& title, const QString& label, const QString& text,
+                const Answer& typed)
+{
+    auto* dialog = new QInputDialog(window);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(label);
+    dialog->setTextValue(text);
+    QObject::connect(dialog, &QInputDialog::textValueSelected, window, [typed](const QString& given) {
+        if (const QString trimmed = given.trimmed(); !trimmed.isEmpty())
+            typed(trimmed);
+    });
+    openDialog(dialog);
+}
+
+void askForOneOf(QWidget* window, const QString& title, const QString& label, const QStringList& choices,
+                 const Answer& chosen)
+{
+    auto* dialog = new QInputDialog(window);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(label);
+    dialog->setComboBoxItems(choices);
+    QObject::connect(dialog, &QInputDialog::textValueSelected, window, chosen);
+    openDialog(dialog);
+}
+
+ProgressWindow openProgress(QWidget* window, const QString& text, int steps)
+{
+    constexpr int moment = 400; // ms
+    auto* dialog = new QProgressDialog(text, Ask::tr("Cancel"), 0, steps, window);
+    auto* bar = new QProgressBar(dialog);
+    bar->setRange(0, steps);
+    dialog->setBar(bar);
+    dialog->setWindowModality(Qt::WindowModal);
+    dialog->setAutoClose(false);
+    dialog->setAutoReset(false);
+    dialog->setMinimumDuration(moment);
+    return {dialog, bar};
+}
+
+void closeProgress(QProgressDialog* dialog)
+{
+    if (!dialog)
+        return;
+    dialog->hide();
+    dialog->deleteLater();
+}
+
+} // namespace bolster

@@ -1,0 +1,233 @@
+// Dialogs are opened and answer later; one tool at a time; keys do what they do elsewhere.
+#include "WindowTest.h"
+
+#include "FileFlow.h"
+#include "FileImportDialog.h"
+#include "Inspector.h"
+#include "NextStep.h"
+#include "NumberBox.h"
+#include "RenderDialog.h"
+#include "SurfaceView.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QProgressDialog>
+#include <QThread>
+
+namespace bolster {
+namespace {
+
+class DialogsTest : public WindowTest {
+protected:
+    template <class Dialog>
+    static Dialog* opened()
+    {
+        Dialog* found = nullptr;
+        (void)QTest::qWaitFor(
+            [&] {
+                found = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+                return found && found->isVisible();
+            },
+            20000);
+        return found;
+    }
+    static QAction* withKeys(MainWindow& window, const QKeySequence& keys)
+    {
+        for (QAction* action : window.actions().findChildren<QAction*>())
+            if (action->shortcuts().contains(keys))
+                return action;
+        return nullptr;
+    }
+    /// A box of 1 x 1 x 1, as a mesh that says nothing of its unit.
+    QString writeBox(double size)
+    {
+        const QString path = m_folder.filePath(QStringLiteral("box.obj"));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        for (const double x : {0.0, size})
+            for (const double y : {0.0, size})
+                for (const double z : {0.0, size})
+                    file.write(QStringLiteral("v %1 %2 %3\n").arg(x).arg(y).arg(z).toLatin1());
+        file.write("f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n");
+        return path;
+    }
+    int frames()
+    {
+        int count = 0;
+        window.document().design().each<Frame>([&](ElementId, const Frame&) { ++count; });
+        return count;
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(DialogsTest, NothingComesUpInFrontOfTheImportDialog)
+{
+    window.actions().importFrame->trigger();
+    auto* files = opened<QFileDialog>();
+    ASSERT_TRUE(files);
+    const int loops = QThread::currentThread()->loopLevel();
+    files->findChild<QLineEdit*>()->setText(writeBox(800));
+    QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    EXPECT_EQ(QThread::currentThread()->loopLevel(), loops) << "nothing waits inside the dialog";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChildren<QProgressDialog*>().isEmpty(); }))
+        << "what said that the file was being read has gone";
+    EXPECT_EQ(QApplication::activeModalWidget(), import);
+    QTest::keyClick(import, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !QApplication::activeModalWidget(); }));
+}
+
+TEST_F(DialogsTest, ANewWindowTakesClicksAfterAnImportWasGivenUp)
+{
+    window.files().importFrame(writeBox(800));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    QTest::keyClick(import, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !QApplication::activeModalWidget(); }));
+    EXPECT_EQ(frames(), 0);
+    EXPECT_FALSE(window.document().dirty());
+}
+
+TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
+{
+    window.files().importFrame(writeBox(800));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    import->setUnit(FileUnit::Custom);
+    import->findChild<NumberBox*>()->setValue(1e-6);
+    QTest::keyClick(import, Qt::Key_Return);
+    auto* question = opened<QMessageBox>();
+    ASSERT_TRUE(question);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("0.0008 mm"))) << question->text().toStdString();
+    QTest::keyClick(question, Qt::Key_Return); // without reading it
+    EXPECT_EQ(opened<FileImportDialog>(), import) << "it is still there, with what was chosen";
+    EXPECT_EQ(frames(), 0);
+
+    QTest::keyClick(import, Qt::Key_Return);
+    answer(QMessageBox::Cancel);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }));
+    import->setUnit(FileUnit::Millimetre);
+    QTest::keyClick(import, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+}
+
+TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
+{
+    EXPECT_EQ(withKeys(window, QKeySequence::Print), window.actions().renderPicture);
+    EXPECT_FALSE(window.actions().pause->shortcuts().isEmpty());
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    window.patternView().setFocus();
+    QTest::keyClick(&window.patternView(), Qt::Key_P, Qt::ControlModifier);
+    auto* dialog = opened<RenderDialog>();
+    ASSERT_TRUE(dialog);
+    EXPECT_FALSE(window.solver().paused());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChildren<RenderDialog*>().isEmpty(); }));
+    QTest::keyClick(&window.patternView(), Qt::Key_Period, Qt::ControlModifier);
+    EXPECT_TRUE(window.solver().paused());
+}
+
+TEST_F(DialogsTest, OneToolIsLit)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const auto lit = [&] {
+        QStringList found;
+        for (const QAction* action : window.actions().patternTools + window.actions().surfaceTools)
+            if (action->isChecked())
+                found << action->objectName();
+        return found;
+    };
+    QAction* select = window.actions().patternTools.front();
+    QAction* draw = window.actions().surfaceTools.front();
+    EXPECT_EQ(lit(), QStringList{select->objectName()});
+    draw->trigger();
+    EXPECT_EQ(lit(), QStringList{draw->objectName()});
+    window.actions().sew->trigger();
+    EXPECT_EQ(lit(), QStringList{window.actions().sew->objectName()});
+    EXPECT_EQ(window.surfaceView().tool(), SurfaceToolKind::Select);
+    draw->trigger();
+    EXPECT_EQ(lit(), QStringList{draw->objectName()});
+    EXPECT_EQ(window.patternView().tool(), PatternToolKind::Select);
+    select->trigger();
+    EXPECT_EQ(lit(), QStringList{select->objectName()});
+    EXPECT_EQ(window.surfaceView().tool(), SurfaceToolKind::Select);
+    select->trigger();
+    EXPECT_EQ(lit(), QStringList{select->objectName()}) << "who asks for what is there has not ended it";
+}
+
+TEST_F(DialogsTest, EnterInAFieldLeadsBackToTheView)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const ElementId patch{2};
+    window.patternView().setFocus();
+    window.selection().set({patch});
+    const std::string name = window.document().design().find<Patch>(patch)->name;
+    window.inspector().focusFirst();
+    auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(field);
+    QTest::keyClicks(field, "Seat");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().hasFocus(); }));
+    EXPECT_EQ(window.document().design().find<Patch>(patch)->name, "Seat");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_W);
+    EXPECT_EQ(window.patternView().tool(), PatternToolKind::Sew);
+    EXPECT_EQ(window.document().design().find<Patch>(patch)->name, "Seat");
+    window.patternView().setTool(PatternToolKind::Select);
+
+    window.inspector().focusFirst();
+    field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    ASSERT_TRUE(field);
+    QTest::keyClicks(field, "Wrong");
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().hasFocus(); }));
+    EXPECT_EQ(window.document().design().find<Patch>(patch)->name, "Seat") << "what was typed is given up";
+}
+
+TEST_F(DialogsTest, AFinishedPictureLeavesNothingToCancel)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    window.actions().renderPicture->trigger();
+    auto* dialog = opened<RenderDialog>();
+    ASSERT_TRUE(dialog);
+    const auto has = [&](const QString& text) {
+        for (const QAbstractButton* button : dialog->findChild<QDialogButtonBox*>()->buttons())
+            if (button->text().remove(u'&') == text)
+                return true;
+        return false;
+    };
+    EXPECT_FALSE(has(QStringLiteral("Cancel")));
+    dialog->renderTo(m_folder.filePath(QStringLiteral("picture.png")));
+    EXPECT_TRUE(has(QStringLiteral("Cancel")));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !dialog->rendering(); }, 60000));
+    EXPECT_TRUE(has(QStringLiteral("Close")));
+    EXPECT_FALSE(has(QStringLiteral("Cancel")));
+    dialog->close();
+}
+
+TEST(NextStepTest, BesideAFrameACoverIsFixedToIt)
+{
+    Design design;
+    const auto add = [&](Element element) {
+        design =
+            design.with({{}, {{design.nextId(), nullptr, std::make_shared<const Element>(std::move(element))}}});
+    };
+    EXPECT_EQ(firstStep(design), FirstStep::None);
+    add(Patch{});
+    EXPECT_EQ(firstStep(design), FirstStep::Another);
+    add(Frame{});
+    EXPECT_EQ(firstStep(design), FirstStep::Fix) << "no second patch is needed";
+    add(FixationCurve{});
+    EXPECT_EQ(firstStep(design), FirstStep::Attach);
+    add(Patch{});
+    EXPECT_EQ(firstStep(design), FirstStep::Sew);
+}
+
+} // namespace
+} // namespace bolster
