@@ -18,6 +18,7 @@ namespace bolster {
 void MainWindow::connectScans()
 {
     connect(m_scans.get(), &ScanLink::measured, this, &MainWindow::showMeasured);
+    connect(m_inspector, &Inspector::framePiecePointedAt, m_surface, &SurfaceView::showFramePiece);
     connect(m_inspector, &Inspector::scanWish, this, [this](ElementId scan, ScanWish wish) {
         document().cancelGesture();
         switch (wish) {

@@ -14,7 +14,8 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     : QScrollArea(parent)
     , m_forms(
           document, selection, problems, [this](ElementId id) { emit fileWanted(id); },
-          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); })
+          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); },
+          [this](ElementId id, int piece) { emit framePiecePointedAt(id, piece); })
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -51,10 +52,15 @@ void Inspector::setFabricPictures(std::map<ElementId, FabricPictures> pictures)
     refresh();
 }
 
+/// A frame's file says which parts it has.
 void Inspector::setFiles(DesignFiles files)
 {
+    const bool others = files.meshes != m_forms.files().meshes;
     m_forms.setFiles(std::move(files));
-    refresh();
+    if (others)
+        rebuild();
+    else
+        refresh();
 }
 
 void Inspector::rebuild()

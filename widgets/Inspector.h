@@ -24,6 +24,8 @@ signals:
     /// The user wants another file for this element.
     void fileWanted(bolster::ElementId element);
     void scanWish(bolster::ElementId scan, bolster::ScanWish wish);
+    /// The pointer is over a piece of a frame in the list of its parts, or (-1) over none any more.
+    void framePiecePointedAt(bolster::ElementId frame, int piece);
 
 protected:
     void showEvent(QShowEvent* event) override;
