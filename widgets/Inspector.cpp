@@ -35,6 +35,12 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     rebuild();
 }
 
+/// The form goes before what its fields call.
+Inspector::~Inspector()
+{
+    delete takeWidget();
+}
+
 void Inspector::focusFirst()
 {
     m_form->focusFirst();

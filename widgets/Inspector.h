@@ -13,6 +13,7 @@ class Inspector : public QScrollArea {
 
 public:
     Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
+    ~Inspector() override;
 
     /// The keyboard goes to the first field.
     void focusFirst();

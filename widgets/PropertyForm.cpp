@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -84,9 +85,12 @@ protected:
 private:
     void point(const QTreeWidgetItem* item)
     {
-        if (pointed)
-            pointed(item ? item->data(0, number).toInt() : -1);
+        const int row = item ? item->data(0, number).toInt() : -1;
+        if (pointed && std::exchange(m_row, row) != row)
+            pointed(row);
     }
+
+    int m_row = -1;
 };
 
 } // namespace
