@@ -1,9 +1,12 @@
 #include "Insert.h"
 
+#include "CushionVoxels.h"
 #include "ElementEdits.h"
+#include "FramePieces.h"
 #include "TriangleTree.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +54,14 @@ std::optional<ElementId> cushionFor(const Design& design, const Selection::Eleme
             around = id;
     });
     return around ? around : first;
+}
+
+/// What the frame shows of its file; null while that is not there.
+FrameMeshPtr meshOf(const Design& design, ElementId id, const DesignFiles& files)
+{
+    const auto file = files.meshes.find(id);
+    const Frame* frame = design.find<Frame>(id);
+    return file == files.meshes.end() || !frame ? nullptr : shownMesh(file->second, frame->hiddenParts);
 }
 
 /// The highest point near the middle, seen from above.
@@ -104,9 +115,24 @@ Edit insertCushion(const Design& design, const Selection::Elements& selected, co
     Cushion cushion;
     cushion.name = QCoreApplication::translate("Insert", "Padding").toStdString();
     cushion.frame = *id;
-    if (const auto mesh = files.meshes.find(*id); mesh != files.meshes.end() && mesh->second)
-        cushion.dilation = guessPadding(design, *design.find<Frame>(*id), *mesh->second);
+    if (const FrameMeshPtr mesh = meshOf(design, *id, files)) {
+        const Frame& frame = *design.find<Frame>(*id);
+        cushion.dilation = guessPadding(design, frame, *mesh);
+        cushion.voxel = fittingVoxel(cushion, frame, *mesh);
+    }
     return edits::addElement(design, makeElement(std::move(cushion)));
+}
+
+QString voxelNote(const Edit& inserted)
+{
+    const auto* cushion = inserted.empty() ? nullptr : std::get_if<Cushion>(inserted.changes.front().after.get());
+    const double usual = Cushion().voxel;
+    if (!cushion || cushion->voxel == usual)
+        return {};
+    const QLocale locale;
+    return QCoreApplication::translate("Insert", "This frame is large: the cushion has voxels of %1 mm, because of "
+                                                 "%2 mm there would be too many.")
+        .arg(locale.toString(cushion->voxel), locale.toString(usual));
 }
 
 Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam::Shape shape,
@@ -122,8 +148,8 @@ Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam:
     foam.shape = shape;
     if (surface) {
         foam.position = top(surface->positions);
-    } else if (const auto mesh = files.meshes.find(cushion->frame); mesh != files.meshes.end() && mesh->second) {
-        std::vector<Vec3> points = mesh->second->points;
+    } else if (const FrameMeshPtr mesh = meshOf(design, cushion->frame, files)) {
+        std::vector<Vec3> points = mesh->points;
         if (const Frame* frame = design.find<Frame>(cushion->frame))
             for (Vec3& p : points)
                 p = frame->placed(p);

@@ -7,8 +7,11 @@
 
 namespace bolster {
 
-/// A cushion around the selected frame, or the first one that has none. Empty when there is no frame.
+/// A cushion around the selected frame, or the first one that has none, its voxels so large that they can be made.
+/// Empty when there is no frame.
 Edit insertCushion(const Design& design, const Selection::Elements& selected, const DesignFiles& files);
+/// What to say of the voxels of a cushion that was inserted, when they are not the usual ones.
+QString voxelNote(const Edit& inserted);
 /// Foam for the selected cushion (or that of the selected foam or frame), or the first one; on top of the cover or
 /// the frame. Empty when there is no cushion.
 Edit insertFoam(const Design& design, const Selection::Elements& selected, Foam::Shape shape,

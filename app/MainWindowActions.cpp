@@ -73,8 +73,10 @@ void MainWindow::connectActions()
 
     on(m_actions->insertCushion, [this] {
         document().cancelGesture();
-        insert(insertCushion(document().design(), m_selection.elements(), m_session->files()),
-               tr("Cushioning needs a frame: import one first."));
+        const Edit edit = insertCushion(document().design(), m_selection.elements(), m_session->files());
+        insert(edit, tr("Cushioning needs a frame: import one first."));
+        if (const QString note = voxelNote(edit); !note.isEmpty())
+            m_status->flash(note);
     });
     for (QAction* action : m_actions->insertFoam)
         on(action, [this, action] {

@@ -1,5 +1,6 @@
 #include "FrameShapes.h"
 
+#include "FramePieces.h"
 #include "MeshShape.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ FrameShapes::All FrameShapes::find(const All& wanted, std::stop_token stop)
             points.push_back(p.cast<float>());
         shape->rays.build(std::move(points), mesh->triangles);
         shape->normals = cornerNormals(mesh->points, mesh->triangles);
+        piecesOf(mesh); // so that they are known when somebody asks
         known = std::move(shape);
     }
     return all;

@@ -16,7 +16,8 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     : QScrollArea(parent)
     , m_forms(
           document, selection, problems, [this](ElementId id) { emit fileWanted(id); },
-          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); })
+          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); },
+          [this](ElementId id, int piece) { emit framePiecePointedAt(id, piece); })
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -36,6 +37,12 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     rebuild();
 }
 
+/// The form goes before what its fields call.
+Inspector::~Inspector()
+{
+    delete takeWidget();
+}
+
 void Inspector::focusFirst()
 {
     m_form->focusFirst();
@@ -53,10 +60,15 @@ void Inspector::setFabricPictures(std::map<ElementId, FabricPictures> pictures)
     refresh();
 }
 
+/// A frame's file says which parts it has.
 void Inspector::setFiles(DesignFiles files)
 {
+    const bool others = files.meshes != m_forms.files().meshes;
     m_forms.setFiles(std::move(files));
-    refresh();
+    if (others)
+        rebuild();
+    else
+        refresh();
 }
 
 void Inspector::rebuild()

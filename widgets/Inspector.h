@@ -13,6 +13,7 @@ class Inspector : public QScrollArea {
 
 public:
     Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent = nullptr);
+    ~Inspector() override;
 
     /// The keyboard goes to the first field.
     void focusFirst();
@@ -26,6 +27,8 @@ signals:
     void scanWish(bolster::ElementId scan, bolster::ScanWish wish);
     /// What was typed is done, or given up: the keyboard may go elsewhere.
     void typed();
+    /// The pointer is over a piece of a frame in the list of its parts, or (-1) over none any more.
+    void framePiecePointedAt(bolster::ElementId frame, int piece);
 
 protected:
     void showEvent(QShowEvent* event) override;

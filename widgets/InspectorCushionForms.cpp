@@ -119,6 +119,8 @@ void InspectorForms::addCushion(PropertyForm& form, const Ids& ids) const
                    &Cushion::distance, QT_TRANSLATE_NOOP("Message", "Change the distance of %1"));
     cushion.number(tr("Voxels"), {QStringLiteral(" mm"), 2, 0.5, 100, 1}, &Cushion::voxel,
                    QT_TRANSLATE_NOOP("Message", "Change the voxels of %1"));
+    if (!cushion.several())
+        addVoxelNote(form, ids.front());
 }
 
 void InspectorForms::addFoam(PropertyForm& form, const Ids& ids) const

@@ -22,12 +22,14 @@ constexpr double highestPressure = 1;
 
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
                                std::function<void(ElementId)> chooseFile,
-                               std::function<void(ElementId, ScanWish)> scanWish)
+                               std::function<void(ElementId, ScanWish)> scanWish,
+                               std::function<void(ElementId, int)> pointAtPiece)
     : m_document(document)
     , m_selection(selection)
     , m_problems(problems)
     , m_chooseFile(std::move(chooseFile))
     , m_scanWish(std::move(scanWish))
+    , m_pointAtPiece(std::move(pointAtPiece))
 {}
 
 std::unique_ptr<PropertyForm> InspectorForms::make() const
@@ -307,8 +309,10 @@ void InspectorForms::addFrame(PropertyForm& form, const Ids& ids) const
     frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
                  QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
     addFrameMaterial(form, ids);
-    if (!frame.several())
-        form.addButton(tr("Choose an&other file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
+    if (frame.several())
+        return;
+    addFrameParts(form, ids.front());
+    form.addButton(tr("Choose an&other file \u2026"), [this, id = ids.front()] { m_chooseFile(id); });
 }
 
 void InspectorForms::addUnusable(PropertyForm& form, const Ids& ids) const

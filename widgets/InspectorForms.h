@@ -28,13 +28,15 @@ class InspectorForms {
 
 public:
     InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
-                   std::function<void(ElementId)> chooseFile, std::function<void(ElementId, ScanWish)> scanWish);
+                   std::function<void(ElementId)> chooseFile, std::function<void(ElementId, ScanWish)> scanWish,
+                   std::function<void(ElementId, int)> pointAtPiece);
 
     /// As measured last.
     void setScanFigures(std::map<ElementId, ScanFigures> figures) { m_scanFigures = std::move(figures); }
     /// As drawn last.
     void setFabricPictures(std::map<ElementId, FabricPictures> pictures) { m_fabricPictures = std::move(pictures); }
     void setFiles(DesignFiles files) { m_files = std::move(files); }
+    const DesignFiles& files() const { return m_files; }
 
     std::unique_ptr<PropertyForm> make() const;
     /// Of the selected fabrics: their forms differ.
@@ -68,6 +70,9 @@ private:
     void addFrameMaterial(PropertyForm& form, const Ids& ids) const;
     void addCushion(PropertyForm& form, const Ids& ids) const;
     void addFoam(PropertyForm& form, const Ids& ids) const;
+    /// What its file consists of, each part with a mark that shows it.
+    void addFrameParts(PropertyForm& form, ElementId id) const;
+    void addVoxelNote(PropertyForm& form, ElementId id) const;
     void addFrameChoice(PropertyForm& form, const Ids& cushions) const;
     void addCoverChoice(PropertyForm& form, const Ids& cushions) const;
     void addScan(PropertyForm& form, const Ids& ids) const;
@@ -94,6 +99,7 @@ private:
     ProblemSet& m_problems;
     std::function<void(ElementId)> m_chooseFile;
     std::function<void(ElementId, ScanWish)> m_scanWish;
+    std::function<void(ElementId, int)> m_pointAtPiece;
     std::map<ElementId, ScanFigures> m_scanFigures;
     std::map<ElementId, FabricPictures> m_fabricPictures;
     DesignFiles m_files;

@@ -15,9 +15,11 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -36,6 +38,59 @@ protected:
         event->ignore();
         return false;
     }
+};
+
+/// As high as its rows, up to a limit; says which row is pointed at.
+class CheckList : public QTreeWidget {
+public:
+    static constexpr int number = Qt::UserRole;
+
+    explicit CheckList(QWidget* parent)
+        : QTreeWidget(parent)
+    {
+        setHeaderHidden(true);
+        setMouseTracking(true);
+        setUniformRowHeights(true);
+        setIndentation(16);
+        setTextElideMode(Qt::ElideMiddle);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        connect(this, &QTreeWidget::itemEntered, this, [this](QTreeWidgetItem* item) { point(item); });
+        connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) { point(item); });
+    }
+
+    void fitRows()
+    {
+        constexpr int most = 9;
+        int rows = 0;
+        for (QTreeWidgetItemIterator it(this); *it && rows < most; ++it)
+            ++rows;
+        setFixedHeight(std::max(1, rows) * std::max(18, sizeHintForRow(0)) + 2 * frameWidth());
+    }
+
+    std::function<void(int)> pointed;
+
+protected:
+    bool viewportEvent(QEvent* event) override
+    {
+        if (event->type() == QEvent::Leave || event->type() == QEvent::Hide)
+            point(nullptr);
+        return QTreeWidget::viewportEvent(event);
+    }
+    void hideEvent(QHideEvent* event) override
+    {
+        point(nullptr);
+        QTreeWidget::hideEvent(event);
+    }
+
+private:
+    void point(const QTreeWidgetItem* item)
+    {
+        const int row = item ? item->data(0, number).toInt() : -1;
+        if (pointed && std::exchange(m_row, row) != row)
+            pointed(row);
+    }
+
+    int m_row = -1;
 };
 
 } // namespace
@@ -144,6 +199,40 @@ void PropertyForm::addText(const QString& label, const std::function<std::option
         const std::optional<QString> text = read();
         edit->setText(text.value_or(QString()));
         edit->setPlaceholderText(text ? QString() : variesText());
+    });
+}
+
+void PropertyForm::addChecks(const QString& label, const std::vector<Check>& checks,
+                             const std::function<std::vector<Qt::CheckState>()>& read,
+                             const std::function<void(int, bool)>& write, const std::function<void(int)>& pointed)
+{
+    auto* list = new CheckList(this);
+    list->setAccessibleName(label);
+    std::vector<QTreeWidgetItem*> items;
+    QTreeWidgetItem* above = nullptr;
+    for (const Check& check : checks) {
+        auto* item = check.below && above ? new QTreeWidgetItem(above) : new QTreeWidgetItem(list);
+        item->setText(0, check.text);
+        item->setToolTip(0, check.text);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setData(0, CheckList::number, static_cast<int>(items.size()));
+        above = check.below ? above : item;
+        items.push_back(item);
+    }
+    list->expandAll();
+    list->fitRows();
+    list->pointed = pointed;
+    connect(list, &QTreeWidget::itemChanged, this, [write](QTreeWidgetItem* item) {
+        write(item->data(0, CheckList::number).toInt(), item->checkState(0) == Qt::Checked);
+    });
+    auto* heading = new QLabel(label, this);
+    heading->setBuddy(list);
+    m_layout->addRow(heading);
+    addField({}, list, [list, items, read] {
+        const QSignalBlocker quiet(list);
+        const std::vector<Qt::CheckState> states = read();
+        for (std::size_t i = 0; i < items.size() && i < states.size(); ++i)
+            items[i]->setCheckState(0, states[i]);
     });
 }
 

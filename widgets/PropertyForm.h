@@ -47,6 +47,14 @@ public:
                     const std::function<void(int, double)>& write);
     void addCheck(const QString& label, const std::function<std::optional<bool>()>& read,
                   const std::function<void(bool)>& write);
+    struct Check {
+        QString text;
+        bool below = false; ///< belongs to the one before that does not
+    };
+    /// A list of marks, under the label. `pointed` gets the one under the pointer or the keyboard's mark, or -1.
+    void addChecks(const QString& label, const std::vector<Check>& checks,
+                   const std::function<std::vector<Qt::CheckState>()>& read,
+                   const std::function<void(int, bool)>& write, const std::function<void(int)>& pointed);
     /// -1: none of them, or several.
     void addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
                    const std::function<void(int)>& write);

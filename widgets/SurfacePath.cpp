@@ -57,20 +57,22 @@ SurfacePath pathAlong(const std::vector<Vec3>& through, bool closed, bool smooth
     };
     SurfacePath path;
     path.closed = closed;
+    path.smooth = smooth;
     const auto add = [&](const Vec3& p) {
         if (path.points.empty() || (p - path.points.back()).norm() > apart)
             path.points.push_back(p);
     };
     for (int i = 0; i < count; ++i) {
         add(at(i));
-        path.given.push_back(path.points.size() - 1);
         if (!closed && i + 1 == count)
             break;
+        if (!smooth)
+            continue;
         const Vec3 b = at(i), c = at(i + 1);
         const double pieces = std::ceil(std::clamp((c - b).norm() / step, fewest, most));
         for (int k = 1; k < pieces; ++k) {
             const double share = k / pieces;
-            const Vec3 p = smooth ? between(at(i - 1), b, c, at(i + 2), share) : Vec3(b + share * (c - b));
+            const Vec3 p = between(at(i - 1), b, c, at(i + 2), share);
             if (const std::optional<Vec3> on = follow(p))
                 add(*on);
             else
@@ -80,10 +82,12 @@ SurfacePath pathAlong(const std::vector<Vec3>& through, bool closed, bool smooth
     return path;
 }
 
-std::optional<BSpline3> curveAlong(const SurfacePath& path, bool corners)
+std::optional<BSpline3> curveAlong(const SurfacePath& path)
 {
     if (path.points.size() < 2)
         return std::nullopt;
+    if (!path.smooth)
+        return BSpline3(1, path.closed, path.points);
     CurveSamples samples;
     samples.points = path.points;
     samples.closed = path.closed;
@@ -94,9 +98,6 @@ std::optional<BSpline3> curveAlong(const SurfacePath& path, bool corners)
     samples.end = samples.parameters.back();
     if (path.closed)
         samples.end += (path.points.front() - path.points.back()).norm();
-    for (const std::size_t i : path.given)
-        if (corners && (path.closed || (i > 0 && i + 1 < path.points.size())))
-            samples.corners.push_back(samples.parameters[i]);
     return fitCurve(samples, tolerance);
 }
 

@@ -11,17 +11,17 @@ namespace bolster {
 using SurfaceFollow = std::function<std::optional<Vec3>(const Vec3&)>;
 
 struct SurfacePath {
-    std::vector<Vec3> points;       ///< close together, mm; of a closed one the first is not repeated
-    std::vector<std::size_t> given; ///< which of them are the given points
+    std::vector<Vec3> points; ///< of a smooth one close together, mm; of a closed one the first is not repeated
     bool closed = false;
+    bool smooth = true;
 };
 
-/// Smooth, or as straight as the surface allows. Points closer than 0.001 mm to the one before are left out; fewer
-/// than two, or three of a closed one, give an empty path.
+/// Smooth and on what it follows, or straight from point to point, whatever lies between them. Points closer than
+/// 0.001 mm to the one before are left out; fewer than two, or three of a closed one, give an empty path.
 SurfacePath pathAlong(const std::vector<Vec3>& points, bool closed, bool smooth, const SurfaceFollow& follow);
 
-/// The cubic with few control points within 0.5 mm of the path; with `corners` it may have a corner at each given
-/// point. Nothing when the path is empty.
-std::optional<BSpline3> curveAlong(const SurfacePath& path, bool corners);
+/// Of a smooth path the cubic with few control points within 0.5 mm of it; of a straight one the polygon through
+/// the given points. Nothing when the path is empty.
+std::optional<BSpline3> curveAlong(const SurfacePath& path);
 
 } // namespace bolster

@@ -3,6 +3,7 @@
 #include "Crosshair.h"
 #include "Document.h"
 #include "FabricShown.h"
+#include "FramePieces.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
 #include "PointerNote.h"
@@ -311,7 +312,7 @@ void SurfaceView::updateFrames()
             const auto mesh = m_files.meshes.find(id);
             if (mesh == m_files.meshes.end() || !mesh->second || m_hidden.contains(id))
                 return;
-            frames.push_back({mesh->second, frame, frame.material});
+            frames.push_back({shownMesh(mesh->second, frame.hiddenParts), frame, frame.material});
             ids.push_back(id);
         });
     m_foamMeshes.update(m_document.design(), m_files);
@@ -378,6 +379,7 @@ void SurfaceView::updateMarks()
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
     addScanPairs();
+    addFramePiece();
     if (const auto& symmetry = m_document.design().settings().symmetry; symmetry && layerVisible(Layer::Symmetry))
         addSymmetryPlane(*symmetry, m_scene);
     cutMarks();

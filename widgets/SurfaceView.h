@@ -95,6 +95,8 @@ public:
     void setMapReading(const QString& reading);
     /// Which points of a scan belong to which places of the cover, mm: shown as lines.
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
+    /// A box around a piece of a frame (FramePieces), hidden or not; -1: none.
+    void showFramePiece(bolster::ElementId frame, int piece);
     void setTool(bolster::SurfaceToolKind kind);
     SurfaceToolKind tool() const { return m_toolKind; }
     /// The next drag cuts away, or keeps, a part of the scan.
@@ -203,6 +205,7 @@ private:
     Vec3 middleOf(ElementId id) const override;
     void updateScans();
     void addScanPairs();
+    void addFramePiece();
     void updateLooks();
     void updateMarks();
     void updateMirrored();
@@ -260,7 +263,9 @@ private:
     CoverPlaces m_places; ///< on what is shown of the cover
     double m_scanOpacity = 1;
     FrameShapes m_frameShapes;
-    Box3 m_frameBox;                   ///< mm
+    Box3 m_frameBox;          ///< mm
+    ElementId m_pieceFrame{}; ///< whose piece is marked
+    int m_piece = -1;
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
     std::vector<std::shared_ptr<const TriangleMesh>> m_skinnedMeshes; ///< of the scene's skins

@@ -2,6 +2,7 @@
 // view's pointer.
 #include "Crosshair.h"
 #include "Document.h"
+#include "FramePieces.h"
 #include "Hiding.h"
 #include "SelectionEdits.h"
 #include "SurfaceView.h"
@@ -15,6 +16,38 @@ namespace {
 constexpr double nearlyThere = 3; // mm: what is so near hides nothing
 
 } // namespace
+
+void SurfaceView::showFramePiece(ElementId frame, int piece)
+{
+    if (std::pair(m_pieceFrame, m_piece) == std::pair(frame, piece))
+        return;
+    m_pieceFrame = frame;
+    m_piece = piece;
+    refresh();
+}
+
+void SurfaceView::addFramePiece()
+{
+    const auto* frame = m_document.design().find<Frame>(m_pieceFrame);
+    const auto file = m_files.meshes.find(m_pieceFrame);
+    if (m_piece < 0 || !frame || file == m_files.meshes.end() || !file->second)
+        return;
+    const std::vector<FramePiece>& pieces = piecesOf(file->second)->pieces;
+    if (m_piece >= std::ssize(pieces))
+        return;
+    const Box3& box = pieces[static_cast<std::size_t>(m_piece)].box;
+    for (int corner = 0; corner < 8; ++corner)
+        for (int axis = 0; axis < 3; ++axis) {
+            const int other = corner | 1 << axis;
+            if (other == corner)
+                continue;
+            const auto at = [&](int k) {
+                const auto place = static_cast<Box3::CornerType>(k);
+                return Eigen::Vector3f(frame->placed(box.corner(place)).cast<float>());
+            };
+            m_scene.lines.push_back({{at(corner), at(other)}, m_scene.colors.accent, 2, 0.9F, 0.8F});
+        }
+}
 
 void SurfaceView::setHidden(std::set<ElementId> hidden)
 {

@@ -133,6 +133,37 @@ TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
     EXPECT_EQ(curvesOf(document).size(), 1u) << "one edit";
 }
 
+TEST_F(FixationDrawing, StraightIsStraightWhateverLiesBetween)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    QTest::keyClick(&view, Qt::Key_B);
+    for (const double angle : {-50.0, 0.0, 45.0})
+        mouse.click(pixel(onTube(angle, 60)));
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral("straight from point to point"))) << "it says so";
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3 drawn = curvesOf(document).back().curve;
+    EXPECT_EQ(drawn.degree(), 1);
+    ASSERT_EQ(drawn.pointCount(), 3) << "points are where the user set them, and nowhere else";
+    EXPECT_LT((drawn.points()[1] - onTube(0, 60)).norm(), 2);
+    EXPECT_NEAR(fromAxis((drawn.points()[0] + drawn.points()[1]) / 2),
+                radius * std::cos(25 * std::numbers::pi / 180), 1.5)
+        << "the chord goes through the frame";
+}
+
+TEST_F(FixationDrawing, BTurnsWhatIsDrawnStraightAtOnce)
+{
+    showFrame();
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel(onTube(-50, 60)));
+    mouse.click(pixel(onTube(45, 60)));
+    QTest::keyClick(&view, Qt::Key_B);
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    EXPECT_EQ(curvesOf(document).back().curve.pointCount(), 2);
+}
+
 TEST_F(FixationDrawing, AClickOnTheFirstPointCloses)
 {
     showFrame();
@@ -156,6 +187,41 @@ TEST_F(FixationDrawing, ADoubleClickEndsAndBackspaceTakesBack)
     ASSERT_EQ(curvesOf(document).size(), 2u);
     const BSpline3 drawn = curvesOf(document).back().curve;
     EXPECT_LT(drawn.boundingBox().max().y(), 60) << "the second point was taken back";
+}
+
+TEST_F(FixationDrawing, PartsThatAreHiddenAreDrawnThrough)
+{
+    auto mesh = std::make_shared<TriangleMesh>(*tube()); // and a cushion that lies on it
+    const auto count = static_cast<std::uint32_t>(mesh->triangles.size());
+    const auto first = static_cast<std::uint32_t>(mesh->points.size());
+    for (const Vec3& corner : {Vec3(0, 0, 200), Vec3(400, 0, 200), Vec3(400, 200, 200), Vec3(0, 200, 200)})
+        mesh->points.push_back(corner);
+    mesh->triangles.push_back({first, first + 1, first + 2});
+    mesh->triangles.push_back({first, first + 2, first + 3});
+    mesh->parts = {{"Tube", 0, count}, {"Cushion", count, 2}};
+    DesignFiles files;
+    files.meshes[frameId] = mesh;
+    view.setFiles(files);
+    lookFromAbove();
+    const auto under = [&] { return view.hit(pixel(onTube(10, 40))); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return under().kind == SurfaceHit::Kind::Frame; }));
+    EXPECT_NEAR(under().position.z(), 200, 1);
+
+    Frame frame = *document.design().find<Frame>(frameId);
+    frame.hiddenParts = {"Cushion"};
+    document.commit({{"Hide"}, {{frameId, document.design().element(frameId), makeElement(frame)}}});
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return under().kind == SurfaceHit::Kind::Frame && fromAxis(under().position) < radius + 1; }));
+    view.setTool(SurfaceToolKind::DrawFixation);
+    mouse.click(pixel(onTube(-30, 40)));
+    mouse.click(pixel(onTube(30, 40)));
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(curvesOf(document).size(), 2u);
+    const BSpline3 drawn = curvesOf(document).back().curve;
+    EXPECT_NEAR(fromAxis(drawn.at((drawn.domainStart() + drawn.domainEnd()) / 2)), radius, 1);
+    document.undo();
+    document.undo();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return under().position.z() > 199; })) << "it is there again";
 }
 
 TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
@@ -288,15 +354,13 @@ TEST_F(FixationDrawing, AKeyLetsGoOfTheFrame)
 TEST(SurfacePathTest, StraightPathsHaveCornersAtTheGivenPoints)
 {
     const auto follow = [](const Vec3& p) { return std::optional(Vec3(p.x(), p.y(), 5)); };
-    const std::vector<Vec3> points = {{0, 0, 5}, {100, 0, 5}, {100, 80, 5}};
+    const std::vector<Vec3> points = {{0, 0, 5}, {100, 0, 9}, {100, 80, 5}};
     const SurfacePath path = pathAlong(points, false, false, follow);
-    const auto curve = curveAlong(path, true);
+    const auto curve = curveAlong(path);
     ASSERT_TRUE(curve);
-    EXPECT_EQ(curve->corners().size(), 1u);
-    EXPECT_LT(curve->closest({100, 0, 5}).distance, 1e-3);
-    EXPECT_LE(curve->pointCount(), 7);
+    EXPECT_EQ(curve->points(), points);
     EXPECT_TRUE(pathAlong({{1, 2, 3}, {1, 2, 3}}, false, true, follow).points.empty());
-    EXPECT_FALSE(curveAlong({}, true));
+    EXPECT_FALSE(curveAlong({}));
 }
 
 class Attaching : public testing::Test {

@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QSlider>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -279,6 +280,73 @@ TEST(NumberBoxExpressions, TakesUnitsWhereLengthsAre)
     const NumberBox::Range angle{QStringLiteral("\u00b0")};
     EXPECT_DOUBLE_EQ(typed(angle, "360/8"), 45);
     EXPECT_DOUBLE_EQ(typed(angle, "2 cm"), 7) << "no angle";
+}
+
+TEST_F(InspectorTest, PartsOfAFrameAreShownAndHidden)
+{
+    Frame frame;
+    frame.name = "Sofa";
+    const ElementId id = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(frame)));
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (const double x : {0.0, 100.0, 200.0}) { // the first is a part, the others are two pieces of another one
+        mesh->points.insert(mesh->points.end(), {{x, 0, 0}, {x + 50 - x / 10, 0, 0}, {x, 50, 20}});
+        const auto last = static_cast<std::uint32_t>(mesh->points.size());
+        mesh->triangles.push_back({last - 3, last - 2, last - 1});
+    }
+    mesh->parts = {{"Frame", 0, 1}, {"Cushions", 1, 2}};
+    selection.set({id});
+    EXPECT_FALSE(inspector.widget()->findChild<QTreeWidget*>()) << "the file is not there yet";
+    inspector.setFiles({{{id, mesh}}, {}});
+    auto* list = inspector.widget()->findChild<QTreeWidget*>();
+    ASSERT_TRUE(list);
+    ASSERT_EQ(list->topLevelItemCount(), 2);
+    EXPECT_EQ(list->topLevelItem(0)->text(0), QStringLiteral("Frame: 50 \u00d7 50 \u00d7 20 mm"));
+    QTreeWidgetItem* cushions = list->topLevelItem(1);
+    ASSERT_EQ(cushions->childCount(), 2);
+    EXPECT_TRUE(cushions->isExpanded());
+
+    const auto hidden = [&] { return document.design().find<Frame>(id)->hiddenParts; };
+    const auto click = [&](QTreeWidgetItem* item) {
+        list = inspector.widget()->findChild<QTreeWidget*>();
+        list->setCurrentItem(item);
+        QTest::keyClick(list, Qt::Key_Space);
+        list = inspector.widget()->findChild<QTreeWidget*>();
+        cushions = list->topLevelItem(1);
+    };
+    click(cushions->child(1));
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"});
+    EXPECT_EQ(cushions->checkState(0), Qt::PartiallyChecked);
+    click(cushions->child(0));
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions"});
+    EXPECT_EQ(cushions->checkState(0), Qt::Unchecked);
+    click(cushions->child(0));
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"}) << "of a hidden part one piece is shown";
+    document.undo();
+    document.undo();
+    document.undo();
+    EXPECT_TRUE(hidden().empty()) << "each an edit";
+}
+
+TEST_F(InspectorTest, APieceThatIsPointedAtInTheListIsTold)
+{
+    Frame frame;
+    const ElementId id = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(frame)));
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{0, 0, 0}, {90, 0, 0}, {0, 50, 0}, {200, 0, 0}, {250, 0, 0}, {200, 50, 0}};
+    mesh->triangles = {{0, 1, 2}, {3, 4, 5}};
+    mesh->parts = {{"", 0, 2}};
+    selection.set({id});
+    inspector.setFiles({{{id, mesh}}, {}});
+    auto* list = inspector.widget()->findChild<QTreeWidget*>();
+    ASSERT_TRUE(list);
+    std::vector<int> told;
+    QObject::connect(&inspector, &Inspector::framePiecePointedAt, &inspector,
+                     [&](ElementId, int piece) { told.push_back(piece); });
+    list->setCurrentItem(list->topLevelItem(0)->child(1));
+    list->setCurrentItem(list->topLevelItem(0));
+    EXPECT_EQ(told, (std::vector<int>{1, -1})) << "a part of several pieces is none of them";
 }
 
 TEST_F(InspectorTest, OfAScanItIsSaidHowManyPointsAreThereAndWhenItWasThinned)

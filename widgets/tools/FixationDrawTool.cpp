@@ -24,16 +24,6 @@ constexpr double curvePointRadius = 4.5;
 
 constexpr double groundGrid = 10; // mm
 
-std::optional<BSpline3> polygonThrough(const SurfacePath& path)
-{
-    std::vector<Vec3> points;
-    for (const std::size_t i : path.given)
-        points.push_back(path.points[i]);
-    if (points.size() < 2)
-        return std::nullopt;
-    return BSpline3(1, path.closed, std::move(points));
-}
-
 } // namespace
 
 bool FixationDrawTool::near(const Vec3& point, QPointF pixel) const
@@ -212,7 +202,8 @@ void FixationDrawTool::leave()
     updatePath();
 }
 
-/// What lies on the cover alone follows the cover, what has a point in the air nothing, any other curve the frame.
+/// What lies on the cover alone follows the cover, what has a point in the air nothing, any other curve the frame;
+/// and a straight one nothing at all.
 SurfacePath FixationDrawTool::path(bool closed, bool withNext) const
 {
     std::vector<Vec3> through;
@@ -244,9 +235,7 @@ void FixationDrawTool::updatePath()
 void FixationDrawTool::finish(bool closed)
 {
     const SurfacePath along = path(closed, false);
-    // Straight pieces through the air are exactly that.
-    const std::optional<BSpline3> curve =
-        free() && !m_smooth ? polygonThrough(along) : curveAlong(along, !m_smooth);
+    const std::optional<BSpline3> curve = curveAlong(along);
     if (!curve) {
         m_context.report(tr("A curve needs two points, a closed one three."));
         return;
@@ -275,10 +264,11 @@ QString FixationDrawTool::prompt() const
             "the tool");
     if (m_closing)
         return tr("Click to close the curve");
-    return m_smooth ? tr("Click or type the next point, Enter ends, C closes \u2013 B makes it straight, Backspace "
-                         "takes a point back")
-                    : tr("Click or type the next point, Enter ends, C closes \u2013 B makes it smooth, Backspace "
-                         "takes a point back");
+    return m_smooth
+               ? tr("Click or type the next point, Enter ends, C closes \u2013 B makes it straight, Backspace "
+                    "takes a point back")
+               : tr("Click or type the next point, Enter ends, C closes \u2013 straight from point to point, "
+                    "whatever lies between: B makes it smooth along the surface, Backspace takes a point back");
 }
 
 std::optional<SurfaceNote> FixationDrawTool::note() const

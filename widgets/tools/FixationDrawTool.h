@@ -12,7 +12,8 @@ namespace bolster {
 /// Clicks set points on a frame, or on the cover where there is none, or on the end of another curve; the curve
 /// follows the surface between them. Where there is nothing at all they lie on the ground, or as high as the point
 /// before. Places can be typed; a curve with such a point goes through the air. A double click or Enter ends it, a
-/// click on the first point or C closes it. B switches between smooth and straight, Backspace takes back a point,
+/// click on the first point or C closes it. B switches between smooth along the
+/// surface and straight from point to point, Backspace takes back a point,
 /// Escape the curve, then the tool. A drag turns the view.
 class FixationDrawTool : public SurfaceTool {
     Q_DECLARE_TR_FUNCTIONS(FixationDrawTool)
