@@ -9,6 +9,7 @@
 #include "FabricLink.h"
 #include "FabricPanel.h"
 #include "FileFlow.h"
+#include "FindingsLink.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
 #include "MainMenu.h"
@@ -53,6 +54,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_solver(std::make_unique<SolverLink>(m_session->document()))
     , m_scans(std::make_unique<ScanLink>(*m_session, m_selection))
     , m_maps(std::make_unique<MapLink>(*m_session))
+    , m_findings(std::make_unique<FindingsLink>(*m_session, *m_solver))
     , m_covers(std::make_unique<CoverLink>())
     , m_fabricLink(std::make_unique<FabricLink>(*m_session))
     , m_fabricCommands(new FabricCommands(*m_session, m_selection, this))
@@ -81,6 +83,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectViews();
     connectScans();
     connectMaps();
+    connectFindings();
     connectSewing();
     connectFixing();
     connect3D();

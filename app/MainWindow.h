@@ -25,6 +25,7 @@ class FabricCommands;
 class FabricLink;
 class FabricPanel;
 class FileFlow;
+class FindingsLink;
 class HistoryPanel;
 class Inspector;
 class MapLink;
@@ -57,6 +58,7 @@ public:
     SolverLink& solver() { return *m_solver; }
     ScanLink& scans() { return *m_scans; }
     MapLink& maps() { return *m_maps; }
+    FindingsLink& findings() { return *m_findings; }
     Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
@@ -133,6 +135,7 @@ private:
     void connectMaps();
     void fillWorstSpots(QMenu& menu);
     void showSpot(const CoverPoint& place);
+    void connectFindings();
     void readMap(const std::optional<CoverPoint>& place);
     void renderPicture();
     void connectPattern();
@@ -152,6 +155,7 @@ private:
     std::unique_ptr<SolverLink> m_solver;
     std::unique_ptr<ScanLink> m_scans;
     std::unique_ptr<MapLink> m_maps;
+    std::unique_ptr<FindingsLink> m_findings;
     std::unique_ptr<CoverLink> m_covers;
     std::unique_ptr<Thumbnails> m_thumbnails;
     std::unique_ptr<FabricLink> m_fabricLink;

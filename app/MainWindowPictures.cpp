@@ -5,6 +5,7 @@
 #include "Ask.h"
 #include "Docks.h"
 #include "FabricLink.h"
+#include "FindingsLink.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "RenderDialog.h"
@@ -77,6 +78,22 @@ void MainWindow::showSpot(const CoverPoint& place)
     m_pattern->reveal(place);
     m_surface->showPlace(place);
     m_pattern->showPlace(place);
+}
+
+void MainWindow::connectFindings()
+{
+    connect(m_findings.get(), &FindingsLink::changed, this,
+            [this] { m_status->setFindings(m_findings->findings(), m_findings->known()); });
+    connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
+    connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {
+        if (!document().design().element(finding.element))
+            return;
+        m_selection.set({finding.element});
+        if (finding.place)
+            showSpot({finding.place->patch, finding.place->outline});
+        else
+            fitSelection();
+    });
 }
 
 /// Whatever leaves the window shows the surface that follows from the design, never what a drag has left.

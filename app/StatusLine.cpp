@@ -6,18 +6,21 @@
 #include "Units.h"
 #include "ViewColors.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QToolButton>
 #include <QWhatsThis>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 namespace bolster {
 
-/// Green: solved; amber: moving; red: failed; grey: nothing to do.
+/// Of the colour of the mood.
 class StateDot : public QWidget {
 public:
     explicit StateDot(QWidget* parent)
@@ -55,39 +58,26 @@ using namespace std::chrono_literals;
 constexpr auto shortFlash = 6s;
 constexpr auto longFlash = 20s;
 
-QString stateText(const SolverStatus& status)
+QColor colorOf(StatusLine::Mood mood)
 {
-    const QString iterations = QLocale().toString(status.iterations);
-    switch (status.state) {
-    case SolverStatus::State::Idle:
-        return StatusLine::tr("Nothing to sew yet");
-    case SolverStatus::State::Preparing:
-        return StatusLine::tr("Preparing \u2026");
-    case SolverStatus::State::Moving:
-        return StatusLine::tr("Moving, %1/s").arg(QLocale().toString(std::lround(status.iterationsPerSecond)));
-    case SolverStatus::State::Settled:
-        return hasErrors(status.problems) ? StatusLine::tr("Solved in part")
-                                          : StatusLine::tr("Solved \u2013 %1 iterations").arg(iterations);
-    case SolverStatus::State::Failed:
-        return translated(status.reason);
-    }
-    return {};
-}
-
-QColor stateColor(const SolverStatus& status)
-{
-    switch (status.state) {
-    case SolverStatus::State::Idle:
+    switch (mood) {
+    case StatusLine::Mood::Idle:
         return {0x9a, 0xa0, 0xa8};
-    case SolverStatus::State::Preparing:
-    case SolverStatus::State::Moving:
+    case StatusLine::Mood::Busy:
         return {0xe0, 0x9a, 0x1a};
-    case SolverStatus::State::Settled:
-        return hasErrors(status.problems) ? QColor(0xe0, 0x9a, 0x1a) : QColor(0x2e, 0x9e, 0x5b);
-    case SolverStatus::State::Failed:
+    case StatusLine::Mood::Good:
+        return {0x2e, 0x9e, 0x5b};
+    case StatusLine::Mood::Worried:
+        return {0xe0, 0x6a, 0x1a};
+    case StatusLine::Mood::Failed:
         return {0xd0, 0x3a, 0x2d};
     }
     return Qt::gray;
+}
+
+bool hasWarnings(const Problems& problems)
+{
+    return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Warning; });
 }
 
 } // namespace
@@ -101,6 +91,7 @@ StatusLine::StatusLine(QWidget* parent)
     , m_problems(new QToolButton(this))
     , m_dot(new StateDot(this))
     , m_solver(new ElidedLabel(this))
+    , m_show(new QToolButton(this))
 {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
@@ -131,9 +122,17 @@ StatusLine::StatusLine(QWidget* parent)
     row->setSpacing(6);
     row->addWidget(m_dot);
     row->addWidget(m_solver, 1);
+    row->addWidget(m_show);
     solver->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Solved - 00000 iterations")) + 40);
     addPermanentWidget(solver);
 
+    m_solver->installEventFilter(this);
+    m_show->setObjectName(QStringLiteral("show-finding"));
+    m_show->setAutoRaise(true);
+    m_show->setMenu(new QMenu(m_show));
+    m_show->hide();
+    connect(m_show, &QToolButton::clicked, this, &StatusLine::goThere);
+    connect(m_show->menu(), &QMenu::aboutToShow, this, &StatusLine::fillMenu);
     connect(m_problems, &QToolButton::clicked, this, &StatusLine::problemsWanted);
     connect(m_why, &QToolButton::clicked, this, [this] {
         m_flashTime.start(longFlash); // there is something to read
@@ -173,8 +172,105 @@ void StatusLine::setCoordinates(const QString& text)
 
 void StatusLine::setSolver(const SolverStatus& status, bool paused)
 {
-    m_dot->setColor(paused ? QColor(0x9a, 0xa0, 0xa8) : stateColor(status));
-    m_solver->setFullText(paused ? tr("Paused") : stateText(status));
+    m_status = status;
+    m_paused = paused;
+    showState();
+}
+
+void StatusLine::setFindings(const std::vector<CoverFinding>& findings, bool known)
+{
+    m_findings = findings;
+    m_findingsKnown = known;
+    showState();
+}
+
+StatusLine::Mood StatusLine::mood() const
+{
+    using State = SolverStatus::State;
+    if (m_paused || m_status.state == State::Idle)
+        return Mood::Idle;
+    if (m_status.state == State::Failed)
+        return Mood::Failed;
+    if (m_status.state != State::Settled || !m_status.resting)
+        return Mood::Busy;
+    if (!m_status.problems.empty() || !m_status.reason.empty())
+        return Mood::Worried;
+    if (!m_findingsKnown)
+        return Mood::Busy;
+    return m_findings.empty() ? Mood::Good : Mood::Worried;
+}
+
+QString StatusLine::stateText() const
+{
+    using State = SolverStatus::State;
+    switch (m_paused ? State::Idle : m_status.state) {
+    case State::Idle:
+        return m_paused ? tr("Paused") : tr("Nothing to sew yet");
+    case State::Preparing:
+        return tr("Preparing \u2026");
+    case State::Moving:
+        return tr("Moving, %1/s").arg(QLocale().toString(std::lround(m_status.iterationsPerSecond)));
+    case State::Failed:
+        return translated(m_status.reason);
+    case State::Settled:
+        break;
+    }
+    if (!m_status.resting)
+        return tr("Following the drag");
+    if (hasErrors(m_status.problems))
+        return tr("Solved in part");
+    if (!m_status.reason.empty())
+        return translated(m_status.reason);
+    if (m_findingsKnown && !m_findings.empty())
+        return translated(m_findings.front().text);
+    if (hasWarnings(m_status.problems))
+        return tr("Solved, with warnings");
+    return tr("Solved \u2013 %1 iterations").arg(QLocale().toString(m_status.iterations));
+}
+
+void StatusLine::showState()
+{
+    m_dot->setColor(colorOf(mood()));
+    m_solver->setFullText(stateText());
+    const bool atRest = !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting;
+    const bool finds = atRest && m_findingsKnown && !m_findings.empty();
+    const bool blames =
+        !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != ElementId{};
+    const auto count = static_cast<int>(m_findings.size());
+    m_show->setVisible(finds || blames);
+    m_show->setText(finds && count > 1 ? tr("Show (%1)").arg(count) : tr("Show"));
+    m_show->setPopupMode(finds && count > 1 ? QToolButton::InstantPopup : QToolButton::DelayedPopup);
+    m_solver->setCursor(finds || blames ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    // Long sentences get room, but not that of the prompt.
+    const int wanted = m_solver->fontMetrics().horizontalAdvance(m_solver->fullText()) + 8;
+    m_solver->setMinimumWidth(std::min(wanted, 2 * width() / 5));
+}
+
+/// To what the line speaks of.
+void StatusLine::goThere()
+{
+    if (!m_show->isVisible())
+        return;
+    if (m_status.state == SolverStatus::State::Failed)
+        emit culpritWanted(m_status.culprit);
+    else
+        emit findingWanted(m_findings.front());
+}
+
+void StatusLine::fillMenu()
+{
+    QMenu& menu = *m_show->menu();
+    menu.clear();
+    for (const CoverFinding& finding : m_findings)
+        menu.addAction(translated(finding.text).replace(u'&', QStringLiteral("&&")), this,
+                       [this, finding] { emit findingWanted(finding); });
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_solver && event->type() == QEvent::MouseButtonRelease)
+        goThere();
+    return QStatusBar::eventFilter(watched, event);
 }
 
 QString StatusLine::solverText() const

@@ -1,6 +1,7 @@
 // The status bar: what to do next, where the pointer is, and how the surface is doing.
 #pragma once
 
+#include "CoverFindings.h"
 #include "SolverThread.h"
 
 #include <QStatusBar>
@@ -28,17 +29,38 @@ public:
     void flashWithReason(const QString& message, const QString& why);
     void setCoordinates(const QString& text);
     void setSolver(const SolverStatus& status, bool paused);
+    /// What there is to worry about in the cover, the worst first. `known`: it is that of the cover that is shown.
+    void setFindings(const std::vector<CoverFinding>& findings, bool known);
     void setProblems(int errors, int warnings);
     /// What draws the 3D view, when that is worth a word; "" for none.
     void setRendererNote(const QString& note);
 
     QString solverText() const;
+    enum class Mood {
+        Idle,    ///< grey
+        Busy,    ///< amber: not there yet
+        Good,    ///< green: nothing to worry about
+        Worried, ///< orange
+        Failed   ///< red
+    };
+    Mood mood() const;
 
 signals:
     void problemsWanted();
+    /// The user wants to see where that is.
+    void findingWanted(const bolster::CoverFinding& finding);
+    /// Of a failure.
+    void culpritWanted(bolster::ElementId element);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showPrompt();
+    void showState();
+    QString stateText() const;
+    void goThere();
+    void fillMenu();
 
     ElidedLabel* m_promptLabel;
     QToolButton* m_why;
@@ -47,6 +69,11 @@ private:
     QToolButton* m_problems;
     StateDot* m_dot;
     ElidedLabel* m_solver;
+    QToolButton* m_show; ///< where the finding is
+    SolverStatus m_status;
+    bool m_paused = false;
+    std::vector<CoverFinding> m_findings;
+    bool m_findingsKnown = false;
     QString m_prompt;
     QString m_flash;
     QString m_reasons; ///< of the flash

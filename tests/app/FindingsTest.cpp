@@ -1,0 +1,88 @@
+// What the state line says of a cover that has come to rest, and where a click on it goes.
+#include "WindowTest.h"
+
+#include "Crosshair.h"
+#include "CurveEdits.h"
+#include "FindingsLink.h"
+#include "StatusLine.h"
+
+#include <QMenu>
+#include <QToolButton>
+
+namespace bolster {
+namespace {
+
+class FindingsTest : public WindowTest {
+protected:
+    StatusLine::Mood mood() { return window.statusLine().mood(); }
+    bool waitUntilKnown()
+    {
+        return waitUntilAtRest() && QTest::qWaitFor([&] { return window.findings().known(); }, 60000);
+    }
+    QToolButton* button() { return window.statusLine().findChild<QToolButton*>(QStringLiteral("show-finding")); }
+    bool crossShown() { return window.patternView().findChild<Crosshair*>()->isVisible(); }
+
+    /// Lifts the curve that holds the cushion, all of it or one point, far up.
+    void lift(std::vector<int> points)
+    {
+        const Design& design = window.document().design();
+        ElementId curve{};
+        design.each<FixationCurve>([&](ElementId id, const FixationCurve&) { curve = id; });
+        window.document().commit(edits::moveCurvePoints(design, curve, points, Vec3(0, 0, 400)));
+    }
+};
+
+TEST_F(FindingsTest, GreenMeansThatThereIsNothingToWorryAbout)
+{
+    for (const char* name : {"box-cushion", "car-seat", "armchair"}) {
+        ASSERT_TRUE(open(sample(QString::fromLatin1(name))));
+        EXPECT_NE(mood(), StatusLine::Mood::Good) << "not before it is known";
+        ASSERT_TRUE(waitUntilKnown());
+        EXPECT_EQ(mood(), StatusLine::Mood::Good) << name << ": " << window.statusLine().solverText().toStdString();
+        EXPECT_FALSE(button()->isVisible());
+    }
+}
+
+TEST_F(FindingsTest, WhatIsWrongIsSaidAndAClickGoesThere)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(waitUntilKnown());
+    lift({0});
+    EXPECT_NE(mood(), StatusLine::Mood::Good) << "at once";
+    ASSERT_TRUE(waitUntilKnown());
+    EXPECT_EQ(mood(), StatusLine::Mood::Worried);
+    const CoverFinding first = window.findings().findings().front();
+    EXPECT_EQ(window.statusLine().solverText().toStdString(), first.text.english());
+    ASSERT_TRUE(button()->isVisible());
+    EXPECT_FALSE(crossShown());
+    auto* words = window.statusLine().findChildren<ElidedLabel*>().back();
+    ASSERT_EQ(words->fullText(), window.statusLine().solverText());
+    QTest::mouseClick(words, Qt::LeftButton);
+    EXPECT_TRUE(window.selection().contains(first.element));
+    EXPECT_EQ(crossShown(), first.place.has_value());
+    emit button()->menu()->aboutToShow();
+    EXPECT_EQ(button()->menu()->actions().size(), static_cast<int>(window.findings().findings().size()));
+    window.actions().undo->trigger();
+    ASSERT_TRUE(waitUntilKnown());
+    EXPECT_EQ(mood(), StatusLine::Mood::Good);
+}
+
+TEST_F(FindingsTest, AnotherLimitOfTheFabricIsAnotherJudgement)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(waitUntilKnown());
+    ASSERT_EQ(mood(), StatusLine::Mood::Good);
+    const Design& design = window.document().design();
+    Edit edit;
+    design.each<Fabric>([&](ElementId id, const Fabric& fabric) {
+        Fabric stiff = fabric;
+        stiff.limits = {0.2, 0.2, 0.2};
+        edit.changes.push_back({id, design.element(id), makeElement(stiff)});
+    });
+    window.document().commit(edit);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return mood() == StatusLine::Mood::Worried; }, 60000));
+    EXPECT_EQ(window.findings().findings().front().kind, CoverFinding::Kind::OverLimit);
+}
+
+} // namespace
+} // namespace bolster
