@@ -64,12 +64,13 @@ function(bolster_library name)
     set_target_properties(${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
     target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     bolster_warnings(${name})
+    bolster_hardened(${name})
 endfunction()
 
 # In a unity build a file sees the names of those before it, which no local name shadows in earnest: there only
 # locals are compared. The ordinary build (dev) compares all.
-# For whatever reads files from elsewhere: a buffer that overflows ends the program, and so do functions of the C library
-# that would write beyond their target.
+# For all that is shipped: a buffer that overflows ends the program, and so do functions of the C library that would write
+# beyond their target.
 function(bolster_hardened name)
     if(NOT BOLSTER_SANITIZE)
         target_compile_options(${name} PRIVATE -fstack-protector-strong
