@@ -67,8 +67,6 @@ function(bolster_library name)
     bolster_hardened(${name})
 endfunction()
 
-# In a unity build a file sees the names of those before it, which no local name shadows in earnest: there only
-# locals are compared. The ordinary build (dev) compares all.
 # For all that is shipped: a buffer that overflows ends the program, and so do functions of the C library that would write
 # beyond their target.
 function(bolster_hardened name)
@@ -78,6 +76,8 @@ function(bolster_hardened name)
     endif()
 endfunction()
 
+# In a unity build a file sees the names of those before it, which no local name shadows in earnest: there only
+# locals are compared. The ordinary build (dev) compares all.
 function(bolster_warnings name)
     if(NOT CMAKE_UNITY_BUILD)
         set(shadow -Wshadow)
