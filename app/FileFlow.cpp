@@ -1,12 +1,12 @@
 #include "FileFlow.h"
 
+#include "Ask.h"
 #include "Banner.h"
 #include "RecentFiles.h"
 #include "Samples.h"
 #include "Translated.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QLocale>
 #include <QMenu>
 #include <QPushButton>
@@ -65,25 +65,39 @@ void FileFlow::startNew()
 
 void FileFlow::open(const QString& path)
 {
-    QString file = path;
-    if (file.isEmpty())
-        file = QFileDialog::getOpenFileName(m_window, tr("Open project or design"), startFolder(), openFilter());
-    if (!file.isEmpty())
-        keepWork([this, file] { openNow(file); });
+    const auto take = [this](const QString& file) { keepWork([this, file] { openNow(file); }); };
+    if (path.isEmpty())
+        askForFile(m_window, tr("Open project or design"), startFolder(), openFilter(), take);
+    else
+        take(path);
 }
 
-void FileFlow::openNow(const QString& path)
+void FileFlow::openNow(const QString& path, const Then& opened)
 {
     const QString original = QFileInfo(path).absoluteFilePath();
     if (const auto left = WorkJournal::leftOf(original)) { // what was not saved to it is newer
         restore(*left);
         return;
     }
-    const auto opening = howToOpen(original);
-    if (!opening)
+    if (original == m_session.path() || !WorkJournal::isWorkedOn(original)) {
+        openAs(path, DesignSession::Opening::ToWork, opened);
         return;
+    }
+    QMessageBox* box =
+        newBox(QMessageBox::Question, tr("\"%1\" is open in another window.").arg(QFileInfo(original).fileName()),
+               QMessageBox::Open | QMessageBox::Cancel);
+    box->setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
+    box->setDefaultButton(QMessageBox::Open);
+    ask(box, [this, box, path, opened](const QAbstractButton* pressed) {
+        if (pressed && pressed == box->button(QMessageBox::Open))
+            openAs(path, DesignSession::Opening::ToLook, opened);
+    });
+}
+
+void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const Then& opened)
+{
     const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.open(path, *opening, replace, [this, path](const Message& problem) {
+    m_session.open(path, opening, replace, [this, path, opened](const Message& problem) {
         if (!problem.empty()) {
             offerSalvage(path, problem);
             return;
@@ -91,20 +105,9 @@ void FileFlow::openNow(const QString& path)
         if (!isSample(path))
             remember(path);
         announceProblems();
+        if (opened)
+            opened();
     });
-}
-
-/// Nothing: not at all.
-std::optional<DesignSession::Opening> FileFlow::howToOpen(const QString& original)
-{
-    if (original == m_session.path() || !WorkJournal::isWorkedOn(original))
-        return DesignSession::Opening::ToWork;
-    QMessageBox box(QMessageBox::Question, tr("Bolster"),
-                    tr("\"%1\" is open in another window.").arg(QFileInfo(original).fileName()),
-                    QMessageBox::Open | QMessageBox::Cancel, m_window);
-    box.setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
-    box.setDefaultButton(QMessageBox::Open);
-    return box.exec() == QMessageBox::Open ? std::optional(DesignSession::Opening::ToLook) : std::nullopt;
 }
 
 void FileFlow::announceProblems()
@@ -118,7 +121,7 @@ void FileFlow::announceProblems()
     m_banner->announce(
         Banner::Kind::Problem,
         tr("%n elements cannot be used as they are; everything else works.", nullptr, static_cast<int>(bad.size())),
-        {{tr("Show"), [this] { emit problemsWanted(); }}});
+        {{tr("Sh&ow"), [this] { emit problemsWanted(); }}});
 }
 
 void FileFlow::revert()

@@ -1,6 +1,7 @@
 // What the File menu does: the dialogs around opening, saving, importing and exporting.
 #pragma once
 
+#include "Ask.h"
 #include "DesignSession.h"
 #include "SurfaceMesh.h"
 
@@ -65,20 +66,20 @@ private:
     void askAboutWork(const Then& then);
     void keepForLater(const Then& then);
     void saveForGood(bool asProject, const Then& then);
-    QString chooseSaveTarget();
-    void openNow(const QString& path);
+    void chooseSaveTarget(const Answer& chosen);
+    void openNow(const QString& path, const Then& opened = {});
     void offerSalvage(const QString& path, const Message& problem);
     void salvage(const QString& path);
     void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
-    std::optional<DesignSession::Opening> howToOpen(const QString& original);
+    void openAs(const QString& path, DesignSession::Opening opening, const Then& opened);
     void saveTo(const QString& path, const Then& then);
     void saveCopyTo(const QString& path, const SaveOptions& options);
     void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
-    QString chooseTarget(const QString& title, const QString& proposal, const QString& filter,
-                         const QStringList& endings);
+    void chooseTarget(const QString& title, const QString& proposal, const QString& filter,
+                      const QStringList& endings, const Answer& chosen);
     void remember(const QString& path);
     void announceProblems();
     template <class T>
@@ -86,6 +87,7 @@ private:
     void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
     void place(const QString& path, const FileContent& content, const Element& element,
                std::optional<ElementId> replaced);
+    void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);
     void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);
     QMessageBox* newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons);

@@ -120,11 +120,13 @@ void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
 {
     if (!surface)
         return;
-    const QString path =
-        chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
-                     tr("OBJ (*.obj);;PLY (*.ply)"), {QStringLiteral("obj"), QStringLiteral("ply")});
-    if (path.isEmpty())
-        return;
+    chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
+                 tr("OBJ (*.obj);;PLY (*.ply)"), {QStringLiteral("obj"), QStringLiteral("ply")},
+                 [this, surface](const QString& path) { exportSurfaceTo(surface, path); });
+}
+
+void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path)
+{
     const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
     inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
         return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
@@ -138,15 +140,14 @@ void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
 
 void FileFlow::exportPicture(const QImage& picture)
 {
-    const QString path = chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"),
-                                      {QStringLiteral("png")});
-    if (path.isEmpty())
-        return;
-    if (picture.save(path, "PNG"))
-        emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-    else
-        fail(tr("The picture could not be exported."),
-             {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {path.toStdString()}});
+    chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"), {QStringLiteral("png")},
+                 [this, picture](const QString& path) {
+                     if (picture.save(path, "PNG"))
+                         emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+                     else
+                         fail(tr("The picture could not be exported."),
+                              {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {path.toStdString()}});
+                 });
 }
 
 } // namespace bolster

@@ -4,11 +4,8 @@
 #include "Translated.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPushButton>
-
-#include <algorithm>
 
 namespace bolster {
 
@@ -47,9 +44,7 @@ QMessageBox* FileFlow::newBox(QMessageBox::Icon icon, const QString& text, QMess
 /// Nothing waits for the answer: it comes when the box is closed.
 void FileFlow::ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered)
 {
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    connect(box, &QMessageBox::finished, this, [box, answered] { answered(box->clickedButton()); });
-    box->open();
+    openQuestion(box, answered);
 }
 
 void FileFlow::fail(const QString& title, const Message& why)
@@ -123,13 +118,13 @@ void FileFlow::saveForGood(bool asProject, const Then& then)
     const Then saved = [this, then] { keepWork(then); }; // asks again when there are changes since
     if (!m_session.path().isEmpty() && !asProject)
         saveTo(m_session.path(), saved);
-    else if (const QString path = chooseSaveTarget(); !path.isEmpty())
-        saveTo(path, saved);
+    else
+        chooseSaveTarget([this, saved](const QString& path) { saveTo(path, saved); });
 }
 
-QString FileFlow::chooseSaveTarget()
+void FileFlow::chooseSaveTarget(const Answer& chosen)
 {
-    return chooseTarget(tr("Save project"), proposed(projectEnding), saveFilter(), saveEndings);
+    chooseTarget(tr("Save project"), proposed(projectEnding), saveFilter(), saveEndings, chosen);
 }
 
 void FileFlow::save()
@@ -142,17 +137,13 @@ void FileFlow::save()
 
 void FileFlow::saveAs()
 {
-    if (const QString path = chooseSaveTarget(); !path.isEmpty())
-        saveTo(path, [] {});
+    chooseSaveTarget([this](const QString& path) { saveTo(path, [] {}); });
 }
 
 void FileFlow::saveCopy(const SaveOptions& options)
 {
-    const QString path = chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")),
-                                      tr("Project (*.%1)").arg(projectEnding), {projectEnding});
-    if (path.isEmpty())
-        return;
-    saveCopyTo(path, options);
+    chooseTarget(tr("Save a copy"), proposed(projectEnding, tr("-copy")), tr("Project (*.%1)").arg(projectEnding),
+                 {projectEnding}, [this, options](const QString& path) { saveCopyTo(path, options); });
 }
 
 void FileFlow::saveCopyTo(const QString& path, const SaveOptions& options)
@@ -178,28 +169,18 @@ QString FileFlow::proposed(const QString& ending, const QString& addition) const
     return QDir(startFolder()).filePath(name + addition + u'.' + ending);
 }
 
-/// A file with one of the endings, the first one if none was typed, or "". Never one of the design's files.
-QString FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
-                               const QStringList& endings)
+/// A file with one of the endings, the first one if none was typed. Never one of the design's files.
+void FileFlow::chooseTarget(const QString& title, const QString& proposal, const QString& filter,
+                            const QStringList& endings, const Answer& chosen)
 {
-    QString chosenFilter;
-    QString path = QFileDialog::getSaveFileName(m_window, title, proposal, filter, &chosenFilter);
-    if (path.isEmpty())
-        return {};
-    if (!endings.contains(QFileInfo(path).suffix().toLower())) {
-        const auto asFiltered = std::ranges::find_if(
-            endings, [&](const QString& ending) { return chosenFilter.contains(QStringLiteral("*.") + ending); });
-        path += u'.' + (asFiltered == endings.end() ? endings.front() : *asFiltered);
-        const QString question = tr("\"%1\" exists already. Replace it?").arg(QFileInfo(path).fileName());
-        if (QFileInfo::exists(path) && QMessageBox::question(m_window, tr("Bolster"), question) != QMessageBox::Yes)
-            return {};
-    }
-    if (m_session.isElementFile(path)) {
+    askWhereToWrite(m_window, title, proposal, filter, endings, [this, chosen](const QString& path) {
+        if (!m_session.isElementFile(path)) {
+            chosen(path);
+            return;
+        }
         fail(tr("\"%1\" is not replaced.").arg(QFileInfo(path).fileName()),
              {QT_TRANSLATE_NOOP("Message", "it is a file that this design refers to; choose another name")});
-        return {};
-    }
-    return path;
+    });
 }
 
 void FileFlow::saveTo(const QString& path, const Then& then)
@@ -212,10 +193,7 @@ void FileFlow::saveTo(const QString& path, const Then& then)
         if (!problem.empty()) {
             offerAnotherTry(
                 path, problem, [this, path, then] { saveTo(path, then); },
-                [this, then] {
-                    if (const QString other = chooseSaveTarget(); !other.isEmpty())
-                        saveTo(other, then);
-                });
+                [this, then] { chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); }); });
             return;
         }
         remember(path);

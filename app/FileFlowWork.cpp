@@ -71,7 +71,7 @@ void FileFlow::announceRestored(int others)
         text << tr("%n more designs are under File > Unsaved work.", nullptr, others);
     m_restored = m_banner->announce(
         Banner::Kind::Information, text.join(QLatin1Char(' ')),
-        {{tr("Show"), [this] { emit historyWanted(); }}, {tr("Go back to saved"), [this] { revert(); }}});
+        {{tr("Sh&ow"), [this] { emit historyWanted(); }}, {tr("Go &back to saved"), [this] { revert(); }}});
 }
 
 /// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
@@ -79,19 +79,21 @@ void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
     const QFileInfo file(path);
     const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
-    QMessageBox box(QMessageBox::Warning, tr("Bolster"), tr("\"%1\" could not be opened.").arg(file.fileName()),
-                    project ? QMessageBox::Close : QMessageBox::Ok, m_window);
-    box.setInformativeText(translated(problem));
+    QMessageBox* box = newBox(QMessageBox::Warning, tr("\"%1\" could not be opened.").arg(file.fileName()),
+                              project ? QMessageBox::Close : QMessageBox::Ok);
+    box->setInformativeText(translated(problem));
     QPushButton* rescue = nullptr;
     if (project) {
-        box.setInformativeText(translated(problem) + QStringLiteral("\n\n") +
-                               tr("What can be read goes into a new project beside it. This file stays as it is."));
-        rescue = box.addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
-        box.setDefaultButton(rescue);
+        box->setInformativeText(
+            translated(problem) + QStringLiteral("\n\n") +
+            tr("What can be read goes into a new project beside it. This file stays as it is."));
+        rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
+        box->setDefaultButton(rescue);
     }
-    box.exec();
-    if (rescue && box.clickedButton() == rescue)
-        salvage(path);
+    ask(box, [this, rescue, path](const QAbstractButton* pressed) {
+        if (rescue && pressed == rescue)
+            salvage(path);
+    });
 }
 
 /// Into a new project beside it; the damaged file stays as it is.
@@ -118,33 +120,34 @@ void FileFlow::sayWhatIsLeft(const QString& path, const std::vector<Message>& no
     QStringList lines;
     for (const Message& note : notes)
         lines << translated(note);
-    QMessageBox box(QMessageBox::Information, tr("Bolster"),
-                    tr("What could be read is in \"%1\" now.").arg(QFileInfo(path).fileName()), QMessageBox::Ok,
-                    m_window);
-    box.setInformativeText(lines.mid(0, shown).join(QLatin1Char('\n')));
+    QMessageBox* box =
+        newBox(QMessageBox::Information, tr("What could be read is in \"%1\" now.").arg(QFileInfo(path).fileName()),
+               QMessageBox::Ok);
+    box->setInformativeText(lines.mid(0, shown).join(QLatin1Char('\n')));
     if (lines.size() > shown)
-        box.setDetailedText(lines.join(QLatin1Char('\n')));
-    box.exec();
+        box->setDetailedText(lines.join(QLatin1Char('\n')));
+    ask(box, [](const QAbstractButton*) {});
 }
 
 void FileFlow::saveBesideOthers(const QString& path, const Then& then)
 {
-    QMessageBox box(
-        QMessageBox::Question, tr("Bolster"),
-        tr("Somebody else has changed \"%1\" since it was opened here.").arg(QFileInfo(path).fileName()),
-        QMessageBox::Save | QMessageBox::Cancel, m_window);
-    box.setInformativeText(
+    QMessageBox* box =
+        newBox(QMessageBox::Question,
+               tr("Somebody else has changed \"%1\" since it was opened here.").arg(QFileInfo(path).fileName()),
+               QMessageBox::Save | QMessageBox::Cancel);
+    box->setInformativeText(
         tr("Their changes can become a branch of the history here, then both are saved. Your design "
            "stays as it is, and you can go to theirs."));
-    const QPushButton* take = box.addButton(tr("&Take their changes in as a branch"), QMessageBox::AcceptRole);
-    box.button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
-    box.setDefaultButton(QMessageBox::Cancel);
-    const int answer = box.exec();
-    if (box.clickedButton() == take)
-        takeTheirs(path, then);
-    else if (answer == QMessageBox::Save)
-        if (const QString other = chooseSaveTarget(); !other.isEmpty())
-            saveTo(other, then);
+    const QAbstractButton* take = box->addButton(tr("&Take their changes in as a branch"), QMessageBox::AcceptRole);
+    const QAbstractButton* elsewhere = box->button(QMessageBox::Save);
+    box->button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
+    box->setDefaultButton(QMessageBox::Cancel);
+    ask(box, [this, take, elsewhere, path, then](const QAbstractButton* pressed) {
+        if (pressed == take)
+            takeTheirs(path, then);
+        else if (pressed == elsewhere)
+            chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); });
+    });
 }
 
 void FileFlow::takeTheirs(const QString& path, const Then& then)
@@ -157,8 +160,8 @@ void FileFlow::takeTheirs(const QString& path, const Then& then)
         }
         m_banner->announce(Banner::Kind::Information,
                            tr("The changes of somebody else are a branch of the history now."),
-                           {{tr("Show"), [this] { emit historyWanted(); }},
-                            {tr("Go there"), [this, tip] { m_session.document().jumpTo(tip); }}});
+                           {{tr("Sh&ow"), [this] { emit historyWanted(); }},
+                            {tr("Go &there"), [this, tip] { m_session.document().jumpTo(tip); }}});
         saveTo(path, then);
     });
 }

@@ -344,6 +344,7 @@ void MainWindow::storeLayout()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    document().cancelGesture(); // a series of arrow keys is an edit of its own when it ends
     if (!std::exchange(m_workKept, false) && (document().hasUnsavedWork() || m_session->saving())) {
         event->ignore();
         m_files->keepWork([this] {

@@ -2,6 +2,11 @@
 
 namespace bolster::test {
 
+std::string sourceFolder()
+{
+    return BOLSTER_SOURCE;
+}
+
 std::string samplesFolder()
 {
     return BOLSTER_SOURCE "/resources/samples";

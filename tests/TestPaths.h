@@ -6,6 +6,8 @@
 
 namespace bolster::test {
 
+/// The checkout.
+std::string sourceFolder();
 /// resources/samples.
 std::string samplesFolder();
 /// tests/data.
