@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Ask</name>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; exists already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>AttachTool</name>
     <message>
         <source>Click an edge of an outline.</source>
@@ -36,12 +51,12 @@
         <translation>Klicken, um diesen Abschnitt von %1 an %2 zu fixieren – Umschalt+Klick sammelt mehrere</translation>
     </message>
     <message>
-        <source>Click an edge of an outline to fix it to %1 – Enter takes the selected stretch</source>
-        <translation>Auf eine Kante eines Umrisses klicken, um sie an %1 zu fixieren – Eingabe nimmt den gewählten Abschnitt</translation>
-    </message>
-    <message>
         <source>Click the last edge, or Enter attaches %1 stretches to %2 – Backspace takes one back</source>
         <translation>Auf die letzte Kante klicken, oder Eingabe fixiert %1 Abschnitte an %2 – Rücktaste nimmt einen zurück</translation>
+    </message>
+    <message>
+        <source>Click an edge of an outline to fix it to %1 – Enter takes the selected stretch, Esc ends the tool</source>
+        <translation>Auf eine Kante eines Umrisses klicken, um sie an %1 zu fixieren – Eingabe nimmt den gewählten Abschnitt, Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -114,6 +129,45 @@
     <message>
         <source>%1 × %2</source>
         <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>There was no room where you clicked: the patch lies beside the others.</source>
+        <translation>Wo geklickt wurde, war kein Platz: Das Schnittteil liegt neben den anderen.</translation>
+    </message>
+    <message>
+        <source>The new patch lies on %1: drag it away, or let all be arranged (Pattern &gt; Arrange).</source>
+        <translation>Das neue Schnittteil liegt auf %1: Ziehen Sie es weg, oder lassen Sie alle anordnen (Schnitt &gt; Anordnen).</translation>
+    </message>
+    <message>
+        <source>lies on %1</source>
+        <translation>liegt auf %1</translation>
+    </message>
+</context>
+<context>
+    <name>ContextMenus</name>
+    <message>
+        <source>&amp;Show</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>Ansehen &amp;von</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Continuity</source>
+        <translation>Ü&amp;bergang</translation>
+    </message>
+    <message>
+        <source>&amp;Match</source>
+        <translation>&amp;Zuordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange</source>
+        <translation>A&amp;nordnen</translation>
     </message>
 </context>
 <context>
@@ -432,12 +486,12 @@
         <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – B macht gerade, Rücktaste nimmt einen Punkt zurück</translation>
     </message>
     <message>
-        <source>Click or type the next point, Enter ends, C closes – B makes it smooth, Backspace takes a point back</source>
-        <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – B macht glatt, Rücktaste nimmt einen Punkt zurück</translation>
-    </message>
-    <message>
         <source>%1, %2, %3 mm</source>
         <translation>%1, %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
+        <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – gerade von Punkt zu Punkt, was auch dazwischen liegt: B macht glatt an der Oberfläche entlang, Rücktaste nimmt einen Punkt zurück</translation>
     </message>
 </context>
 <context>
@@ -659,10 +713,6 @@
         <translation>An die gewählte Fixierkurve befestigen</translation>
     </message>
     <message>
-        <source>click an edge; Shift+click collects several</source>
-        <translation>auf eine Kante klicken; Umschalt+Klick sammelt mehrere</translation>
-    </message>
-    <message>
         <source>Draw an outline</source>
         <translation>Umriss zeichnen</translation>
     </message>
@@ -722,6 +772,38 @@
         <source>click it; stitches and piping are in the inspector</source>
         <translation>anklicken; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
+    <message>
+        <source>Select an edge</source>
+        <translation>Kante auswählen</translation>
+    </message>
+    <message>
+        <source>click the outline; drag it then to move it; L types its length</source>
+        <translation>auf den Umriss klicken; danach verschiebt Ziehen sie; mit L die Länge eintippen</translation>
+    </message>
+    <message>
+        <source>Commands for what lies there</source>
+        <translation>Befehle für das, was dort liegt</translation>
+    </message>
+    <message>
+        <source>right button</source>
+        <translation>rechte Taste</translation>
+    </message>
+    <message>
+        <source>A number instead of a drag</source>
+        <translation>Eine Zahl eingeben, statt zu ziehen</translation>
+    </message>
+    <message>
+        <source>type it while dragging: 50, 30, 20, for sizes 300 x 200 or 120 %; Enter lets go</source>
+        <translation>beim Ziehen tippen: 50 oder 30, 20, für Größen 300 x 200 oder 120 %; Eingabe lässt los</translation>
+    </message>
+    <message>
+        <source>click edges; Shift+click collects several; Esc ends</source>
+        <translation>auf Kanten klicken; Umschalt+Klick sammelt mehrere; Esc beendet</translation>
+    </message>
+    <message>
+        <source>right button, without a drag</source>
+        <translation>rechte Taste, ohne zu ziehen</translation>
+    </message>
 </context>
 <context>
     <name>Insert</name>
@@ -732,6 +814,10 @@
     <message>
         <source>Foam</source>
         <translation>Schaum</translation>
+    </message>
+    <message>
+        <source>This frame is large: the cushion has voxels of %1 mm, because of %2 mm there would be too many.</source>
+        <translation>Dieses Gestell ist groß: Die Polsterung hat Voxel von %1 mm, denn solche von %2 mm wären zu viele.</translation>
     </message>
 </context>
 <context>
@@ -896,10 +982,6 @@
         <translation> mm je Einheit</translation>
     </message>
     <message>
-        <source>Choose another file …</source>
-        <translation>Andere Datei wählen …</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
@@ -1060,10 +1142,6 @@
         <translation>Zum Punkt selbst</translation>
     </message>
     <message>
-        <source>Place on the cover</source>
-        <translation>Am Bezug ausrichten</translation>
-    </message>
-    <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
@@ -1092,22 +1170,6 @@
         <translation>Schnitte</translation>
     </message>
     <message>
-        <source>Cut away …</source>
-        <translation>Wegschneiden …</translation>
-    </message>
-    <message>
-        <source>Keep only …</source>
-        <translation>Nur behalten …</translation>
-    </message>
-    <message>
-        <source>Keep around the cover</source>
-        <translation>Umgebung des Bezugs behalten</translation>
-    </message>
-    <message>
-        <source>Remove all cuts</source>
-        <translation>Alle Schnitte entfernen</translation>
-    </message>
-    <message>
         <source>On the curve</source>
         <translation>Auf der Kurve</translation>
     </message>
@@ -1133,14 +1195,6 @@
             <numerusform>%n gelöster Punkt</numerusform>
             <numerusform>%n gelöste Punkte</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Unlink from its twin</source>
-        <translation>Vom Zwilling trennen</translation>
-    </message>
-    <message>
-        <source>Re-link all points</source>
-        <translation>Alle Punkte wieder koppeln</translation>
     </message>
     <message>
         <source>Symmetric design</source>
@@ -1177,14 +1231,6 @@
     <message>
         <source>itself</source>
         <translation>sie selbst</translation>
-    </message>
-    <message>
-        <source>Re-link to its mirror image</source>
-        <translation>Wieder mit dem Spiegelbild verknüpfen</translation>
-    </message>
-    <message>
-        <source>Release from its mirror image</source>
-        <translation>Vom Spiegelbild lösen</translation>
     </message>
     <message>
         <source>Fabrics</source>
@@ -1299,10 +1345,6 @@
         <translation>Bild …</translation>
     </message>
     <message>
-        <source>Choose another picture …</source>
-        <translation>Anderes Bild wählen …</translation>
-    </message>
-    <message>
         <source>Contents</source>
         <translation>Inhalt</translation>
     </message>
@@ -1321,6 +1363,113 @@
     <message>
         <source>The fabric on a cushion and on a ball, at its real scale</source>
         <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Länge der Kante</translation>
+    </message>
+    <message>
+        <source>Edge lengths</source>
+        <translation>Längen der Kanten</translation>
+    </message>
+    <message>
+        <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
+        <translation>%1 Kanten. Bei „Gleich lang machen“ bleibt die erste, wie sie ist: %2 an %3.</translation>
+    </message>
+    <message>
+        <source>Edge of</source>
+        <translation>Kante von</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other picture …</source>
+        <translation>Anderes B&amp;ild wählen …</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other file …</source>
+        <translation>Andere Datei wäh&amp;len …</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <translation>Schaum</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Piece %1: %2</source>
+        <translation>Stück %1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n Stück</numerusform>
+            <numerusform>%1: %n Stücke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
+        <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
+    </message>
+    <message>
+        <source>This frame is large: of voxels below %1 there would be too many.</source>
+        <translation>Dieses Gestell ist groß: Voxel unter %1 wären zu viele.</translation>
+    </message>
+    <message>
+        <source>Place on &amp;the cover</source>
+        <translation>Am Be&amp;zug ausrichten</translation>
+    </message>
+    <message>
+        <source>Cut awa&amp;y …</source>
+        <translation>&amp;Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only …</source>
+        <translation>&amp;Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Keep aroun&amp;d the cover</source>
+        <translation>&amp;Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Remove a&amp;ll cuts</source>
+        <translation>Alle Schnitte en&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>Re-lin&amp;k to its mirror image</source>
+        <translation>Wieder mit dem Spiegelbild ver&amp;knüpfen</translation>
+    </message>
+    <message>
+        <source>Re&amp;lease from its mirror image</source>
+        <translation>&amp;Vom Spiegelbild lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink from its twin</source>
+        <translation>Vom Zwilling t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Re-link all poi&amp;nts</source>
+        <translation>Alle &amp;Punkte wieder koppeln</translation>
     </message>
 </context>
 <context>
@@ -1414,10 +1563,6 @@
         <translation>A&amp;nordnen</translation>
     </message>
     <message>
-        <source>Poin&amp;ts</source>
-        <translation>Pun&amp;kte</translation>
-    </message>
-    <message>
         <source>Mirror twi&amp;ns</source>
         <translation>Spiegel&amp;zwillinge</translation>
     </message>
@@ -1444,6 +1589,14 @@
     <message>
         <source>Pre&amp;views</source>
         <translation>&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>Poin&amp;ts and edges</source>
+        <translation>Pun&amp;kte und Kanten</translation>
+    </message>
+    <message>
+        <source>S&amp;can</source>
+        <translation>S&amp;can</translation>
     </message>
 </context>
 <context>
@@ -1738,10 +1891,6 @@
     <message>
         <source>The equations of the cover could not be solved: a patch is degenerate or its numbers are too large.</source>
         <translation>Die Gleichungen des Bezugs ließen sich nicht lösen: ein Schnittteil ist entartet, oder seine Zahlen sind zu groß.</translation>
-    </message>
-    <message>
-        <source>The surface ran away after %1 iterations. Lower the pressure or check the sizes of the patches.</source>
-        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen. Verringern Sie den Druck oder prüfen Sie die Größe der Schnittteile.</translation>
     </message>
     <message>
         <source>this seam and its neighbours carry their ends round in a circle without ever meeting. Let the seams of this circle end at common points.</source>
@@ -2988,10 +3137,6 @@
         <translation>verloren: die Datei „%1“</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be read or copied</source>
-        <translation>„%1“ lässt sich nicht lesen oder kopieren</translation>
-    </message>
-    <message>
         <source>the tables of &quot;%1&quot; are not those of a Bolster project</source>
         <translation>die Tabellen von „%1“ sind nicht die eines Bolster-Projekts</translation>
     </message>
@@ -3207,6 +3352,162 @@
         <source>Change the kind of %1</source>
         <translation>Art von %1 ändern</translation>
     </message>
+    <message>
+        <source>there is no place for the files of this project</source>
+        <translation>für die Dateien dieses Projekts gibt es keinen Ort</translation>
+    </message>
+    <message>
+        <source>A side of this seam does not end at corners: its length cannot be changed alone.</source>
+        <translation>Eine Seite dieser Naht endet nicht an Ecken: Ihre Länge lässt sich nicht für sich ändern.</translation>
+    </message>
+    <message>
+        <source>These edges cannot have this length: they hang together.</source>
+        <translation>Diese Kanten können diese Länge nicht haben: Sie hängen zusammen.</translation>
+    </message>
+    <message>
+        <source>Change the length of an edge of %1</source>
+        <translation>Länge einer Kante von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the length of %1 edges</source>
+        <translation>Länge von %1 Kanten ändern</translation>
+    </message>
+    <message>
+        <source>Make %1 edges equally long</source>
+        <translation>%1 Kanten gleich lang machen</translation>
+    </message>
+    <message>
+        <source>Make the sides of a seam equally long</source>
+        <translation>Seiten einer Naht gleich lang machen</translation>
+    </message>
+    <message>
+        <source>Make the sides of %1 seams equally long</source>
+        <translation>Seiten von %1 Nähten gleich lang machen</translation>
+    </message>
+    <message>
+        <source>There is a &quot;%1&quot; already: this one is called &quot;%2&quot;.</source>
+        <translation>„%1“ gibt es schon: Dieses hier heißt „%2“.</translation>
+    </message>
+    <message>
+        <source>Change the size of %1 patches</source>
+        <translation>Größe von %1 Schnittteilen ändern</translation>
+    </message>
+    <message>
+        <source>%1: the rows hold more than the header of the file says; what is too much in each was left out</source>
+        <translation>%1: die Zeilen enthalten mehr, als der Kopf der Datei angibt; was in jeder zu viel ist, wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>this changes more at once than can be stored: at most %1 MB, and %2 keys; do it in parts</source>
+        <translation>das ändert auf einmal mehr, als gespeichert werden kann: höchstens %1 MB und %2 Schlüssel; gehen Sie in Teilen vor</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; unpacks to more than any project; it was not made by Bolster, or is damaged</source>
+        <translation>„%1“ ist entpackt größer als jedes Projekt; die Datei stammt nicht von Bolster oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot;, which recovers projects for Bolster, cannot be started; install Bolster again</source>
+        <translation>das Programm „%1“, das für Bolster Projekte rettet, kann nicht gestartet werden; Bolster neu installieren</translation>
+    </message>
+    <message>
+        <source>nothing in &quot;%1&quot; can be saved: it is damaged in a way that takes too much time or memory</source>
+        <translation>aus „%1“ lässt sich nichts retten: die Datei ist so beschädigt, dass es zu viel Zeit oder Speicher braucht</translation>
+    </message>
+    <message>
+        <source>lost: the table &quot;%1&quot;, which is missing or has other columns than it should</source>
+        <translation>verloren: die Tabelle „%1“; sie fehlt oder hat andere Spalten, als sie sollte</translation>
+    </message>
+    <message>
+        <source>lost: %1 more such gaps</source>
+        <translation>verloren: %1 weitere solche Lücken</translation>
+    </message>
+    <message>
+        <source>what comes after version %1 takes too long to recover</source>
+        <translation>was nach Version %1 kommt, zu retten dauert zu lange</translation>
+    </message>
+    <message>
+        <source>the edit of version %1 does not lead to the design that was kept with it</source>
+        <translation>die Bearbeitung von Version %1 führt nicht zu dem Entwurf, der damit aufgehoben wurde</translation>
+    </message>
+    <message>
+        <source>it pushes nothing: no part of the frame lies under the cover</source>
+        <translation>sie drückt nichts: kein Teil des Gestells liegt unter dem Bezug</translation>
+    </message>
+    <message>
+        <source>something of these parts of the frame is thinner than a voxel of %1 mm, so that the cushioning may have gaps there: %2; take smaller voxels</source>
+        <translation>an diesen Teilen des Gestells ist etwas dünner als ein Voxel von %1 mm, sodass die Polsterung dort Lücken haben kann: %2; nehmen Sie kleinere Voxel</translation>
+    </message>
+    <message>
+        <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
+        <translation>der Kontakt tastet das Gestell in Schritten von %1 mm ab; an diesen Teilen ist etwas dünner, sodass der Bezug hindurchgehen kann: %2; machen Sie es dicker</translation>
+    </message>
+    <message>
+        <source>it pushes nothing: voxels of %1 mm find no inside of the frame, which is thinner than that, or so open that it has none; take smaller voxels, or close the frame</source>
+        <translation>sie drückt nichts: Voxel von %1 mm finden kein Inneres des Gestells; es ist dünner oder so offen, dass es keines hat; nehmen Sie kleinere Voxel, oder schließen Sie das Gestell</translation>
+    </message>
+    <message>
+        <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
+        <translation>der Kontakt bewirkt nichts: in Schritten von %1 mm findet er kein Inneres des Gestells; es ist dünner oder so offen, dass es keines hat; schließen Sie das Gestell, oder machen Sie es dicker</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % along the grain, its fabric may %3 %</source>
+        <translation>%1 ist längs des Fadenlaufs um %2 % gedehnt, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>%1 is stretched by %2 % across the grain, its fabric may %3 %</source>
+        <translation>%1 ist quer zum Fadenlauf um %2 % gedehnt, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>%1 is sheared by %2 %, its fabric may %3 %</source>
+        <translation>%1 ist um %2 % geschert, der Stoff verträgt %3 %</translation>
+    </message>
+    <message>
+        <source>%1 lies in folds: there is more cloth than room for it</source>
+        <translation>%1 liegt in Falten: es ist mehr Stoff da, als Platz hat</translation>
+    </message>
+    <message>
+        <source>%1 floats free: nothing holds it, and it is sewn to nothing that is held</source>
+        <translation>%1 schwebt frei: nichts hält es, und es ist an nichts genäht, das gehalten wird</translation>
+    </message>
+    <message>
+        <source>%1 holds the cloth %2 mm off the frame</source>
+        <translation>%1 hält den Stoff %2 mm vom Gestell entfernt</translation>
+    </message>
+    <message>
+        <source>The seam of %1 and %2 has %3 % ease: it puckers above %4 %</source>
+        <translation>Die Naht von %1 und %2 hat %3 % Mehrweite: über %4 % kräuselt sie sich</translation>
+    </message>
+    <message>
+        <source>The surface ran away after %1 iterations.</source>
+        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen.</translation>
+    </message>
+    <message>
+        <source>The surface ran away after %1 iterations: %2 holds it %3 mm from everything else. Bring that curve nearer.</source>
+        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen: %2 hält sie %3 mm von allem anderen entfernt. Rücken Sie diese Kurve näher heran.</translation>
+    </message>
+    <message>
+        <source>The equations of the cover could not be solved: %1 is degenerate or its numbers are too large. Check its outline and its fabric.</source>
+        <translation>Die Gleichungen des Bezugs ließen sich nicht lösen: %1 ist entartet, oder die Zahlen darin sind zu groß. Prüfen Sie Umriss und Stoff.</translation>
+    </message>
+    <message>
+        <source>The surface ran away after %1 iterations: the pressure of %2 (%3) is too high for its fabric. Lower it.</source>
+        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen: Der Druck von %2 (%3) ist für den Stoff zu hoch. Verringern Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The surface ran away after %1 iterations, most likely because of %2. Check the size of that patch, its pressure and its fabric.</source>
+        <translation>Die Oberfläche ist nach %1 Schritten davongelaufen, höchstwahrscheinlich wegen %2. Prüfen Sie Größe, Druck und Stoff dieses Schnittteils.</translation>
+    </message>
+    <message>
+        <source>Change the material of %1</source>
+        <translation>Material von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Show a part of %1</source>
+        <translation>Einen Teil von %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide a part of %1</source>
+        <translation>Einen Teil von %1 ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -3355,14 +3656,6 @@
         <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
     </message>
     <message>
-        <source>Double click to add a control point here, drag to move the patch</source>
-        <translation>Doppelklick fügt hier einen Kontrollpunkt ein, Ziehen verschiebt das Schnittteil</translation>
-    </message>
-    <message>
-        <source>Click to select the seam, double click to add a control point here</source>
-        <translation>Klick wählt die Naht aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
-    </message>
-    <message>
         <source>Click to select the patch, drag to move it in the layout</source>
         <translation>Klick wählt das Schnittteil aus, Ziehen verschiebt es im Layout</translation>
     </message>
@@ -3381,6 +3674,18 @@
     <message>
         <source>Drag to move this end of the stretch along the outline</source>
         <translation>Ziehen, um dieses Ende des Abschnitts am Umriss entlang zu verschieben</translation>
+    </message>
+    <message>
+        <source>Drag to move the edge, double click to add a control point here – its length is in the properties</source>
+        <translation>Ziehen verschiebt die Kante, Doppelklick fügt hier einen Kontrollpunkt ein – ihre Länge steht bei den Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Click to select the edge, double click to add a control point here, drag to move the patch</source>
+        <translation>Klick wählt die Kante aus, Doppelklick fügt hier einen Kontrollpunkt ein, Ziehen verschiebt das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Click to select the seam and the edge, double click to add a control point here</source>
+        <translation>Klick wählt Naht und Kante aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
     </message>
 </context>
 <context>
@@ -3417,12 +3722,24 @@
         <translation>Loslassen wählt aus, was im Rahmen liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
     </message>
     <message>
-        <source>Scaled to %1 × %2 – Shift keeps the proportions, Esc takes it back</source>
-        <translation>Auf %1 × %2 skaliert – Umschalt behält das Seitenverhältnis, Esc nimmt es zurück</translation>
-    </message>
-    <message>
         <source>Release to select what lies in the loop – Shift adds, Esc takes it back</source>
         <translation>Loslassen wählt aus, was in der Schlinge liegt – Umschalt fügt hinzu, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Enter moves it so far: 50, or 30, 20</source>
+        <translation>Eingabe verschiebt um so viel: 50 oder 30, 20</translation>
+    </message>
+    <message>
+        <source>Enter turns it by this angle, counter-clockwise: 45</source>
+        <translation>Eingabe dreht um diesen Winkel, gegen den Uhrzeigersinn: 45</translation>
+    </message>
+    <message>
+        <source>Enter makes it this size: 300 x 200, 300 (wide, in proportion), or 120 %</source>
+        <translation>Eingabe macht es so groß: 300 x 200, 300 (Breite, Höhe im Verhältnis) oder 120 %</translation>
+    </message>
+    <message>
+        <source>Scaled to %1 × %2 – or type the size; Shift keeps the proportions, Esc takes it back</source>
+        <translation>Auf %1 × %2 skaliert – oder die Größe tippen; Umschalt behält das Seitenverhältnis, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3796,10 @@
     <message>
         <source>Not removed: other elements need this fabric.</source>
         <translation>Nicht entfernt: andere Elemente brauchen diesen Stoff.</translation>
+    </message>
+    <message>
+        <source>An edge cannot be removed: its points can, or with Esc the whole patch.</source>
+        <translation>Eine Kante lässt sich nicht entfernen: ihre Punkte schon, oder nach Esc das ganze Schnittteil.</translation>
     </message>
 </context>
 <context>
@@ -3782,10 +4103,6 @@
         <translation>Um 90° nach &amp;rechts drehen</translation>
     </message>
     <message>
-        <source>&amp;Settle</source>
-        <translation>&amp;Zur Ruhe bringen</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Anhalten</translation>
     </message>
@@ -3899,7 +4216,7 @@
     </message>
     <message>
         <source>&amp;Flip</source>
-        <translation>&amp;UmkehrenUmkehren</translation>
+        <translation>&amp;Umkehren</translation>
     </message>
     <message>
         <source>Swap si&amp;des</source>
@@ -4162,10 +4479,6 @@
         <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
     </message>
     <message>
-        <source>Render picture …</source>
-        <translation>Bild berechnen …</translation>
-    </message>
-    <message>
         <source>&amp;Largest strain</source>
         <translation>&amp;Größte Dehnung</translation>
     </message>
@@ -4341,6 +4654,74 @@
         <source>Shows the fabrics of the library on balls</source>
         <translation>Zeigt die Stoffe der Bibliothek auf Kugeln</translation>
     </message>
+    <message>
+        <source>Ren&amp;der picture …</source>
+        <translation>Bild be&amp;rechnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Place on the cover</source>
+        <translation>&amp;Am Bezug ausrichten</translation>
+    </message>
+    <message>
+        <source>Moves and turns the scan so that it lies on the cover as well as it can</source>
+        <translation>Verschiebt und dreht den Scan so, dass er möglichst gut am Bezug liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Cut away …</source>
+        <translation>&amp;Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in the 3D view over what is to be cut away of the scan</source>
+        <translation>In der 3D-Ansicht ein Rechteck über das aufziehen, was vom Scan weggeschnitten werden soll</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only …</source>
+        <translation>&amp;Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in the 3D view around what is to be kept of the scan</source>
+        <translation>In der 3D-Ansicht ein Rechteck um das aufziehen, was vom Scan bleiben soll</translation>
+    </message>
+    <message>
+        <source>Keep &amp;around the cover</source>
+        <translation>&amp;Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Cuts away what is farther from the cover than the threshold</source>
+        <translation>Schneidet weg, was weiter vom Bezug entfernt ist als die Schwelle</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all cuts</source>
+        <translation>Alle Schnitte &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Brings back all that was cut away of the scan</source>
+        <translation>Holt alles zurück, was vom Scan weggeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Choose another &amp;file …</source>
+        <translation>Andere &amp;Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Reads the scan from another file</source>
+        <translation>Liest den Scan aus einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>Edge &amp;length …</source>
+        <translation>&amp;Länge der Kante …</translation>
+    </message>
+    <message>
+        <source>Type the length of the selected edge (%1)</source>
+        <translation>Die Länge der gewählten Kante eingeben (%1)</translation>
+    </message>
+    <message>
+        <source>Make e&amp;qually long</source>
+        <translation>Gleich lang &amp;machen</translation>
+    </message>
+    <message>
+        <source>Makes the selected edges as long as the first one, or the second side of a seam as long as its first (%1)</source>
+        <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste (%1)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>
@@ -4457,6 +4838,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::ElementsModel</name>
+    <message>
+        <source>Hidden in the 3D view</source>
+        <translation>In der 3D-Ansicht ausgeblendet</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ElementsView</name>
     <message>
         <source>Find an element</source>
@@ -4465,10 +4853,6 @@
 </context>
 <context>
     <name>bolster::FabricCommands</name>
-    <message>
-        <source>Bolster</source>
-        <translation>Bolster</translation>
-    </message>
     <message>
         <source>Rename fabric</source>
         <translation>Stoff umbenennen</translation>
@@ -4480,10 +4864,6 @@
     <message>
         <source>Delete fabric</source>
         <translation>Stoff löschen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the only fabric, and patches are made of it. Add another one first.</source>
-        <translation>„%1“ ist der einzige Stoff, und Schnittteile bestehen daraus. Bitte zuerst einen anderen hinzufügen.</translation>
     </message>
     <message numerus="yes">
         <source>%n patches have &quot;%1&quot;. What shall they get instead?</source>
@@ -4511,10 +4891,6 @@
     <message>
         <source>Rename colourway</source>
         <translation>Farbvariante umbenennen</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Picture of a fabric</source>
@@ -4574,6 +4950,14 @@
     <message>
         <source>Exported to %1</source>
         <translation>Nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not deleted.</source>
+        <translation>„%1“ wird nicht gelöscht.</translation>
+    </message>
+    <message>
+        <source>It is the only fabric, and patches are made of it. Add another one first.</source>
+        <translation>Es ist der einzige Stoff, und Schnittteile bestehen daraus. Bitte zuerst einen anderen hinzufügen.</translation>
     </message>
 </context>
 <context>
@@ -4895,6 +5279,33 @@
         <source>Valley</source>
         <translation>Mulde</translation>
     </message>
+    <message>
+        <source>turned by %1</source>
+        <translation>um %1 gedreht</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points, %1 mm</source>
+        <translation>
+            <numerusform>%n Punkt, %1 mm</numerusform>
+            <numerusform>%n Punkte, %1 mm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3</source>
+        <translation>%1, von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>as made</source>
+        <translation>wie gefertigt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileFlow</name>
@@ -4948,10 +5359,6 @@
     <message>
         <source>Reading %1 …</source>
         <translation>%1 wird gelesen …</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>&quot;%1&quot; could not be imported.</source>
@@ -5118,7 +5525,7 @@
     </message>
     <message>
         <source>Save &amp;as …</source>
-        <translation>Speichern Sichern &amp;unterunter …</translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>From the file, %1</source>
@@ -5147,20 +5554,77 @@
             <numerusform>%n weitere Entwürfe liegen unter Datei &gt; Nicht gespeicherte Arbeit.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>This is the version where you were last; the one in the file is under File &gt; Revert to saved</source>
+        <translation>Das ist die Version, an der zuletzt gearbeitet wurde; zu der in der Datei führt Datei &gt; Auf Gespeichertes zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n Schritt, der rückgängig gemacht wurde oder auf einem anderen Zweig liegt</numerusform>
+            <numerusform>%n Schritte, die rückgängig gemacht wurden oder auf anderen Zweigen liegen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>names of versions or branches</source>
+        <translation>Namen von Versionen oder Zweigen</translation>
+    </message>
+    <message>
+        <source>The file holds another version of the design than the one you see.</source>
+        <translation>Die Datei enthält eine andere Version des Entwurfs als die, die zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>In no file yet: %1.</source>
+        <translation>Noch in keiner Datei: %1.</translation>
+    </message>
+    <message>
+        <source>A design as text cannot hold that, a project can.</source>
+        <translation>Ein Entwurf als Text kann das nicht aufnehmen, ein Projekt schon.</translation>
+    </message>
+    <message>
+        <source>Save as &amp;project …</source>
+        <translation>Als &amp;Projekt speichern …</translation>
+    </message>
+    <message>
+        <source>The work cannot be kept.</source>
+        <translation>Die Arbeit lässt sich nicht aufheben.</translation>
+    </message>
+    <message>
+        <source>%1: the design alone, without its history</source>
+        <translation>%1: nur der Entwurf, ohne seinen Verlauf</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Erneut versuchen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n nicht gespeicherter Schritt liegt im Verlauf, rückgängig gemacht oder auf einem anderen Zweig.</numerusform>
+            <numerusform>%n nicht gespeicherte Schritte liegen im Verlauf, rückgängig gemacht oder auf anderen Zweigen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved names of versions or branches restored.</source>
+        <translation>Nicht gespeicherte Namen von Versionen oder Zweigen wiederhergestellt.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
     <message>
-        <source>Keep scale, position and rotation</source>
-        <translation>Maßstab, Lage und Drehung behalten</translation>
-    </message>
-    <message>
         <source> mm per unit</source>
         <translation>mm je Einheit</translation>
-    </message>
-    <message>
-        <source>Place it on the floor, in the middle</source>
-        <translation>In die Mitte auf den Boden stellen</translation>
     </message>
     <message>
         <source>Import scan</source>
@@ -5207,24 +5671,8 @@
         <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte</translation>
     </message>
     <message>
-        <source>Unit of the file</source>
-        <translation>Einheit der Datei</translation>
-    </message>
-    <message>
-        <source>Factor</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Axes</source>
-        <translation>Achsen</translation>
-    </message>
-    <message>
         <source>Width, depth, height</source>
         <translation>Breite, Tiefe, Höhe</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm</source>
@@ -5237,6 +5685,42 @@
     <message>
         <source>The file has %1 points. That is more than are needed to fit a cover, so they were thinned out to one every %2 mm.</source>
         <translation>Die Datei hat %1 Punkte. Das sind mehr, als das Anpassen eines Bezugs braucht; sie wurden deshalb auf einen alle %2 mm ausgedünnt.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep scale, position and rotation</source>
+        <translation>&amp;Maßstab, Lage und Drehung behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Place it on the floor, in the middle</source>
+        <translation>In die Mitte auf den &amp;Boden stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>&amp;Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Factor</source>
+        <translation>&amp;Faktor</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>Bolster</source>
+        <translation>Bolster</translation>
+    </message>
+    <message>
+        <source>It would be %1 large. Import it like that?</source>
+        <translation>Es wäre %1 groß. So importieren?</translation>
+    </message>
+    <message>
+        <source>Another unit or factor makes it as large as it is meant.</source>
+        <translation>Mit einer anderen Einheit oder einem anderen Faktor wird es so groß wie gemeint.</translation>
     </message>
 </context>
 <context>
@@ -5350,10 +5834,6 @@
         <translation>Der Scan wird am Bezug ausgerichtet …</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Placing the scan on the cover: step %1</source>
         <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
     </message>
@@ -5456,6 +5936,34 @@
     <message>
         <source>As made</source>
         <translation>Wie gefertigt</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
+    </message>
+    <message>
+        <source>The cover sprang by %1.</source>
+        <translation>Der Bezug ist um %1 gesprungen.</translation>
+    </message>
+    <message>
+        <source>Folded cloth can lie in several ways, and where a drag leaves it depends on the way of the pointer. What you see now follows from the design alone: whoever opens it sees the same, and so do exports and pictures. If you want the other shape, tell the design: hold the cloth there with a handle, or make the piece smaller until it needs no folds.</source>
+        <translation>Stoff in Falten kann auf mehrere Arten liegen, und wie das Ziehen ihn zurücklässt, hängt vom Weg des Zeigers ab. Was jetzt zu sehen ist, folgt allein aus dem Entwurf: Wer ihn öffnet, sieht dasselbe, und Exporte und Bilder zeigen es auch. Soll es die andere Form sein, muss der Entwurf das sagen: den Stoff dort mit einer Griffkurve halten oder das Schnittteil verkleinern, bis es keine Falten mehr braucht.</translation>
+    </message>
+    <message>
+        <source>%1[*] (read-only) – Bolster</source>
+        <translation>%1[*] (schreibgeschützt) – Bolster</translation>
+    </message>
+    <message>
+        <source>As soon as the cover has come to rest …</source>
+        <translation>Sobald der Bezug zur Ruhe gekommen ist …</translation>
+    </message>
+    <message>
+        <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
+        <translation>Das braucht den Bezug des jetzigen Entwurfs: zuerst die Berechnung weiterlaufen lassen („Anhalten“ ausschalten).</translation>
+    </message>
+    <message>
+        <source>Select the scan that is meant.</source>
+        <translation>Wählen Sie den Scan aus, der gemeint ist.</translation>
     </message>
 </context>
 <context>
@@ -5562,6 +6070,22 @@
         <source>select all patches</source>
         <translation>alle Schnittteile auswählen</translation>
     </message>
+    <message>
+        <source>Next: %1 – click points on it, Enter ends – to which the cover is attached.</source>
+        <translation>Als Nächstes: %1 – Punkte darauf anklicken, Eingabe beendet –, an der der Bezug befestigt wird.</translation>
+    </message>
+    <message>
+        <source>draw a fixation curve on the frame</source>
+        <translation>auf dem Gestell eine Fixierkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Next: select a fixation curve and %1 to it.</source>
+        <translation>Als Nächstes: eine Fixierkurve auswählen und %1.</translation>
+    </message>
+    <message>
+        <source>attach an edge</source>
+        <translation>eine Kante daran befestigen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NumberBox</name>
@@ -5584,6 +6108,10 @@
         <source>This stretch is straight already.</source>
         <translation>Dieser Abschnitt ist schon gerade.</translation>
     </message>
+    <message>
+        <source>They are equally long already.</source>
+        <translation>Sie sind schon gleich lang.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -5605,6 +6133,10 @@
     <message>
         <source>%1 Let go here, and it goes back to where it was.</source>
         <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
+    </message>
+    <message>
+        <source>Edge: %1</source>
+        <translation>Kante: %1</translation>
     </message>
 </context>
 <context>
@@ -5763,6 +6295,22 @@
     <message>
         <source>Map: %1</source>
         <translation>Karte: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Frame and foam</source>
+        <translation>Gestell und &amp;Schaum</translation>
+    </message>
+    <message>
+        <source>In the materials that their properties say</source>
+        <translation>In den Materialien, die in ihren Eigenschaften stehen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abb&amp;rechen</translation>
     </message>
 </context>
 <context>
@@ -5959,10 +6507,6 @@
 <context>
     <name>bolster::SpotsPanel</name>
     <message>
-        <source>Show the largest strain</source>
-        <translation>Größte Dehnung zeigen</translation>
-    </message>
-    <message>
         <source>Worst spots</source>
         <translation>Schlimmste Stellen</translation>
     </message>
@@ -6006,13 +6550,13 @@
         <source>over the limit of %1</source>
         <translation>über der Grenze von %1</translation>
     </message>
+    <message>
+        <source>Show the &amp;largest strain</source>
+        <translation>&amp;Größte Dehnung zeigen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::StartHint</name>
-    <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
-    </message>
     <message>
         <source>A new cover</source>
         <translation>Ein neuer Bezug</translation>
@@ -6030,16 +6574,28 @@
         <translation>%1 weitere unter Datei &gt; Beispiele</translation>
     </message>
     <message>
-        <source>Rectangle</source>
-        <translation>Rechteck</translation>
+        <source>Go on with:</source>
+        <translation>Weiterarbeiten an:</translation>
     </message>
     <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
     </message>
     <message>
-        <source>Frame …</source>
-        <translation>Gestell …</translation>
+        <source>Rectan&amp;gle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Ou&amp;tline</source>
+        <translation>&amp;Umriss</translation>
+    </message>
+    <message>
+        <source>&amp;Load frame …</source>
+        <translation>Gestell &amp;laden …</translation>
+    </message>
+    <message>
+        <source>&amp;Open …</source>
+        <translation>Öff&amp;nen …</translation>
     </message>
 </context>
 <context>
@@ -6061,20 +6617,8 @@
         <translation>Gelöst – %1 Schritte</translation>
     </message>
     <message>
-        <source>Settle</source>
-        <translation>Zur Ruhe bringen</translation>
-    </message>
-    <message>
-        <source>Takes the surface that follows from the design alone, whatever the way here was</source>
-        <translation>Nimmt die Oberfläche, die allein aus dem Entwurf folgt, gleich auf welchem Weg er entstand</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>Angehalten</translation>
-    </message>
-    <message>
-        <source>Settle (%1)</source>
-        <translation>Zur Ruhe bringen (%1)</translation>
     </message>
     <message numerus="yes">
         <source>%n problems</source>
@@ -6093,6 +6637,26 @@
     <message>
         <source>Solved in part</source>
         <translation>Zum Teil gelöst</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Following the drag</source>
+        <translation>Folgt dem Ziehen</translation>
+    </message>
+    <message>
+        <source>Solved, with warnings</source>
+        <translation>Gelöst, mit Warnungen</translation>
+    </message>
+    <message>
+        <source>Show (%1)</source>
+        <translation>Zeigen (%1)</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
     </message>
 </context>
 <context>
@@ -6240,6 +6804,13 @@
     <message>
         <source>Click a seam or an edge of an outline to stitch it – Esc ends the tool</source>
         <translation>Eine Naht oder Kante anklicken, um sie abzusteppen – Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::VersionPane</name>
+    <message>
+        <source>Computing the cover …</source>
+        <translation>Der Bezug wird berechnet …</translation>
     </message>
 </context>
 </TS>

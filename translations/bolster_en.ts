@@ -17,6 +17,13 @@
             <numerusform>%n released points</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n piece</numerusform>
+            <numerusform>%1: %n pieces</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FabricCommands</name>
@@ -54,6 +61,13 @@
             <numerusform>%n points</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n points, %1 mm</source>
+        <translation>
+            <numerusform>%n point, %1 mm</numerusform>
+            <numerusform>%n points, %1 mm</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileFlow</name>
@@ -76,6 +90,27 @@
         <translation>
             <numerusform>%n more design is under File &gt; Unsaved work.</numerusform>
             <numerusform>%n more designs are under File &gt; Unsaved work.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits</source>
+        <translation>
+            <numerusform>%n edit</numerusform>
+            <numerusform>%n edits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edits that were undone or are on other branches</source>
+        <translation>
+            <numerusform>%n edit that was undone or is on another branch</numerusform>
+            <numerusform>%n edits that were undone or are on other branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unsaved edits are in the history, undone or on other branches.</source>
+        <translation>
+            <numerusform>%n unsaved edit is in the history, undone or on another branch.</numerusform>
+            <numerusform>%n unsaved edits are in the history, undone or on other branches.</numerusform>
         </translation>
     </message>
 </context>
