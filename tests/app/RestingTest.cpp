@@ -1,5 +1,6 @@
 // Whatever is shown, exported or measured follows from the design alone: not from the way that led there.
 #include "CommandList.h"
+#include "ElidedLabel.h"
 #include "WindowTest.h"
 
 #include "CurveEdits.h"

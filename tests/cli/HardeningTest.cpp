@@ -59,7 +59,7 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
         for (const char* part :
              {"bolster_model", "bolster_project", "bolster_image", "bolster_image_decoder", "bolster_salvager",
               "bolster_cli", "bolster_design", "bolster_solver", "bolster_widgets", "bolster_app", "bolster"}) {
-            if (command.find("/" + std::string(part) + ".dir/") == std::string::npos)
+            if (command.find(std::string("/").append(part).append(".dir/")) == std::string::npos)
                 continue;
             ++seen[part];
             EXPECT_NE(command.find("-fstack-protector-strong"), std::string::npos) << part;
