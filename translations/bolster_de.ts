@@ -5333,10 +5333,6 @@
         </translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; could not be saved.</source>
         <translation>„%1“ ließ sich nicht speichern.</translation>
     </message>
@@ -5395,10 +5391,6 @@
     <message>
         <source>The unsaved work could not be restored.</source>
         <translation>Die ungespeicherte Arbeit ließ sich nicht wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; exists already. Replace it?</source>
-        <translation>„%1“ gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not replaced.</source>
@@ -5476,10 +5468,6 @@
         </translation>
     </message>
     <message>
-        <source>Go back to saved</source>
-        <translation>Zum Gespeicherten zurück</translation>
-    </message>
-    <message>
         <source>New design</source>
         <translation>Neuer Entwurf</translation>
     </message>
@@ -5538,10 +5526,6 @@
     <message>
         <source>The changes of somebody else are a branch of the history now.</source>
         <translation>Die Änderungen von jemand anderem sind jetzt ein Zweig des Verlaufs.</translation>
-    </message>
-    <message>
-        <source>Go there</source>
-        <translation>Dorthin gehen</translation>
     </message>
     <message>
         <source>What can be read goes into a new project beside it. This file stays as it is.</source>
@@ -5618,6 +5602,18 @@
     <message>
         <source>Unsaved names of versions or branches restored.</source>
         <translation>Nicht gespeicherte Namen von Versionen oder Zweigen wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Go &amp;back to saved</source>
+        <translation>Z&amp;um Gespeicherten zurück</translation>
+    </message>
+    <message>
+        <source>Go &amp;there</source>
+        <translation>&amp;Dorthin gehen</translation>
     </message>
 </context>
 <context>
