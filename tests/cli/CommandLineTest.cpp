@@ -185,7 +185,7 @@ TEST_F(CommandLine, CheckNamesElementAndFieldOfEveryProblemInOneLine)
     }
     ASSERT_EQ(found.size(), 3u) << run.err;
     EXPECT_TRUE(found[0].starts_with("error: patch 20 \"Bow tie\", outline")) << found[0];
-    EXPECT_TRUE(found[1].starts_with("error: fabric 21 \"Rub ber\", poisson")) << found[1];
+    EXPECT_TRUE(found[1].starts_with("error: fabric 21 \"Rub\\u000aber\", poisson")) << found[1];
     EXPECT_TRUE(found[2].starts_with("error: frame 22 \"Chair\", file")) << found[2];
 }
 

@@ -105,7 +105,7 @@ TEST(RestingSolve, FreeCoverStaysWhereItIs)
                     back = b.patch(rectangle(300, 200), fabric, 0.3);
     b.seam({front, 0, 0}, {back, 2, 2});
     const SolveResult result = solved(b.design(), 1e-6);
-    EXPECT_FALSE(result.warnings.empty());
+    EXPECT_TRUE(result.warnings.empty()) << "what is filled lies free";
     Vec3 centre = Vec3::Zero();
     for (const Vec3& p : result.surface->positions)
         centre += p / static_cast<double>(result.surface->positions.size());

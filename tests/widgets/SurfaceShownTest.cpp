@@ -135,7 +135,9 @@ TEST_F(SurfaceShown, StitchesOfHiddenPatchesAreHiddenWithThem)
     view.setCover(raisedCover(view.surface(), 5), trims);
     const auto drawn = [&](std::size_t parts) {
         return QTest::qWaitFor([&] {
-            const auto& last = log->last().trims;
+            if (log->count() == 0)
+                return false;
+            const auto last = log->last().trims;
             return last && last->parts.size() == parts && last->triangles.size() == parts;
         });
     };
