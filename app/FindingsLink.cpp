@@ -16,6 +16,7 @@ FindingsLink::FindingsLink(DesignSession& session, SolverLink& solver, QObject* 
           [this](Result result) { receive(std::move(result)); })
 {
     connect(&solver, &SolverLink::statusChanged, this, &FindingsLink::look);
+    connect(&session.document(), &Document::changed, this, &FindingsLink::look); // nothing is known of it any more
 }
 
 FindingsLink::~FindingsLink() = default;
