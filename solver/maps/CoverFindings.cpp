@@ -18,10 +18,10 @@ namespace {
 using Finding = CoverFinding;
 using Range = SurfaceTopology::PatchRange;
 
-constexpr double smallSpot = 400;     // mm^2: what is over its limit on less than that is no worry
-constexpr double foldedSpot = 2500;   // mm^2 that are pressed together or folded over
-constexpr double foldStrain = 8;      // %: cloth that is pressed together more lies in folds
-constexpr double offFrame = 40;       // mm: more than padding, webbing and the frame's own roundness explain
+constexpr double smallSpot = 400;    // mm^2: what is over its limit on less than that is no worry
+constexpr double foldedSpot = 2500;  // mm^2 that are pressed together or folded over
+constexpr double foldStrain = 8;     // %: cloth that is pressed together more lies in folds
+constexpr double offFrame = 40;      // mm: more than padding, webbing and the frame's own roundness explain
 constexpr double farFromFrame = 1e5; // mm
 
 std::string findingName(const Design& design, ElementId id)
