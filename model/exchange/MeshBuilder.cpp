@@ -134,7 +134,7 @@ bool MeshBuilder::turnLikeItsDouble()
     const FaceDoubles::Order order = m_doubles.meet(m_corners);
     if (order.backwards)
         std::ranges::reverse(m_face);
-    std::ranges::rotate(m_face, m_face.begin() + static_cast<std::ptrdiff_t>(order.first));
+    std::rotate(m_face.begin(), m_face.begin() + static_cast<std::ptrdiff_t>(order.first));
     return order.backwards;
 }
 
