@@ -134,7 +134,8 @@ bool MeshBuilder::turnLikeItsDouble()
     const FaceDoubles::Order order = m_doubles.meet(m_corners);
     if (order.backwards)
         std::ranges::reverse(m_face);
-    std::rotate(m_face.begin(), m_face.begin() + static_cast<std::ptrdiff_t>(order.first));
+    const auto first = m_face.begin() + static_cast<std::ptrdiff_t>(order.first);
+    std::rotate(m_face.begin(), first, m_face.end());
     return order.backwards;
 }
 
