@@ -55,7 +55,7 @@ int main(int argc, char** argv)
     std::fflush(stdout);
     if (!isFree) { // outside it would succeed, and end this
         ::execl("/bin/echo", "echo", "run a program", nullptr);
-        return errno == EPERM && memory.back() == 'x' ? 0 : 3;
+        ::_exit(errno == EPERM && memory.back() == 'x' ? 0 : 3); // looking for leaks is more than computing
     }
     return 0;
 }
