@@ -6,6 +6,8 @@
 #include "SelectionEdits.h"
 
 #include <QCoreApplication>
+#include <QKeyEvent>
+#include <QKeySequence>
 #include <QMenu>
 
 #include <algorithm>
@@ -214,6 +216,19 @@ void ContextMenus::showInSurface(const QPoint& global, bool onSomething)
     QMenu* menu = begin();
     ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_actions);
     onSomething ? filler.selectionInSpace() : filler.space();
+    finish(*menu, global);
+}
+
+void ContextMenus::showForTool(QWidget& view, const QPoint& global, const ToolKeys& keys)
+{
+    QMenu* menu = begin();
+    for (const ToolKey& key : keys) {
+        QAction* action = menu->addAction(key.text + u'\t' + QKeySequence(key.key).toString(QKeySequence::NativeText));
+        connect(action, &QAction::triggered, &view, [&view, code = key.key] {
+            QKeyEvent press(QEvent::KeyPress, code, Qt::NoModifier);
+            QCoreApplication::sendEvent(&view, &press);
+        });
+    }
     finish(*menu, global);
 }
 

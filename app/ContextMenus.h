@@ -1,6 +1,8 @@
 // The menus of the right button in both views.
 #pragma once
 
+#include "ToolKey.h"
+
 #include <QObject>
 #include <QPoint>
 
@@ -24,6 +26,8 @@ public:
     /// `onSomething`: what lies there is selected; else the view is meant.
     void showInPattern(const QPoint& global, bool onSomething);
     void showInSurface(const QPoint& global, bool onSomething);
+    /// What the tool of this view does by keys.
+    void showForTool(QWidget& view, const QPoint& global, const ToolKeys& keys);
 
 private:
     QMenu* begin();

@@ -22,6 +22,10 @@ void MainWindow::connectPattern()
     auto* menus = new ContextMenus(document(), m_selection, *m_actions, this);
     connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
     connect(m_surface, &SurfaceView::contextMenuWanted, menus, &ContextMenus::showInSurface);
+    connect(m_pattern, &PatternView::toolMenuWanted, menus,
+            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_pattern, at, keys); });
+    connect(m_surface, &SurfaceView::toolMenuWanted, menus,
+            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_surface, at, keys); });
     connect(&document(), &Document::refused, this, [this](const Message& why) {
         m_status->flash(tr("%1 It is back where it was.").arg(translated(why)));
     });

@@ -431,7 +431,7 @@ void PatternView::mousePressEvent(QMouseEvent* event)
     } else if (event->button() == Qt::LeftButton) {
         m_pressedAt = event->position();
         m_tool->press(pointerOf(*event));
-    } else if (event->button() == Qt::RightButton && hasContextMenu()) {
+    } else if (event->button() == Qt::RightButton && rightButtonSelects()) {
         // The context menu that follows is about what lies under the pointer.
         const PatternHit found = hit(event->position());
         const bool alone = m_selection.elements().size() == 1 && m_selection.edges().empty(); // its edge is meant
@@ -440,10 +440,10 @@ void PatternView::mousePressEvent(QMouseEvent* event)
     }
 }
 
-/// What is being drawn or dragged is not disturbed.
-bool PatternView::hasContextMenu() const
+/// Not while something is being drawn or dragged, nor with tools that draw.
+bool PatternView::rightButtonSelects() const
 {
-    return !m_document.gestureRunning() && !m_panFrom &&
+    return !m_document.gestureRunning() && !m_panFrom && m_tool->keys().empty() &&
            (m_toolKind == PatternToolKind::Select || m_toolKind == PatternToolKind::Sew ||
             m_toolKind == PatternToolKind::Trim || m_toolKind == PatternToolKind::Measure);
 }
@@ -451,11 +451,15 @@ bool PatternView::hasContextMenu() const
 void PatternView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();
-    if (!hasContextMenu())
+    if (m_document.gestureRunning() || m_panFrom)
         return;
     const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
-    emit contextMenuWanted(byKey ? mapToGlobal(rect().center()) : event->globalPos(),
-                           byKey ? !m_selection.elements().empty() : bool(hit(event->pos())));
+    const QPoint global = byKey ? mapToGlobal(rect().center()) : event->globalPos();
+    if (const ToolKeys keys = m_tool->keys(); !keys.empty())
+        emit toolMenuWanted(global, keys);
+    else
+        emit contextMenuWanted(global, rightButtonSelects() && (byKey ? !m_selection.elements().empty()
+                                                                      : bool(hit(event->pos()))));
 }
 
 void PatternView::mouseMoveEvent(QMouseEvent* event)

@@ -7,6 +7,7 @@
 #include "PatternPainter.h"
 #include "PatternTools.h"
 #include "SurfaceMesh.h"
+#include "ToolKey.h"
 
 #include <QWidget>
 
@@ -84,6 +85,8 @@ signals:
     void patchClicked(const bolster::CoverPoint& point);
     /// By the right button or the menu key; what lies there is selected then.
     void contextMenuWanted(const QPoint& global, bool onSomething);
+    /// Instead, while a tool has begun something.
+    void toolMenuWanted(const QPoint& global, const bolster::ToolKeys& keys);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -125,7 +128,7 @@ private:
     std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
     void placeCrosshair();
     PatternPointer pointerOf(const QMouseEvent& event) const;
-    bool hasContextMenu() const;
+    bool rightButtonSelects() const;
 
     Document& m_document;
     Selection& m_selection;

@@ -187,19 +187,21 @@ void PropertyForm::addText(const QString& label, const std::function<std::option
                            const std::function<void(const QString&)>& write)
 {
     auto* edit = new TextBox(this);
-    connect(edit, &QLineEdit::editingFinished, this, [edit, write] {
-        if (!edit->isModified())
-            return;
-        edit->setModified(false);
-        write(edit->text());
-    });
-    addField(label, edit, [edit, read] {
+    const auto show = [edit, read] {
         if (edit->isModified())
             return;
         const std::optional<QString> text = read();
         edit->setText(text.value_or(QString()));
         edit->setPlaceholderText(text ? QString() : variesText());
+    };
+    connect(edit, &QLineEdit::editingFinished, this, [edit, write, show] {
+        if (!edit->isModified())
+            return;
+        edit->setModified(false);
+        write(edit->text());
+        show(); // what was written may have come to nothing
     });
+    addField(label, edit, show);
 }
 
 void PropertyForm::addChecks(const QString& label, const std::vector<Check>& checks,

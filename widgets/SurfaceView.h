@@ -14,6 +14,7 @@
 #include "SurfaceHit.h"
 #include "SurfaceJob.h"
 #include "SurfaceTools.h"
+#include "ToolKey.h"
 #include "VisibleCover.h"
 
 #include <QElapsedTimer>
@@ -161,6 +162,8 @@ signals:
     void toolChanged(bolster::SurfaceToolKind kind);
     /// By a click with the right button or the menu key; what lies there is selected then.
     void contextMenuWanted(const QPoint& global, bool onSomething);
+    /// Instead, while a tool has begun something.
+    void toolMenuWanted(const QPoint& global, const bolster::ToolKeys& keys);
     /// What a tool could not do, in the user's words.
     void failed(const QString& message);
 
@@ -285,6 +288,7 @@ private:
     std::optional<CoverPoint> m_shown; ///< the place of the cross-hair in its patch
     std::optional<Vec3> m_place;       ///< and on the cover, mm
     void rightClick(const QMouseEvent& event);
+    void wantMenu(const QPoint& global, bool onSomething);
 
     QPointF m_pressedAt; ///< the left button
     SurfaceToolKind m_toolKind = SurfaceToolKind::Select;

@@ -228,23 +228,32 @@ void SurfaceView::focusOutEvent(QFocusEvent* event)
 void SurfaceView::rightClick(const QMouseEvent& event)
 {
     const bool click = (event.position() - m_pressedAt).manhattanLength() < surfaceClickReach;
-    if (!click || m_toolKind != SurfaceToolKind::Select || m_document.gestureRunning())
+    if (!click || m_document.gestureRunning())
         return;
-    const SurfaceHit found = hit(event.position());
+    const SurfaceHit found = m_toolKind == SurfaceToolKind::Select ? hit(event.position()) : SurfaceHit();
     if (found.kind == SurfaceHit::Kind::Point) {
         if (const Selection::Point point{found.element, found.point}; !m_selection.contains(point))
             m_selection.set({found.element}, {point});
     } else if (found && !m_selection.contains(found.element)) {
         m_selection.set({found.element});
     }
-    emit contextMenuWanted(event.globalPosition().toPoint(), bool(found));
+    wantMenu(event.globalPosition().toPoint(), bool(found));
+}
+
+void SurfaceView::wantMenu(const QPoint& global, bool onSomething)
+{
+    if (const ToolKeys keys = m_tool->keys(); !keys.empty())
+        emit toolMenuWanted(global, keys);
+    else
+        emit contextMenuWanted(global, onSomething);
 }
 
 void SurfaceView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept(); // the right button turns
-    if (event->reason() == QContextMenuEvent::Keyboard && m_toolKind == SurfaceToolKind::Select)
-        emit contextMenuWanted(mapToGlobal(rect().center()), !m_selection.elements().empty());
+    if (event->reason() == QContextMenuEvent::Keyboard && !m_document.gestureRunning())
+        wantMenu(mapToGlobal(rect().center()),
+                 m_toolKind == SurfaceToolKind::Select && !m_selection.elements().empty());
 }
 
 } // namespace bolster

@@ -15,6 +15,8 @@
 #include <QMenu>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace bolster {
 namespace {
 
@@ -264,13 +266,41 @@ TEST_F(EdgesTest, TheRightButtonOffersWhatIsDoneWithWhatLiesThere)
     EXPECT_TRUE(menu->actions().contains(window.actions().selectAll));
     menu->close();
 
+}
+
+TEST_F(EdgesTest, TheRightButtonEndsWhatIsDrawn)
+{
+    drawTwo();
+    const auto offered = [](const QMenu& menu, const QString& text) {
+        const QList<QAction*> actions = menu.actions();
+        const auto found = std::ranges::find_if(
+            actions, [&](const QAction* action) { return action->text().remove(u'&').startsWith(text); });
+        return found == actions.end() ? nullptr : *found;
+    };
     designer.key(Qt::Key_O);
-    designer.click({100, -200});
-    QContextMenuEvent wish(QContextMenuEvent::Mouse, QPoint(50, 50), QPoint(50, 50));
-    QApplication::sendEvent(&window.patternView(), &wish);
-    EXPECT_FALSE(QApplication::activePopupWidget()) << "nobody is disturbed while drawing";
-    designer.key(Qt::Key_Escape);
-    designer.key(Qt::Key_Escape);
+    QMenu* menu = rightClick({250, 200}); // nothing is begun
+    ASSERT_TRUE(menu);
+    EXPECT_TRUE(window.selection().elements().empty()) << "a tool that draws selects nothing";
+    EXPECT_FALSE(offered(*menu, QStringLiteral("Finish")));
+    menu->close();
+
+    for (const Vec2& corner : {Vec2(0, -300), Vec2(200, -300), Vec2(200, -100), Vec2(0, -150)})
+        designer.click(corner);
+    menu = rightClick({250, 200});
+    ASSERT_TRUE(menu);
+    QAction* takeBack = offered(*menu, QStringLiteral("Take back"));
+    ASSERT_TRUE(takeBack);
+    EXPECT_TRUE(takeBack->text().contains(u'\t')) << "with its key";
+    menu->close();
+    takeBack->trigger();
+    menu = rightClick({250, 200});
+    ASSERT_TRUE(menu);
+    QAction* end = offered(*menu, QStringLiteral("Finish"));
+    ASSERT_TRUE(end);
+    menu->close();
+    end->trigger();
+    ASSERT_EQ(window.selection().elements().size(), 1u) << "the new patch";
+    EXPECT_EQ(design().find<Patch>(*window.selection().elements().begin())->outline.points().size(), 3u);
 }
 
 TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)

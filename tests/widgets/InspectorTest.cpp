@@ -99,6 +99,25 @@ TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
     EXPECT_EQ(boxes("Pressure").front()->text(), "");
 }
 
+TEST_F(InspectorTest, TheNameIsTheElementsOwnEvenIfTypingChangedNothing)
+{
+    const auto typeName = [&](const QString& text) {
+        auto* edit = inspector.widget()->findChildren<QLineEdit*>().front();
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, text);
+        QTest::keyClick(edit, Qt::Key_Return);
+        return inspector.widget()->findChildren<QLineEdit*>().front()->text();
+    };
+    selection.set({secondSquare});
+    const QString taken = QString::fromStdString(patch(firstSquare).name);
+    const QString free = typeName(taken);
+    EXPECT_NE(free, taken);
+    EXPECT_EQ(free, QString::fromStdString(patch(secondSquare).name));
+    EXPECT_EQ(typeName(taken), free) << "the free name is its own already: no edit, and the field says so";
+    EXPECT_EQ(document.history().count(), 2);
+}
+
 TEST_F(InspectorTest, AnEdgeTakesALengthByNumber)
 {
     selection.set({firstSquare}, {{firstSquare, 0}, {firstSquare, 1}});

@@ -77,6 +77,15 @@ bool AttachTool::keyPress(const QKeyEvent& event)
     return true;
 }
 
+ToolKeys AttachTool::keys() const
+{
+    if (m_collected.empty())
+        return {};
+    return {{Qt::Key_Return, tr("&Attach what is marked")},
+            {Qt::Key_Backspace, tr("&Take back the last edge")},
+            {Qt::Key_Escape, tr("&Give up")}};
+}
+
 bool AttachTool::escape()
 {
     if (m_collected.empty())

@@ -22,6 +22,7 @@ public:
     void move(const PatternPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
     bool wants(int key) const override;
+    ToolKeys keys() const override;
     bool escape() override;
     void leave() override;
 

@@ -1,7 +1,9 @@
 // The keys of all tools that draw a line point by point.
 #pragma once
 
-#include <Qt>
+#include "ToolKey.h"
+
+#include <QCoreApplication>
 
 #include <vector>
 
@@ -13,6 +15,21 @@ inline bool isDrawingKey(int key, bool canBeSmooth)
     return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace ||
            (key == Qt::Key_B && canBeSmooth);
 }
+
+/// What they do with a line that has been begun.
+class DrawingKeys {
+    Q_DECLARE_TR_FUNCTIONS(DrawingKeys)
+
+public:
+    static ToolKeys ofLine(bool canBeSmooth)
+    {
+        ToolKeys keys{{Qt::Key_Return, tr("&Finish")}, {Qt::Key_Backspace, tr("&Take back the last point")}};
+        if (canBeSmooth)
+            keys.append({Qt::Key_B, tr("Switch between &straight and smooth")});
+        keys.append({Qt::Key_Escape, tr("&Give up")});
+        return keys;
+    }
+};
 
 /// Does what the key means; false when it is none of these. Lines that are always straight have no `smooth`.
 template <class Point, class Finish>

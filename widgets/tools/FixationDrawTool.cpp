@@ -177,6 +177,15 @@ void FixationDrawTool::enter()
     }
 }
 
+ToolKeys FixationDrawTool::keys() const
+{
+    if (m_points.empty())
+        return {};
+    ToolKeys keys = DrawingKeys::ofLine(true);
+    keys.insert(1, {Qt::Key_C, tr("&Close the curve")});
+    return keys;
+}
+
 bool FixationDrawTool::escape()
 {
     if (m_typed.open()) {

@@ -2,6 +2,7 @@
 
 #include "DesignCheck.h"
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "OutlineEdits.h"
 #include "Selection.h"
 #include "Translated.h"
@@ -38,6 +39,11 @@ bool PatchDrawingTool::wants(int key) const
 {
     return (begun() && (m_typed.wants(key) || key == Qt::Key_Backspace)) || key == Qt::Key_Return ||
            key == Qt::Key_Enter;
+}
+
+ToolKeys PatchDrawingTool::keys() const
+{
+    return begun() ? DrawingKeys::ofLine(false) : ToolKeys();
 }
 
 bool PatchDrawingTool::escape()

@@ -20,6 +20,7 @@ public:
 
     bool keyPress(const QKeyEvent& event) override;
     bool wants(int key) const override;
+    ToolKeys keys() const override;
     bool escape() override;
     void leave() override;
     QCursor cursor() const override { return Qt::CrossCursor; }

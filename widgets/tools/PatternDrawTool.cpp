@@ -85,6 +85,11 @@ bool PatternDrawTool::keyPress(const QKeyEvent& event)
     return true;
 }
 
+ToolKeys PatternDrawTool::keys() const
+{
+    return m_points.empty() ? ToolKeys() : DrawingKeys::ofLine(true);
+}
+
 bool PatternDrawTool::escape()
 {
     if (m_points.empty())

@@ -78,6 +78,11 @@ bool PatternSplitTool::keyPress(const QKeyEvent& event)
     return true;
 }
 
+ToolKeys PatternSplitTool::keys() const
+{
+    return m_points.empty() ? ToolKeys() : DrawingKeys::ofLine(false);
+}
+
 bool PatternSplitTool::escape()
 {
     if (m_points.empty())

@@ -175,6 +175,17 @@ bool SewTool::keyPress(const QKeyEvent& event)
     return true;
 }
 
+ToolKeys SewTool::keys() const
+{
+    if (m_taken.empty())
+        return {};
+    return {{Qt::Key_Return, tr("&Sew what is marked")},
+            {Qt::Key_F, tr("&Flip")},
+            {Qt::Key_M, m_several ? tr("Take &one edge") : tr("Take se&veral edges in a row")},
+            {Qt::Key_Backspace, tr("&Take back the last edge")},
+            {Qt::Key_Escape, tr("&Give up")}};
+}
+
 bool SewTool::escape()
 {
     m_pressed.reset();

@@ -23,6 +23,7 @@ public:
     void doubleClick(const PatternPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
     bool wants(int key) const override;
+    ToolKeys keys() const override;
     bool escape() override;
     void leave() override;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "SurfaceHit.h"
+#include "ToolKey.h"
 
 #include <QCursor>
 #include <QString>
@@ -68,6 +69,8 @@ public:
     virtual bool keyRelease(const QKeyEvent&) { return false; }
     /// Keys that are the tool's even where a window gives them another meaning.
     virtual bool wants(int) const { return false; }
+    /// What can be done with what has been begun; empty: nothing has.
+    virtual ToolKeys keys() const { return {}; }
     /// One step back; false when there was none.
     virtual bool escape() = 0;
     /// The pointer has left the view, or the view the keyboard.
