@@ -88,7 +88,7 @@ void FileFlow::openNow(const QString& path, const Then& opened)
                QMessageBox::Open | QMessageBox::Cancel);
     box->setInformativeText(tr("It can be opened here to look at; what is changed is saved under another name."));
     box->setDefaultButton(QMessageBox::Open);
-    ask(box, [this, box, path, opened](const QAbstractButton* pressed) {
+    openQuestion(box, [this, box, path, opened](const QAbstractButton* pressed) {
         if (pressed && pressed == box->button(QMessageBox::Open))
             openAs(path, DesignSession::Opening::ToLook, opened);
     });

@@ -91,7 +91,6 @@ private:
     void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);
     QMessageBox* newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons);
-    void ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered);
     QString startFolder() const;
 
     DesignSession& m_session;

@@ -41,17 +41,9 @@ QMessageBox* FileFlow::newBox(QMessageBox::Icon icon, const QString& text, QMess
     return new QMessageBox(icon, tr("Bolster"), text, buttons, m_window);
 }
 
-/// Nothing waits for the answer: it comes when the box is closed.
-void FileFlow::ask(QMessageBox* box, const std::function<void(const QAbstractButton* pressed)>& answered)
-{
-    openQuestion(box, answered);
-}
-
 void FileFlow::fail(const QString& title, const Message& why)
 {
-    QMessageBox* box = newBox(QMessageBox::Warning, title, QMessageBox::Ok);
-    box->setInformativeText(translated(why));
-    ask(box, [](const QAbstractButton*) {});
+    tell(m_window, QMessageBox::Warning, title, translated(why));
 }
 
 void FileFlow::keepWork(const Then& then)
@@ -90,7 +82,7 @@ void FileFlow::askAboutWork(const Then& then)
     const QAbstractButton* keep = box->addButton(tr("&Keep for later"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Save);
     m_question = box;
-    ask(box, [this, box, keep, asProject, then](const QAbstractButton* pressed) {
+    openQuestion(box, [this, box, keep, asProject, then](const QAbstractButton* pressed) {
         m_question.clear();
         if (pressed == keep) {
             keepForLater(then);
@@ -215,7 +207,7 @@ void FileFlow::offerAnotherTry(const QString& path, const Message& problem, cons
     const QAbstractButton* retry = box->addButton(tr("&Try again"), QMessageBox::AcceptRole);
     const QAbstractButton* other = box->addButton(tr("Save &as \u2026"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
-    ask(box, [retry, other, again, elsewhere](const QAbstractButton* pressed) {
+    openQuestion(box, [retry, other, again, elsewhere](const QAbstractButton* pressed) {
         if (pressed == retry)
             again();
         else if (pressed == other)

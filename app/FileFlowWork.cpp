@@ -90,7 +90,7 @@ void FileFlow::offerSalvage(const QString& path, const Message& problem)
         rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
         box->setDefaultButton(rescue);
     }
-    ask(box, [this, rescue, path](const QAbstractButton* pressed) {
+    openQuestion(box, [this, rescue, path](const QAbstractButton* pressed) {
         if (rescue && pressed == rescue)
             salvage(path);
     });
@@ -126,7 +126,7 @@ void FileFlow::sayWhatIsLeft(const QString& path, const std::vector<Message>& no
     box->setInformativeText(lines.mid(0, shown).join(QLatin1Char('\n')));
     if (lines.size() > shown)
         box->setDetailedText(lines.join(QLatin1Char('\n')));
-    ask(box, [](const QAbstractButton*) {});
+    openDialog(box);
 }
 
 void FileFlow::saveBesideOthers(const QString& path, const Then& then)
@@ -142,7 +142,7 @@ void FileFlow::saveBesideOthers(const QString& path, const Then& then)
     const QAbstractButton* elsewhere = box->button(QMessageBox::Save);
     box->button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
     box->setDefaultButton(QMessageBox::Cancel);
-    ask(box, [this, take, elsewhere, path, then](const QAbstractButton* pressed) {
+    openQuestion(box, [this, take, elsewhere, path, then](const QAbstractButton* pressed) {
         if (pressed == take)
             takeTheirs(path, then);
         else if (pressed == elsewhere)

@@ -138,37 +138,53 @@ void SurfaceRays::fitBoxes()
     }
 }
 
-template <class Visit>
-void SurfaceRays::walk(const Vec3f& origin, const Vec3f& direction, float& reach, const Visit& visit) const
+/// Visits the triangles of all leaves that are less far than `reach`, the near ones first. `distance` of a node is to be
+/// infinite where nothing is wanted of it. Ends when a visit returns true.
+template <class Distance, class Visit>
+void SurfaceRays::walk(const Distance& distance, const float& reach, const Visit& visit) const
 {
     if (m_nodes.empty())
         return;
-    // A ray along a wall of a box must not become 0 times infinity.
-    const Eigen::Array3f inverse =
-        direction.array().unaryExpr([](float d) { return 1 / (std::abs(d) > 1e-12F ? d : 1e-12F); });
-    const auto entry = [&](const Node& node) {
-        const Eigen::Array3f a = (node.low - origin.array()) * inverse, b = (node.high - origin.array()) * inverse;
-        const float in = std::max(a.min(b).maxCoeff(), 0.f), out = a.max(b).minCoeff();
-        return in <= out * 1.00001f && in < reach ? in : rayInfinite;
-    };
     std::array<std::uint32_t, 64> waiting;
     std::size_t count = 0;
     waiting[count++] = 0;
     while (count > 0) {
         const std::uint32_t index = waiting[--count];
         const Node& node = m_nodes[index];
-        if (entry(node) == rayInfinite)
+        if (!(distance(node) < reach))
             continue;
-        if (node.count > 0) {
-            if (visit(node))
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const Triangle& t = m_triangles[i];
+            if (visit(m_ids[i], m_points[t[0]], m_points[t[1]], m_points[t[2]]))
                 return;
-            continue;
         }
-        const bool leftFirst = entry(m_nodes[index + 1]) < entry(m_nodes[node.first]);
+        if (node.count > 0)
+            continue;
+        const bool leftFirst = distance(m_nodes[index + 1]) < distance(m_nodes[node.first]);
         waiting[count++] = leftFirst ? node.first : index + 1;
         waiting[count++] = leftFirst ? index + 1 : node.first;
     }
 }
+
+/// Where a ray enters the box of a node, in lengths of its direction; infinite if it passes.
+class SurfaceRays::Entry {
+public:
+    Entry(const Vec3f& origin, const Vec3f& direction)
+        : m_origin(origin.array())
+        // A ray along a wall of a box must not become 0 times infinity.
+        , m_inverse(direction.array().unaryExpr([](float d) { return 1 / (std::abs(d) > 1e-12F ? d : 1e-12F); }))
+    {}
+
+    float operator()(const Node& node) const
+    {
+        const Eigen::Array3f a = (node.low - m_origin) * m_inverse, b = (node.high - m_origin) * m_inverse;
+        const float in = std::max(a.min(b).maxCoeff(), 0.F), out = a.max(b).minCoeff();
+        return in <= out * 1.00001F ? in : rayInfinite;
+    }
+
+private:
+    Eigen::Array3f m_origin, m_inverse;
+};
 
 /// How far a ray that starts outside may go without meeting anything.
 float SurfaceRays::approach(const Vec3f& origin, const Vec3f& direction) const
@@ -188,63 +204,40 @@ std::optional<SurfaceRays::Hit> SurfaceRays::first(const Vec3f& farOrigin, const
     const Vec3f origin = farOrigin + skipped * direction;
     std::optional<Hit> best;
     float reach = rayInfinite;
-    walk(origin, direction, reach, [&](const Node& node) {
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Triangle& t = m_triangles[i];
-            const float at = meeting(origin, direction, m_points[t[0]], m_points[t[1]], m_points[t[2]]);
-            if (at < reach) {
-                reach = at;
-                best = Hit{m_ids[i], skipped + at};
-            }
+    walk(Entry(origin, direction), reach,
+         [&](std::uint32_t triangle, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+             if (const float at = meeting(origin, direction, a, b, c); at < reach) {
+                 reach = at;
+                 best = Hit{triangle, skipped + at};
+             }
+             return false;
+         });
+    return best;
+}
+
+std::optional<SurfaceRays::Nearest> SurfaceRays::nearest(const Vec3f& point, float reach) const
+{
+    const auto gap = [&](const Node& node) { // squared
+        return (node.low - point.array()).max(point.array() - node.high).max(0.F).matrix().squaredNorm();
+    };
+    std::optional<Nearest> best;
+    float bestSquare = reach * reach;
+    walk(gap, bestSquare, [&](std::uint32_t triangle, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        const Vec3f on = nearestPoint(point, a, b, c);
+        if (const float square = (on - point).squaredNorm(); square < bestSquare) {
+            bestSquare = square;
+            best = Nearest{triangle, on};
         }
         return false;
     });
     return best;
 }
 
-std::optional<SurfaceRays::Nearest> SurfaceRays::nearest(const Vec3f& point, float reach) const
-{
-    if (m_nodes.empty())
-        return std::nullopt;
-    const auto gap = [&](const Node& node) { // squared
-        return (node.low - point.array()).max(point.array() - node.high).max(0.F).matrix().squaredNorm();
-    };
-    std::optional<Nearest> best;
-    float bestSquare = reach * reach;
-    std::array<std::uint32_t, 64> waiting;
-    std::size_t count = 0;
-    waiting[count++] = 0;
-    while (count > 0) {
-        const std::uint32_t index = waiting[--count];
-        const Node& node = m_nodes[index];
-        if (!(gap(node) < bestSquare))
-            continue;
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Triangle& t = m_triangles[i];
-            const Vec3f on = nearestPoint(point, m_points[t[0]], m_points[t[1]], m_points[t[2]]);
-            const float square = (on - point).squaredNorm();
-            if (square < bestSquare) {
-                bestSquare = square;
-                best = Nearest{m_ids[i], on};
-            }
-        }
-        if (node.count > 0)
-            continue;
-        const bool leftFirst = gap(m_nodes[index + 1]) < gap(m_nodes[node.first]);
-        waiting[count++] = leftFirst ? node.first : index + 1;
-        waiting[count++] = leftFirst ? index + 1 : node.first;
-    }
-    return best;
-}
-
 bool SurfaceRays::blocked(const Vec3f& origin, const Vec3f& direction, float reach) const
 {
     bool found = false;
-    walk(origin, direction, reach, [&](const Node& node) {
-        for (std::uint32_t i = node.first; i < node.first + node.count && !found; ++i) {
-            const Triangle& t = m_triangles[i];
-            found = meeting(origin, direction, m_points[t[0]], m_points[t[1]], m_points[t[2]]) < reach;
-        }
+    walk(Entry(origin, direction), reach, [&](std::uint32_t, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        found = meeting(origin, direction, a, b, c) < reach;
         return found;
     });
     return found;

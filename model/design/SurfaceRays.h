@@ -49,8 +49,9 @@ private:
     void fitBox(Node& node) const;
     void fitBoxes();
     float approach(const Vec3f& origin, const Vec3f& direction) const;
-    template <class Visit>
-    void walk(const Vec3f& origin, const Vec3f& direction, float& reach, const Visit& visit) const;
+    class Entry;
+    template <class Distance, class Visit>
+    void walk(const Distance& distance, const float& reach, const Visit& visit) const;
 
     std::vector<Vec3f> m_points;
     std::vector<Triangle> m_triangles; ///< in the tree's order

@@ -3,15 +3,13 @@
 
 #include "Design.h"
 #include "DesignFiles.h"
+#include "FrameDistance.h"
 #include "SurfaceMesh.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 
 namespace bolster {
-
-class TriangleTree;
 
 struct CoverFinding {
     enum class Kind {
@@ -32,17 +30,6 @@ struct CoverFinding {
     double value = 0;           ///< %, mm, or mm^2 of folds
     double allowed = 0;         ///< in the same unit
     Message text;               ///< a whole sentence, with the element's name
-};
-
-/// The frames of a design, to measure distances from. Kept while they stay what and where they are.
-class FrameDistance {
-public:
-    /// Null without frames whose meshes are known.
-    const TriangleTree* tree(const Design& design, const DesignFiles& files);
-
-private:
-    std::vector<std::pair<std::shared_ptr<const TriangleMesh>, Placement>> m_of;
-    std::shared_ptr<const TriangleTree> m_tree;
 };
 
 /// What matters most comes first: by kind, then by how much it exceeds what is allowed. Small spots are none: a

@@ -1,6 +1,6 @@
 #include "CoverMap.h"
 
-#include "FramePieces.h"
+#include "FrameDistance.h"
 #include "MeanCurvature.h"
 #include "ScanMeasure.h"
 #include "TriangleStrain.h"
@@ -95,26 +95,14 @@ void measureCurvature(CoverMap& map, const SurfaceMesh& surface)
 
 void measureThickness(CoverMap& map, const SurfaceMesh& surface, const Design& design, const DesignFiles& files)
 {
-    std::vector<TriangleTree::Triangle> triangles;
-    design.each<Frame>([&](ElementId id, const Frame& frame) {
-        const auto file = files.meshes.find(id);
-        if (file == files.meshes.end() || !file->second)
-            return;
-        const FrameMeshPtr mesh = shownMesh(file->second, frame.hiddenParts);
-        for (const auto& corners : mesh->triangles) {
-            TriangleTree::Triangle triangle;
-            for (std::size_t k = 0; k < 3; ++k)
-                triangle[k] = frame.placed(mesh->points[corners[k]]);
-            triangles.push_back(triangle);
-        }
-    });
+    FrameDistance frames;
+    const TriangleTree* tree = frames.tree(design, files);
     map.scale = {MapScale::Kind::Sequential, 1};
-    if (triangles.empty())
+    if (!tree)
         return;
-    const TriangleTree tree(std::move(triangles));
     float most = 1;
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-        const double distance = tree.distance(surface.positions[v], farthestFrame);
+        const double distance = tree->distance(surface.positions[v], farthestFrame);
         if (!(distance < farthestFrame))
             continue;
         map.ofVertex[v] = static_cast<float>(distance);

@@ -100,6 +100,11 @@ TEST(CoverFindings, ACurveThatHoldsTheClothOffTheFrameIsSaid)
     EXPECT_EQ(found[0].kind, FindingKind::OffFrame);
     EXPECT_NEAR(found[0].value, 120, 1);
     EXPECT_TRUE(design.find<FixationCurve>(found[0].element));
+
+    Frame hidden = frame;
+    hidden.hiddenParts = {"Box"};
+    design = design.with({{}, {{id, design.element(id), makeElement(hidden)}}});
+    EXPECT_TRUE(findingsOf(design, below(120)).empty()) << "a part that is hidden is not there";
 }
 
 TEST(CoverFindings, SeamsWithTooMuchEaseAreSaid)
