@@ -23,7 +23,7 @@ constexpr std::uint32_t mostForTwoLevels = 25000; ///< vertices: more give more 
 /// Keeps what belongs to the topology.
 class CoverLink::Maker {
 public:
-    Made operator()(const Wanted& wanted)
+    Made operator()(const Wanted& wanted, const std::stop_token& stop)
     {
         try {
             Made made;
@@ -33,8 +33,9 @@ public:
             else
                 made.cover = m_refiner.refine(wanted.surface, topology.vertexCount() <= mostForTwoLevels ? 2 : 1);
             made.cover = sewn(wanted.design, made.cover);
-            made.trims = m_trims.make(wanted.design, *made.cover);
-            m_last = made;
+            made.trims = m_trims.make(wanted.design, *made.cover, stop);
+            if (!stop.stop_requested())
+                m_last = made;
             return made;
         } catch (const std::exception& problem) {
             qWarning("The cover is shown as it is solved: %s", problem.what());
@@ -71,7 +72,7 @@ private:
 CoverLink::CoverLink(QObject* parent)
     : QObject(parent)
     , m_job([maker = std::make_shared<Maker>()](const Wanted& wanted,
-                                                const std::stop_token&) { return (*maker)(wanted); },
+                                                const std::stop_token& stop) { return (*maker)(wanted, stop); },
             [this](const Made& made) {
                 if (made.cover)
                     emit refined(made.cover, made.trims);

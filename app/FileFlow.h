@@ -3,6 +3,7 @@
 
 #include "Ask.h"
 #include "DesignSession.h"
+#include "FileContent.h"
 #include "SurfaceMesh.h"
 
 #include <QImage>
@@ -55,6 +56,8 @@ public:
 signals:
     /// Something has happened that is worth a line in the status bar.
     void done(const QString& what);
+    /// A frame or a scan is in the design now.
+    void imported(bolster::FileKind kind);
     /// The user wants to see what is wrong.
     void problemsWanted();
     /// The user wants to see what has been done.

@@ -107,6 +107,8 @@ void FileFlow::place(const QString& path, const FileContent& content, const Elem
         const Element placed = *withPlacement(element, dialog->placement());
         if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty())
             failImport(path, problem);
+        else
+            emit imported(fileKind(element));
     });
     openDialog(dialog);
 }

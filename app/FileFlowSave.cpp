@@ -31,7 +31,7 @@ QString whatNoFileHolds(const UnsavedWork& unsaved)
     if (unsaved.names)
         what << FileFlow::tr("names of versions or branches");
     return what.isEmpty() ? FileFlow::tr("The file holds another version of the design than the one you see.")
-                          : FileFlow::tr("In no file yet: %1.").arg(what.join(QStringLiteral(", ")));
+                          : FileFlow::tr("Not saved yet: %1.").arg(what.join(QStringLiteral(", ")));
 }
 
 } // namespace

@@ -44,7 +44,8 @@ void FreeCover::look()
     const bool there = m_view.surface() == m_solver.surface(); // not on its way
     if (m_solver.status().resting && there && !m_moved && m_shown != m_document.revision()) {
         m_shown = m_document.revision();
-        m_view.fitAll();
+        if (!m_view.inPicture(m_solver.surface()->boundingBox()))
+            m_view.fitAll();
     }
 }
 

@@ -231,6 +231,9 @@ void MainWindow::connectViews()
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
     connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
     connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
+    connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
+        (kind == FileKind::Cloud ? m_actions->showScans : m_actions->showFrames)->setChecked(true);
+    });
     connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
 }
 

@@ -154,7 +154,7 @@ void StartHint::addBeginning(QBoxLayout& layout)
     };
     add(QStringLiteral("rectangle"), tr("Rectan&gle"), &StartHint::rectangleWanted);
     add(QStringLiteral("outline"), tr("Ou&tline"), &StartHint::outlineWanted);
-    add(QStringLiteral("import-frame"), tr("&Load frame \u2026"), &StartHint::frameWanted);
+    add(QStringLiteral("import-frame"), tr("&Import frame \u2026"), &StartHint::frameWanted);
     add(QStringLiteral("open"), tr("&Open \u2026"), &StartHint::openWanted);
     row->addStretch();
     layout.addLayout(row);

@@ -1,5 +1,6 @@
 #include "FieldText.h"
 
+#include "BSpline.h"
 #include "ElementText.h"
 #include "Units.h"
 
@@ -174,31 +175,41 @@ private:
 
     static double turn(double w) { return 360 / std::numbers::pi * std::acos(std::clamp(std::abs(w), 0.0, 1.0)); }
 
-    /// What a curve looks like: how many points, and how large.
-    static QString curveText(const QJsonArray& points)
+    template <int Dim>
+    static BSpline<Dim> curveOf(const QJsonObject& object)
     {
-        std::vector<double> low, high;
-        for (const QJsonValue& point : points) {
-            const QJsonArray at = point.toArray();
-            low.resize(static_cast<std::size_t>(at.size()), std::numeric_limits<double>::infinity());
-            high.resize(low.size(), -std::numeric_limits<double>::infinity());
-            for (std::size_t axis = 0; axis < low.size(); ++axis) {
-                const double value = at.at(static_cast<qsizetype>(axis)).toDouble();
-                low[axis] = std::min(low[axis], value);
-                high[axis] = std::max(high[axis], value);
-            }
-        }
+        std::vector<typename BSpline<Dim>::Point> points;
+        for (const QJsonValue& value : object[QStringLiteral("points")].toArray())
+            for (int axis = (points.emplace_back(), 0); axis < Dim; ++axis)
+                points.back()[axis] = value.toArray().at(axis).toDouble();
+        std::vector<int> corners;
+        for (const QJsonValue& corner : object[QStringLiteral("corners")].toArray())
+            corners.push_back(corner.toInt());
+        std::vector<double> knots;
+        for (const QJsonValue& knot : object[QStringLiteral("knots")].toArray())
+            knots.push_back(knot.toDouble());
+        return corners.empty() ? BSpline<Dim>(object[QStringLiteral("degree")].toInt(1),
+                                              object[QStringLiteral("closed")].toBool(), points, knots)
+                               : BSpline<Dim>::withCorners(points, corners);
+    }
+
+    /// What a curve looks like: how many points, and how large it is, which its control points say too much of.
+    template <int Dim>
+    static QString curveText(const QJsonObject& object)
+    {
+        const BSpline<Dim> curve = curveOf<Dim>(object);
+        const typename BSpline<Dim>::Point size = curve.boundingBox().sizes();
         QStringList sizes;
-        for (std::size_t axis = 0; axis < low.size(); ++axis)
-            sizes << decimalText(high[axis] - low[axis], 1, false);
-        return FieldWords::tr("%n points, %1 mm", nullptr, static_cast<int>(points.size()))
+        for (int axis = 0; axis < Dim; ++axis)
+            sizes << decimalText(size[axis], 1, false);
+        return FieldWords::tr("%n points, %1 mm", nullptr, curve.pointCount())
             .arg(sizes.join(QStringLiteral(" \u00d7 ")));
     }
 
     QString objectText(const QJsonObject& object) const
     {
         if (const QJsonArray points = object[QStringLiteral("points")].toArray(); !points.isEmpty())
-            return curveText(points);
+            return points.first().toArray().size() == 3 ? curveText<3>(object) : curveText<2>(object);
         const auto part = [&](const char* key) {
             return ValueWords(m_design, key).text(object[QLatin1String(key)]);
         };

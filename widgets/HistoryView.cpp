@@ -182,7 +182,7 @@ private:
             painter.setFont(font);
             painter.setPen(ink);
             painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
-                             metrics.elidedText(text, Qt::ElideRight, place.width()));
+                             metrics.elidedText(text, Qt::ElideMiddle, place.width()));
             place.setLeft(place.left() + metrics.horizontalAdvance(text) + 8);
         };
         if (!name.isEmpty())

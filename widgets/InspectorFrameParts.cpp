@@ -51,7 +51,10 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
         return; // to hide it all is what hiding the frame is for
     const std::vector<PartLine> lines = linesOf(*pieces);
     const auto size = [&](const FramePiece& piece) {
-        const Vec3 sizes = frame->scale * piece.box.sizes();
+        Box3 placed; // width, depth and height are those of the room
+        for (int corner = 0; corner < 8; ++corner)
+            placed.extend(frame->placed(piece.box.corner(static_cast<Box3::CornerType>(corner))));
+        const Vec3 sizes = placed.sizes();
         return tr("%1 \u00d7 %2 \u00d7 %3 mm")
             .arg(decimalText(sizes.x(), 0, false), decimalText(sizes.y(), 0, false),
                  decimalText(sizes.z(), 0, false));

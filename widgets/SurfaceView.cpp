@@ -398,6 +398,21 @@ void SurfaceView::addScanPairs()
         m_scene.lines.push_back({{on.cast<float>(), of.cast<float>()}, red, 1.2F, 0.25F});
 }
 
+/// A frame stands on the floor, and a cover that hangs a little below it does. Patches that lie anywhere do not
+/// move the floor, nor does a frame that is hidden for a while.
+double SurfaceView::floorUnder(const Box3& shown)
+{
+    bool any = false;
+    m_document.design().each<Frame>([&](ElementId, const Frame&) { any = true; });
+    if (!m_frameBox.isEmpty() || !any)
+        m_standing = m_frameBox;
+    constexpr double skirt = 0.15; // of the frame's size
+    const double lowest = shown.min().z();
+    if (m_standing.isEmpty() || std::abs(lowest - m_standing.min().z()) < skirt * m_standing.diagonal().norm())
+        return lowest;
+    return m_standing.min().z();
+}
+
 void SurfaceView::updateBox()
 {
     Box3 solid;
@@ -413,7 +428,7 @@ void SurfaceView::updateBox()
         for (const Vec3& p : curve.points)
             box.extend(p);
     m_scene.box = box;
-    m_scene.floor = box.isEmpty() ? 0 : (solid.isEmpty() ? box : solid).min().z() - 1;
+    m_scene.floor = box.isEmpty() ? 0 : floorUnder(solid.isEmpty() ? box : solid) - 1;
     if (m_fitPending && !box.isEmpty() && width() > 1 && isVisible()) {
         m_fitPending = false;
         m_camera.look(StandardView::ThreeQuarter);
@@ -527,6 +542,16 @@ void SurfaceView::setStandardView(StandardView view)
         camera.azimuth += frontSide();
     camera.fit(m_scene.box);
     goTo(camera);
+}
+
+bool SurfaceView::inPicture(const Box3& box) const
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto pixel = m_camera.pixel(box.corner(static_cast<Box3::CornerType>(corner)));
+        if (!pixel || !rect().contains(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())))
+            return false;
+    }
+    return true;
 }
 
 void SurfaceView::fitAll()

@@ -107,6 +107,9 @@ public:
     /// The surface is not up to date, or the last good one before a failure.
     void setDimmed(bool dimmed);
 
+    double floorHeight() const { return m_scene.floor; } ///< mm
+    /// All of the box can be seen, but for what stands in front of it.
+    bool inPicture(const Box3& box) const;
     void fitAll();
     void fitSelection(); ///< everything when nothing that is shown is selected
     /// Turns smoothly and fits the whole scene.
@@ -225,6 +228,7 @@ private:
     void placeCrosshair();
     std::optional<CoverPoint> coverPointOf(const SurfaceHit& solid) const;
     void updateBox();
+    double floorUnder(const Box3& shown);
     void draw(bool moving);
     void requestOcclusion();
     /// What of frames is seen beside the cover; made beside the GUI thread.
@@ -267,6 +271,7 @@ private:
     double m_scanOpacity = 1;
     FrameShapes m_frameShapes;
     Box3 m_frameBox;          ///< mm
+    Box3 m_standing;          ///< the same while the frame is hidden, too
     ElementId m_pieceFrame{}; ///< whose piece is marked
     int m_piece = -1;
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam

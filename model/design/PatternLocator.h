@@ -17,8 +17,9 @@ public:
     /// `patch` must be one of the topology's, and have triangles. Both must outlive the locator.
     PatternLocator(const SurfaceTopology& topology, const SurfaceTopology::PatchRange& patch);
 
-    /// The triangle that contains the point (outline coordinates, mm), or the nearest one.
-    PatternPlace locate(const Vec2& p) const;
+    /// The triangle that contains the point (outline coordinates, mm), or the nearest one; of points outside of the
+    /// patch's box that nearest to where they meet the box.
+    PatternPlace locate(const Vec2& point) const;
 
 private:
     std::pair<int, int> cellOf(const Vec2& p) const;

@@ -88,7 +88,7 @@ bool SeamTrims::prepared(const Design& design, const CoverMesh& cover) const
     return m_places && m_places->cover() == cover.topology && m_of == concerned(design);
 }
 
-void SeamTrims::prepare(const Design& design, const CoverMesh& cover)
+void SeamTrims::prepare(const Design& design, const CoverMesh& cover, const std::stop_token& stop)
 {
     m_of = concerned(design);
     m_rows.clear();
@@ -98,6 +98,10 @@ void SeamTrims::prepare(const Design& design, const CoverMesh& cover)
     if (!m_places || m_places->cover() != cover.topology)
         m_places.emplace(cover.topology);
     for (const auto& [id, element] : design.elements()) {
+        if (stop.stop_requested()) {
+            m_places.reset(); // what is there is not all
+            return;
+        }
         addRows(design, id, *element);
         addPipe(design, id, *element);
     }
@@ -176,11 +180,11 @@ void SeamTrims::skinPipe(const Design& design, const CoverMesh& cover, const Pip
     endPart(to);
 }
 
-TrimMeshPtr SeamTrims::make(const Design& design, const CoverMesh& cover)
+TrimMeshPtr SeamTrims::make(const Design& design, const CoverMesh& cover, const std::stop_token& stop)
 {
     if (!prepared(design, cover))
-        prepare(design, cover);
-    if (m_rows.empty() && m_pipes.empty())
+        prepare(design, cover, stop);
+    if (stop.stop_requested() || (m_rows.empty() && m_pipes.empty()))
         return nullptr;
     auto mesh = std::make_shared<TrimMesh>();
     for (const Row& row : m_rows)

@@ -6,6 +6,7 @@
 #include "TrimMesh.h"
 
 #include <optional>
+#include <stop_token>
 
 namespace bolster {
 
@@ -13,8 +14,9 @@ namespace bolster {
 /// alone. Not to be used by two threads at once.
 class SeamTrims {
 public:
-    /// Null when no seam has any. What belongs to patches that the cover does not have is left out.
-    TrimMeshPtr make(const Design& design, const CoverMesh& cover);
+    /// Null when no seam has any, or when it was stopped. What belongs to patches that the cover does not have is
+    /// left out.
+    TrimMeshPtr make(const Design& design, const CoverMesh& cover, const std::stop_token& stop = {});
 
 private:
     /// A run of stitches: stitchPoints places each.
@@ -32,7 +34,7 @@ private:
     };
 
     bool prepared(const Design& design, const CoverMesh& cover) const;
-    void prepare(const Design& design, const CoverMesh& cover);
+    void prepare(const Design& design, const CoverMesh& cover, const std::stop_token& stop);
     void addRows(const Design& design, ElementId id, const Element& element);
     void addPipe(const Design& design, ElementId id, const Element& element);
     void skinRow(const Design& design, const CoverMesh& cover, const Row& row, TrimMesh& to) const;

@@ -75,6 +75,16 @@ TEST(SeamTrims, StitchesLieOnTheCoverInTheirRow)
     }
 }
 
+TEST(SeamTrims, APlaceFarOutsideIsFoundWithoutASearch)
+{
+    const CoverMeshPtr cover = bentPiece();
+    RefinedPlaces places(cover->topology);
+    const ElementId patch = cover->surface->topology->patches.front().patch;
+    const PatternPlace near = places.locate(patch, {-1, 50}), far = places.locate(patch, {-1e9, 50});
+    EXPECT_EQ(near.corners, far.corners);
+    EXPECT_TRUE(near.weights.isApprox(far.weights, 1e-9));
+}
+
 TEST(SeamTrims, TrianglesFaceOutwards)
 {
     SeamTrim trim;
@@ -117,7 +127,11 @@ TEST(SeamTrims, FollowTheCoverAndTheDesign)
     trim.stitch = SeamTrim::Stitch::Single;
     const CoverMeshPtr cover = bentPiece();
     SeamTrims trims;
+    std::stop_source stopped;
+    stopped.request_stop();
+    EXPECT_FALSE(trims.make(trimmedPiece(trim), *cover, stopped.get_token())) << "and what it began is not kept";
     const TrimMeshPtr first = trims.make(trimmedPiece(trim), *cover);
+    ASSERT_TRUE(first);
     CoverMesh moved = *cover;
     for (Eigen::Vector3f& p : moved.points)
         p += Eigen::Vector3f(0, 0, 100);

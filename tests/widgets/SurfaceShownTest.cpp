@@ -319,6 +319,25 @@ TEST_F(SurfaceShown, HandlesAndFancySeamsHaveLayers)
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Cover);
 }
 
+TEST_F(SurfaceShown, TheFloorIsUnderTheFrame)
+{
+    TriangleMesh mesh;
+    mesh.points = {{0, 0, 400}, {2000, 0, 400}, {0, 900, 1200}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.parts = {{"Seat", 0, 1}};
+    const ElementId id{60};
+    view.setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
+    document.reset(document.design().with({{}, {{id, nullptr, makeElement(Frame{})}}}));
+    EXPECT_NEAR(view.floorHeight(), 399, 1e-9) << "the patches hang far below it";
+    view.setHidden({id});
+    EXPECT_NEAR(view.floorHeight(), 399, 1e-9) << "while the frame is hidden, too";
+
+    Box3 seen(Vec3(100, 50, 0), Vec3(200, 100, 20));
+    EXPECT_TRUE(view.inPicture(seen));
+    seen.extend(Vec3(5000, 0, 0));
+    EXPECT_FALSE(view.inPicture(seen));
+}
+
 TEST_F(SurfaceShown, OpacityOfFramesReachesThePicture)
 {
     view.setFrameOpacity(0.9);
