@@ -66,6 +66,8 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 120);
+    for (QWidget* above : std::initializer_list<QWidget*>{m_legend, m_cube, m_sectionPanel})
+        above->raise(); // what comes and goes with the pointer never covers them
     m_scene.colors = ViewColors::of(palette());
     m_flight.setDuration(260);
     m_flight.setEasingCurve(QEasingCurve::InOutCubic);
