@@ -1471,6 +1471,22 @@
         <source>Re-link all poi&amp;nts</source>
         <translation>Alle &amp;Punkte wieder koppeln</translation>
     </message>
+    <message>
+        <source>Colour of the fabric</source>
+        <translation>Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Second colour of the fabric</source>
+        <translation>Zweite Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Colour of the frame</source>
+        <translation>Farbe des Gestells</translation>
+    </message>
+    <message>
+        <source>Colour of the thread</source>
+        <translation>Farbe des Fadens</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -6133,13 +6149,6 @@
     <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::PropertyForm</name>
-    <message>
-        <source>Colour of the fabric</source>
-        <translation>Farbe des Stoffs</translation>
     </message>
 </context>
 <context>

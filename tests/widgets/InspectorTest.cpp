@@ -11,12 +11,14 @@
 #include "TestDesigns.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -77,6 +79,45 @@ protected:
     ProblemSet problems;
     Inspector inspector{document, selection, problems};
 };
+
+TEST_F(InspectorTest, TheColourDialogSaysWhatItColours)
+{
+    const auto titleFor = [this](auto element) {
+        const ElementId id = document.design().nextId();
+        document.commit(edits::addElement(document.design(), makeElement(element)));
+        selection.set({id});
+        for (QToolButton* button : inspector.widget()->findChildren<QToolButton*>())
+            if (button->text().startsWith('#'))
+                button->click();
+        auto* dialog = inspector.widget()->findChild<QColorDialog*>();
+        const QString title = dialog ? dialog->windowTitle() : QString();
+        delete dialog;
+        return title;
+    };
+    EXPECT_EQ(titleFor(Frame()), "Colour of the frame");
+    EXPECT_EQ(titleFor(Fabric()), "Colour of the fabric");
+}
+
+/// At any width that the dock can have.
+TEST_F(InspectorTest, CoordinatesAreShownWhole)
+{
+    selection.set({});
+    const int least = inspector.minimumWidth();
+    for (int width = least; width < least + 160; width += 4) {
+        inspector.resize(width, 900);
+        QCoreApplication::processEvents();
+        const QList<NumberBox*> all = inspector.widget()->findChildren<NumberBox*>();
+        EXPECT_GE(all.size(), 10);
+        for (const NumberBox* box : all) {
+            const QRect place(box->mapTo(inspector.viewport(), QPoint(0, 0)), box->size());
+            EXPECT_TRUE(inspector.viewport()->rect().contains(place)) << width << " " << place.right();
+        }
+        for (const NumberBox* box : boxes("Axis through")) {
+            const QLineEdit* line = box->findChild<QLineEdit*>();
+            EXPECT_GE(line->width(), line->fontMetrics().horizontalAdvance("-214.335") + 4);
+        }
+    }
+}
 
 TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
 {
