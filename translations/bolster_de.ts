@@ -1487,6 +1487,10 @@
         <source>Colour of the thread</source>
         <translation>Farbe des Fadens</translation>
     </message>
+    <message>
+        <source>Show a&amp;ll parts</source>
+        <translation>A&amp;lle Teile zeigen</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -3523,6 +3527,10 @@
     <message>
         <source>Hide a part of %1</source>
         <translation>Einen Teil von %1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show all parts of %1</source>
+        <translation>Alle Teile von %1 zeigen</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -363,6 +364,13 @@ TEST_F(InspectorTest, PartsOfAFrameAreShownAndHidden)
     EXPECT_EQ(cushions->checkState(0), Qt::Unchecked);
     click(cushions->child(0));
     EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"}) << "of a hidden part one piece is shown";
+    const auto buttons = inspector.widget()->findChildren<QPushButton*>();
+    const auto showAll = std::ranges::find(buttons, "Show a&ll parts", &QPushButton::text);
+    ASSERT_NE(showAll, buttons.end());
+    (*showAll)->click();
+    EXPECT_TRUE(hidden().empty());
+    document.undo();
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"});
     document.undo();
     document.undo();
     document.undo();
