@@ -4746,6 +4746,10 @@
         <source>Makes the selected edges as long as the first one, or the second side of a seam as long as its first (%1)</source>
         <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste (%1)</translation>
     </message>
+    <message>
+        <source>Own c&amp;olours of scans</source>
+        <translation>Eigene &amp;Farben der Scans</translation>
+    </message>
 </context>
 <context>
     <name>bolster::Banner</name>

@@ -48,7 +48,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_selection(selection)
     , m_layers{Layer::Cover,          Layer::Checker,      Layer::Seams,      Layer::Frames,
                Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams, Layer::Scans,
-               Layer::Ground,         Layer::Twins,        Layer::Symmetry}
+               Layer::ScanColors,     Layer::Ground,       Layer::Twins,      Layer::Symmetry}
     , m_frameShapes([this] { draw(false); })
     , m_cube(new SurfaceViewCube(this))
     , m_legend(new MapLegend(this))
@@ -301,7 +301,8 @@ void SurfaceView::updateScans()
     m_scanPoints.update(m_document.design(), m_files);
     m_scene.points.clear();
     if (layerVisible(Layer::Scans) && !m_scene.map) // which says more, and would be hidden
-        m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors, m_hidden);
+        m_scene.points =
+            m_scanPoints.looks(m_selection.elements(), m_scene.colors, m_hidden, layerVisible(Layer::ScanColors));
     cutPoints();
 }
 
