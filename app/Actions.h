@@ -61,6 +61,7 @@ public:
     QAction* showLabels;
     QAction* showScans;
     QAction* showScanPairs;
+    QAction* showScanColors;
     QAction* showDeviation;
     QList<QAction*> maps; ///< data: CoverMap::Kind
     QAction* showSpotList;

@@ -99,7 +99,7 @@ private:
         layers->addSeparator();
         layers->addActions({m_actions.showTwins, m_actions.showSymmetry});
         layers->addSeparator();
-        layers->addAction(m_actions.showScanPairs);
+        layers->addActions({m_actions.showScanPairs, m_actions.showScanColors});
         QMenu* map = menu->addMenu(tr("&Map"));
         map->addActions(m_actions.maps);
         map->addAction(m_actions.showDeviation);

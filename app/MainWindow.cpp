@@ -154,6 +154,7 @@ void MainWindow::connectDocument()
         m_surface->setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
         m_inspector->setFiles(m_session->files());
+        m_actions->showScanColors->setVisible(m_surface->hasScanColors());
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
@@ -245,6 +246,7 @@ void MainWindow::designOpened()
     m_solver->forget(m_session->files());
     m_fitCover = true;
     m_surface->setFiles(m_session->files());
+    m_actions->showScanColors->setVisible(m_surface->hasScanColors());
     m_pattern->fitAll();
     m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
     updateTitle();

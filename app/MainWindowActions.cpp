@@ -114,7 +114,8 @@ void MainWindow::connectViewActions()
          {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames, m_actions->showPoints,
           m_actions->showSeams, m_actions->showCurves, m_actions->showGrid, m_actions->showLabels,
           m_actions->showHandles, m_actions->showFancySeams, m_actions->showScans, m_actions->showScanPairs,
-          m_actions->showGround, m_actions->showField, m_actions->showTwins, m_actions->showSymmetry})
+          m_actions->showScanColors, m_actions->showGround, m_actions->showField, m_actions->showTwins,
+          m_actions->showSymmetry})
         connect(toggle, &QAction::toggled, this, &MainWindow::applyLayers);
     connect(m_actions->showDeviation, &QAction::toggled, this, &MainWindow::showMeasured);
     for (QAction* action : m_actions->themes)
@@ -149,6 +150,7 @@ void MainWindow::applyLayers()
     m_surface->setLayerVisible(Layer::FancySeams, m_actions->showFancySeams->isChecked());
     m_surface->setLayerVisible(Layer::Scans, m_actions->showScans->isChecked());
     m_surface->setLayerVisible(Layer::ScanPairs, m_actions->showScanPairs->isChecked());
+    m_surface->setLayerVisible(Layer::ScanColors, m_actions->showScanColors->isChecked());
     m_surface->setLayerVisible(Layer::Twins, m_actions->showTwins->isChecked());
     m_surface->setLayerVisible(Layer::Symmetry, m_actions->showSymmetry->isChecked());
     m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());

@@ -1471,6 +1471,26 @@
         <source>Re-link all poi&amp;nts</source>
         <translation>Alle &amp;Punkte wieder koppeln</translation>
     </message>
+    <message>
+        <source>Colour of the fabric</source>
+        <translation>Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Second colour of the fabric</source>
+        <translation>Zweite Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Colour of the frame</source>
+        <translation>Farbe des Gestells</translation>
+    </message>
+    <message>
+        <source>Colour of the thread</source>
+        <translation>Farbe des Fadens</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll parts</source>
+        <translation>A&amp;lle Teile zeigen</translation>
+    </message>
 </context>
 <context>
     <name>MainMenu</name>
@@ -3508,6 +3528,10 @@
         <source>Hide a part of %1</source>
         <translation>Einen Teil von %1 ausblenden</translation>
     </message>
+    <message>
+        <source>Show all parts of %1</source>
+        <translation>Alle Teile von %1 zeigen</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -4721,6 +4745,10 @@
     <message>
         <source>Makes the selected edges as long as the first one, or the second side of a seam as long as its first (%1)</source>
         <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste (%1)</translation>
+    </message>
+    <message>
+        <source>Own c&amp;olours of scans</source>
+        <translation>Eigene &amp;Farben der Scans</translation>
     </message>
 </context>
 <context>
@@ -6133,13 +6161,6 @@
     <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::PropertyForm</name>
-    <message>
-        <source>Colour of the fabric</source>
-        <translation>Farbe des Stoffs</translation>
     </message>
 </context>
 <context>

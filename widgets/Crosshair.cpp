@@ -36,7 +36,6 @@ void Crosshair::showAt(const std::optional<QPointF>& pixel, bool faint)
     m_rest = *pixel - place;
     move(place - QPoint(crossReach, crossReach));
     show();
-    raise();
     update();
 }
 

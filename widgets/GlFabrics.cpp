@@ -1,5 +1,10 @@
 #include "GlFabrics.h"
 
+#include "LinearLight.h"
+#include "MipTaps.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bolster {
@@ -8,16 +13,76 @@ namespace {
 
 constexpr float fineAnisotropy = 8;
 
+/// Colours are averaged as light.
+struct MipLevel {
+    int width = 0, height = 0;
+    std::vector<Eigen::Array4f> texels;
+};
+
+MipLevel halfOf(const MipLevel& finer)
+{
+    const auto at = [](const auto& texels, int width, int x, int y) -> auto&
+    {
+        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    };
+    MipLevel half{std::max(1, finer.width / 2), std::max(1, finer.height / 2), {}};
+    std::vector<Eigen::Array4f> narrow; // first along the rows, then down them
+    for (int y = 0; y < finer.height; ++y)
+        for (int x = 0; x < half.width; ++x) {
+            narrow.emplace_back(Eigen::Array4f::Zero());
+            eachMipTap(x, half.width, finer.width,
+                       [&](int i, float share) { narrow.back() += share * at(finer.texels, finer.width, i, y); });
+        }
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x) {
+            half.texels.emplace_back(Eigen::Array4f::Zero());
+            eachMipTap(y, half.height, finer.height,
+                       [&](int i, float share) { half.texels.back() += share * at(narrow, half.width, x, i); });
+        }
+    return half;
+}
+
+MipLevel finestOf(const FabricMaps& maps, const std::vector<std::uint8_t>& rgba, bool colors)
+{
+    MipLevel level{maps.width, maps.height, {}};
+    level.texels.reserve(rgba.size() / 4);
+    std::array<float, 256> light{};
+    for (std::size_t i = 0; i < light.size(); ++i)
+        light[i] = colors ? toLinear(static_cast<float>(i) / 255) : static_cast<float>(i) / 255;
+    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4)
+        level.texels.emplace_back(light[rgba[i]], light[rgba[i + 1]], light[rgba[i + 2]],
+                                  static_cast<float>(rgba[i + 3]) / 255);
+    return level;
+}
+
+std::vector<std::uint8_t> bytesOf(const MipLevel& level, bool colors)
+{
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(4 * level.texels.size());
+    for (const Eigen::Array4f& texel : level.texels)
+        for (Eigen::Index c = 0; c < 4; ++c) {
+            const float share = colors && c < 3 ? toEncoded(texel[c]) : texel[c];
+            rgba.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.F, 1.F))));
+        }
+    return rgba;
+}
+
 std::unique_ptr<QOpenGLTexture> tiled(const FabricMaps& maps, QOpenGLTexture::TextureFormat format,
                                       const std::vector<std::uint8_t>& rgba)
 {
+    const bool colors = format == QOpenGLTexture::SRGB8_Alpha8;
     auto texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+    texture->setAutoMipMapGenerationEnabled(false);
     texture->setSize(maps.width, maps.height);
     texture->setFormat(format);
     texture->setMipLevels(texture->maximumMipLevels());
     texture->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8);
     texture->setData(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, rgba.data());
-    texture->generateMipMaps();
+    MipLevel level = finestOf(maps, rgba, colors);
+    for (int i = 1; i < texture->mipLevels(); ++i) {
+        level = halfOf(level);
+        texture->setData(i, QOpenGLTexture::RGBA, QOpenGLTexture::UInt8, bytesOf(level, colors).data());
+    }
     texture->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
     texture->setWrapMode(QOpenGLTexture::Repeat);
     return texture;

@@ -2,13 +2,23 @@
 
 namespace bolster {
 
+namespace {
+
+struct GlPoint {
+    Eigen::Vector3f at;
+    Eigen::Vector4f color; ///< premultiplied
+};
+
+} // namespace
+
 GlPoints::GlPoints(GlFunctions& gl)
     : m_gl(gl)
-    , m_program("point.vert", "plain.frag")
+    , m_program("point.vert", "point.frag")
 {
     m_array.create();
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
-    bindColumns(gl, m_vertices, 3 * sizeof(float), {{0, 3, GL_FLOAT, 0}});
+    bindColumns(gl, m_vertices, sizeof(GlPoint),
+                {{0, 3, GL_FLOAT, offsetof(GlPoint, at)}, {1, 4, GL_FLOAT, offsetof(GlPoint, color)}});
 }
 
 void GlPoints::update(const SurfaceScene& scene)
@@ -16,9 +26,14 @@ void GlPoints::update(const SurfaceScene& scene)
     if (scene.points == m_looks)
         return;
     m_looks = scene.points;
-    std::vector<Eigen::Vector3f> all;
+    std::vector<GlPoint> all;
     for (const SurfaceScene::PointsLook& look : m_looks)
-        all.insert(all.end(), look.points->begin(), look.points->end());
+        for (std::size_t i = 0; i < look.points->size(); ++i) {
+            const QColor color = look.colorOf(i);
+            const float alpha = color.alphaF();
+            all.push_back({(*look.points)[i], Eigen::Vector4f(alpha * color.redF(), alpha * color.greenF(),
+                                                              alpha * color.blueF(), alpha)});
+        }
     m_vertices.put(all, QOpenGLBuffer::StaticDraw);
 }
 
@@ -33,9 +48,6 @@ void GlPoints::draw(const GlView& view)
     m_gl.glEnable(GL_BLEND);
     GLint first = 0;
     for (const SurfaceScene::PointsLook& look : m_looks) {
-        const float alpha = look.color.alphaF();
-        m_program.set("flatColor", QColor::fromRgbF(look.color.redF() * alpha, look.color.greenF() * alpha,
-                                                    look.color.blueF() * alpha, alpha));
         m_program.set("size", look.size * view.pixelRatio);
         const auto count = static_cast<GLsizei>(look.points->size());
         m_gl.glDrawArrays(GL_POINTS, first, count);

@@ -108,7 +108,7 @@ void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
     const std::optional<Kind> kind = sharedLook(fabric, [](const FabricLook& l) { return l.kind; });
     addFabricKind(form, ids);
     form.addColor(
-        tr("Colour"),
+        tr("Colour"), tr("Colour of the fabric"),
         [fabric] { return fabric.shared([](const Fabric& f) { return QColor(QString::fromStdString(f.color)); }); },
         [fabric](const QColor& color) {
             fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
@@ -116,7 +116,7 @@ void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
         });
     if (kind && kind != Kind::Plain && kind != Kind::Image) {
         form.addColor(
-            secondColorLabel(kind),
+            secondColorLabel(kind), tr("Second colour of the fabric"),
             [fabric] {
                 return fabric.shared(
                     [](const Fabric& f) { return QColor(QString::fromStdString(secondColorShown(f))); });

@@ -20,7 +20,7 @@ void InspectorForms::addFrameMaterial(PropertyForm& form, const Ids& ids) const
             });
         });
     form.addColor(
-        tr("Colour"),
+        tr("Colour"), tr("Colour of the frame"),
         [frame] {
             return frame.shared(
                 [](const Frame& f) { return QColor(QString::fromStdString(colorShown(f.material))); });

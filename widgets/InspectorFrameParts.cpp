@@ -99,6 +99,11 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
         m_pointAtPiece(id, one ? static_cast<int>(lines[static_cast<std::size_t>(at)].pieces.front()) : -1);
     };
     form.addChecks(tr("Parts"), checks, read, write, pointed);
+    form.addButton(tr("Show a&ll parts"), [subject] {
+        if (!subject.now().hiddenParts.empty())
+            subject.change(QT_TRANSLATE_NOOP("Message", "Show all parts of %1"),
+                           [](Frame& f) { f.hiddenParts.clear(); });
+    });
     form.addNote([] {
         return tr("Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor "
                   "cushioning nor contact knows them.");

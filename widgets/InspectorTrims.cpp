@@ -43,7 +43,7 @@ public:
     void thread(const QString& label, const char* verb) const
     {
         m_form.addColor(
-            label,
+            label, InspectorForms::tr("Colour of the thread"),
             [s = m_subject] {
                 return s.shared([](const T& t) { return QColor(QString::fromStdString(t.trim.thread)); });
             },

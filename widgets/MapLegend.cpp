@@ -84,10 +84,8 @@ void MapLegend::paintEvent(QPaintEvent*)
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    QColor back = palette().color(QPalette::Window);
-    back.setAlphaF(0.88F);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(back);
+    painter.setBrush(palette().color(QPalette::Window)); // names of patches below it would be read with it
     painter.drawRoundedRect(rect(), 6, 6);
 
     const int line = fontMetrics().height();

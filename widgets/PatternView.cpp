@@ -48,6 +48,7 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(200, 160);
+    m_legend->raise(); // above the cross-hair
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&document, &Document::changed, this, &PatternView::designChanged);
     const auto selectionChanged = [this] {

@@ -45,7 +45,6 @@ void PointerNote::showNote(const std::optional<SurfaceNote>& note)
         at.setY(static_cast<int>(note->beside.y()) - noteGap - height());
     move(std::max(0, at.x()), std::max(0, at.y()));
     show();
-    raise();
     update();
 }
 

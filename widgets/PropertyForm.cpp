@@ -133,6 +133,13 @@ void PropertyForm::addField(const QString& label, QWidget* field, std::function<
         m_layout->addRow(label, field);
 }
 
+void PropertyForm::addLabelAbove(const QString& label, QWidget* field)
+{
+    auto* text = new QLabel(label, this);
+    text->setBuddy(field);
+    m_layout->addRow(text);
+}
+
 void PropertyForm::addHeading(const QString& text, const QIcon& sign)
 {
     auto* row = new QWidget(this);
@@ -227,9 +234,7 @@ void PropertyForm::addChecks(const QString& label, const std::vector<Check>& che
     connect(list, &QTreeWidget::itemChanged, this, [write](QTreeWidgetItem* item) {
         write(item->data(0, CheckList::number).toInt(), item->checkState(0) == Qt::Checked);
     });
-    auto* heading = new QLabel(label, this);
-    heading->setBuddy(list);
-    m_layout->addRow(heading);
+    addLabelAbove(label, list);
     addField({}, list, [list, items, read] {
         const QSignalBlocker quiet(list);
         const std::vector<Qt::CheckState> states = read();
@@ -298,14 +303,17 @@ void PropertyForm::addNumbers(const QString& label, const NumberBox::Range& rang
     for (int i = 0; i < count; ++i) {
         auto* box = new NumberBox(bare, row);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        // Coordinates of a room in full; where that is too wide the label goes above.
+        // Coordinates of a room in full.
         box->setMinimumWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("-8888.888")) + 14);
         connect(box, &NumberBox::entered, this, [i, write](double value) { write(i, value); });
         layout->addWidget(box, 1);
         boxes.push_back(box);
     }
     const QString unit = range.unit.trimmed();
-    addField(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit), row, [boxes, read] {
+    // Always above: beside a long label the row would be wider than the panel.
+    row->setFocusProxy(boxes.front());
+    addLabelAbove(unit.isEmpty() ? label : QStringLiteral("%1, %2").arg(label, unit), row);
+    addField({}, row, [boxes, read] {
         for (std::size_t i = 0; i < boxes.size(); ++i)
             boxes[i]->display(read(static_cast<int>(i)));
     });
@@ -342,15 +350,16 @@ void PropertyForm::addChoice(const QString& label, const QStringList& choices, c
     });
 }
 
-void PropertyForm::addColor(const QString& label, const std::function<std::optional<QColor>()>& read,
+void PropertyForm::addColor(const QString& label, const QString& title,
+                            const std::function<std::optional<QColor>()>& read,
                             const std::function<void(const QColor&)>& write)
 {
     auto* button = new QToolButton(this);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setIconSize({18, 18});
-    connect(button, &QToolButton::clicked, this, [this, read, write] {
+    connect(button, &QToolButton::clicked, this, [this, title, read, write] {
         auto* dialog = new QColorDialog(read().value_or(Qt::white), this);
-        dialog->setWindowTitle(tr("Colour of the fabric"));
+        dialog->setWindowTitle(title);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         // Later: the edit can end this form, and the dialog with it.
         connect(dialog, &QColorDialog::colorSelected, this, write, Qt::QueuedConnection);

@@ -41,7 +41,7 @@ public:
     void addSlider(const QString& label, const NumberBox::Range& range, double low, double high,
                    const std::function<std::optional<double>()>& read, const std::function<void(double)>& write,
                    const std::function<void(double)>& preview, const std::function<void()>& finish);
-    /// Several numbers in a row; both functions get the place in the row.
+    /// Several numbers in a row below the label; both functions get the place in the row.
     void addNumbers(const QString& label, const NumberBox::Range& range, int count,
                     const std::function<std::optional<double>(int)>& read,
                     const std::function<void(int, double)>& write);
@@ -58,7 +58,8 @@ public:
     /// -1: none of them, or several.
     void addChoice(const QString& label, const QStringList& choices, const std::function<int()>& read,
                    const std::function<void(int)>& write);
-    void addColor(const QString& label, const std::function<std::optional<QColor>()>& read,
+    /// `title`, of the dialog, says what is coloured.
+    void addColor(const QString& label, const QString& title, const std::function<std::optional<QColor>()>& read,
                   const std::function<void(const QColor&)>& write);
     void addButton(const QString& text, const std::function<void()>& pressed);
 
@@ -68,6 +69,7 @@ public:
 
 private:
     void addField(const QString& label, QWidget* field, std::function<void()> show);
+    void addLabelAbove(const QString& label, QWidget* field);
 
     QFormLayout* m_layout;
     std::vector<std::function<void()>> m_shows;

@@ -1,5 +1,7 @@
 #include "ScanPoints.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
@@ -34,6 +36,8 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
 {
     Placed placed;
     Points kept, cut;
+    Colors keptColors, fewColors;
+    const bool colored = cloud->colors.size() == cloud->points.size();
     const std::size_t step = 1 + cloud->points.size() / mostPoints;
     for (std::size_t i = 0; i < cloud->points.size(); i += step) {
         const Vec3 at = scan.placed(cloud->points[i]);
@@ -41,11 +45,20 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
         (gone ? cut : kept).push_back(at.cast<float>());
         if (!gone)
             placed.box.extend(at);
+        if (!gone && colored)
+            keptColors.push_back(cloud->colors[i]);
     }
     Points few;
     const std::size_t stride = 1 + kept.size() / fewPoints;
-    for (std::size_t i = 0; i < kept.size(); i += stride)
+    for (std::size_t i = 0; i < kept.size(); i += stride) {
         few.push_back(kept[i]);
+        if (colored)
+            fewColors.push_back(keptColors[i]);
+    }
+    if (colored) {
+        placed.keptColors = std::make_shared<const Colors>(std::move(keptColors));
+        placed.fewColors = std::make_shared<const Colors>(std::move(fewColors));
+    }
     placed.few = std::make_shared<const Points>(std::move(few));
     placed.scan = scan;
     placed.cloud = std::move(cloud);
@@ -55,8 +68,8 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
 }
 
 std::vector<SurfaceScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& selected,
-                                                        const ViewColors& colors,
-                                                        const std::set<ElementId>& hidden) const
+                                                        const ViewColors& colors, const std::set<ElementId>& hidden,
+                                                        bool own) const
 {
     std::vector<SurfaceScene::PointsLook> looks;
     for (const auto& [id, placed] : m_scans) {
@@ -64,10 +77,12 @@ std::vector<SurfaceScene::PointsLook> ScanPoints::looks(const std::set<ElementId
             continue;
         const QColor plain = colors.dark ? QColor(0x6f, 0xb6, 0xe8) : QColor(0x1f, 0x6f, 0xa8);
         if (!selected.contains(id)) {
-            looks.push_back({placed.few, plain, 1.6F});
+            looks.push_back(
+                {placed.few, plain, own && placed.fewColors ? 2.2F : 1.6F, own ? placed.fewColors : nullptr});
             continue;
         }
-        looks.push_back({placed.kept, colors.accent, 1.4F});
+        looks.push_back({placed.kept, colors.accent, own && placed.keptColors ? 2.2F : 1.4F,
+                         own ? placed.keptColors : nullptr});
         QColor faint = colors.mutedLabel;
         faint.setAlphaF(0.35F);
         if (!placed.cut->empty())
@@ -80,6 +95,11 @@ Box3 ScanPoints::box(ElementId scan) const
 {
     const auto found = m_scans.find(scan);
     return found == m_scans.end() ? Box3() : found->second.box;
+}
+
+bool ScanPoints::hasColors() const
+{
+    return std::ranges::any_of(m_scans, [](const auto& scan) { return scan.second.fewColors != nullptr; });
 }
 
 Box3 ScanPoints::box() const

@@ -14,21 +14,24 @@ namespace bolster {
 class ScanPoints {
 public:
     void update(const Design& design, const DesignFiles& files);
-    /// Of the selected ones what is cut away is shown, too, dimmed.
+    /// Of the selected ones what is cut away is shown, too, dimmed. With `own` points that have a colour show it.
     std::vector<SurfaceScene::PointsLook> looks(const std::set<ElementId>& selected, const ViewColors& colors,
-                                                const std::set<ElementId>& hidden) const;
+                                                const std::set<ElementId>& hidden, bool own) const;
     /// Of what is not cut away, mm.
     Box3 box(ElementId scan) const;
     Box3 box() const;
+    bool hasColors() const; ///< some scan's points have
 
 private:
     using Points = std::vector<Eigen::Vector3f>;
+    using Colors = std::vector<std::uint32_t>;
     struct Placed {
         Scan scan;
         std::shared_ptr<const PointCloud> cloud;
         std::shared_ptr<const Points> kept;
         std::shared_ptr<const Points> few; ///< of those that are kept
         std::shared_ptr<const Points> cut;
+        std::shared_ptr<const Colors> keptColors, fewColors; ///< null: it has none
         Box3 box;
     };
 

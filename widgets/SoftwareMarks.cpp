@@ -97,15 +97,22 @@ void paintDot(QPainter& painter, const SurfaceDot& dot, const Camera& camera, co
 void paintPoints(QPainter& painter, const SurfaceScene::PointsLook& look, const Camera& camera,
                  const Hiding& hiding)
 {
+    const auto width = static_cast<double>(look.size);
     QPolygonF shown;
-    for (const Eigen::Vector3f& p : *look.points) {
-        const Vec3 point = p.cast<double>();
-        const std::optional<Vec2> at = camera.pixel(point);
-        if (at && !hiding.hides(point, *at))
-            shown.append({at->x(), at->y()});
-    }
     painter.setOpacity(1);
-    painter.setPen(QPen(look.color, static_cast<double>(look.size)));
+    for (std::size_t i = 0; i < look.points->size(); ++i) {
+        const Vec3 point = (*look.points)[i].cast<double>();
+        const std::optional<Vec2> at = camera.pixel(point);
+        if (!at || hiding.hides(point, *at))
+            continue;
+        if (!look.own) {
+            shown.append({at->x(), at->y()});
+            continue;
+        }
+        painter.setPen(QPen(look.colorOf(i), width));
+        painter.drawPoint(QPointF(at->x(), at->y()));
+    }
+    painter.setPen(QPen(look.color, width));
     painter.drawPoints(shown);
 }
 

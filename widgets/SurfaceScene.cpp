@@ -4,6 +4,15 @@
 
 namespace bolster {
 
+QColor SurfaceScene::PointsLook::colorOf(std::size_t point) const
+{
+    if (!own)
+        return color;
+    QColor shade = QColor::fromRgb((*own)[point]);
+    shade.setAlphaF(color.alphaF());
+    return shade;
+}
+
 const SurfaceScene::PatchLook* SurfaceScene::look(ElementId patch) const
 {
     const auto found = std::find_if(patches.begin(), patches.end(),

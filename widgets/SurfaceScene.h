@@ -47,7 +47,11 @@ struct SurfaceScene {
     struct PointsLook {
         std::shared_ptr<const std::vector<Eigen::Vector3f>> points; ///< mm
         QColor color;
-        float size = 2; ///< pixels
+        float size = 2;                                             ///< pixels
+        std::shared_ptr<const std::vector<std::uint32_t>> own = {}; ///< 0xRRGGBB of each; null: all in `color`
+
+        /// As opaque as `color`.
+        QColor colorOf(std::size_t point) const;
 
         friend bool operator==(const PointsLook&, const PointsLook&) = default;
     };

@@ -48,7 +48,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     , m_selection(selection)
     , m_layers{Layer::Cover,          Layer::Checker,      Layer::Seams,      Layer::Frames,
                Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams, Layer::Scans,
-               Layer::Ground,         Layer::Twins,        Layer::Symmetry}
+               Layer::ScanColors,     Layer::Ground,       Layer::Twins,      Layer::Symmetry}
     , m_frameShapes([this] { draw(false); })
     , m_cube(new SurfaceViewCube(this))
     , m_legend(new MapLegend(this))
@@ -66,6 +66,8 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(160, 120);
+    for (QWidget* above : std::initializer_list<QWidget*>{m_legend, m_cube, m_sectionPanel})
+        above->raise(); // what comes and goes with the pointer never covers them
     m_scene.colors = ViewColors::of(palette());
     m_flight.setDuration(260);
     m_flight.setEasingCurve(QEasingCurve::InOutCubic);
@@ -299,7 +301,8 @@ void SurfaceView::updateScans()
     m_scanPoints.update(m_document.design(), m_files);
     m_scene.points.clear();
     if (layerVisible(Layer::Scans) && !m_scene.map) // which says more, and would be hidden
-        m_scene.points = m_scanPoints.looks(m_selection.elements(), m_scene.colors, m_hidden);
+        m_scene.points =
+            m_scanPoints.looks(m_selection.elements(), m_scene.colors, m_hidden, layerVisible(Layer::ScanColors));
     cutPoints();
 }
 

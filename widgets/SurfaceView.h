@@ -58,6 +58,7 @@ public:
         FancySeams,
         Scans,
         ScanPairs,
+        ScanColors, ///< of scans whose points have colours of their own
         Ground,
         Field,
         Twins,   ///< the mirror image of what is selected
@@ -95,6 +96,8 @@ public:
     /// What the map says under the pointer.
     void setMapReading(const QString& reading);
     /// Which points of a scan belong to which places of the cover, mm: shown as lines.
+    /// Whether points of some scan have colours of their own.
+    bool hasScanColors() const { return m_scanPoints.hasColors(); }
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
     /// A box around a piece of a frame (FramePieces), hidden or not; -1: none.
     void showFramePiece(bolster::ElementId frame, int piece);

@@ -15,6 +15,18 @@ namespace {
 
 constexpr double nearlyThere = 3; // mm: what is so near hides nothing
 
+void cutLook(SurfaceScene::PointsLook& look, const SectionPlane& section)
+{
+    if (look.own) {
+        std::vector<std::uint32_t> own;
+        for (std::size_t i = 0; i < look.own->size(); ++i)
+            if (section.keeps((*look.points)[i].cast<double>()))
+                own.push_back((*look.own)[i]);
+        look.own = std::make_shared<const std::vector<std::uint32_t>>(std::move(own));
+    }
+    look.points = std::make_shared<const std::vector<Eigen::Vector3f>>(keptPoints(*look.points, section));
+}
+
 } // namespace
 
 void SurfaceView::showFramePiece(ElementId frame, int piece)
@@ -188,8 +200,7 @@ void SurfaceView::cutPoints()
     for (SurfaceScene::PointsLook& look : m_scene.points) {
         look.color.setAlphaF(look.color.alphaF() * static_cast<float>(m_scanOpacity));
         if (m_scene.section)
-            look.points =
-                std::make_shared<const std::vector<Eigen::Vector3f>>(keptPoints(*look.points, *m_scene.section));
+            cutLook(look, *m_scene.section);
     }
 }
 

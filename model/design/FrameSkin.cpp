@@ -14,7 +14,8 @@ using Vec3f = Eigen::Vector3f;
 
 constexpr float foamGives = 120;      ///< mm: how far a cover presses a frame down at most
 constexpr float straightAbove = 0.8F; ///< cosine between the cover and the way to what it presses
-constexpr float notOpposite = -0.3F;  ///< the same beside a ridge, where both may be square to each other
+constexpr float notOpposite = -0.8F;  ///< the same beside a ridge, where a frame's lip may look down on the cover
+constexpr float onEdge = 0.01F;       ///< mm: what is nearer to an edge lies on it
 constexpr float facesAlike = 0.35F;   ///< cosine between a frame and the cover that lies on it
 constexpr double longestEdge = 12;    ///< mm of triangles that bend with the cover
 constexpr std::size_t mostSkinTriangles = 300000;
@@ -177,25 +178,55 @@ std::vector<std::uint8_t> grainAxes(const TriangleMesh& mesh)
     return axes;
 }
 
+/// Which edges of each triangle no other one has, beginning with that from its first corner.
+std::vector<std::array<bool, 3>> rimsOf(const std::vector<SurfaceRays::Triangle>& triangles)
+{
+    std::vector<SkinMesh::Edge> edges;
+    const auto edge = [](const SurfaceRays::Triangle& t, std::size_t i) -> SkinMesh::Edge {
+        return std::minmax(t[i], t[(i + 1) % 3]);
+    };
+    for (const SurfaceRays::Triangle& t : triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            edges.push_back(edge(t, i));
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::array<bool, 3>> rims;
+    for (const SurfaceRays::Triangle& t : triangles) {
+        rims.push_back({});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [from, to] = std::equal_range(edges.begin(), edges.end(), edge(t, i));
+            rims.back()[i] = to - from < 2;
+        }
+    }
+    return rims;
+}
+
 } // namespace
 
 FrameSkins::FrameSkins(const SurfaceMesh* cover)
 {
     if (!cover)
         return;
-    std::vector<Vec3f> points;
+    const std::vector<std::uint32_t> sewn = weldedPoints(cover->positions);
     for (const Vec3& p : cover->positions)
-        points.emplace_back(p.cast<float>());
+        m_points.emplace_back(p.cast<float>());
+    m_normals.assign(m_points.size(), Vec3f::Zero());
     for (const auto& t : cover->topology->triangles) {
-        m_faces.emplace_back((points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized());
-        for (const std::uint32_t corner : t)
-            if (points[corner].allFinite())
-                m_box.extend(points[corner]);
+        m_triangles.push_back({sewn[t[0]], sewn[t[1]], sewn[t[2]]});
+        const Vec3f normal = (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]);
+        m_faces.push_back(normal.normalized());
+        for (const std::uint32_t corner : m_triangles.back()) {
+            m_normals[corner] += normal;
+            if (m_points[corner].allFinite())
+                m_box.extend(m_points[corner]);
+        }
     }
     if (m_box.isEmpty())
         return;
+    for (Vec3f& normal : m_normals)
+        normal.normalize();
     m_depth = std::min(4.F, 0.01F * m_box.diagonal().norm());
-    m_rays.build(std::move(points), cover->topology->triangles);
+    m_rims = rimsOf(m_triangles);
+    m_rays.build(m_points, m_triangles);
     m_box.extend(Vec3f(m_box.min() - Vec3f::Constant(foamGives)));
     m_box.extend(Vec3f(m_box.max() + Vec3f::Constant(foamGives)));
 }
@@ -218,10 +249,40 @@ FrameSkins::Vec3f FrameSkins::pressed(const Vec3f& point, const Vec3f& outward) 
     if (!near)
         return point;
     const Vec3f& face = m_faces[near->triangle];
-    const Vec3f away = point - near->point;
-    if (face.dot(outward) > notOpposite && face.dot(away) > straightAbove * away.norm())
-        return near->point - m_depth * face;
-    return point;
+    const Vec3f away = point - near->point, normal = normalAt(*near);
+    const bool above = onRim(*near) ? face.dot(away) > straightAbove * away.norm() : normal.dot(away) > 0;
+    return above && normal.dot(outward) > notOpposite ? Vec3f(near->point - m_depth * normal) : point;
+}
+
+/// On a ridge between the normals of both sides.
+FrameSkins::Vec3f FrameSkins::normalAt(const SurfaceRays::Nearest& near) const
+{
+    const auto corners = cornersOf(near.triangle);
+    const auto area = [&](std::size_t i) {
+        return (corners[(i + 1) % 3] - near.point).cross(corners[(i + 2) % 3] - near.point).norm();
+    };
+    Vec3f sum = Vec3f::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += area(i) * m_normals[m_triangles[near.triangle][i]];
+    return sum.squaredNorm() > 0 ? Vec3f(sum.normalized()) : m_faces[near.triangle];
+}
+
+/// Whether the cover ends there: what is nearest to its rim may lie beside it as well as above.
+bool FrameSkins::onRim(const SurfaceRays::Nearest& near) const
+{
+    const auto corners = cornersOf(near.triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3f along = corners[(i + 1) % 3] - corners[i], to = near.point - corners[i];
+        if (m_rims[near.triangle][i] && to.cross(along).norm() < onEdge * along.norm())
+            return true;
+    }
+    return false;
+}
+
+std::array<FrameSkins::Vec3f, 3> FrameSkins::cornersOf(std::uint32_t triangle) const
+{
+    const auto& t = m_triangles[triangle];
+    return {m_points[t[0]], m_points[t[1]], m_points[t[2]]};
 }
 
 FrameSkinPtr FrameSkins::skin(const TriangleMesh& mesh, const Placement& placement,

@@ -6,6 +6,7 @@
 #include "SurfaceRays.h"
 #include "TriangleMesh.h"
 
+#include <array>
 #include <memory>
 #include <stop_token>
 #include <vector>
@@ -39,11 +40,18 @@ private:
     using Vec3f = Eigen::Vector3f;
 
     Vec3f pressed(const Vec3f& point, const Vec3f& outward) const;
+    Vec3f normalAt(const SurfaceRays::Nearest& near) const;
+    bool onRim(const SurfaceRays::Nearest& near) const;
+    std::array<Vec3f, 3> cornersOf(std::uint32_t triangle) const;
 
     Eigen::AlignedBox3f m_box; ///< where it presses; empty without a cover
     SurfaceRays m_rays;
-    std::vector<Vec3f> m_faces; ///< unit normals of the cover's triangles
-    float m_depth = 0;          ///< mm below the cover
+    std::vector<Vec3f> m_points;                    ///< of the cover, mm
+    std::vector<SurfaceRays::Triangle> m_triangles; ///< of the cover, sewn: one point for those at the same place
+    std::vector<Vec3f> m_faces;                     ///< unit normals of the triangles
+    std::vector<Vec3f> m_normals;                   ///< and of the points
+    std::vector<std::array<bool, 3>> m_rims;        ///< where the cover ends
+    float m_depth = 0;                              ///< mm below the cover
 };
 
 } // namespace bolster

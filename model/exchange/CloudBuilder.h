@@ -5,6 +5,8 @@
 #include "FileBytes.h"
 #include "MeshBuilder.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 inline constexpr std::uint64_t largestCloudCount = 2'000'000'000; ///< points in a file
@@ -24,14 +26,14 @@ public:
     }
 
     /// Leaves out what is not finite; refuses what is too large, and more points than the limit.
-    void addPoint(const Vec3& point, FilePlace place)
+    void addPoint(const Vec3& point, FilePlace place, std::optional<std::uint32_t> color = {})
     {
         if (!point.allFinite())
             return;
         if (!(point.array().abs() <= largestMeshCoordinate).all())
             refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
         requireRoom(m_thinner.count() + 1, place);
-        m_thinner.add(point);
+        m_thinner.add(point, color);
     }
 
     /// Refuses an empty one.
@@ -39,7 +41,11 @@ public:
     {
         if (m_thinner.count() == 0)
             refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 holds no points"));
-        return m_thinner.take();
+        PointCloud cloud = m_thinner.take();
+        // Some programs write black for what they do not know; of three numbers behind a point some are normals.
+        if (std::ranges::none_of(cloud.colors, [](std::uint32_t color) { return (color & 0xfefefeU) != 0; }))
+            cloud.colors = {};
+        return cloud;
     }
 
 private:

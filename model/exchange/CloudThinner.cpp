@@ -56,19 +56,22 @@ void CloudThinner::reserve(std::uint64_t count)
     m_cloud.points.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, m_most)));
 }
 
-void CloudThinner::add(const Vec3& point)
+void CloudThinner::add(const Vec3& point, std::optional<std::uint32_t> color)
 {
     if (++m_count % pointsBetweenChecks == 0)
         m_watch.checkStop();
+    m_colored = color && (m_colored || m_count == 1);
+    if (!m_colored)
+        m_cloud.colors = {};
     if (m_taken.empty()) {
         if (!isFull()) {
             grow();
-            m_cloud.points.push_back(point);
+            append(point, color);
             return;
         }
         chooseGrid();
     }
-    while (!keep(point)) {
+    while (!keep(point, color)) {
         m_cloud.spacing *= 2;
         thin();
     }
@@ -84,6 +87,13 @@ PointCloud CloudThinner::take()
     return std::move(m_cloud);
 }
 
+void CloudThinner::append(const Vec3& point, std::optional<std::uint32_t> color)
+{
+    m_cloud.points.push_back(point);
+    if (m_colored)
+        m_cloud.colors.push_back(*color);
+}
+
 /// Of many points all that may come get their room at once, before it is used: moving them again and again could
 /// not be stopped.
 void CloudThinner::grow()
@@ -92,6 +102,8 @@ void CloudThinner::grow()
     std::vector<Vec3>& points = m_cloud.points;
     if (points.size() == points.capacity() && points.size() >= many)
         points.reserve(m_most);
+    if (m_colored && m_cloud.colors.size() == m_cloud.colors.capacity() && points.size() >= many)
+        m_cloud.colors.reserve(m_most);
 }
 
 void CloudThinner::shrink()
@@ -106,6 +118,7 @@ void CloudThinner::shrink()
         fitting.insert(fitting.end(), from, from + static_cast<std::ptrdiff_t>(count));
     }
     m_cloud.points = std::move(fitting);
+    m_cloud.colors.shrink_to_fit();
 }
 
 /// The finest one that leaves some room.
@@ -165,10 +178,14 @@ void CloudThinner::thin()
             const std::size_t slot = slotOf(point);
             if (m_taken[slot] != 0)
                 continue;
+            if (m_colored)
+                m_cloud.colors[kept] = m_cloud.colors[i];
             points[kept++] = point;
             m_taken[slot] = static_cast<std::uint32_t>(kept);
         }
         points.resize(kept);
+        if (m_colored)
+            m_cloud.colors.resize(kept);
         fits = kept < m_most;
         if (!fits)
             m_cloud.spacing *= 2;
@@ -176,14 +193,14 @@ void CloudThinner::thin()
 }
 
 /// False when the cube is free but there is no room for its point.
-bool CloudThinner::keep(const Vec3& point)
+bool CloudThinner::keep(const Vec3& point, std::optional<std::uint32_t> color)
 {
     const std::size_t slot = slotOf(point);
     if (m_taken[slot] != 0)
         return true;
     if (isFull())
         return false;
-    m_cloud.points.push_back(point);
+    append(point, color);
     m_taken[slot] = static_cast<std::uint32_t>(m_cloud.points.size());
     return true;
 }

@@ -4,6 +4,8 @@
 #include "ImportWatch.h"
 #include "PointCloud.h"
 
+#include <optional>
+
 namespace bolster {
 
 /// As long as there are no more than the limit, all stay, bit for bit. Then a grid is chosen, and each of its cubes
@@ -15,17 +17,18 @@ public:
 
     std::uint64_t count() const { return m_count; } ///< that came in
     void reserve(std::uint64_t count);
-    /// Finite ones, at most 1e7.
-    void add(const Vec3& point);
+    /// Finite ones, at most 1e7. Colours, 0xRRGGBB, are kept while every point has one.
+    void add(const Vec3& point, std::optional<std::uint32_t> color = {});
     PointCloud take();
 
 private:
+    void append(const Vec3& point, std::optional<std::uint32_t> color);
     void grow();
     void shrink();
     void chooseGrid();
     void emptyCubes();
     void thin();
-    bool keep(const Vec3& point);
+    bool keep(const Vec3& point, std::optional<std::uint32_t> color);
     std::size_t slotOf(const Vec3& point) const;
     std::size_t estimateCubes(double edge) const;
     bool isFull() const { return m_cloud.points.size() == m_most; }
@@ -34,6 +37,7 @@ private:
     ImportWatch m_watch;
     std::uint64_t m_count = 0;
     PointCloud m_cloud;
+    bool m_colored = false;
     std::vector<std::uint32_t> m_taken; // open addressing: index of the cube's point + 1, or 0
     std::uint64_t m_seed;               // random, so that no file can be made to collide
 };

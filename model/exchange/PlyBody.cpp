@@ -96,6 +96,22 @@ std::vector<int> PlyBody::axes(const PlyElement& element)
     return axisOf;
 }
 
+std::vector<int> PlyBody::colorShifts(const PlyElement& element)
+{
+    std::vector<int> shifts(element.properties.size(), -1);
+    const auto red = element.find("red", "diffuse_red"), green = element.find("green", "diffuse_green"),
+               blue = element.find("blue", "diffuse_blue");
+    const auto isByte = [&](const std::optional<std::size_t>& k) {
+        return k && !element.properties[*k].countType && element.properties[*k].type == PlyType::Uint8;
+    };
+    if (isByte(red) && isByte(green) && isByte(blue)) {
+        shifts[*red] = 16;
+        shifts[*green] = 8;
+        shifts[*blue] = 0;
+    }
+    return shifts;
+}
+
 double PlyBody::binaryNumber(PlyType type)
 {
     switch (type) {

@@ -35,28 +35,36 @@ public:
             m_surplus = !m_text.restOfLine().empty();
     }
 
-    /// Calls add(point, place) for each row of an element with x, y and z.
+    /// Calls add(point, place, color) for each row of an element with x, y and z; the colour, 0xRRGGBB, where it
+    /// has bytes red, green and blue.
     template <class Add>
     void eachPoint(const PlyElement& element, const Add& add)
     {
         const std::vector<int> axisOf = axes(element);
+        const std::vector<int> shiftOf = colorShifts(element);
+        const bool colored = std::ranges::any_of(shiftOf, [](int shift) { return shift >= 0; });
         for (std::uint64_t i = 0; i < element.count; ++i) {
             const FilePlace where = place();
             Vec3 point;
+            std::uint32_t color = 0;
             for (std::size_t k = 0; k < axisOf.size(); ++k) {
                 if (axisOf[k] >= 0)
                     point[axisOf[k]] = number(element.properties[k].type);
+                else if (shiftOf[k] >= 0)
+                    color |= (static_cast<std::uint32_t>(integer(PlyType::Uint8)) & 0xffU) << shiftOf[k];
                 else
                     skip(element.properties[k]);
             }
             endRow();
-            add(point, where);
+            add(point, where, colored ? std::optional(color) : std::nullopt);
         }
     }
 
 private:
     void require(std::uint64_t rows, std::uint64_t binaryBytesPerRow, std::uint64_t wordsPerRow) const;
     static std::vector<int> axes(const PlyElement& element);
+    /// By how many bits each column is shifted in a colour; -1 where it is none.
+    static std::vector<int> colorShifts(const PlyElement& element);
     double binaryNumber(PlyType type);
     bool rowsHaveLines();
 

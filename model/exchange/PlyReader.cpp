@@ -34,7 +34,12 @@ template <class Builder>
 void readVertices(PlyBody& body, const PlyElement& element, Builder& builder)
 {
     builder.reservePoints(element.count, body.place());
-    body.eachPoint(element, [&](const Vec3& point, FilePlace place) { builder.addPoint(point, place); });
+    body.eachPoint(element, [&](const Vec3& point, FilePlace place, std::optional<std::uint32_t> color) {
+        if constexpr (std::is_same_v<Builder, CloudBuilder>)
+            builder.addPoint(point, place, color);
+        else
+            builder.addPoint(point, place);
+    });
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "FabricSampler.h"
 
+#include "MipTaps.h"
 #include "Srgb.h"
 
 #include <algorithm>
@@ -44,14 +45,6 @@ int wrapped(int i, int count)
     return i < 0 ? i + count : i;
 }
 
-/// The texels under [from, to) and how much of each.
-template <class Work>
-void overlaps(double from, double to, int count, const Work& work)
-{
-    for (int i = static_cast<int>(from); i < count && i < to; ++i)
-        work(i, std::min<double>(to, i + 1) - std::max<double>(from, i));
-}
-
 } // namespace
 
 FabricSampler::FabricSampler(const FabricMaps& maps)
@@ -90,19 +83,17 @@ FabricSampler::Level FabricSampler::finest(const FabricMaps& maps)
 FabricSampler::Level FabricSampler::half(const Level& finer)
 {
     Level level{std::max(1, finer.width / 2), std::max(1, finer.height / 2), {}};
-    const double stepX = static_cast<double>(finer.width) / level.width;
-    const double stepY = static_cast<double>(finer.height) / level.height;
     for (int row = 0; row < level.height; ++row)
         for (int column = 0; column < level.width; ++column) {
             Numbers sum = Numbers::Zero();
-            overlaps(row * stepY, (row + 1) * stepY, finer.height, [&](int y, double part) {
-                overlaps(column * stepX, (column + 1) * stepX, finer.width, [&](int x, double share) {
-                    sum += static_cast<float>(part * share) *
+            eachMipTap(row, level.height, finer.height, [&](int y, float part) {
+                eachMipTap(column, level.width, finer.width, [&](int x, float share) {
+                    sum += part * share *
                            read(finer.texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(finer.width) +
                                              static_cast<std::size_t>(x)]);
                 });
             });
-            level.texels.push_back(stored(sum / static_cast<float>(stepX * stepY)));
+            level.texels.push_back(stored(sum));
         }
     return level;
 }

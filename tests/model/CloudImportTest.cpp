@@ -41,6 +41,31 @@ TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
     expectRefused("a.abc", "1 2 3\n", "PLY, XYZ and PCD");
 }
 
+TEST_F(CloudImportTest, KeepsTheColoursOfPoints)
+{
+    using Colors = std::vector<std::uint32_t>;
+    const auto colors = [this](const QString& name, std::string_view bytes) {
+        const ImportedCloud imported = importCloud(write(name, bytes));
+        return imported.cloud ? imported.cloud->colors : Colors();
+    };
+    const Colors both = {0xff8000, 0x0102ff};
+    EXPECT_EQ(colors("a.xyz", "1 2 3 255 128 0\n4 5 6 1 2 255\n"), both);
+    EXPECT_EQ(colors("a.xyz", "1 2 3 -812 255 128 0\n4 5 6 90 1 2 255\n"), both) << "behind a brightness";
+    EXPECT_EQ(colors("a.xyz", "1 2 3 0 0 1\n4 5 6 0 1 0\n"), Colors()) << "normals";
+    EXPECT_EQ(colors("a.xyz", "1 2 3 255 128 0\n4 5 6\n"), Colors()) << "not all have one";
+    const std::string header = "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+                               "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+    EXPECT_EQ(colors("a.ply", "ply\nformat ascii 1.0\n" + header + "1 2 3 255 128 0\n4 5 6 1 2 255\n"), both);
+    std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header;
+    for (const std::uint32_t color : both) {
+        for (int axis = 0; axis < 3; ++axis)
+            append(bytes, 1.0F);
+        for (const int shift : {16, 8, 0})
+            append(bytes, static_cast<std::uint8_t>(color >> shift));
+    }
+    EXPECT_EQ(colors("a.ply", bytes), both);
+}
+
 TEST_F(CloudImportTest, ReadsEveryFormOfPlyWithAndWithoutFaces)
 {
     const std::string properties = "element vertex 2\nproperty float x\nproperty uchar red\nproperty float y\n"

@@ -11,12 +11,15 @@
 #include "TestDesigns.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -77,6 +80,45 @@ protected:
     ProblemSet problems;
     Inspector inspector{document, selection, problems};
 };
+
+TEST_F(InspectorTest, TheColourDialogSaysWhatItColours)
+{
+    const auto titleFor = [this](auto element) {
+        const ElementId id = document.design().nextId();
+        document.commit(edits::addElement(document.design(), makeElement(element)));
+        selection.set({id});
+        for (QToolButton* button : inspector.widget()->findChildren<QToolButton*>())
+            if (button->text().startsWith('#'))
+                button->click();
+        auto* dialog = inspector.widget()->findChild<QColorDialog*>();
+        const QString title = dialog ? dialog->windowTitle() : QString();
+        delete dialog;
+        return title;
+    };
+    EXPECT_EQ(titleFor(Frame()), "Colour of the frame");
+    EXPECT_EQ(titleFor(Fabric()), "Colour of the fabric");
+}
+
+/// At any width that the dock can have.
+TEST_F(InspectorTest, CoordinatesAreShownWhole)
+{
+    selection.set({});
+    const int least = inspector.minimumWidth();
+    for (int width = least; width < least + 160; width += 4) {
+        inspector.resize(width, 900);
+        QCoreApplication::processEvents();
+        const QList<NumberBox*> all = inspector.widget()->findChildren<NumberBox*>();
+        EXPECT_GE(all.size(), 10);
+        for (const NumberBox* box : all) {
+            const QRect place(box->mapTo(inspector.viewport(), QPoint(0, 0)), box->size());
+            EXPECT_TRUE(inspector.viewport()->rect().contains(place)) << width << " " << place.right();
+        }
+        for (const NumberBox* box : boxes("Axis through")) {
+            const QLineEdit* line = box->findChild<QLineEdit*>();
+            EXPECT_GE(line->width(), line->fontMetrics().horizontalAdvance("-214.335") + 4);
+        }
+    }
+}
 
 TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)
 {
@@ -341,6 +383,13 @@ TEST_F(InspectorTest, PartsOfAFrameAreShownAndHidden)
     EXPECT_EQ(cushions->checkState(0), Qt::Unchecked);
     click(cushions->child(0));
     EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"}) << "of a hidden part one piece is shown";
+    const auto buttons = inspector.widget()->findChildren<QPushButton*>();
+    const auto showAll = std::ranges::find(buttons, "Show a&ll parts", &QPushButton::text);
+    ASSERT_NE(showAll, buttons.end());
+    (*showAll)->click();
+    EXPECT_TRUE(hidden().empty());
+    document.undo();
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Cushions#2"});
     document.undo();
     document.undo();
     document.undo();

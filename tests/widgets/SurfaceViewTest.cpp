@@ -1,6 +1,8 @@
 #include "SurfaceView.h"
+#include "Crosshair.h"
 #include "Document.h"
 #include "Picture.h"
+#include "PointerNote.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "SurfaceSetup.h"
@@ -521,6 +523,21 @@ TEST_F(SurfaceViewTest, CubeTurnsTheView)
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, -1, 0), 1e-6); }));
     onCube.drag({50, 50}, {70, 40});
     EXPECT_LT(view.camera().azimuth, -0.1);
+}
+
+TEST_F(SurfaceViewTest, NothingCoversTheCube)
+{
+    const auto* cube = view.findChild<SurfaceViewCube*>();
+    const QPoint middle = cube->geometry().center();
+    const auto shown = [&] { return view.grab(QRect(middle - QPoint(4, 4), QSize(9, 9))).toImage(); };
+    const QImage before = shown();
+    auto* cross = view.findChild<Crosshair*>();
+    cross->showAt(QPointF(middle));
+    EXPECT_TRUE(cross->isVisible());
+    EXPECT_EQ(shown(), before);
+    auto* note = view.findChild<PointerNote*>();
+    note->showNote(SurfaceNote{"Left patch", QPointF(middle) - QPointF(20, 20)});
+    EXPECT_EQ(shown(), before);
 }
 
 TEST_F(SurfaceViewTest, FitSelectionComesCloser)
