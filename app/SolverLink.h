@@ -7,7 +7,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QTimer>
 
 #include <functional>
 #include <memory>
@@ -73,7 +72,6 @@ private:
     SolveReport m_report;
     std::uint64_t m_answered = 0; ///< revision that the surface answers
     bool m_sentPassing = false;   ///< the last request belonged to a gesture
-    QTimer m_gestureWatch;        ///< for the end of one that changes nothing
     bool m_paused = false;
     struct Waiting {
         QPointer<QObject> context;
