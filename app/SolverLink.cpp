@@ -6,12 +6,12 @@
 
 namespace bolster {
 
-SolverLink::SolverLink(Document& document, QObject* parent)
+SolverLink::SolverLink(Document& document, QObject* parent, std::shared_ptr<RestingCache> kept)
     : QObject(parent)
     , m_document(document)
     , m_glide([this](const SurfaceMeshPtr& surface) { emit surfaceShown(surface); })
     , m_thread(std::make_unique<SolverThread>(
-          [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }))
+          [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }, std::move(kept)))
 {
     connect(&document, &Document::changed, this, &SolverLink::send);
     connect(&document, &Document::gestureEnded, this, &SolverLink::sendAfterGesture);
