@@ -124,7 +124,7 @@ void askForOneOf(QWidget* window, const QString& title, const QString& label, co
 
 ProgressWindow openProgress(QWidget* window, const QString& text, int steps)
 {
-    constexpr int moment = 400; // ms
+    constexpr int moment = 200; // ms
     auto* dialog = new QProgressDialog(text, Ask::tr("Cancel"), 0, steps, window);
     auto* bar = new QProgressBar(dialog);
     bar->setRange(0, steps);

@@ -5,6 +5,7 @@
 #include "FabricLink.h"
 #include "FieldText.h"
 #include "PatternView.h"
+#include "SolverLink.h"
 #include "SurfaceView.h"
 #include "Translated.h"
 #include "VersionEdits.h"
@@ -36,7 +37,7 @@ CompareWindow::CompareWindow(Document& document, FilesOf filesOf, FabricLink& fa
     , m_document(document)
     , m_filesOf(std::move(filesOf))
     , m_fabrics(fabrics)
-    , m_left(new VersionPane)
+    , m_left(new VersionPane(solver.kept()))
     , m_right(new VersionPane)
     , m_list(new QTreeWidget)
     , m_take(new QPushButton(tr("&Take from there")))

@@ -25,7 +25,8 @@ class CompareWindow : public QWidget {
 
 public:
     using FilesOf = std::function<DesignFiles(const Design& design)>; ///< as far as they have been read
-    /// `solver` is that of the document, so the present version is not computed twice.
+    /// `solver` is that of the document: neither the present version is computed twice, nor another one that it
+    /// still has the surface of.
     CompareWindow(Document& document, FilesOf filesOf, FabricLink& fabrics, SolverLink& solver,
                   QWidget* parent = nullptr);
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stop_token>
 
 namespace bolster {
 
@@ -50,8 +51,9 @@ public:
         ToLook ///< without its path: Save asks where
     };
     /// A sample is opened to look. On failure everything stays as it was. What was changed while the file was read
-    /// is asked about by `replace`.
-    void open(const QString& path, Opening opening, const Replace& replace, const Done& done);
+    /// is asked about by `replace`. When stopped, nothing happens, and `done` is not called.
+    void open(const QString& path, Opening opening, const Replace& replace, const Done& done,
+              std::stop_token stop = {});
     /// Goes on with what a crash has left, or what was kept for later.
     void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done);
     /// As a project, with its whole history, or as a text (".json"): the design alone, with its files beside it.

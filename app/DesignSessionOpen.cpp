@@ -89,7 +89,8 @@ DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
     return readProject(std::move(taken), std::move(own));
 }
 
-void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done)
+void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done,
+                         std::stop_token stop)
 {
     const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
@@ -97,26 +98,28 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
         if (!looksLikeProject(file))
             return Opened{openDesign(file), {}, {}};
         return readProject(WorkJournal::takeProject(file), OwnFolder::make());
-    }).then(this, [this, file, opening, generation, before = now(), replace, done](const Opened& opened) {
-        if (generation != m_generation)
-            return; // something else was opened meanwhile
-        if (!opened.design.readable) {
-            done(opened.design.problems.empty()
-                     ? Message{QT_TRANSLATE_NOOP("Message", "the file is not a design"), {}}
-                     : opened.design.problems.front().message);
-            return;
-        }
-        takeUnlessChanged(before, replace, [this, file, opening, opened, done] {
-            const bool look = opening == Opening::ToLook || isSample(file);
-            take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
-            m_onlyToLook = opening == Opening::ToLook;
-            if (m_onlyToLook)
-                emit titleChanged();
-            if (opened.journal.journal)
-                goToLastPlace();
-            done({});
+    })
+        .then(this, [this, file, opening, generation, before = now(), replace, done,
+                     stop = std::move(stop)](const Opened& opened) {
+            if (generation != m_generation || stop.stop_requested())
+                return; // something else was opened meanwhile, or this is not wanted any more
+            if (!opened.design.readable) {
+                done(opened.design.problems.empty()
+                         ? Message{QT_TRANSLATE_NOOP("Message", "the file is not a design"), {}}
+                         : opened.design.problems.front().message);
+                return;
+            }
+            takeUnlessChanged(before, replace, [this, file, opening, opened, done] {
+                const bool look = opening == Opening::ToLook || isSample(file);
+                take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
+                m_onlyToLook = opening == Opening::ToLook;
+                if (m_onlyToLook)
+                    emit titleChanged();
+                if (opened.journal.journal)
+                    goToLastPlace();
+                done({});
+            });
         });
-    });
 }
 
 void DesignSession::restore(const WorkJournal::Left& left, const Replace& replace, const Done& done)

@@ -94,10 +94,30 @@ void FileFlow::openNow(const QString& path, const Then& opened)
     });
 }
 
+/// Until the design is there, whoever opens it.
+QPointer<QProgressDialog> FileFlow::showReading(const QString& path, std::stop_source stop)
+{
+    closeProgress(m_reading);
+    m_reading = openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(path).fileName())).dialog;
+    connect(m_reading, &QProgressDialog::canceled, this, [this, stop]() mutable {
+        stop.request_stop();
+        closeProgress(m_reading);
+    });
+    connect(&m_session, &DesignSession::opened, m_reading,
+            [reading = m_reading.data()] { closeProgress(reading); });
+    return m_reading;
+}
+
 void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const Then& opened)
 {
-    const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.open(path, opening, replace, [this, path, opened](const Message& problem) {
+    const std::stop_source stop;
+    const auto reading = showReading(path, stop);
+    const auto replace = [this, reading](const Then& then) {
+        closeProgress(reading);
+        keepWork(then);
+    };
+    const auto done = [this, path, opened, reading](const Message& problem) {
+        closeProgress(reading);
         if (!problem.empty()) {
             offerSalvage(path, problem);
             return;
@@ -107,7 +127,8 @@ void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const
         announceProblems();
         if (opened)
             opened();
-    });
+    };
+    m_session.open(path, opening, replace, done, stop.get_token());
 }
 
 void FileFlow::announceProblems()

@@ -9,6 +9,9 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QPointer>
+#include <QProgressDialog>
+
+#include <stop_token>
 
 class QMenu;
 class QWidget;
@@ -74,6 +77,7 @@ private:
     void offerSalvage(const QString& path, const Message& problem);
     void salvage(const QString& path);
     void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
+    QPointer<QProgressDialog> showReading(const QString& path, std::stop_source stop);
     void openAs(const QString& path, DesignSession::Opening opening, const Then& opened);
     void saveTo(const QString& path, const Then& then);
     void saveCopyTo(const QString& path, const SaveOptions& options);
@@ -99,8 +103,9 @@ private:
     DesignSession& m_session;
     QWidget* m_window;
     Banner* m_banner;
-    QPointer<QMessageBox> m_question; ///< what becomes of unsaved work
-    int m_restored = 0;               ///< number of what the banner says about it
+    QPointer<QMessageBox> m_question;    ///< what becomes of unsaved work
+    QPointer<QProgressDialog> m_reading; ///< of the design that is being opened
+    int m_restored = 0;                  ///< number of what the banner says about it
 };
 
 } // namespace bolster

@@ -2,28 +2,19 @@
 
 #include "Document.h"
 
-#include <chrono>
 #include <utility>
 
 namespace bolster {
 
-namespace {
-
-constexpr auto gestureWatch = std::chrono::milliseconds(30);
-
-} // namespace
-
-SolverLink::SolverLink(Document& document, QObject* parent)
+SolverLink::SolverLink(Document& document, QObject* parent, std::shared_ptr<RestingCache> kept)
     : QObject(parent)
     , m_document(document)
     , m_glide([this](const SurfaceMeshPtr& surface) { emit surfaceShown(surface); })
     , m_thread(std::make_unique<SolverThread>(
-          [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }))
+          [this] { QMetaObject::invokeMethod(this, &SolverLink::receive, Qt::QueuedConnection); }, std::move(kept)))
 {
     connect(&document, &Document::changed, this, &SolverLink::send);
-    m_gestureWatch.setInterval(gestureWatch);
-    connect(&document, &Document::historyChanged, this, &SolverLink::sendAfterGesture);
-    connect(&m_gestureWatch, &QTimer::timeout, this, &SolverLink::sendAfterGesture);
+    connect(&document, &Document::gestureEnded, this, &SolverLink::sendAfterGesture);
 }
 
 SolverLink::~SolverLink() = default;
@@ -63,10 +54,6 @@ void SolverLink::send()
     if (m_paused || m_document.breakage()) // the last good surface stays until the gesture is sound again
         return;
     m_sentPassing = m_document.gestureRunning();
-    if (m_sentPassing)
-        m_gestureWatch.start();
-    else
-        m_gestureWatch.stop();
     m_thread->request({m_document.design(), m_files}, m_document.revision(), m_sentPassing);
 }
 
@@ -76,7 +63,6 @@ void SolverLink::sendAfterGesture()
 {
     if (!m_sentPassing || m_document.gestureRunning())
         return;
-    m_gestureWatch.stop();
     send();
 }
 

@@ -7,7 +7,6 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QTimer>
 
 #include <functional>
 #include <memory>
@@ -16,12 +15,15 @@
 namespace bolster {
 
 class Document;
+class RestingCache;
 
 class SolverLink : public QObject {
     Q_OBJECT
 
 public:
-    explicit SolverLink(Document& document, QObject* parent = nullptr);
+    /// `kept`: of another one, which has surfaces of the same design's versions.
+    explicit SolverLink(Document& document, QObject* parent = nullptr,
+                        std::shared_ptr<RestingCache> kept = nullptr);
     ~SolverLink() override;
 
     /// The newest one; null before the first, and while there is nothing to solve. During a gesture it is the live
@@ -30,6 +32,10 @@ public:
     const SolverStatus& status() const { return m_status; }
     /// Of the surface, as of when it last came to rest.
     const SolveReport& report() const { return m_report; }
+    /// Document::revision() of the design that surface() is of.
+    std::uint64_t designRevision() const { return m_answered; }
+    /// For others that solve versions of this design.
+    const std::shared_ptr<RestingCache>& kept() const { return m_thread->kept(); }
     /// The design that `surface()` is of, or that cannot be solved, is the present one.
     bool upToDate() const;
     /// surface() is the resting surface of the present design, and no gesture is running.
@@ -73,7 +79,6 @@ private:
     SolveReport m_report;
     std::uint64_t m_answered = 0; ///< revision that the surface answers
     bool m_sentPassing = false;   ///< the last request belonged to a gesture
-    QTimer m_gestureWatch;        ///< for the end of one that changes nothing
     bool m_paused = false;
     struct Waiting {
         QPointer<QObject> context;

@@ -15,9 +15,9 @@
 
 namespace bolster {
 
-VersionPane::VersionPane(QWidget* parent)
+VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     : QWidget(parent)
-    , m_solver(std::make_unique<SolverLink>(m_document))
+    , m_solver(std::make_unique<SolverLink>(m_document, nullptr, std::move(kept)))
     , m_covers(std::make_unique<CoverLink>())
     , m_title(new QLabel)
     , m_views(new QSplitter(Qt::Vertical))

@@ -19,6 +19,7 @@ namespace bolster {
 
 class PatternView;
 class CoverLink;
+class RestingCache;
 class SolverLink;
 class SurfaceView;
 struct DesignFiles;
@@ -28,7 +29,8 @@ class VersionPane : public QWidget {
     Q_OBJECT
 
 public:
-    explicit VersionPane(QWidget* parent = nullptr);
+    /// `kept`: what another solver has solved already.
+    explicit VersionPane(std::shared_ptr<RestingCache> kept = nullptr, QWidget* parent = nullptr);
     ~VersionPane() override;
 
     void setVersion(const QString& title, const Design& design, const DesignFiles& files);

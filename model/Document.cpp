@@ -154,6 +154,7 @@ void Document::cancelGesture()
     std::exchange(m_gesture, nullptr)->m_document = nullptr;
     m_breakage.reset();
     show(m_base);
+    emit gestureEnded();
 }
 
 void Document::show(Design design)

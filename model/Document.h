@@ -88,6 +88,9 @@ signals:
     /// The history is another one now. Comes before historyChanged.
     void historyReplaced();
     void dirtyChanged(bool dirty);
+    /// A gesture was committed, taken back or came to nothing: design() is committed() again. Comes last, also when
+    /// nothing has changed.
+    void gestureEnded();
     /// An edit was not made: a gesture that would have broken something, or what cannot be stored.
     void refused(const bolster::Message& why);
     /// An edit was made, or came to nothing, with a note to its maker.

@@ -47,6 +47,7 @@ void Gesture::commit()
     }
     document.m_gesture = nullptr;
     document.commit(std::move(m_edit));
+    emit document.gestureEnded();
 }
 
 void Gesture::cancel()

@@ -23,6 +23,12 @@ std::size_t bytesOf(const RestingSurface& kept)
 
 RestingSurfacePtr RestingCache::find(const SolveInput& input)
 {
+    const std::scoped_lock lock(m_mutex);
+    return findLocked(input);
+}
+
+RestingSurfacePtr RestingCache::findLocked(const SolveInput& input)
+{
     const auto found = std::ranges::find_if(m_surfaces, [&](const RestingSurfacePtr& kept) {
         return planSolve(kept->input, input) == SolvePlan::Nothing;
     });
@@ -35,7 +41,8 @@ RestingSurfacePtr RestingCache::find(const SolveInput& input)
 void RestingCache::keep(RestingSurface surface)
 {
     auto kept = std::make_shared<const RestingSurface>(std::move(surface));
-    if (find(kept->input))
+    const std::scoped_lock lock(m_mutex);
+    if (findLocked(kept->input))
         m_surfaces.front() = std::move(kept);
     else
         m_surfaces.push_front(std::move(kept));
@@ -46,6 +53,18 @@ void RestingCache::keep(RestingSurface surface)
         return ++count > least && bytes > m_most;
     });
     m_surfaces.erase(last, m_surfaces.end());
+}
+
+void RestingCache::clear()
+{
+    const std::scoped_lock lock(m_mutex);
+    m_surfaces.clear();
+}
+
+std::size_t RestingCache::count() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_surfaces.size();
 }
 
 } // namespace bolster

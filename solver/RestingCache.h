@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <list>
 #include <memory>
+#include <mutex>
 
 namespace bolster {
 
@@ -23,6 +24,7 @@ struct RestingSurface {
 };
 using RestingSurfacePtr = std::shared_ptr<const RestingSurface>;
 
+/// Several solver threads may share one.
 class RestingCache {
 public:
     /// `most`: bytes; the two surfaces used last are kept however large they are, so that a drag can be cancelled.
@@ -35,10 +37,13 @@ public:
     RestingSurfacePtr find(const SolveInput& input);
     /// Replaces one of the same design.
     void keep(RestingSurface surface);
-    void clear() { m_surfaces.clear(); }
-    std::size_t count() const { return m_surfaces.size(); }
+    void clear();
+    std::size_t count() const;
 
 private:
+    RestingSurfacePtr findLocked(const SolveInput& input);
+
+    mutable std::mutex m_mutex;
     std::list<RestingSurfacePtr> m_surfaces; ///< the one used last first
     std::size_t m_most;
 };

@@ -4,8 +4,8 @@
 
 namespace bolster {
 
-SolverThread::SolverThread(std::function<void()> wake)
-    : m_worker(std::make_unique<SolverWorker>(std::move(wake)))
+SolverThread::SolverThread(std::function<void()> wake, std::shared_ptr<RestingCache> kept)
+    : m_worker(std::make_unique<SolverWorker>(std::move(wake), std::move(kept)))
     , m_thread([worker = m_worker.get()](std::stop_token stop) { worker->run(stop); })
 {}
 
@@ -25,6 +25,11 @@ std::optional<SolverOutput> SolverThread::take()
 {
     std::optional<SolverOutput> output = m_worker->out().take();
     return output && output->opening == m_opening ? std::move(output) : std::nullopt;
+}
+
+const std::shared_ptr<RestingCache>& SolverThread::kept() const
+{
+    return m_worker->kept();
 }
 
 } // namespace bolster

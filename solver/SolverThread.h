@@ -48,13 +48,15 @@ struct SolverOutput {
     FieldPicturePtr field; ///< the forces that act on it; null: none, or not asked for
 };
 
+class RestingCache;
 class SolverWorker;
 
 /// Owns the worker. Not copyable; the destructor stops and joins.
 class SolverThread {
 public:
-    /// `wake` is called on the worker when an output waits and none was waiting before.
-    explicit SolverThread(std::function<void()> wake);
+    /// `wake` is called on the worker when an output waits and none was waiting before. `kept`: of another thread,
+    /// whose resting surfaces are found there and which gets those that are solved here; none: its own.
+    explicit SolverThread(std::function<void()> wake, std::shared_ptr<RestingCache> kept = nullptr);
     ~SolverThread();
     SolverThread(const SolverThread&) = delete;
     SolverThread& operator=(const SolverThread&) = delete;
@@ -70,6 +72,7 @@ public:
     void drawField(bool on);
     /// The newest output, once.
     std::optional<SolverOutput> take();
+    const std::shared_ptr<RestingCache>& kept() const;
 
 private:
     int m_opening = 0;

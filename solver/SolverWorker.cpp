@@ -18,9 +18,10 @@ constexpr std::size_t mostKept = std::size_t(256) << 20; // bytes
 
 } // namespace
 
-SolverWorker::SolverWorker(std::function<void()> wake)
+SolverWorker::SolverWorker(std::function<void()> wake, std::shared_ptr<RestingCache> kept)
     : m_wake(std::move(wake))
-    , m_kept(mostKept)
+    , m_keptIsShared(kept != nullptr)
+    , m_kept(kept ? std::move(kept) : std::make_shared<RestingCache>(mostKept))
 {}
 
 void SolverWorker::request(Request request)
@@ -97,7 +98,8 @@ void SolverWorker::begin(Request request)
         m_resting.reset();
         m_surface.reset();
         m_shownKept.reset();
-        m_kept.clear();
+        if (!m_keptIsShared)
+            m_kept->clear();
         m_atRest = false;
         m_status = {};
         m_report = {};

@@ -30,14 +30,15 @@ public:
         int opening = 0;      ///< different for designs that have nothing to do with each other
     };
 
-    /// `wake` is called when an output waits and none was waiting before.
-    explicit SolverWorker(std::function<void()> wake);
+    /// `wake` is called when an output waits and none was waiting before. `kept` as in SolverThread.
+    SolverWorker(std::function<void()> wake, std::shared_ptr<RestingCache> kept);
 
     /// From another thread.
     void request(Request request);
     /// From another thread, as of the next answer.
     void drawField(bool on) { m_drawsField = on; }
     Mailbox<SolverOutput>& out() { return m_out; }
+    const std::shared_ptr<RestingCache>& kept() const { return m_kept; }
     /// Until stopped.
     void run(std::stop_token stop);
 
@@ -100,7 +101,8 @@ private:
     WorkerPool m_pool{1}; // the other cores belong to the window
     TriangulationCache m_triangulations;
     GhostCache m_ghostCache;
-    RestingCache m_kept;
+    bool m_keptIsShared; // and somebody else's
+    std::shared_ptr<RestingCache> m_kept;
     std::uint64_t m_takenRevision = 0;
     std::uint64_t m_designRevision = 0; // of what is published
     int m_opening = 0;

@@ -30,7 +30,7 @@ void SolverWorker::beginRest(Request request)
         publish(m_status.state);
         return;
     }
-    if (RestingSurfacePtr kept = m_kept.find(request.input)) {
+    if (RestingSurfacePtr kept = m_kept->find(request.input)) {
         m_designRevision = request.revision;
         showKept(std::move(kept), request.input, afterGesture); // then it was cancelled
         return;
@@ -117,8 +117,8 @@ bool SolverWorker::continueKept()
 void SolverWorker::keepResting()
 {
     if (m_live)
-        m_kept.keep({m_restInput, m_surface, m_live->relaxation->state(), m_report, m_status.problems,
-                     m_status.reason, m_status.iterations});
+        m_kept->keep({m_restInput, m_surface, m_live->relaxation->state(), m_report, m_status.problems,
+                      m_status.reason, m_status.iterations});
     m_restKept = true;
 }
 

@@ -30,13 +30,14 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     const QFontMetricsF sizeMetrics(m_sizeFont);
     const double scale = transform.scale();
     const auto place = [&](const QSizeF& pixels) {
-        return patch.label.place(QSizeF(pixels.width() + 2 * marginAlong, pixels.height() + 2 * marginAcross) /
-                                 scale);
+        return patch.label().place(QSizeF(pixels.width() + 2 * marginAlong, pixels.height() + 2 * marginAcross) /
+                                   scale);
     };
 
     const QString name = QString::fromStdString(patch.patch().name);
     const QSizeF nameSize(nameMetrics.horizontalAdvance(name), nameMetrics.height());
-    const auto spot = name.isEmpty() ? std::nullopt : place(nameSize);
+    const bool hopeless = name.isEmpty() || nameSize.width() > patch.box.diagonal().norm() * scale;
+    const auto spot = hopeless ? std::nullopt : place(nameSize);
     if (!spot)
         return;
     m_name = name;

@@ -23,6 +23,7 @@ constexpr double bandWidth = 4;       // of a seam's colour along the outline
 constexpr double leastMeshEdge = 2.5; // finer meshes would only be a grey veil
 constexpr double leastPointGap = 5;
 constexpr double pointSize = 7;
+constexpr double speckSize = 5; // of a patch of which no more is to be seen than its colour
 
 /// Dashes of the selection's colour: it is not selected, but what is done to the selection is done to it.
 QPen mirroredPen(const ViewColors& colors)
@@ -39,7 +40,12 @@ PatternPainter::PatternPainter(QPainter& painter, const Input& input)
     , m_in(input)
     , m_matrix(input.transform.matrix())
     , m_visible(input.transform.visible(input.size))
-{}
+{
+    for (const auto& entry : input.scene.stretches())
+        m_stretches[entry.second.patch].push_back(&entry);
+    for (const auto& entry : input.scene.trims().marks())
+        m_trims[entry.second.patch].push_back(&entry);
+}
 
 void PatternPainter::paint()
 {
@@ -56,7 +62,7 @@ void PatternPainter::paint()
     for (const auto& [id, line] : m_in.scene.lines())
         paintLine(line);
     for (const auto& [id, patch] : m_in.scene.patches())
-        if (visible(patch))
+        if (visible(patch) && !tiny(patch))
             paintInside(patch);
     if (m_in.layers.seams)
         paintSeamLinks();
@@ -96,6 +102,18 @@ bool PatternPainter::visible(const PatternPatch& patch) const
     return !patch.path.isEmpty() && Box2(patch.box.min() - margin, patch.box.max() + margin).intersects(m_visible);
 }
 
+bool PatternPainter::tiny(const PatternPatch& patch) const
+{
+    return patch.box.sizes().maxCoeff() * m_in.transform.scale() < speckSize;
+}
+
+const PatternPainter::Stretches& PatternPainter::stretchesOf(const PatternPatch& patch) const
+{
+    static const Stretches none;
+    const auto found = m_stretches.find(patch.id);
+    return found == m_stretches.end() ? none : found->second;
+}
+
 QPainterPath PatternPainter::inPixels(const QPainterPath& path) const
 {
     return m_matrix.map(path);
@@ -103,6 +121,10 @@ QPainterPath PatternPainter::inPixels(const QPainterPath& path) const
 
 void PatternPainter::paintPatch(const PatternPatch& patch)
 {
+    if (tiny(patch)) {
+        paintSpeck(patch);
+        return;
+    }
     const bool isSelected = selected(patch.id);
     const bool isBad = bad(patch.id);
     if (!isBad && hidden(patch.id)) {
@@ -137,6 +159,17 @@ void PatternPainter::paintPatch(const PatternPatch& patch)
     m_painter.strokePath(outline, QPen(line, isSelected ? 2 : 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (mirrored(patch.id) && !isBad && !isSelected)
         m_painter.strokePath(outline, mirroredPen(colors));
+}
+
+/// There may be a hundred thousand of them.
+void PatternPainter::paintSpeck(const PatternPatch& patch)
+{
+    const ViewColors& colors = m_in.colors;
+    const QColor color = bad(patch.id)        ? colors.error
+                         : selected(patch.id) ? colors.accent
+                         : hovered(patch.id)  ? colors.hover
+                                              : colors.patchFill(patch.fabric, hidden(patch.id) ? 0.08 : 0.6);
+    m_painter.fillRect(m_matrix.mapRect(patch.path.boundingRect()), color);
 }
 
 /// What the 3D view hides is only a sketch here, without its seams.
@@ -190,8 +223,9 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
     m_painter.save();
     // The inner half of a line twice as wide: the band ends exactly at the outline.
     m_painter.setClipPath(outline, Qt::IntersectClip);
-    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
-        if (stretch.patch != patch.id || stretch.fixation)
+    for (const auto* entry : stretchesOf(patch)) {
+        const auto& [owner, stretch] = *entry;
+        if (stretch.fixation)
             continue;
         const auto color = m_in.seamColors.find(owner);
         if (color == m_in.seamColors.end())
@@ -207,9 +241,11 @@ void PatternPainter::paintSeamBands(const PatternPatch& patch, const QPainterPat
 void PatternPainter::paintTrims(const PatternPatch& patch)
 {
     constexpr double leastStitch = 4; // pixels: shorter ones are drawn as a line
-    for (const auto& [owner, trim] : m_in.scene.trims().marks()) {
-        if (trim.patch != patch.id)
-            continue;
+    const auto own = m_trims.find(patch.id);
+    if (own == m_trims.end())
+        return;
+    for (const auto* entry : own->second) {
+        const auto& [owner, trim] = *entry;
         const bool strong = selected(owner) || hovered(owner) || mirrored(owner);
         const double scale = m_in.transform.scale(), width = std::max(strong ? 2.4 : 1.6, trim.width * scale);
         const QColor color = bad(owner) ? m_in.colors.error : selected(owner) ? m_in.colors.accent : trim.color;
@@ -228,8 +264,9 @@ void PatternPainter::paintTrims(const PatternPatch& patch)
 void PatternPainter::paintFixations(const PatternPatch& patch)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
-    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
-        if (stretch.patch != patch.id || !stretch.fixation)
+    for (const auto* entry : stretchesOf(patch)) {
+        const auto& [owner, stretch] = *entry;
+        if (!stretch.fixation)
             continue;
         const bool isSelected = selected(owner) || selected(stretch.curve);
         const QColor color = bad(owner)   ? m_in.colors.error
@@ -269,9 +306,10 @@ void PatternPainter::paintInside(const PatternPatch& patch)
 void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& written)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
-    for (const auto& [owner, stretch] : m_in.scene.stretches()) {
+    for (const auto* entry : stretchesOf(patch)) {
+        const auto& [owner, stretch] = *entry;
         const auto color = m_in.seamColors.find(owner);
-        if (stretch.patch != patch.id || color == m_in.seamColors.end())
+        if (color == m_in.seamColors.end())
             continue;
         SeamArrow arrow{inPixels(stretch.path), counterClockwise != stretch.backwards,
                         selected(owner) || hovered(owner)};

@@ -67,9 +67,14 @@ private:
     bool mirrored(ElementId id) const;
     bool hidden(ElementId id) const;
     bool visible(const PatternPatch& patch) const;
+    bool tiny(const PatternPatch& patch) const;
+    using Stretches = std::vector<const std::pair<const ElementId, PatternStretch>*>;
+    const Stretches& stretchesOf(const PatternPatch& patch) const;
+    using Trims = std::vector<const std::pair<const ElementId, PatternTrim>*>;
     QPainterPath inPixels(const QPainterPath& path) const;
 
     void paintPatch(const PatternPatch& patch);
+    void paintSpeck(const PatternPatch& patch);
     void paintHiddenPatch(const PatternPatch& patch);
     void paintMap(const PatternPatch& patch, const QPainterPath& outline);
     void paintMesh(const PatternPatch& patch);
@@ -89,6 +94,8 @@ private:
     const Input& m_in;
     QTransform m_matrix;
     Box2 m_visible;
+    std::map<ElementId, Stretches> m_stretches; ///< by patch
+    std::map<ElementId, Trims> m_trims;         ///< by patch
 };
 
 } // namespace bolster

@@ -60,6 +60,13 @@ std::optional<double> endOf(const Stretch& stretch, const BSpline2& outline)
 
 } // namespace
 
+const LabelPlace& PatternPatch::label() const
+{
+    if (!knownLabel)
+        knownLabel = LabelPlace::inside(path.toFillPolygon());
+    return *knownLabel;
+}
+
 bool PatternStretch::contains(const BSpline2& outline, double parameter) const
 {
     const double t = parameter < from ? parameter + outline.period() : parameter;
@@ -155,11 +162,10 @@ void PatternScene::updatePatch(const Design& design, ElementId id)
     const Patch* old = before ? std::get_if<Patch>(before.get()) : nullptr;
     if (!old || old->outline != patch->outline)
         entry.edges = outlineEdges(patch->outline);
-    if (old && old->outline == patch->outline && old->rotation == patch->rotation) {
-        entry.label.move(patch->position - old->position);
-    } else {
-        entry.label = LabelPlace::inside(entry.path.toFillPolygon());
-    }
+    if (!old || old->outline != patch->outline || old->rotation != patch->rotation)
+        entry.knownLabel.reset();
+    else if (entry.knownLabel)
+        entry.knownLabel->move(patch->position - old->position);
 }
 
 void PatternScene::updateLine(const Design& design, ElementId id)

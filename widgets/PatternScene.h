@@ -35,7 +35,9 @@ struct PatternPatch {
     std::vector<Vec2> points;  ///< control points
     std::vector<char> corners; ///< per control point: the outline has a corner there
     std::vector<PatternEdge> edges;
-    LabelPlace label;
+    /// Searched for when somebody asks: of many thousand patches few have room for a name on the screen.
+    const LabelPlace& label() const;
+    mutable std::optional<LabelPlace> knownLabel;
 
     const Patch& patch() const { return std::get<Patch>(*element); }
 };

@@ -1,11 +1,14 @@
 #include "Interrupt.h"
 
 #include "Commands.h"
-#include "Output.h"
+#include "DirectWrite.h"
 
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <poll.h>
+#include <string_view>
+#include <unistd.h>
 
 namespace bolster::cli {
 
@@ -52,16 +55,32 @@ void Interrupt::watch(const std::stop_token& end)
 void Interrupt::endUnlessBack(const std::stop_token& end)
 {
     constexpr int rounds = 10;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; !end.stop_requested(); ++round) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        if (end.stop_requested())
-            return;
+        const std::scoped_lock lock(m_mutex); // so that nobody begins to write meanwhile
+        if (round >= rounds && !end.stop_requested() && mayEnd())
+            endHere();
     }
-    const std::scoped_lock lock(m_mutex); // so that nobody begins to write meanwhile
-    if (m_writing || end.stop_requested())
-        return;
-    printError("error: interrupted");
-    if (m_leave)
+}
+
+/// Files that are being written are put away in order. What goes to a pipe that nobody reads never ends.
+bool Interrupt::mayEnd()
+{
+    return !m_writing || DirectWrite::halted();
+}
+
+void Interrupt::endHere()
+{
+    constexpr std::string_view said = "error: interrupted\n";
+    // Whoever does not read what was written does not read this either: nothing here may wait for ever.
+    std::thread([] {
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+        std::_Exit(otherFailure);
+    }).detach();
+    pollfd errors{STDERR_FILENO, POLLOUT, 0};
+    if (::poll(&errors, 1, 0) > 0 && ::write(STDERR_FILENO, said.data(), said.size()) < 0)
+        std::_Exit(otherFailure); // nobody is left to tell
+    if (m_leave && !m_writing)
         m_leave();
     std::_Exit(otherFailure);
 }

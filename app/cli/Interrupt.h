@@ -11,8 +11,8 @@ namespace bolster::cli {
 
 /// From construction on, SIGINT and SIGTERM stop the token instead of the program; a second one ends the program.
 /// Who does not come back within half a second is in the middle of something long that nobody needs to end in
-/// order: then the program ends here. Make it before any other thread is started: they inherit that the signals are
-/// not theirs.
+/// order, or writes to a pipe that nobody reads: then the program ends here. Make it before any other thread is
+/// started: they inherit that the signals are not theirs.
 class Interrupt {
 public:
     Interrupt();
@@ -29,6 +29,8 @@ public:
 private:
     void watch(const std::stop_token& end);
     void endUnlessBack(const std::stop_token& end);
+    bool mayEnd();
+    [[noreturn]] void endHere();
 
     sigset_t m_signals;
     sigset_t m_before;

@@ -1,5 +1,6 @@
 #include "Output.h"
 
+#include "DirectWrite.h"
 #include "Escaped.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 void print(std::FILE* stream, const std::string& text)
 {
     const std::string line = escaped(text, Text::Line) + '\n';
+    const DirectWrite direct;
     std::fwrite(line.data(), 1, line.size(), stream);
     std::fflush(stream);
 }

@@ -1,5 +1,6 @@
 #include "WholeFile.h"
 
+#include "DirectWrite.h"
 #include "DiskFile.h"
 #include "PosixFile.h"
 #include "TemporaryFile.h"
@@ -72,6 +73,7 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
     const Descriptor device(target, O_WRONLY | O_NONBLOCK); // nobody is waited for who might read
     if (!device.valid() || ::fcntl(device.get(), F_SETFL, 0) != 0)
         return writeProblem(path, errno);
+    const DirectWrite direct;
     const int error = writeAll(device, bytes);
     return error ? writeProblem(path, error) : Message{};
 }
@@ -89,11 +91,14 @@ Message replaceFile(const QString& path, const std::function<std::string(const Q
         const std::string why = write(file.path());
         return why.empty() ? file.moveIntoPlace() : failed(why);
     }
-    const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("file"));
-    if (const std::string why = write(file); !why.empty())
-        return failed(why);
-    const WholeFile whole = readWholeFile(file, std::numeric_limits<int>::max());
+    WholeFile whole;
+    {
+        const QTemporaryDir folder; // gone before anybody is waited for who reads
+        const QString file = folder.filePath(QStringLiteral("file"));
+        if (const std::string why = write(file); !why.empty())
+            return failed(why);
+        whole = readWholeFile(file, std::numeric_limits<int>::max());
+    }
     return whole.problem.empty() ? replaceWholeFile(path, whole.bytes) : whole.problem;
 }
 

@@ -113,7 +113,7 @@ FieldChanges fieldChanges(const Edit& edit)
 }
 
 std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known,
-                           std::int64_t* growth)
+                           TextSums* sums)
 {
     const bool forward = known == StoredEdits::Known::Parent;
     Edit edit;
@@ -129,8 +129,10 @@ std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, St
         elements += there && !here ? 1 : 0;
         if ((begin->element == settingsId && !there) || elements > mostStoredElements)
             return std::nullopt;
-        if (growth)
-            *growth += textLengthOf(to) - textLengthOf(from);
+        if (sums) {
+            sums->growth += textLengthOf(to) - textLengthOf(from);
+            sums->handled += textLengthOf(to) + textLengthOf(from);
+        }
         edit.changes.push_back({begin->element, forward ? here : there, forward ? there : here});
         begin = end;
     }
@@ -250,11 +252,12 @@ std::optional<Replayed> decodeDesign(std::string_view bytes)
 
 std::optional<Replayed> replayed(const Replayed& parent, const FieldChanges& changes)
 {
-    std::int64_t length = parent.length;
-    const auto edit = editOf(changes, parent.design, StoredEdits::Known::Parent, &length);
+    TextSums sums;
+    const auto edit = editOf(changes, parent.design, StoredEdits::Known::Parent, &sums);
+    const std::int64_t length = parent.length + sums.growth;
     if (!edit || length > longestStoredDesign)
         return std::nullopt;
-    return Replayed{parent.design.with(*edit), length};
+    return Replayed{parent.design.with(*edit), length, sums.handled};
 }
 
 } // namespace bolster

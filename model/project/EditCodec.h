@@ -26,11 +26,17 @@ inline constexpr std::size_t mostStoredElements = 200'000;      ///< of a design
 inline constexpr std::int64_t longestStoredDesign = 32ll << 20; ///< bytes of its elements' keys and values
 
 FieldChanges fieldChanges(const Edit& edit);
+
+/// Bytes of keys and values.
+struct TextSums {
+    std::int64_t growth = 0;  ///< how many more there are
+    std::int64_t handled = 0; ///< how many were written and read for it
+};
 /// The edit, forward, when the design before it or after it is known. Nothing when the settings cannot be read, or
-/// there are too many elements; others come back as Quarantined then. `growth` is told by how many bytes the keys
-/// and values of the elements become more.
+/// there are too many elements; others come back as Quarantined then. `sums` is told of the keys and values of the
+/// elements.
 std::optional<Edit> editOf(const FieldChanges& changes, const Design& design, StoredEdits::Known known,
-                           std::int64_t* growth = nullptr);
+                           TextSums* sums = nullptr);
 
 /// Why the edit cannot be stored: NaN, infinity and text that is not UTF-8 would not come back as they are, and
 /// there are limits. Empty when it can.
@@ -54,7 +60,8 @@ std::optional<std::vector<std::string>> decodeTexts(std::string_view bytes);
 /// A design that was put together of stored changes, and how long they are.
 struct Replayed {
     Design design;
-    std::int64_t length = 0; ///< bytes of its elements' keys and values
+    std::int64_t length = 0;  ///< bytes of its elements' keys and values
+    std::int64_t handled = 0; ///< of those that were written and read for the last step
 };
 /// The next one. Nothing when the changes cannot be read, or lead to more than any design that is stored.
 std::optional<Replayed> replayed(const Replayed& parent, const FieldChanges& changes);

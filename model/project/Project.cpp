@@ -108,9 +108,11 @@ OpenedProject openProject(const QString& path, ProjectCheck check)
         auto database = std::make_shared<Database>(path, Database::Access::AtRest);
         ProjectContents contents = readContents(*database);
         Design design = designOf(*database, contents, contents.current);
-        if (check == ProjectCheck::Everything)
-            checkEverything(*database, contents);
-        return opened(std::move(contents), std::move(design), std::move(database));
+        const std::int64_t checked =
+            check == ProjectCheck::ToWork ? 0 : checkThoroughly(*database, contents, check);
+        OpenedProject project = opened(std::move(contents), std::move(design), std::move(database));
+        project.designsChecked = checked;
+        return project;
     } catch (const DatabaseError& error) {
         return refused(error.message);
     } catch (const std::bad_alloc&) {

@@ -35,12 +35,14 @@ struct OpenedProject {
     Hash seal{};                                ///< of everything in the file but pictures
     std::optional<Hash> base;                   ///< of a journal: the seal of the project file that it goes with
     std::map<std::string, std::int64_t> assets; ///< by name: numbers in the file
+    std::int64_t designsChecked = 0;            ///< so many of the first ones are what their edits lead to
     std::shared_ptr<Database> database;         ///< what the history and the assets are read from
 };
 
 enum class ProjectCheck {
     ToWork,    ///< all rows and the current design: 0.5 s with 100,000 edits
-    Everything ///< and the design after each edit, and all assets
+    Thorough,  ///< and all assets, and the design after each edit as far as that takes some seconds
+    Everything ///< and all of these designs, however long that takes
 };
 
 /// Only whether it is a project or a text, by the first bytes.

@@ -2,6 +2,7 @@
 
 #include "BlobStore.h"
 #include "DesignHash.h"
+#include "FieldReplay.h"
 #include "Schema.h"
 
 #include <algorithm>
@@ -204,35 +205,82 @@ Replayed stepped(Database& database, NodeId node, const Replayed& parent)
     return std::move(*next);
 }
 
-std::optional<Design> designIn(const std::optional<Replayed>& replayed)
-{
-    return replayed ? std::optional(replayed->design) : std::nullopt;
-}
-
 /// Walks the whole tree and keeps only the designs that have children to come.
-void checkDesigns(Database& database, const ProjectContents& contents)
-{
-    std::vector<int> childrenLeft(contents.nodes.size());
-    for (const History::Node& node : contents.nodes)
-        if (node.parent >= 0)
-            ++childrenLeft[static_cast<std::size_t>(node.parent)];
-
-    DesignHash hash;
-    std::map<NodeId, Replayed> designs;
-    for (NodeId id = 0; id < static_cast<NodeId>(contents.nodes.size()); ++id) {
-        const NodeId parent = contents.nodes[static_cast<std::size_t>(id)].parent;
-        const Replayed next = stepped(database, id, parent < 0 ? Replayed() : designs.at(parent));
-        if (hash.follow(next.design) != contents.facts[static_cast<std::size_t>(id)].designHash)
-            refuseDesign(id);
-        if (std::binary_search(contents.snapshots.begin(), contents.snapshots.end(), id) &&
-            designIn(snapshotOf(database, id)) != next.design)
-            refuse("snapshot", id);
-        if (childrenLeft[static_cast<std::size_t>(id)] > 0)
-            designs.emplace(id, next);
-        if (parent >= 0 && --childrenLeft[static_cast<std::size_t>(parent)] == 0)
-            designs.erase(parent);
+class DesignWalk {
+public:
+    DesignWalk(Database& database, const ProjectContents& contents)
+        : m_database(database)
+        , m_contents(contents)
+        , m_childrenLeft(contents.nodes.size())
+    {
+        for (const History::Node& node : contents.nodes)
+            if (node.parent >= 0)
+                ++m_childrenLeft[static_cast<std::size_t>(node.parent)];
     }
-}
+
+    /// Returns how many it has come to.
+    std::int64_t run(bool toTheEnd)
+    {
+        const auto count = static_cast<NodeId>(m_contents.nodes.size());
+        for (NodeId id = 0; id < count; ++id) {
+            if (!toTheEnd && (m_handled > mostHandled || m_held > mostHeld))
+                return id;
+            step(id);
+        }
+        return count;
+    }
+
+private:
+    // An edit is cheap only to whoever makes it: here the elements that it changes are written and read, and the
+    // list of all elements is copied, which takes as long for each as a few bytes of text. So many bytes take some
+    // seconds, and designs of so many can be held.
+    static constexpr std::int64_t mostHandled = 200 << 20;
+    static constexpr std::int64_t textOfEntry = 4;
+    static constexpr std::int64_t mostHeld = 50 << 20;
+    static constexpr std::int64_t memoryOfEntry = 64;
+
+    void step(NodeId id)
+    {
+        const NodeId parent = m_contents.nodes[static_cast<std::size_t>(id)].parent;
+        const Replayed next = stepped(m_database, id, parent < 0 ? Replayed() : m_designs.at(parent).design);
+        if (m_hash.follow(next.design) != m_contents.facts[static_cast<std::size_t>(id)].designHash)
+            refuseDesign(id);
+        const auto entries = static_cast<std::int64_t>(next.design.elements().size());
+        m_handled += next.handled + textOfEntry * entries;
+        if (std::binary_search(m_contents.snapshots.begin(), m_contents.snapshots.end(), id))
+            compareSnapshot(id, next.design);
+        if (m_childrenLeft[static_cast<std::size_t>(id)] > 0) {
+            const std::int64_t bytes = next.handled + memoryOfEntry * entries;
+            m_designs.emplace(id, Held{next, bytes});
+            m_held += bytes;
+        }
+        if (parent >= 0 && --m_childrenLeft[static_cast<std::size_t>(parent)] == 0) {
+            m_held -= m_designs.at(parent).bytes;
+            m_designs.erase(parent);
+        }
+    }
+
+    void compareSnapshot(NodeId id, const Design& design)
+    {
+        const std::optional<Replayed> snapshot = snapshotOf(m_database, id);
+        if (!snapshot || snapshot->design != design)
+            refuse("snapshot", id);
+        m_handled += snapshot->handled;
+    }
+
+    struct Held {
+        Replayed design;
+        std::int64_t bytes = 0;
+    };
+
+    Database& m_database;
+    const ProjectContents& m_contents;
+    std::vector<int> m_childrenLeft;
+    DesignHash m_hash;
+    std::map<NodeId, Held> m_designs;
+    std::int64_t m_handled = 0;
+    std::int64_t m_held = 0;
+};
 
 } // namespace
 
@@ -277,21 +325,26 @@ Design designOf(Database& database, const ProjectContents& contents, NodeId node
     }
     if (!design)
         design.emplace();
-    for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-        design = stepped(database, *step, *design);
-    if (hashOf(design->design) != contents.facts[static_cast<std::size_t>(node)].designHash)
+    FieldReplay replay(std::move(*design));
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+        const auto changes = changesOf(database, *step);
+        if (!changes || !replay.add(*changes))
+            refuseDesign(*step);
+    }
+    design = replay.result();
+    if (!design || hashOf(design->design) != contents.facts[static_cast<std::size_t>(node)].designHash)
         refuseDesign(node);
     return design->design;
 }
 
-void checkEverything(Database& database, const ProjectContents& contents)
+std::int64_t checkThoroughly(Database& database, const ProjectContents& contents, ProjectCheck check)
 {
-    checkDesigns(database, contents);
     Query blobs(database, "SELECT id FROM blob");
     while (blobs.next())
         readBlob(database, blobs.integer(0), nullptr);
     if (hasForeignChunks(database))
         refuse("chunk", 0);
+    return DesignWalk(database, contents).run(check == ProjectCheck::Everything);
 }
 
 std::shared_ptr<StoredEdits> storedEdits(std::shared_ptr<Database> database)

@@ -33,8 +33,9 @@ std::optional<Replayed> snapshotOf(Database& database, NodeId node);
 /// says.
 Design designOf(Database& database, const ProjectContents& contents, NodeId node);
 
-/// Every node's design has its hash, each snapshot is its node's design, and all assets are whole. Throws when not.
-void checkEverything(Database& database, const ProjectContents& contents);
+/// All assets are whole, every node's design has its hash, and each snapshot is its node's design. Throws when not.
+/// `Thorough` ends where that takes too long. Returns at how many designs it has looked.
+std::int64_t checkThoroughly(Database& database, const ProjectContents& contents, ProjectCheck check);
 
 std::shared_ptr<StoredEdits> storedEdits(std::shared_ptr<Database> database);
 /// The contents with which a project was opened, as its user sees them.

@@ -1,5 +1,6 @@
 #include "FrameFields.h"
 
+#include "BodyTree.h"
 #include "CushionVoxels.h"
 #include "FoamBody.h"
 #include "Voxelise.h"
@@ -22,8 +23,8 @@ Box3 grown(const Box3& box, double margin)
 }
 
 /// Depths of voxels near the surface, exactly: whole voxels would leave steps in a cover that lies on the frame.
-void refine(const std::vector<const FrameBody*>& bodies, const VoxelGrid& grid, double reach,
-            std::vector<float>& depths, WorkerPool& pool, const std::stop_token& stop)
+void refine(const BodyTree& bodies, const VoxelGrid& grid, double reach, std::vector<float>& depths,
+            WorkerPool& pool, const std::stop_token& stop)
 {
     pool.forTasks(grid.size[2], [&](int z) {
         for (int y = 0; y < grid.size[1] && !stop.stop_requested(); ++y)
@@ -31,9 +32,7 @@ void refine(const std::vector<const FrameBody*>& bodies, const VoxelGrid& grid, 
                 float& depth = depths[grid.index(x, y, z)];
                 if (depth < -reach || depth > 2 * grid.edge)
                     continue;
-                double nearest = std::abs(depth) + 2 * grid.edge;
-                for (const FrameBody* body : bodies)
-                    nearest = body->tree.distance(grid.centre(x, y, z), nearest);
+                const double nearest = bodies.distance(grid.centre(x, y, z), std::abs(depth) + 2 * grid.edge);
                 depth = static_cast<float>(depth > 0 ? nearest : -nearest);
             }
     });
@@ -147,7 +146,7 @@ std::shared_ptr<const FrameFields::Contact> FrameFields::contactField(const Cont
             for (const FrameBody& body : (*all)[part])
                 bodies.push_back(&body);
         std::vector<float> depths = depthsOf(voxels, VoxelMetric::Euclidean, pool, stop);
-        refine(bodies, voxels.grid, k.gap + 2 * edge, depths, pool, stop);
+        refine(BodyTree(bodies), voxels.grid, k.gap + 2 * edge, depths, pool, stop);
         if (stop.stop_requested())
             return nullptr;
         for (float& depth : depths)

@@ -1,5 +1,7 @@
 #include "GuessParts.h"
 
+#include "BodyTree.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -26,16 +28,22 @@ std::vector<std::vector<Vec3>> fixedPlaces(const Placement& frame, const SewnMes
     return places;
 }
 
-/// 0 inside.
-double distanceTo(const std::vector<FrameBody>& bodies, const Vec3& point)
+std::vector<BodyTree> treesOf(const FrameParts& parts)
 {
-    double nearest = std::numeric_limits<double>::max();
-    for (const FrameBody& body : bodies) {
-        if (body.tree.box().contains(point) && body.tree.windingNumber(point) > 0.5)
-            return 0;
-        nearest = body.tree.distance(point, nearest);
+    std::vector<BodyTree> trees;
+    for (const std::vector<FrameBody>& part : parts) {
+        std::vector<const FrameBody*> bodies;
+        for (const FrameBody& body : part)
+            bodies.push_back(&body);
+        trees.emplace_back(bodies);
     }
-    return nearest;
+    return trees;
+}
+
+/// 0 inside.
+double distanceTo(const BodyTree& bodies, const Vec3& point)
+{
+    return bodies.contains(point) ? 0 : bodies.distance(point, std::numeric_limits<double>::max());
 }
 
 /// What speaks for a part under a component.
@@ -49,7 +57,7 @@ struct Claim {
     }
 };
 
-std::vector<Claim> claims(const FrameParts& parts, const std::vector<Vec3>& places)
+std::vector<Claim> claims(const std::vector<BodyTree>& parts, const std::vector<Vec3>& places)
 {
     std::vector<Claim> claims(parts.size());
     if (places.empty() || parts.empty())
@@ -57,7 +65,7 @@ std::vector<Claim> claims(const FrameParts& parts, const std::vector<Vec3>& plac
     std::vector<double> sums(parts.size(), 0);
     for (const Vec3& place : places) {
         std::vector<double> distances;
-        for (const auto& bodies : parts)
+        for (const BodyTree& bodies : parts)
             distances.push_back(distanceTo(bodies, place));
         const double nearest = *std::min_element(distances.begin(), distances.end());
         for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -76,9 +84,10 @@ std::vector<std::vector<int>> guessParts(const FrameParts& parts, const Placemen
 {
     Placement unscaled = frame;
     unscaled.scale = 1;
+    const std::vector<BodyTree> trees = treesOf(parts);
     std::vector<std::vector<Claim>> all;
     for (const std::vector<Vec3>& places : fixedPlaces(unscaled, mesh))
-        all.push_back(claims(parts, places));
+        all.push_back(claims(trees, places));
     std::vector<std::vector<int>> guess(all.size());
     std::vector<int> left;
     for (int p = 0; p < std::ssize(parts); ++p) {

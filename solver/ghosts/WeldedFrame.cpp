@@ -3,8 +3,8 @@
 #include "UnionFind.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace bolster {
 
@@ -21,17 +21,18 @@ public:
             m_used.insert(m_used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
         std::ranges::sort(m_used);
         m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
-        const auto place = [&](std::uint32_t i) {
+        // The places lie beside their numbers: to look each up in the mesh would take most of the time.
+        std::vector<std::pair<std::array<double, 3>, std::uint32_t>> order;
+        order.reserve(m_used.size());
+        for (std::uint32_t i = 0; i < m_used.size(); ++i) {
             const Vec3& p = mesh.points[m_used[i]];
-            return std::tuple(p.x(), p.y(), p.z());
-        };
-        std::vector<std::uint32_t> order(m_used.size());
-        std::iota(order.begin(), order.end(), 0U);
-        std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+            order.push_back({{p.x(), p.y(), p.z()}, i});
+        }
+        std::ranges::sort(order, [](const auto& x, const auto& y) { return x.first < y.first; });
         m_place.resize(m_used.size());
         for (std::size_t k = 0; k < order.size(); ++k) {
-            m_count += k == 0 || place(order[k - 1]) != place(order[k]) ? 1 : 0;
-            m_place[order[k]] = m_count - 1;
+            m_count += k == 0 || order[k - 1].first != order[k].first ? 1 : 0;
+            m_place[order[k].second] = m_count - 1;
         }
     }
 

@@ -14,6 +14,8 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -129,6 +131,31 @@ TEST_F(FilesTest, ChangesMadeWhileAnotherDesignIsReadAreAskedAbout)
     answer(QMessageBox::Cancel);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 10000));
     EXPECT_TRUE(window.document().design() == changed);
+}
+
+TEST_F(FilesTest, OpeningThatTakesLongSaysSoAndCanBeCancelled)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const Design before = window.document().design();
+    QSemaphore slowDisk;
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    const auto reading = [&]() -> QProgressDialog* {
+        auto* dialog = window.findChild<QProgressDialog*>();
+        return dialog && dialog->isVisible() ? dialog : nullptr;
+    };
+    for (const bool cancel : {true, false}) {
+        for (int i = 0; i < pool.maxThreadCount(); ++i)
+            pool.start([&] { slowDisk.acquire(); });
+        window.open(sample("pillow"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return reading() != nullptr; }, 20000));
+        EXPECT_TRUE(reading()->labelText().contains("pillow")) << qPrintable(reading()->labelText());
+        if (cancel)
+            QTest::mouseClick(reading()->findChild<QPushButton*>(), Qt::LeftButton);
+        slowDisk.release(pool.maxThreadCount());
+        EXPECT_TRUE(pool.waitForDone(60000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChildren<QProgressDialog*>().isEmpty(); }, 20000));
+        EXPECT_EQ(window.document().design() == before, cancel);
+    }
 }
 
 TEST_F(FilesTest, ClosingWaitsForASaveThatIsOnItsWay)

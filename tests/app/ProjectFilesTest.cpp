@@ -8,6 +8,8 @@
 #include "HistoryModel.h"
 #include "HistoryView.h"
 #include "Project.h"
+#include "RestingCache.h"
+#include "SolverLink.h"
 #include "SurfaceView.h"
 #include "VersionPane.h"
 
@@ -395,8 +397,10 @@ TEST_F(ProjectFilesTest, AComparedVersionSaysThatItIsBeingComputed)
     ASSERT_TRUE(open(sample("armchair")));
     ASSERT_TRUE(waitUntilSolved());
     change();
+    const NodeId neverShown = window.document().history().current();
+    change(); // at once: nobody has come to solve the one before
     ASSERT_TRUE(waitUntilSolved());
-    emit window.findChild<HistoryView*>()->compareWanted(0);
+    emit window.findChild<HistoryView*>()->compareWanted(neverShown);
     auto* compare = window.findChild<CompareWindow*>();
     ASSERT_TRUE(compare);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(compare));
@@ -407,6 +411,12 @@ TEST_F(ProjectFilesTest, AComparedVersionSaysThatItIsBeingComputed)
     EXPECT_FALSE(computing(compare->right())) << "the window has that already";
     EXPECT_TRUE(QTest::qWaitFor([&] { return !computing(compare->left()); }, 120000));
     EXPECT_EQ(compare->differences().topLevelItem(0)->text(0), "Design");
+
+    // The window has shown the first version: nothing of it has to be computed again.
+    const std::size_t kept = window.solver().kept()->count();
+    emit window.findChild<HistoryView*>()->compareWanted(0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !computing(compare->left()); }, 120000));
+    EXPECT_EQ(window.solver().kept()->count(), kept);
     compare->close();
 }
 

@@ -11,8 +11,12 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fcntl.h>
 #include <set>
 #include <sstream>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace bolster {
 namespace {
@@ -488,6 +492,68 @@ TEST_F(CommandLine, EndsCleanlyWhenInterrupted)
     EXPECT_TRUE(contains(process.readAllStandardError().toStdString(), "interrupted"));
     EXPECT_FALSE(QFileInfo::exists(path("a.obj")));
     EXPECT_EQ(report()["reason"], "interrupted");
+}
+
+/// A pipe that has a reader who never reads.
+class StuckPipe {
+public:
+    explicit StuckPipe(const QString& path)
+    {
+        EXPECT_EQ(::mkfifo(path.toUtf8().constData(), 0600), 0);
+        m_reader = ::open(path.toUtf8().constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        ::fcntl(m_reader, F_SETPIPE_SZ, room);
+    }
+    ~StuckPipe() { ::close(m_reader); }
+
+    bool waitUntilFull() const
+    {
+        for (int round = 0; round < 600; ++round) {
+            int there = 0;
+            if (::ioctl(m_reader, FIONREAD, &there) == 0 && there > room - longestLine)
+                return true;
+            ::usleep(100'000);
+        }
+        return false;
+    }
+
+private:
+    static constexpr int room = 4096;
+    static constexpr int longestLine = 1024; // one for which there is no room waits as a whole
+    int m_reader = -1;
+};
+
+TEST_F(CommandLine, OneSignalEndsItWhenNobodyReadsWhatItWrites)
+{
+    const QString file = design("a.json", hammock());
+    Json many = hammock();
+    for (int i = 0; i < 200; ++i)
+        many["elements"].push_back({{"id", 100 + i}, {"kind", "sofa"}});
+    const QString bad = design("bad.json", many);
+    const QStringList onlyInputs = {"a.json", "bad.json"};
+    struct Case {
+        QStringList arguments;
+        bool errors; ///< it is stderr that nobody reads
+    };
+    const QString obj = path("pipe.png"); // as pictures must be called
+    for (const Case& given : {Case{{"solve", file, "--obj", obj}, false},
+                              Case{{"render", file, "--image", obj, "--size", "640x480"}, false},
+                              Case{{"solve", bad, "--report", path("report.json"), "--lenient"}, true}}) {
+        const StuckPipe pipe(obj);
+        QProcess process;
+        process.setProcessEnvironment(bareEnvironment());
+        if (given.errors)
+            process.setStandardErrorFile(obj);
+        process.start(QString::fromStdString(test::program()), given.arguments);
+        ASSERT_TRUE(process.waitForStarted());
+        ASSERT_TRUE(pipe.waitUntilFull()) << given.arguments.join(' ').toStdString();
+        ::kill(static_cast<pid_t>(process.processId()), SIGTERM);
+        ASSERT_TRUE(process.waitForFinished(60'000)) << "ended by one signal";
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        EXPECT_EQ(process.exitCode(), 1);
+        QFile::remove(obj);
+        QFile::remove(path("report.json"));
+        EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden | QDir::System), onlyInputs);
+    }
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <cmath>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -183,6 +184,49 @@ TEST_F(HostileFiles, AHugeDesignThatIsWhatItSaysIsCheapToo)
         crafted.node(-1, packChanges(*changes), hashOf(design->design));
         crafted.snapshot(0, encodeDesign(design->design));
     }));
+}
+
+/// The name of a patch with as many points as there may be, over and over. Nothing is wrong with it.
+TEST_F(HostileFiles, ManySmallEditsOfAHugeElementAreNotReplayedForEver)
+{
+    Design design = fabric("Wool");
+    Patch patch;
+    patch.fabric = ElementId{1};
+    std::vector<Vec2> points;
+    constexpr int count = 10'000;
+    for (int i = 0; i < count; ++i)
+        points.push_back(1000 * Vec2(std::cos(2 * M_PI * i / count), std::sin(2 * M_PI * i / count)));
+    patch.outline = BSpline2(1, true, points);
+    const auto renamed = [&](const Design& before, int i) {
+        patch.name = std::to_string(i);
+        return before.with({{}, {{ElementId{2}, nullptr, makeElement(patch)}}});
+    };
+    constexpr int edits = 3'000;
+    DesignHash hash;
+    const auto write = [&](const QString& name, int most, bool lastIsWrong) {
+        return project(name, [&](CraftedProject& crafted) {
+            crafted.node(-1, Design(), design);
+            crafted.node(0, design, renamed(design, 0));
+            for (int i = 1; i < most; ++i) {
+                const FieldChanges change = {
+                    {ElementId{2}, "name", '"' + std::to_string(i - 1) + '"', '"' + std::to_string(i) + '"'}};
+                const bool wrong = lastIsWrong && i == most - 2;
+                crafted.node(i, packChanges(change), wrong ? Hash{} : hash.follow(renamed(design, i)));
+            }
+        });
+    };
+    const QString huge = write("huge.bolster", edits, false);
+    expectCheap(huge);
+    ProgramRun run = callCommandLine({"verify", huge});
+    EXPECT_EQ(run.exitCode, 3) << run.err;
+    EXPECT_TRUE(run.out.starts_with("sound as far as was looked: 3000 edits")) << run.out;
+    EXPECT_EQ(callCommandLine({"check", huge}).exitCode, 0) << "and it can be opened";
+
+    EXPECT_EQ(callCommandLine({"verify", write("few.bolster", 40, false)}).exitCode, 0);
+    EXPECT_EQ(callCommandLine({"verify", write("wrong.bolster", 40, true)}).exitCode, 2);
+    const QString late = write("late.bolster", edits / 2, true);
+    EXPECT_EQ(callCommandLine({"verify", late}).exitCode, 3) << "not far enough";
+    EXPECT_EQ(callCommandLine({"verify", late, "--all"}).exitCode, 2);
 }
 
 TEST_F(HostileFiles, PipesAreRefusedWhereverTheyComeIn)

@@ -16,9 +16,10 @@ namespace bolster {
 
 namespace {
 
-constexpr int frameMs = 16;      // between two moves of a hand's pointer
-constexpr int flightMs = 600;    // to a standard view
-constexpr int mostWaitMs = 3000; // for a surface after a drag
+constexpr int frameMs = 16;              // between two moves of a hand's pointer
+constexpr int flightMs = 600;            // to a standard view
+constexpr int mostWaitMs = 3000;         // for a surface after a drag
+constexpr std::size_t mostSurfaces = 20; // that may be on their way to the screen
 
 void keepLongest(WatchedApplication::Longest& longest, const WatchedApplication::Longest& other)
 {
@@ -38,10 +39,17 @@ FeelPlayer::FeelPlayer(FeelApplication& application, MainWindow& window)
     m_clock.start();
     application.watch(&window.patternView(), &window.surfaceView(),
                       [this](bool pattern, bool cover) { painted(pattern, cover); });
+    m_toSolver =
+        QObject::connect(&window.solver(), &SolverLink::surfaceChanged, [this](const SurfaceMeshPtr& surface) {
+            m_surfaces.emplace_back(surface, m_window.solver().designRevision());
+            if (m_surfaces.size() > mostSurfaces)
+                m_surfaces.pop_front();
+        });
 }
 
 FeelPlayer::~FeelPlayer()
 {
+    QObject::disconnect(m_toSolver);
     m_application.watch(nullptr, nullptr, {});
 }
 
@@ -113,11 +121,18 @@ void FeelPlayer::send(const FeelEvent& event, QWidget& view, QPoint at)
     }
 }
 
+/// Of the surface that is on the screen; 0: a step on the way from one to the next.
+std::uint64_t FeelPlayer::revisionShown() const
+{
+    const SurfaceMeshPtr shown = m_window.surfaceView().shownSurface();
+    const auto known = std::ranges::find(m_surfaces, shown, &decltype(m_surfaces)::value_type::first);
+    return shown && known != m_surfaces.end() ? known->second : 0;
+}
+
 void FeelPlayer::painted(bool pattern, bool cover)
 {
     const double seen = now();
-    const SurfaceMeshPtr surface = m_window.surfaceView().shownSurface();
-    const std::uint64_t shown = cover && surface ? surface->revision : 0;
+    const std::uint64_t shown = cover ? revisionShown() : 0;
     std::erase_if(m_moves, [&](Move& move) {
         if (pattern && !std::exchange(move.patternSeen, true))
             m_figures.toPattern.push_back(seen - move.at);

@@ -7,7 +7,9 @@
 
 #include <QElapsedTimer>
 
+#include <deque>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace bolster {
@@ -43,6 +45,7 @@ private:
     };
 
     void painted(bool pattern, bool cover);
+    std::uint64_t revisionShown() const;
     void send(const FeelEvent& event, QWidget& view, QPoint at);
     QWidget& view(const QString& name);
     double now() const { return 1e-6 * static_cast<double>(m_clock.nsecsElapsed()); }
@@ -53,6 +56,9 @@ private:
     QString m_kind;
     bool m_down = false;
     std::vector<Move> m_moves; ///< that are not all on the screen yet
+    /// Revisions of the designs that the newest surfaces are of: what a surface itself counts is something else.
+    std::deque<std::pair<SurfaceMeshPtr, std::uint64_t>> m_surfaces;
+    QMetaObject::Connection m_toSolver;
     FeelFigures m_figures;
 };
 

@@ -304,6 +304,36 @@ TEST(Gesture, CommitsNothingWhenThePreviewReturnedToTheStart)
     EXPECT_EQ(document.history().count(), 2);
 }
 
+TEST(Gesture, ItsEndIsSaidOnceHoweverItEnds)
+{
+    Document document;
+    document.commit(setFabric(document.design(), 1, "a"));
+    int ends = 0;
+    QObject::connect(&document, &Document::gestureEnded, [&] {
+        ++ends;
+        EXPECT_FALSE(document.gestureRunning());
+        EXPECT_EQ(document.design(), document.committed());
+    });
+    const auto endsOf = [&](const auto& use) {
+        ends = 0;
+        Gesture gesture(document);
+        use(gesture);
+        return ends;
+    };
+    const auto rename = [&](Gesture& gesture) { gesture.update(setFabric(gesture.start(), 1, "b")); };
+    EXPECT_EQ(endsOf([&](Gesture& gesture) { rename(gesture), gesture.commit(); }), 1);
+    EXPECT_EQ(endsOf([&](Gesture& gesture) { rename(gesture), gesture.cancel(); }), 1);
+    EXPECT_EQ(endsOf([](Gesture& gesture) { gesture.commit(); }), 1) << "changed nothing";
+    EXPECT_EQ(endsOf([](Gesture& gesture) { gesture.letGo(), gesture.takeUp(), gesture.cancel(); }), 1);
+    EXPECT_EQ(endsOf([&](Gesture& gesture) { rename(gesture), document.undo(); }), 1);
+    EXPECT_EQ(endsOf([&](Gesture& gesture) { rename(gesture), gesture.letGo(), document.finishGesture(); }), 1);
+    EXPECT_EQ(endsOf([&](Gesture& gesture) { rename(gesture), document.reset({}); }), 1);
+    EXPECT_EQ(endsOf([&](Gesture&) {}), 0) << "still running";
+    EXPECT_EQ(ends, 1) << "destroyed";
+    document.commit(setFabric(document.design(), 1, "c"));
+    EXPECT_EQ(ends, 1) << "no gesture, no end";
+}
+
 TEST(Gesture, SurvivesItsDocument)
 {
     auto document = std::make_unique<Document>();

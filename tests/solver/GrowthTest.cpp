@@ -1,4 +1,5 @@
 // Work that must not grow with the square of what there is to do.
+#include "BodyTree.h"
 #include "OutlineSampling.h"
 #include "PatchLines.h"
 #include "PreparedSheet.h"
@@ -9,6 +10,9 @@
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
 
 namespace bolster::test {
 namespace {
@@ -109,6 +113,49 @@ TEST(Growth, ASmallBodyIsFilledInALargeGridAsFastAsInASmallOne)
             EXPECT_TRUE(fillInside(bodies[0][0], *voxels, pool));
     };
     EXPECT_LT(growth(50, grid, fill), 3);
+}
+
+/// A layer of n small boxes that touch nothing.
+std::shared_ptr<const TriangleMesh> boxLayer(int count)
+{
+    auto mesh = std::make_shared<TriangleMesh>();
+    const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+    for (int k = 0; k < count; ++k) {
+        const Vec3 low(10 * (k % side), 10 * (k / side), 0);
+        const TriangleMesh box = boxMesh(Box3(low, low + Vec3(6, 6, 6)));
+        const auto first = static_cast<std::uint32_t>(mesh->points.size());
+        mesh->points.insert(mesh->points.end(), box.points.begin(), box.points.end());
+        for (const auto& [a, b, c] : box.triangles)
+            mesh->triangles.push_back({first + a, first + b, first + c});
+    }
+    mesh->parts = {{"Boxes", 0, static_cast<std::uint32_t>(mesh->triangles.size())}};
+    return mesh;
+}
+
+/// Each voxel of a frame's contact asks for it.
+TEST(Growth, TheNearestOfManyBodiesIsFoundAsFastAsOfAFew)
+{
+    struct Layer {
+        explicit Layer(int count)
+            : parts(frameParts(*boxLayer(count), {}))
+        {
+            std::vector<const FrameBody*> bodies;
+            for (const FrameBody& body : parts[0])
+                bodies.push_back(&body);
+            tree.emplace(bodies);
+        }
+        FrameParts parts;
+        std::optional<BodyTree> tree;
+    };
+    const auto make = [](int count) { return std::make_shared<const Layer>(count); };
+    const auto ask = [](const std::shared_ptr<const Layer>& layer) {
+        for (int k = 0; k < 2000; ++k) {
+            const Vec3 point(0.2 * (k % 50), 5 * (k / 50), 8);
+            EXPECT_LT(layer->tree->distance(point, 100), 50);
+            EXPECT_FALSE(layer->tree->contains(point));
+        }
+    };
+    EXPECT_LT(growth(500, make, ask), 4);
 }
 
 } // namespace

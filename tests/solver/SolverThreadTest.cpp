@@ -27,6 +27,12 @@ using State = SolverStatus::State;
 /// A solver thread whose outputs can be waited for, as an event loop would.
 class Listener {
 public:
+    explicit Listener(std::shared_ptr<RestingCache> kept = nullptr)
+        : m_kept(std::move(kept))
+    {}
+    const std::shared_ptr<RestingCache>& kept() const { return m_solver.kept(); }
+    void startAnew() { m_solver.startAnew(); }
+
     void request(const Design& design, std::uint64_t revision, bool passing = false)
     {
         m_solver.request(design, revision, passing);
@@ -52,16 +58,20 @@ public:
     }
 
 private:
-    std::mutex m_mutex;
-    std::condition_variable m_wake;
-    bool m_woken = false;
-    SolverThread m_solver{[this] {
+    void wake()
+    {
         {
             const std::lock_guard lock(m_mutex);
             m_woken = true;
         }
         m_wake.notify_one();
-    }};
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    bool m_woken = false;
+    std::shared_ptr<RestingCache> m_kept;
+    SolverThread m_solver{[this] { wake(); }, m_kept};
 };
 
 ElementId firstCurve(const Design& design)
@@ -461,6 +471,32 @@ TEST(RestingCache, KeepsWhatWasUsedLastWithinItsBounds)
     EXPECT_FALSE(cache.find(withOutlineMoved(design, Vec2(3, 0))));
     cache.keep(kept(design));
     EXPECT_EQ(cache.count(), 2u) << "once each";
+}
+
+/// As when two versions are compared: the other window has a thread of its own.
+TEST(SolverThread, FindsWhatAnotherOneHasSolvedAndLeavesItThere)
+{
+    const auto resting = [](const SolverOutput& o) { return o.status.resting; };
+    const Design before = hammock();
+    const Design after = withCurveMoved(before, Vec3(0, 0, 5));
+    Listener first;
+    first.request(before, 1);
+    const auto solved = first.waitFor(resting);
+    ASSERT_TRUE(solved);
+    Listener second(first.kept());
+    second.startAnew();
+    second.request(before, 1);
+    const auto found = second.waitFor(resting);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->report.time.total, solved->report.time.total) << "it was not solved once more";
+    EXPECT_EQ(found->surface->positions, solved->surface->positions);
+    second.request(after, 2);
+    ASSERT_TRUE(second.waitFor(resting));
+    EXPECT_EQ(first.kept()->count(), 2u) << "each for the other";
+    first.startAnew();
+    first.request(after, 2);
+    ASSERT_TRUE(first.waitFor(resting));
+    EXPECT_EQ(first.kept()->count(), 1u) << "another design was opened";
 }
 
 TEST(SolverThread, GivesUpWhatIsOutdated)

@@ -1,4 +1,5 @@
 // Frames as voxels, and the field of forces around them.
+#include "BodyTree.h"
 #include "DistanceTransform.h"
 #include "DrawField.h"
 #include "ForceField.h"
@@ -357,6 +358,37 @@ TEST(ForceField, StopsWhenAsked)
     WorkerPool pool(2);
     const std::vector<CushionBody> bodies = {{shared(voxelsOf(boxMesh(box), 5)), 20, false}};
     EXPECT_EQ(cushionField(bodies, VoxelMetric::CityBlock, pool, stop.get_token()), nullptr);
+}
+
+TEST(BodyTree, FindsWhatAskingEachBodyFinds)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> place(-200, 200);
+    std::vector<FrameBody> bodies;
+    for (int k = 0; k < 40; ++k) {
+        const Vec3 low(place(random), place(random), place(random));
+        for (const auto& part : frameParts(boxMesh(Box3(low, low + Vec3(30, 20, 40))), {}))
+            bodies.insert(bodies.end(), part.begin(), part.end());
+    }
+    std::vector<const FrameBody*> all;
+    for (const FrameBody& body : bodies)
+        all.push_back(&body);
+    const BodyTree tree(all);
+    int inside = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 point(place(random), place(random), place(random));
+        double nearest = 60;
+        bool contained = false;
+        for (const FrameBody& body : bodies) {
+            nearest = body.tree.distance(point, nearest);
+            contained = contained || body.tree.windingNumber(point) > 0.5;
+        }
+        EXPECT_NEAR(tree.distance(point, 60), nearest, 1e-9);
+        EXPECT_EQ(tree.contains(point), contained);
+        inside += contained ? 1 : 0;
+    }
+    EXPECT_GT(inside, 10);
+    EXPECT_EQ(BodyTree({}).distance(Vec3::Zero(), 7), 7);
 }
 
 } // namespace

@@ -47,6 +47,27 @@ TEST(PatternScene, HitsPointsBeforeOutlinesBeforeTheInside)
     EXPECT_EQ(scene.hit({150, 50}, 5, all).kind, Kind::Nothing);
 }
 
+/// Of a hundred thousand patches nobody reads the names.
+TEST(PatternScene, LooksForRoomForANameOnlyWhereOneIsWritten)
+{
+    PatternScene scene;
+    const Design before = twoSquares();
+    scene.reset(before);
+    const PatternPatch& patch = *scene.patch(firstSquare);
+    EXPECT_FALSE(patch.knownLabel);
+    const auto place = patch.label().place({40, 10});
+    ASSERT_TRUE(place);
+    Patch moved = patch.patch();
+    moved.position += Vec2(30, 5);
+    const Design after = before.with({{}, {{firstSquare, before.element(firstSquare), makeElement(moved)}}});
+    scene.update(after, {firstSquare});
+    EXPECT_TRUE(patch.knownLabel) << "and goes with it";
+    EXPECT_LT((patch.label().place({40, 10})->centre - place->centre - Vec2(30, 5)).norm(), 1e-9);
+    moved.outline = BSpline2(1, true, {{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+    scene.update(after.with({{}, {{firstSquare, after.element(firstSquare), makeElement(moved)}}}), {firstSquare});
+    EXPECT_FALSE(patch.label().place({40, 10})) << "no room any more";
+}
+
 TEST(PatternScene, FindsTheSeamAtAnOutline)
 {
     PatternScene scene;
