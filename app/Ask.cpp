@@ -128,6 +128,7 @@ ProgressWindow openProgress(QWidget* window, const QString& text, int steps)
     auto* dialog = new QProgressDialog(text, Ask::tr("Cancel"), 0, steps, window);
     auto* bar = new QProgressBar(dialog);
     bar->setRange(0, steps);
+    bar->setValue(0); // before that no minimum duration counts but four seconds
     dialog->setBar(bar);
     dialog->setWindowModality(Qt::WindowModal);
     dialog->setAutoClose(false);
