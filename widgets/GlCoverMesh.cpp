@@ -3,6 +3,7 @@
 #include "SurfaceEdges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace bolster {
@@ -100,12 +101,15 @@ void GlCoverMesh::putMap(const SurfaceMapPtr& map)
     const bool fits = map && map->fits(*m_coarse) && map->values.size() == m_coarse->vertexCount();
     std::vector<SurfaceMap::Rgba> colors(m_fine ? m_fine->vertexCount() : m_coarse->vertexCount());
     if (fits) {
-        const MapScale scale{map->kind, map->limit};
-        const std::vector<float> values = ofVertices(map->values);
-        const bool limited = map->allowed.size() == map->values.size();
-        const std::vector<float> allowed = limited ? ofVertices(map->allowed) : std::vector<float>();
+        // Colours are carried over, not values: where stretched meets pressed these would pass through zero.
+        std::vector<Eigen::Vector4f> ofCoarse;
+        for (const auto& [r, g, b, a] : map->colors())
+            ofCoarse.emplace_back(r, g, b, a);
+        const std::vector<Eigen::Vector4f> shown = ofVertices(std::move(ofCoarse));
         for (std::size_t v = 0; v < colors.size(); ++v)
-            colors[v] = limited ? scale.color(values[v], allowed[v]) : scale.color(values[v]);
+            for (int c = 0; c < 4; ++c)
+                colors[v][static_cast<std::size_t>(c)] =
+                    static_cast<std::uint8_t>(std::clamp(std::lround(shown[v][c]), 0L, 255L));
     }
     m_mapColors.put(colors, QOpenGLBuffer::DynamicDraw);
 }

@@ -112,9 +112,14 @@ void MapLegend::paintEvent(QPaintEvent*)
     }
     if (hasLimits()) {
         text.translate(0, line);
-        const auto [r, g, b, a] = MapScale::over;
-        painter.fillRect(text.left(), text.top() + (line - barHeight) / 2, barHeight, barHeight, QColor(r, g, b));
-        painter.drawText(text.adjusted(barHeight + 6, 0, 0, 0), Qt::AlignLeft, tr("over the fabric's limit"));
+        int left = text.left();
+        for (const auto& [r, g, b, a] : {MapScale::under, MapScale::over})
+            if (both || r > b) {
+                painter.fillRect(left, text.top() + (line - barHeight) / 2, barHeight, barHeight, QColor(r, g, b));
+                left += barHeight + 2;
+            }
+        painter.drawText(text.adjusted(left - text.left() + 4, 0, 0, 0), Qt::AlignLeft,
+                         tr("over the fabric's limit"));
     }
     text.translate(0, line);
     painter.drawText(text, Qt::AlignLeft, m_reading);

@@ -28,7 +28,7 @@ MapScale::Rgba MapScale::color(float value, float allowed) const
 {
     const bool known = std::isfinite(value) && limit > 0;
     if (known && std::abs(value) > allowed)
-        return over;
+        return value > 0 ? over : under;
     const bool both = kind == Kind::Diverging;
     const std::span<const Stop> stops = both ? std::span<const Stop>(diverging) : std::span<const Stop>(sequential);
     const float share = known ? std::clamp(value / limit, both ? -1.F : 0.F, 1.F) : 0;

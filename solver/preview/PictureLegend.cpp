@@ -48,9 +48,15 @@ public:
         if (m_legend.over.empty())
             return;
         const int last = m_top + 3 * m_line, square = m_line * 5 / 8;
-        fill(m_left, last + (m_line - square) / 2, square, square, 1, toneOf(MapScale::over));
-        const TextMask over = textMask(m_legend.over, m_width - 3 * square / 2, m_line, TextAlign::Left, m_problem);
-        coverWith(m_image, over, m_left + 3 * square / 2, last, greyTone(ink));
+        int left = m_left;
+        if (m_legend.scale.kind == MapScale::Kind::Diverging) {
+            fill(left, last + (m_line - square) / 2, square, square, 1, toneOf(MapScale::under));
+            left += 5 * square / 4;
+        }
+        fill(left, last + (m_line - square) / 2, square, square, 1, toneOf(MapScale::over));
+        left += 3 * square / 2;
+        const TextMask over = textMask(m_legend.over, m_left + m_width - left, m_line, TextAlign::Left, m_problem);
+        coverWith(m_image, over, left, last, greyTone(ink));
     }
 
 private:

@@ -230,6 +230,7 @@ TEST(FabricPicture, LegendsShowTheScaleInColoursAndLight)
     const std::size_t over = shows(MapScale::over);
     ASSERT_LT(over, image.rgba.size());
     EXPECT_LT(image.light[over], 0.1f) << "the light, too";
+    EXPECT_LT(shows(MapScale::under), over) << "pressed stands on the left, as in the scale";
     EXPECT_EQ(brightness(image, 600, 20), brightness(before, 600, 20)) << "only a corner";
 
     PreviewImage small;

@@ -185,6 +185,10 @@ TEST(CoverMap, ShowsWhatIsOverTheFabricsLimit)
     EXPECT_EQ(coverMap(CoverMap::Kind::Along, mesh, one.design, {}).colors().front(), MapScale::over);
     EXPECT_NE(coverMap(CoverMap::Kind::Across, mesh, one.design, {}).colors().front(), MapScale::over);
     EXPECT_FLOAT_EQ(coverMap(CoverMap::Kind::Across, mesh, one.design, {}).scale.limit, 20);
+    const SurfaceMesh pressed =
+        grid(100, 100, 4, one.patch, one.fabric, [](const Vec2& p) { return Vec3(0.95 * p.x(), 0.95 * p.y(), 0); });
+    EXPECT_EQ(coverMap(CoverMap::Kind::Along, pressed, one.design, {}).colors().front(), MapScale::under)
+        << "what folds is told from what tears";
 }
 
 TEST(CoverMap, SpotsKeepTheirDistance)
