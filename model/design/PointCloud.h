@@ -9,8 +9,8 @@
 namespace bolster {
 
 struct PointCloud {
-    std::vector<Vec3> points;          ///< file units
-    std::vector<std::uint32_t> colors; ///< 0xRRGGBB of each point; empty where the file has none
+    std::vector<Vec3> points;               ///< file units
+    std::vector<std::uint32_t> colors = {}; ///< 0xRRGGBB of each point; empty where the file has none
 
     /// Of a file with more points than are kept: how many it has; each cube of a grid kept its first. 0: all are
     /// here.
