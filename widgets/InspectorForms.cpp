@@ -42,6 +42,7 @@ std::unique_ptr<PropertyForm> InspectorForms::make() const
         addElement(*form, *elements.begin());
     else
         addSeveral(*form);
+    form->addRoomBelow();
     return form;
 }
 

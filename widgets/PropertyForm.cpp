@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
+#include <QSpacerItem>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -105,6 +106,11 @@ PropertyForm::PropertyForm(QWidget* parent)
     m_layout->setLabelAlignment(Qt::AlignLeft);
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
+}
+
+void PropertyForm::addRoomBelow()
+{
+    m_layout->addItem(new QSpacerItem(0, 0, QSizePolicy::Minimum, QSizePolicy::Expanding));
 }
 
 void PropertyForm::refresh()

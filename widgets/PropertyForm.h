@@ -32,6 +32,8 @@ public:
     /// Text over the whole width; hidden while it is empty.
     void addNote(
         const std::function<QString()>& read, const std::function<Tone()>& tone = [] { return Tone::Muted; });
+    /// After the last row: a high dock does not pull the rows apart.
+    void addRoomBelow();
     void addText(const QString& label, const std::function<std::optional<QString>()>& read,
                  const std::function<void(const QString&)>& write);
     void addNumber(const QString& label, const NumberBox::Range& range,

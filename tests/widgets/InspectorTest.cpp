@@ -160,6 +160,23 @@ TEST_F(InspectorTest, TheNameIsTheElementsOwnEvenIfTypingChangedNothing)
     EXPECT_EQ(document.history().count(), 2);
 }
 
+TEST_F(InspectorTest, AHighDockDoesNotPullTheRowsApart)
+{
+    selection.set({firstSquare});
+    const auto lowest = [&] {
+        QCoreApplication::processEvents();
+        int y = 0;
+        for (const QLabel* label : inspector.widget()->findChildren<QLabel*>())
+            if (label->isVisible())
+                y = std::max(y, label->geometry().bottom());
+        return y;
+    };
+    inspector.resize(300, inspector.widget()->sizeHint().height() + 40);
+    const int before = lowest();
+    inspector.resize(300, 2000);
+    EXPECT_LE(lowest(), before + 4);
+}
+
 TEST_F(InspectorTest, AnEdgeTakesALengthByNumber)
 {
     selection.set({firstSquare}, {{firstSquare, 0}, {firstSquare, 1}});
