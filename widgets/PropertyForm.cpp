@@ -10,11 +10,11 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
-#include <QSpacerItem>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QSpacerItem>
 #include <QToolButton>
 #include <QTreeWidget>
 
