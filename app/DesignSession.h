@@ -93,8 +93,9 @@ signals:
     void problemsChanged();
     /// The design is shown where one stood at the end, which is not where its file stands.
     void wentToLastPlace();
-    /// Unsaved work cannot be protected against a crash.
+    /// Unsaved work cannot be protected against a crash, until recoveryWorksAgain.
     void recoveryFailed(const bolster::Message& why);
+    void recoveryWorksAgain();
 
 private:
     /// A file by its name as elements have it, and what it is read as.
@@ -104,6 +105,11 @@ private:
 
     static FileKey keyOf(const Element& element);
     struct Moment;
+    /// A project that is written from a journal, on another thread.
+    struct Writing {
+        std::function<Message(Journal&)> work;
+        std::function<bool()> refused; ///< on purpose: no other journal would do better
+    };
 
     static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own);
     static Opened readLeft(const WorkJournal::Left& left);
@@ -116,8 +122,12 @@ private:
     void saveText(const QString& file, const Done& done);
     void endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
                    const Done& done);
-    void besideEdits(const std::function<Message(Journal&)>& work, const Done& done);
-    void addFiles(const Done& done);
+    void besideEdits(const std::shared_ptr<Journal>& journal, const std::function<Message(Journal&)>& work,
+                     const Done& done);
+    void writeProject(const QString& file, const Writing& writing, const Done& done);
+    void writeFromStandIn(const QString& file, const Writing& writing, const Done& done);
+    void writeFrom(const std::shared_ptr<Journal>& journal, const Writing& writing, const Done& done);
+    void addFiles(const std::shared_ptr<Journal>& journal, const Done& done);
     void renameFiles(const std::map<std::string, std::string>& names);
     void designChanged(const std::set<ElementId>& ids);
     void updateFiles();

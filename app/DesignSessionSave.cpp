@@ -64,21 +64,62 @@ void DesignSession::save(const QString& path, const Done& done)
 
 void DesignSession::saveProject(const QString& file, const Done& done)
 {
-    addFiles([this, file, done](const Message& problem) {
-        if (!problem.empty()) {
-            endSaving(file, {}, problem, done);
+    const bool ours = file == m_path;
+    auto saving = std::make_shared<Saving>();
+    const Writing writing{[=](Journal& journal) {
+                              return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->held);
+                          },
+                          [=] { return saving->changedByOthers; }};
+    writeProject(file, writing, [=, this](const Message& problem) {
+        m_changedByOthers = saving->changedByOthers;
+        endSaving(file, HeldHistory{saving->held, false}, problem, done);
+    });
+}
+
+/// From the journal, or where its disk takes nothing more, from one that stands in for it.
+void DesignSession::writeProject(const QString& file, const Writing& writing, const Done& done)
+{
+    if (!m_journal.catchUp().empty()) {
+        writeFromStandIn(file, writing, done);
+        return;
+    }
+    writeFrom(m_journal.journal(), writing, [=, this](const Message& problem) {
+        if (problem.empty() || writing.refused())
+            done(problem);
+        else
+            writeFromStandIn(file, writing, done);
+    });
+}
+
+void DesignSession::writeFromStandIn(const QString& file, const Writing& writing, const Done& done)
+{
+    using StandIn = std::shared_ptr<WorkJournal::StandIn>;
+    inBackground<StandIn>([make = m_journal.standIns(), file] {
+        return make(file);
+    }).then(this, [=, this, generation = m_generation](const StandIn& made) {
+        if (generation != m_generation)
+            return;
+        if (!made->problem.empty()) {
+            done(made->problem);
             return;
         }
-        const bool ours = file == m_path;
-        auto saving = std::make_shared<Saving>();
-        besideEdits(
-            [=](Journal& journal) {
-                return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->held);
-            },
-            [=, this](const Message& why) {
-                m_changedByOthers = saving->changedByOthers;
-                endSaving(file, HeldHistory{saving->held, false}, why, done);
-            });
+        const std::shared_ptr<Journal> journal(made, made->journal.get());
+        writeFrom(journal, writing, [this, journal, done](const Message& problem) {
+            if (problem.empty())
+                m_journal.savedBy(*journal);
+            done(problem);
+        });
+    });
+}
+
+void DesignSession::writeFrom(const std::shared_ptr<Journal>& journal, const Writing& writing, const Done& done)
+{
+    addFiles(journal, [=, this](const Message& lacking) {
+        const Message problem = lacking.empty() ? m_journal.catchUp(*journal) : lacking;
+        if (problem.empty())
+            besideEdits(journal, writing.work, done);
+        else
+            done(problem);
     });
 }
 
@@ -100,19 +141,17 @@ void DesignSession::takeTheirs(const QString& name,
             return;
         }
         m_changedByOthers = false;
-        besideEdits([theirs, folder = m_folder](Journal&) { return extractMissing(*theirs, folder); },
-                    [done, tip](const Message& lacking) { done(lacking, tip); });
+        besideEdits(
+            m_journal.journal(), [theirs, folder = m_folder](Journal&) { return extractMissing(*theirs, folder); },
+            [done, tip](const Message& lacking) { done(lacking, tip); });
     });
 }
 
 void DesignSession::saveCopy(const QString& path, const SaveOptions& options, const Done& done)
 {
-    addFiles([this, path, options, done](const Message& problem) {
-        if (problem.empty())
-            besideEdits([path, options](Journal& journal) { return journal.saveCopy(path, options); }, done);
-        else
-            done(problem);
-    });
+    const Writing writing{[path, options](Journal& journal) { return journal.saveCopy(path, options); },
+                          [] { return false; }};
+    writeProject(path, writing, done);
 }
 
 void DesignSession::endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
@@ -130,9 +169,10 @@ void DesignSession::endSaving(const QString& file, const std::optional<HeldHisto
 }
 
 /// Edits go on meanwhile, and are in the journal at once. `done` is not called when another design was opened.
-void DesignSession::besideEdits(const std::function<Message(Journal&)>& work, const Done& done)
+void DesignSession::besideEdits(const std::shared_ptr<Journal>& journal,
+                                const std::function<Message(Journal&)>& work, const Done& done)
 {
-    inBackground<Message>([journal = m_journal.journal(), work] {
+    inBackground<Message>([journal, work] {
         return work(*journal);
     }).then(this, [this, generation = m_generation, done](const Message& problem) {
         if (generation == m_generation)
@@ -141,22 +181,19 @@ void DesignSession::besideEdits(const std::function<Message(Journal&)>& work, co
 }
 
 /// The files that any version uses become part of the project.
-void DesignSession::addFiles(const Done& done)
+void DesignSession::addFiles(const std::shared_ptr<Journal>& journal, const Done& done)
 {
-    if (const Message problem = m_journal.catchUp(); !problem.empty()) {
-        done(problem);
-        return;
-    }
     std::map<std::string, QString> files;
     for (const QString& name : m_names)
         if (const QString file = m_folder.find(name); !file.isEmpty())
             files[name.toStdString()] = file;
     auto names = std::make_shared<std::map<std::string, std::string>>(); // as the project has them
     besideEdits(
-        [files, names](Journal& journal) {
+        journal,
+        [files, names](Journal& to) {
             for (const auto& [name, file] : files) {
                 std::string kept = name;
-                if (Message problem = journal.addAsset(kept, file); !problem.empty())
+                if (Message problem = to.addAsset(kept, file); !problem.empty())
                     return problem;
                 (*names)[name] = kept;
             }

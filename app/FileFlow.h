@@ -63,6 +63,7 @@ signals:
 private:
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
+    void warnOfCrashes(const Message& why);
     void askAboutWork(const Then& then);
     void keepForLater(const Then& then);
     void saveForGood(bool asProject, const Then& then);
@@ -98,6 +99,7 @@ private:
     Banner* m_banner;
     QPointer<QMessageBox> m_question; ///< what becomes of unsaved work
     int m_restored = 0;               ///< number of what the banner says about it
+    Message m_unprotected;            ///< why what is done is not protected; empty when it is
 };
 
 } // namespace bolster

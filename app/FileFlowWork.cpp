@@ -74,6 +74,23 @@ void FileFlow::announceRestored(int others)
         {{tr("Sh&ow"), [this] { emit historyWanted(); }}, {tr("Go &back to saved"), [this] { revert(); }}});
 }
 
+/// As long as it is so: whoever goes on working has to know.
+void FileFlow::warnOfCrashes(const Message& why)
+{
+    m_unprotected = why;
+    m_banner->warn(tr("Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder "
+                      "\"%2\". Make room there, or save the design.")
+                       .arg(QLocale().toString(QTime::currentTime(), QLocale::ShortFormat),
+                            QDir::toNativeSeparators(WorkJournal::folder())),
+                   translated(why),
+                   {{tr("&Save"), [this] { save(); }},
+                    {tr("Save &as \u2026"), [this] { saveAs(); }},
+                    {tr("&Try again"), [this] {
+                         if (const Message still = m_session.journal().catchUp(); !still.empty())
+                             emit done(translated(still));
+                     }}});
+}
+
 /// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
 void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
