@@ -58,6 +58,10 @@ public:
     void save(const QString& path, const Done& done);
     /// The last save has written nothing, because somebody else has changed the file since it was opened.
     bool changedByOthers() const { return m_changedByOthers; }
+    /// The same, because something is in the file's place that was neither read nor written here.
+    bool placeTaken() const { return m_placeTaken; }
+    /// Gives the place free: what is there keeps another name in its folder, which is returned.
+    static Message moveAside(const QString& path, QString* name);
     /// Their versions become a branch, whose last one is called `name`: `tip`, when it worked. Save works again
     /// then.
     void takeTheirs(const QString& name, const std::function<void(const Message& problem, NodeId tip)>& done);
@@ -121,7 +125,7 @@ private:
     void saveProject(const QString& file, const Done& done);
     void saveText(const QString& file, const Done& done);
     void endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
-                   const Done& done);
+                   const FileStamp& stamp, const Done& done);
     void besideEdits(const std::shared_ptr<Journal>& journal, const std::function<Message(Journal&)>& work,
                      const Done& done);
     void writeProject(const QString& file, const Writing& writing, const Done& done);
@@ -149,6 +153,7 @@ private:
     DesignFiles m_files;
     int m_saves = 0; ///< on their way
     bool m_changedByOthers = false;
+    bool m_placeTaken = false;
     int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
 };
 

@@ -8,6 +8,10 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
 namespace bolster {
 
 namespace {
@@ -15,26 +19,54 @@ namespace {
 struct Saving {
     HistoryMark held; // by the file: edits may have come before the journal was read
     bool changedByOthers = false;
+    bool placeTaken = false;
 };
+
+/// Only what leads where it led when the file was read or written here is followed.
+Message newLinkIn(const QString& file, const FileStamp& known)
+{
+    const QString link = stampOf(file, false).link;
+    if (!known.known || link.isEmpty() || link == known.link)
+        return {};
+    return {QT_TRANSLATE_NOOP("Message", "\"%1\" is a link to \"%2\" now"),
+            {file.toStdString(), link.toStdString()}};
+}
+
+/// What is in the place of a design as text, unless it is the file that was read or written here.
+Message strangerIn(const QString& file, const FileStamp& known)
+{
+    Message stranger = newLinkIn(file, known);
+    if (!stranger.empty() || !known.known || !isTaken(file) || QFileInfo(file).isDir())
+        return stranger;
+    if (stampOf(file, true).content != known.content)
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" was changed by another program"), {file.toStdString()}};
+    return {};
+}
 
 /// Not over what somebody else has made of the project meanwhile. What we have all of may go: it is our own, though
 /// the program may have died before it could tell.
-Message saveOurs(Journal& journal, const QString& file, Saving& saving)
+Message saveOurs(Journal& journal, const QString& file, const FileStamp& known, Saving& saving)
 {
-    const OpenedProject there = QFileInfo::exists(file) ? openProject(file) : OpenedProject();
-    if (QFileInfo::exists(file) && there.problem.empty() && journal.base() && there.seal != *journal.base())
-        switch (journal.compare(there)) {
-        case Journal::Theirs::NothingNew:
-            break;
-        case Journal::Theirs::MoreVersions:
-            saving.changedByOthers = true;
-            return {QT_TRANSLATE_NOOP("Message", "somebody else has changed it since it was opened here"), {}};
-        case Journal::Theirs::AnotherProject:
-            return {
-                QT_TRANSLATE_NOOP("Message", "there is another project in the file now; save under another name"),
-                {}};
-        }
-    return journal.save(file, &saving.held);
+    if (!isTaken(file) || QFileInfo(file).isDir())
+        return journal.save(file, &saving.held);
+    Message stranger = newLinkIn(file, known);
+    if (stranger.empty()) {
+        const OpenedProject there = openProject(file);
+        stranger = there.problem;
+        if (stranger.empty() && there.seal != journal.base())
+            switch (journal.compare(there)) {
+            case Journal::Theirs::NothingNew:
+                break;
+            case Journal::Theirs::MoreVersions:
+                saving.changedByOthers = true;
+                return {QT_TRANSLATE_NOOP("Message", "somebody else has changed \"%1\" since it was opened here"),
+                        {file.toStdString()}};
+            case Journal::Theirs::AnotherProject:
+                stranger = {QT_TRANSLATE_NOOP("Message", "\"%1\" is another project now"), {file.toStdString()}};
+            }
+    }
+    saving.placeTaken = !stranger.empty();
+    return saving.placeTaken ? stranger : journal.save(file, &saving.held);
 }
 
 /// The files of their design that are not here yet.
@@ -56,6 +88,7 @@ void DesignSession::save(const QString& path, const Done& done)
     const QString file = QFileInfo(path).absoluteFilePath();
     ++m_saves;
     m_changedByOthers = false;
+    m_placeTaken = false;
     if (isProject(file))
         saveProject(file, done);
     else
@@ -65,14 +98,17 @@ void DesignSession::save(const QString& path, const Done& done)
 void DesignSession::saveProject(const QString& file, const Done& done)
 {
     const bool ours = file == m_path;
+    const FileStamp known = m_journal.place().stamp;
     auto saving = std::make_shared<Saving>();
     const Writing writing{[=](Journal& journal) {
-                              return ours ? saveOurs(journal, file, *saving) : journal.save(file, &saving->held);
+                              return ours ? saveOurs(journal, file, known, *saving)
+                                          : journal.save(file, &saving->held);
                           },
-                          [=] { return saving->changedByOthers; }};
+                          [=] { return saving->changedByOthers || saving->placeTaken; }};
     writeProject(file, writing, [=, this](const Message& problem) {
         m_changedByOthers = saving->changedByOthers;
-        endSaving(file, HeldHistory{saving->held, false}, problem, done);
+        m_placeTaken = saving->placeTaken;
+        endSaving(file, HeldHistory{saving->held, false}, problem, stampOf(file, false), done);
     });
 }
 
@@ -123,6 +159,24 @@ void DesignSession::writeFrom(const std::shared_ptr<Journal>& journal, const Wri
     });
 }
 
+/// Another name in the same folder, so that nothing has to be copied.
+Message DesignSession::moveAside(const QString& path, QString* name)
+{
+    const QFileInfo file(path);
+    const auto named = [&](const QString& addition) {
+        return file.completeBaseName() + addition + (file.suffix().isEmpty() ? QString() : u'.' + file.suffix());
+    };
+    const QDir folder(file.absolutePath());
+    *name = named(tr(" (other)"));
+    for (int n = 2; isTaken(folder.filePath(*name)); ++n)
+        *name = named(tr(" (other %1)").arg(n));
+    const QByteArray to = QFile::encodeName(folder.filePath(*name));
+    if (std::rename(QFile::encodeName(path).constData(), to.constData()) != 0) // a link itself, too
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be renamed (%2)"),
+                {path.toStdString(), std::strerror(errno)}};
+    return {};
+}
+
 void DesignSession::takeTheirs(const QString& name,
                                const std::function<void(const Message& problem, NodeId tip)>& done)
 {
@@ -155,13 +209,13 @@ void DesignSession::saveCopy(const QString& path, const SaveOptions& options, co
 }
 
 void DesignSession::endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
-                              const Done& done)
+                              const FileStamp& stamp, const Done& done)
 {
     --m_saves;
     if (problem.empty()) {
         m_path = file;
         m_document.setHeld(*held);
-        m_journal.move({file, m_folder.folder()});
+        m_journal.move({file, m_folder.folder(), stamp});
         emit titleChanged();
     }
     done(problem);
@@ -229,9 +283,13 @@ void DesignSession::renameFiles(const std::map<std::string, std::string>& names)
 void DesignSession::saveText(const QString& file, const Done& done)
 {
     const QString folder = QFileInfo(file).absolutePath();
+    Message problem = file == m_path ? strangerIn(file, m_journal.place().stamp) : Message();
+    m_placeTaken = !problem.empty();
     Design arranged;
-    if (const Message problem = m_folder.copyTo(folder, m_document.committed(), &arranged); !problem.empty()) {
-        endSaving(file, {}, problem, done);
+    if (problem.empty())
+        problem = m_folder.copyTo(folder, m_document.committed(), &arranged);
+    if (!problem.empty()) {
+        endSaving(file, {}, problem, {}, done);
         return;
     }
     // A file that had to take another name beside the design: the renamed one is what is saved and shown.
@@ -243,12 +301,14 @@ void DesignSession::saveText(const QString& file, const Done& done)
     const NodeId node = m_document.history().current();
     const int generation = m_generation;
     const HeldHistory held{{node, 1, {}}, true};
-    inBackground<Message>([file, design = m_document.committed()] {
-        return saveDesign(design, file);
-    }).then(this, [this, file, held, generation, done](const Message& problem) {
+    using Written = std::pair<Message, FileStamp>;
+    inBackground<Written>([file, design = m_document.committed()] {
+        Message why = saveDesign(design, file);
+        return Written(std::move(why), stampOf(file, true));
+    }).then(this, [this, file, held, generation, done](const Written& written) {
         if (generation != m_generation)
             return;
-        endSaving(file, held, problem, done);
+        endSaving(file, held, written.first, written.second, done);
     });
 }
 

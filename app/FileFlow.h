@@ -77,6 +77,8 @@ private:
     void saveCopyTo(const QString& path, const SaveOptions& options);
     void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
+    void saveBesideStranger(const QString& path, const Message& stranger, const Then& then);
+    void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
     void chooseTarget(const QString& title, const QString& proposal, const QString& filter,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Document.h"
+#include "FileStamp.h"
 #include "Journal.h"
 
 #include <QDateTime>
@@ -25,8 +26,9 @@ class WorkJournal : public QObject {
 public:
     /// Where work belongs.
     struct Place {
-        QString original; ///< the project or design that is edited; empty for a new one
-        QString files;    ///< the folder in which the design's files are found; empty when it has none
+        QString original;     ///< the project or design that is edited; empty for a new one
+        QString files;        ///< the folder in which the design's files are found; empty when it has none
+        FileStamp stamp = {}; ///< of the original when it was read or written here for the last time
 
         friend bool operator==(const Place&, const Place&) = default;
     };

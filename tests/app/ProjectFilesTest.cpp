@@ -261,6 +261,119 @@ TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
     EXPECT_FALSE(window.document().dirty());
 }
 
+/// What is in the place of a project, or of a design as text, that somebody has removed.
+class StrangerTest : public ProjectFilesTest {
+protected:
+    void write(const QString& path, const QByteArray& bytes)
+    {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QFile::WriteOnly));
+        file.write(bytes);
+    }
+    static QByteArray bytesOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray("none");
+    }
+    /// Saving asks, and what is there is beside the new file afterwards.
+    void expectKept(const QString& path, const QByteArray& stranger)
+    {
+        change();
+        EXPECT_FALSE(save(path).empty());
+        EXPECT_TRUE(window.session().placeTaken());
+        EXPECT_EQ(bytesOf(path), stranger);
+        const QString other =
+            folder.filePath(QFileInfo(path).completeBaseName() + " (other)." + QFileInfo(path).suffix());
+        pressInBox("Keep the other file");
+        window.actions().save->trigger();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
+        EXPECT_EQ(bytesOf(other), stranger);
+        EXPECT_TRUE(openDesignOrProject(path).design == window.document().design());
+        QFile::remove(other);
+    }
+};
+
+TEST_F(StrangerTest, IsNeverReplacedByAProject)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    for (const QByteArray& stranger : {QByteArray("my only copy"), QByteArray(), bytesOf(sample("pillow"))}) {
+        QFile::remove(path);
+        write(path, stranger);
+        expectKept(path, stranger);
+    }
+    saveElsewhere(path); // newer, and damaged then
+    QByteArray damaged = bytesOf(path);
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+    damaged[damaged.size() - 100] = static_cast<char>(damaged[damaged.size() - 100] ^ 4);
+    write(path, damaged);
+    ASSERT_NE(openProject(path).problem.english(), "");
+    expectKept(path, damaged);
+}
+
+TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
+{
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_EQ(save(folder.filePath("pillow.bolster")).english(), "");
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    const QByteArray pillow = bytesOf(folder.filePath("pillow.bolster"));
+    write(path, pillow);
+    expectKept(path, pillow);
+}
+
+TEST_F(StrangerTest, ANewLinkIsNotFollowed)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    const QString moved = folder.filePath("moved.bolster");
+    ASSERT_TRUE(QFile::rename(path, moved));
+    const QByteArray before = bytesOf(moved);
+    ASSERT_TRUE(QFile::link(moved, path));
+    expectKept(path, before);
+    EXPECT_EQ(bytesOf(moved), before);
+    QFile::remove(path);
+    ASSERT_TRUE(QFile::link(folder.filePath("nowhere"), path));
+    change();
+    EXPECT_FALSE(save(path).empty());
+    EXPECT_TRUE(window.session().placeTaken());
+    EXPECT_TRUE(QFileInfo(path).isSymLink());
+}
+
+TEST_F(StrangerTest, ALinkThatWasOpenedIsFollowed)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString real = folder.filePath("real.bolster");
+    ASSERT_EQ(save(real).english(), "");
+    const QString path = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(real, path));
+    ASSERT_TRUE(open(path));
+    for (int saves = 0; saves < 2; ++saves) {
+        change();
+        EXPECT_EQ(save(path).english(), "");
+    }
+    EXPECT_TRUE(QFileInfo(path).isSymLink());
+    EXPECT_TRUE(openProject(real).design == window.document().design());
+}
+
+TEST_F(StrangerTest, IsNeverReplacedByADesignAsText)
+{
+    const QString path = folder.filePath("pillow.json");
+    ASSERT_TRUE(QFile::copy(sample("pillow"), path));
+    ASSERT_TRUE(open(path));
+    write(path, bytesOf(path)); // by a sync service
+    change();
+    EXPECT_EQ(save(path).english(), "");
+    change();
+    EXPECT_EQ(save(path).english(), "");
+    const QByteArray theirs = bytesOf(path) + "\n";
+    write(path, theirs);
+    expectKept(path, theirs);
+}
+
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
