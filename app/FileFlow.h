@@ -15,6 +15,7 @@ class QWidget;
 namespace bolster {
 
 class Banner;
+struct Salvaged;
 
 class FileFlow : public QObject {
     Q_OBJECT
@@ -63,6 +64,11 @@ signals:
 private:
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
+    void setAside(const WorkJournal::Left& left, const Message& problem);
+    void salvageWork(const WorkJournal::Left& damaged, const QString& why);
+    void sayWhatBecameOf(const QString& work, const QString& why, const QString& recovered,
+                         const Salvaged& salvaged);
+    void offerWorkSalvage(const WorkJournal::Left& damaged);
     void warnOfCrashes(const Message& why);
     void askAboutWork(const Then& then);
     void keepForLater(const Then& then);

@@ -19,6 +19,13 @@ namespace bolster {
 
 namespace {
 
+/// Of the work, as the user knows it.
+QString nameOf(const WorkJournal::Left& left)
+{
+    const QString& original = left.place.original;
+    return original.isEmpty() ? FileFlow::tr("New design") : QFileInfo(original).fileName();
+}
+
 /// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
 QString freePathBeside(const QString& path)
 {
@@ -49,11 +56,78 @@ void FileFlow::recover()
 void FileFlow::restore(const WorkJournal::Left& left, int others)
 {
     const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.restore(left, replace, [this, others](const Message& problem) {
+    m_session.restore(left, replace, [this, left, others](const Message& problem) {
         if (!problem.empty())
-            fail(tr("The unsaved work could not be restored."), problem);
+            setAside(left, problem);
         else
             announceRestored(others);
+    });
+}
+
+/// Damaged work must not stand before its sound project: that is opened as it was saved.
+void FileFlow::setAside(const WorkJournal::Left& left, const Message& problem)
+{
+    const auto damaged = WorkJournal::setAside(left);
+    if (!damaged) {
+        fail(tr("The unsaved work on \"%1\" could not be restored.").arg(nameOf(left)), problem);
+        return;
+    }
+    if (QFileInfo(left.place.original).isFile())
+        openNow(left.place.original);
+    salvageWork(*damaged, translated(problem));
+}
+
+void FileFlow::salvageWork(const WorkJournal::Left& damaged, const QString& why)
+{
+    const QString& original = damaged.place.original;
+    const QString to = freePathBeside(
+        original.isEmpty()
+            ? QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).filePath(nameOf(damaged))
+            : original);
+    inBackground<Salvaged>([journal = damaged.journal, to] {
+        return salvageJournal(journal, to);
+    }).then(this, [this, work = nameOf(damaged), why, to](const Salvaged& salvaged) {
+        sayWhatBecameOf(work, why, to, salvaged);
+    });
+}
+
+void FileFlow::sayWhatBecameOf(const QString& work, const QString& why, const QString& recovered,
+                               const Salvaged& salvaged)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Warning, tr("The unsaved work on \"%1\" is damaged.").arg(work), QMessageBox::Ok);
+    const bool some = salvaged.problem.empty();
+    QStringList text{why};
+    text << (some ? tr("What could be read is in \"%1\" now.").arg(QDir::toNativeSeparators(recovered))
+                  : translated(salvaged.problem));
+    text << tr("What was saved is not concerned. The damaged work is kept: File > Unsaved work.");
+    box->setInformativeText(text.join(QStringLiteral("\n\n")));
+    QStringList notes;
+    for (const Message& note : salvaged.notes)
+        notes << translated(note);
+    box->setDetailedText(notes.join(u'\n'));
+    const QAbstractButton* look =
+        some ? box->addButton(tr("Open what was &recovered"), QMessageBox::AcceptRole) : nullptr;
+    openQuestion(box, [this, look, recovered](const QAbstractButton* pressed) {
+        if (look && pressed == look)
+            open(recovered);
+    });
+}
+
+void FileFlow::offerWorkSalvage(const WorkJournal::Left& damaged)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Question, tr("The unsaved work on \"%1\" is damaged.").arg(nameOf(damaged)),
+               QMessageBox::Cancel);
+    box->setInformativeText(tr("What can be read goes into a new project. What you do not want any more is deleted "
+                               "30 days after it was put into the bin."));
+    const QAbstractButton* rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
+    const QAbstractButton* bin = box->addButton(tr("Put it into the &bin"), QMessageBox::DestructiveRole);
+    openQuestion(box, [this, rescue, bin, damaged](const QAbstractButton* pressed) {
+        if (pressed == rescue)
+            salvageWork(damaged, {});
+        else if (pressed == bin)
+            WorkJournal::putIntoBin(damaged);
     });
 }
 
@@ -188,12 +262,16 @@ void FileFlow::fillUnsaved(QMenu& menu)
     menu.clear();
     menu.setToolTipsVisible(true);
     for (const WorkJournal::Left& left : WorkJournal::left()) {
-        const QString& original = left.place.original;
-        const QString name = original.isEmpty() ? tr("New design") : QFileInfo(original).fileName();
         QAction* action =
-            menu.addAction(tr("%1, %2").arg(name, QLocale().toString(left.when, QLocale::ShortFormat)), this,
-                           [this, left] { keepWork([this, left] { restore(left); }); });
-        action->setToolTip(QDir::toNativeSeparators(original));
+            menu.addAction(tr("%1, %2").arg(nameOf(left), QLocale().toString(left.when, QLocale::ShortFormat)),
+                           this, [this, left] { keepWork([this, left] { restore(left); }); });
+        action->setToolTip(QDir::toNativeSeparators(left.place.original));
+    }
+    for (const WorkJournal::Left& left : WorkJournal::damaged()) {
+        QAction* action = menu.addAction(
+            tr("%1, %2, damaged").arg(nameOf(left), QLocale().toString(left.when, QLocale::ShortFormat)), this,
+            [this, left] { offerWorkSalvage(left); });
+        action->setToolTip(QDir::toNativeSeparators(left.place.original));
     }
     if (menu.isEmpty())
         menu.addAction(tr("Nothing"))->setEnabled(false);

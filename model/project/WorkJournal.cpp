@@ -13,11 +13,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 namespace bolster {
 namespace {
 
 const QString journalEnding = QStringLiteral(".bolster");
+const QString damagedEnding = QStringLiteral(".damaged");
+const QString logEnding = QStringLiteral("-wal"); // after the other one
 const QString aboutEnding = QStringLiteral(".about");
 constexpr std::int64_t longestAbout = 100'000;
 constexpr int daysInBin = 30;
@@ -54,7 +57,7 @@ QString newBase()
 
 QString baseOf(const WorkJournal::Left& left)
 {
-    return left.journal.chopped(journalEnding.size());
+    return left.journal.chopped(left.damaged ? damagedEnding.size() : journalEnding.size());
 }
 
 /// What stands in UUID.about, a line each.
@@ -127,7 +130,7 @@ void moveToBin(const QString& base)
 {
     QDir().mkpath(bin());
     const QString target = bin() + '/' + QFileInfo(base).fileName();
-    for (const QString& ending : {journalEnding, aboutEnding})
+    for (const QString& ending : {journalEnding, damagedEnding, damagedEnding + logEnding, aboutEnding})
         if (!QFile::rename(base + ending, target + ending))
             QFile::remove(base + ending);
     removeJournal(base);
@@ -179,7 +182,13 @@ bool hasUnsavedWork(const QString& base)
     return false;
 }
 
-/// Those with unsaved work among the journals of which `wanted` likes what stands about them.
+bool isOfProject(const QString& journal, const QString& project)
+{
+    const std::string uuid = projectUuid(journal);
+    return !uuid.empty() && uuid == projectUuid(project);
+}
+
+/// Those with unsaved work among the journals that are `wanted`, by what stands about them.
 template <class Wanted>
 QList<WorkJournal::Left> leftWhere(Wanted wanted)
 {
@@ -188,7 +197,7 @@ QList<WorkJournal::Left> leftWhere(Wanted wanted)
         WorkJournal::Left left{{}, file.lastModified(), file.absoluteFilePath()};
         const QString base = baseOf(left);
         const About about = readAbout(base);
-        const auto lock = wanted(about) ? lockOf(base) : nullptr;
+        const auto lock = wanted(about, left.journal) ? lockOf(base) : nullptr;
         if (!lock)
             continue;
         if (!hasUnsavedWork(base)) {
@@ -209,13 +218,49 @@ QList<WorkJournal::Left> leftWhere(Wanted wanted)
 QList<WorkJournal::Left> WorkJournal::left()
 {
     removeLeftTemporaryFiles(journals());
-    return leftWhere([](const About&) { return true; });
+    return leftWhere([](const About&, const QString&) { return true; });
 }
 
 std::optional<WorkJournal::Left> WorkJournal::leftOf(const QString& original)
 {
-    const QList<Left> found = leftWhere([&](const About& about) { return about.place.original == original; });
-    return found.isEmpty() ? std::nullopt : std::optional(found.front());
+    QList<Left> found = leftWhere([&](const About& about, const QString& journal) {
+        const QString& known = about.place.original;
+        return known == original || (known.isEmpty() && isOfProject(journal, original));
+    });
+    if (found.isEmpty())
+        return std::nullopt;
+    found.front().place.original = original;
+    return found.front();
+}
+
+std::optional<WorkJournal::Left> WorkJournal::setAside(const Left& left)
+{
+    const QString base = baseOf(left);
+    const auto lock = lockOf(base);
+    if (!lock || left.damaged || Journal::open(left.journal).journal)
+        return std::nullopt;
+    Left aside = left;
+    aside.damaged = true;
+    aside.journal = base + damagedEnding;
+    const auto rename = [](const QString& from, const QString& to) { // QFile has its doubts about folders
+        return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
+    };
+    rename(left.journal + logEnding, aside.journal + logEnding);
+    return rename(left.journal, aside.journal) ? std::optional(aside) : std::nullopt;
+}
+
+QList<WorkJournal::Left> WorkJournal::damaged()
+{
+    QList<Left> found;
+    const auto filter = QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot;
+    for (const QFileInfo& file : QDir(journals()).entryInfoList({'*' + damagedEnding}, filter, QDir::Time)) {
+        Left left{{}, file.lastModified(), file.absoluteFilePath(), false, true};
+        const About about = readAbout(baseOf(left));
+        left.place = about.place;
+        left.kept = about.kept;
+        found.append(left);
+    }
+    return found;
 }
 
 bool WorkJournal::isWorkedOn(const QString& original)

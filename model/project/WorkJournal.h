@@ -35,9 +35,10 @@ public:
     /// What a crash has left, or what somebody has kept for later.
     struct Left {
         Place place;
-        QDateTime when;    ///< of the last edit
-        QString journal;   ///< the file
-        bool kept = false; ///< on purpose
+        QDateTime when;       ///< of the last edit
+        QString journal;      ///< the file
+        bool kept = false;    ///< on purpose
+        bool damaged = false; ///< it was set aside: there is nothing but salvageJournal
     };
     /// A journal of one's own, with what is in it. `project.problem` says why there is none.
     struct Taken {
@@ -50,13 +51,19 @@ public:
 
     /// Of no running program, newest first; those without unsaved work are removed.
     static QList<Left> left();
-    /// The same of one project or design: no others are opened.
+    /// The same of one project or design: no others are opened. A journal that does not say where it belongs is
+    /// known by the name that all copies of a project share.
     static std::optional<Left> leftOf(const QString& original);
     /// A running program, this one or another, works on this project or design.
     static bool isWorkedOn(const QString& original);
     /// These may be called on any thread.
     static Taken takeProject(const QString& project);
     static Taken takeLeft(const Left& left);
+    /// Of one that cannot be opened: it stays where it is, and nobody tries again. Nothing when it can be opened,
+    /// or another program has it.
+    static std::optional<Left> setAside(const Left& left);
+    /// Those, newest first.
+    static QList<Left> damaged();
     /// Kept for 30 days more, then gone.
     static void putIntoBin(const Left& left);
     static void emptyBin();

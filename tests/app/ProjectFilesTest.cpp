@@ -201,6 +201,109 @@ TEST_F(ProjectFilesTest, OfSeveralCrashedProgramsTheOthersAreSaidToBeThere)
     EXPECT_TRUE(window.banner().text().contains("1 more")) << qPrintable(window.banner().text());
 }
 
+/// What a killed program has left does not open.
+class DamagedWorkTest : public ProjectFilesTest {
+protected:
+    void SetUp() override
+    {
+        ProjectFilesTest::SetUp();
+        ASSERT_TRUE(open(sample("box-cushion")));
+        change(edits);
+        path = folder.filePath("box.bolster");
+        ASSERT_EQ(save(path).english(), "");
+        saved = window.document().design();
+        window.actions().newDesign->trigger();
+        ASSERT_TRUE(ProgramThatDies::run(path, 5, 0));
+        journal = QDir(stateFolder("journals")).entryInfoList({"*.bolster"}).value(0).filePath();
+    }
+    void rewrite(const QString& file, const std::function<void(QByteArray&)>& damage)
+    {
+        QFile there(file);
+        ASSERT_TRUE(there.open(QFile::ReadWrite));
+        QByteArray bytes = there.readAll();
+        damage(bytes);
+        there.resize(0);
+        there.seek(0);
+        there.write(bytes);
+    }
+    /// The box says it, and which project is meant; then that is open, and nothing is in its way any more.
+    void expectSetAside(const std::function<void()>& start)
+    {
+        QString said;
+        whenABoxHas([&](QMessageBox& box) -> QAbstractButton* {
+            said = box.text() + box.informativeText();
+            return box.button(QMessageBox::Ok);
+        });
+        start();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1 && window.session().path() == path; }, 30000));
+        EXPECT_TRUE(said.contains("box.bolster")) << qPrintable(said);
+        EXPECT_TRUE(said.contains("Unsaved work")) << qPrintable(said);
+        EXPECT_TRUE(window.document().design() == saved);
+        EXPECT_TRUE(WorkJournal::left().isEmpty());
+        const auto damaged = WorkJournal::damaged();
+        ASSERT_EQ(damaged.size(), 1);
+        EXPECT_EQ(damaged[0].place.original, path);
+        EXPECT_TRUE(QFileInfo::exists(damaged[0].journal));
+        change();
+        EXPECT_EQ(save(path).english(), "");
+        WorkJournal::putIntoBin(damaged[0]);
+        EXPECT_TRUE(WorkJournal::damaged().isEmpty());
+    }
+    /// How many versions were recovered.
+    NodeId recovered()
+    {
+        const OpenedProject found = openProject(folder.filePath("box (recovered).bolster"));
+        return found.problem.empty() ? found.history.count() : 0;
+    }
+
+    static constexpr int edits = 300; // more than one page: the log does not hold them all
+    QString path;
+    QString journal;
+    Design saved;
+};
+
+TEST_F(DamagedWorkTest, ABeginningOfZeros)
+{
+    QFile::remove(journal + "-wal");
+    rewrite(journal, [](QByteArray& bytes) { bytes.replace(0, 40960, QByteArray(40960, 0)); });
+    expectSetAside([&] { window.open(path); });
+}
+
+TEST_F(DamagedWorkTest, AnEmptyFile)
+{
+    rewrite(journal, [](QByteArray& bytes) { bytes.clear(); });
+    expectSetAside([&] { window.recover(); });
+}
+
+TEST_F(DamagedWorkTest, AFolderInPlaceOfItsLog)
+{
+    QFile::remove(journal + "-wal");
+    ASSERT_TRUE(QDir().mkpath(journal + "-wal/inside"));
+    expectSetAside([&] { window.open(path); });
+    EXPECT_EQ(recovered(), edits + 1) << "what was in the file itself";
+}
+
+TEST_F(DamagedWorkTest, ARow)
+{
+    rewrite(journal, [](QByteArray& bytes) {
+        const qsizetype place = bytes.indexOf("Change the settings");
+        ASSERT_GT(place, 0);
+        bytes[place] = static_cast<char>(bytes[place] ^ 4);
+    });
+    expectSetAside([&] { window.open(path); });
+    EXPECT_GT(recovered(), 0);
+}
+
+TEST_F(DamagedWorkTest, AJournalThatDoesNotSayWhereItBelongsIsOfferedWithItsProject)
+{
+    rewrite(QString(journal).replace(".bolster", ".about"), [](QByteArray& bytes) { bytes.clear(); });
+    window.open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().startsWith("5 unsaved edits")) << qPrintable(window.banner().text());
+    EXPECT_EQ(window.session().path(), path);
+    EXPECT_EQ(window.document().history().count(), edits + 6);
+}
+
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
