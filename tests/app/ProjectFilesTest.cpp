@@ -762,6 +762,34 @@ TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
     EXPECT_TRUE(window.document().design() == before);
 }
 
+TEST_F(ProjectFilesTest, WhatIsWrongIsSaidInASentenceThatNamesTheFile)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change(40);
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QFile::ReadWrite));
+    file.seek(file.readAll().lastIndexOf("Change the settings"));
+    file.write("X");
+    file.close();
+    QString said;
+    const auto opening = [&](const QString& what) {
+        const int before = answered;
+        whenABoxHas([&](QMessageBox& box) {
+            said = box.informativeText();
+            return box.button(QMessageBox::Close) ? box.button(QMessageBox::Close) : box.button(QMessageBox::Ok);
+        });
+        window.open(what);
+        return QTest::qWaitFor([&] { return answered > before; }, 30000);
+    };
+    ASSERT_TRUE(opening(path));
+    EXPECT_TRUE(said.startsWith('"' + path + '"')) << qPrintable(said);
+    ASSERT_TRUE(opening(folder.filePath("nothing.bolster")));
+    EXPECT_TRUE(said.startsWith("There is no file")) << qPrintable(said);
+}
+
 /// What only older versions mean is not laid out when a project is opened.
 class OlderFilesTest : public ProjectFilesTest {
 protected:
