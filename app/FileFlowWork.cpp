@@ -2,6 +2,7 @@
 #include "Background.h"
 #include "Banner.h"
 #include "FileFlow.h"
+#include "Project.h"
 #include "Salvage.h"
 #include "Translated.h"
 
@@ -97,15 +98,20 @@ void FileFlow::sayWhatBecameOf(const QString& work, const QString& why, const QS
     QMessageBox* box =
         newBox(QMessageBox::Warning, tr("The unsaved work on \"%1\" is damaged.").arg(work), QMessageBox::Ok);
     const bool some = salvaged.problem.empty();
-    QStringList text{why};
-    text << (some ? tr("What could be read is in \"%1\" now.").arg(QDir::toNativeSeparators(recovered))
-                  : translated(salvaged.problem));
-    text << tr("What was saved is not concerned. The damaged work is kept: File > Unsaved work.");
+    QStringList text;
+    if (some)
+        text << tr("What could be read of it is in \"%1\" now.").arg(QDir::toNativeSeparators(recovered));
+    else if (salvaged.readable)
+        text << asSentence(translated(salvaged.problem));
+    else
+        text << tr("Nothing of it could be read.");
+    text << tr("Nothing that was saved is concerned. The damaged work is kept under File > Unsaved work.");
     box->setInformativeText(text.join(QStringLiteral("\n\n")));
-    QStringList notes;
+    QStringList details{why, translated(salvaged.problem)};
     for (const Message& note : salvaged.notes)
-        notes << translated(note);
-    box->setDetailedText(notes.join(u'\n'));
+        details << translated(note);
+    details.removeAll(QString());
+    box->setDetailedText(details.join(u'\n'));
     const QAbstractButton* look =
         some ? box->addButton(tr("Open what was &recovered"), QMessageBox::AcceptRole) : nullptr;
     openQuestion(box, [this, look, recovered](const QAbstractButton* pressed) {
@@ -169,7 +175,8 @@ void FileFlow::warnOfCrashes(const Message& why)
 void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
     const QFileInfo file(path);
-    const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
+    // A sound one cannot be opened where the disk of the journals is full.
+    const bool project = file.exists() && DesignSession::isProject(path) && !openProject(path).problem.empty();
     QMessageBox* box = newBox(QMessageBox::Warning, tr("\"%1\" could not be opened.").arg(file.fileName()),
                               project ? QMessageBox::Close : QMessageBox::Ok);
     box->setInformativeText(translated(problem));

@@ -255,6 +255,21 @@ TEST_F(FullStateTest, ADesignThatHasNoJournalYetIsSavedToo)
     EXPECT_EQ(openProject(path("chair.bolster"), ProjectCheck::Everything).history.count(), 4);
 }
 
+TEST_F(FullStateTest, ASoundProjectThatCannotBeOpenedIsNotCalledDamaged)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(path("box.bolster")).english(), "");
+    window.session().startNew();
+    m_disk.fill(0);
+    whenABoxHas([&](QMessageBox& box) {
+        EXPECT_TRUE(box.informativeText().contains(stateFolder())) << qPrintable(box.informativeText());
+        EXPECT_EQ(box.buttons().size(), 1) << "nothing to recover";
+        return box.button(QMessageBox::Ok);
+    });
+    window.open(path("box.bolster"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+}
+
 TEST_F(FullStateTest, AnOlderJournalIsNoWorkWhenTheFileHoldsAllOfIt)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
