@@ -40,8 +40,17 @@ void askWhetherToReplace(QWidget* window, const QString& path, const std::functi
 
 } // namespace
 
+QString asSentence(const QString& text)
+{
+    return text.left(1).toUpper() + text.mid(1);
+}
+
 void openDialog(QDialog* dialog)
 {
+    if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+        box->setText(asSentence(box->text()));
+        box->setInformativeText(asSentence(box->informativeText()));
+    }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowModality(Qt::ApplicationModal);
     dialog->show();

@@ -14,7 +14,10 @@ namespace bolster {
 /// Gets what was chosen or typed. Who closes a dialog has given no answer, and nothing is called.
 using Answer = std::function<void(const QString&)>;
 
-/// In front of all windows; deleted when it is closed.
+/// With a capital letter: the sentences that arise below the windows begin with a small one.
+QString asSentence(const QString& text);
+
+/// In front of all windows; deleted when it is closed. What message boxes say becomes sentences.
 void openDialog(QDialog* dialog);
 /// The same for a question; null when it was closed without an answer. The button lives as long as the call.
 void openQuestion(QMessageBox* box, const std::function<void(const QAbstractButton*)>& answered);

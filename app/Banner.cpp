@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <utility>
+
 namespace bolster {
 
 namespace {
@@ -26,13 +28,13 @@ Banner::Banner(QWidget* parent)
     , m_sign(new QLabel(this))
     , m_text(new QLabel(this))
     , m_buttons(new QHBoxLayout)
+    , m_close(new QToolButton(this))
 {
-    auto* close = new QToolButton(this);
-    close->setIcon(icon(QStringLiteral("close")));
-    close->setIconSize({14, 14});
-    close->setAutoRaise(true);
-    close->setToolTip(tr("Close"));
-    connect(close, &QToolButton::clicked, this, &Banner::dismiss);
+    m_close->setIcon(icon(QStringLiteral("close")));
+    m_close->setIconSize({14, 14});
+    m_close->setAutoRaise(true);
+    m_close->setToolTip(tr("Close"));
+    connect(m_close, &QToolButton::clicked, this, &Banner::dismiss);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 6, 8, 6);
@@ -40,33 +42,66 @@ Banner::Banner(QWidget* parent)
     layout->addWidget(m_sign);
     layout->addWidget(m_text, 1);
     layout->addLayout(m_buttons);
-    layout->addWidget(close);
+    layout->addWidget(m_close);
     m_text->setWordWrap(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 int Banner::announce(Kind kind, const QString& text, const QList<Button>& buttons)
 {
-    m_kind = kind;
-    const QString name = kind == Kind::Problem ? QStringLiteral("error") : QStringLiteral("info");
-    m_sign->setPixmap(icon(name, signColor(kind, palette())).pixmap(QSize(18, 18), devicePixelRatioF()));
-    m_text->setText(text);
+    m_announced = Content{kind, text, {}, buttons};
+    showNext();
+    return ++m_number;
+}
+
+void Banner::warn(const QString& text, const QString& why, const QList<Button>& buttons)
+{
+    m_warning = Content{Kind::Problem, text, why, buttons};
+    showNext();
+}
+
+void Banner::endWarning()
+{
+    if (!std::exchange(m_warning, {}))
+        return;
+    showNext();
+}
+
+void Banner::showNext()
+{
+    if (const auto& next = m_warning ? m_warning : m_announced) {
+        present(*next);
+        return;
+    }
+    m_shown = false;
+    emit toggled(false);
+}
+
+void Banner::present(const Content& content)
+{
+    m_kind = content.kind;
+    const QString name = m_kind == Kind::Problem ? QStringLiteral("error") : QStringLiteral("info");
+    m_sign->setPixmap(icon(name, signColor(m_kind, palette())).pixmap(QSize(18, 18), devicePixelRatioF()));
+    m_text->setText(content.text);
+    m_text->setToolTip(content.why);
+    m_close->setVisible(!m_warning);
     while (QLayoutItem* item = m_buttons->takeAt(0)) {
         item->widget()->deleteLater();
         delete item;
     }
-    for (const Button& button : buttons) {
+    for (const Button& button : content.buttons) {
         auto* push = new QPushButton(button.text, this);
         connect(push, &QPushButton::clicked, this, [this, pressed = button.pressed] {
-            dismiss();
+            if (!m_warning)
+                dismiss();
             pressed();
         });
         m_buttons->addWidget(push);
     }
     m_shown = true;
     updateGeometry();
+    update();
     emit toggled(true);
-    return ++m_number;
 }
 
 QString Banner::text() const
@@ -88,13 +123,13 @@ void Banner::resizeEvent(QResizeEvent*)
 
 void Banner::dismiss()
 {
-    m_shown = false;
-    emit toggled(false);
+    m_announced.reset();
+    showNext();
 }
 
 void Banner::withdraw(int number)
 {
-    if (m_shown && number == m_number)
+    if (m_announced && number == m_number)
         dismiss();
 }
 

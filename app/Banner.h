@@ -4,9 +4,11 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QHBoxLayout;
 class QLabel;
+class QToolButton;
 
 namespace bolster {
 
@@ -25,6 +27,10 @@ public:
     /// Replaces what is shown. Returns its number, for withdraw.
     int announce(Kind kind, const QString& text, const QList<Button>& buttons);
     void dismiss();
+    /// A problem that nobody can close as long as it is there: all others wait until it ends. `why` is its tool
+    /// tip.
+    void warn(const QString& text, const QString& why, const QList<Button>& buttons);
+    void endWarning();
     /// What it said is not so any more; does nothing when it says something else by now.
     void withdraw(int number);
     QString text() const;
@@ -42,12 +48,25 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Content {
+        Kind kind = Kind::Information;
+        QString text;
+        QString why = {};
+        QList<Button> buttons = {};
+    };
+
+    void present(const Content& content);
+    void showNext();
+
     Kind m_kind = Kind::Information;
     bool m_shown = false;
     int m_number = 0;
+    std::optional<Content> m_warning;
+    std::optional<Content> m_announced;
     QLabel* m_sign;
     QLabel* m_text;
     QHBoxLayout* m_buttons;
+    QToolButton* m_close;
 };
 
 } // namespace bolster

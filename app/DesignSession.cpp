@@ -17,6 +17,7 @@ DesignSession::DesignSession(QObject* parent)
     m_document.setRefusal(&refusal);
     connect(&m_document, &Document::changed, this, &DesignSession::designChanged);
     connect(&m_journal, &WorkJournal::failed, this, &DesignSession::recoveryFailed);
+    connect(&m_journal, &WorkJournal::worksAgain, this, &DesignSession::recoveryWorksAgain);
 }
 
 DesignSession::~DesignSession() = default;
@@ -121,6 +122,7 @@ void DesignSession::noteFile(const Element& element)
         !m_journal.journal() || !m_folder.ownFolder() || !m_folder.find(QString::fromStdString(*file)).isEmpty())
         return;
     besideEdits(
+        m_journal.journal(),
         [name = *file, folder = m_folder.folder()](Journal& journal) { return journal.extractAsset(name, folder); },
         [this](const Message& problem) {
             if (problem.empty())

@@ -60,6 +60,10 @@ public:
     void save(const QString& path, const Done& done);
     /// The last save has written nothing, because somebody else has changed the file since it was opened.
     bool changedByOthers() const { return m_changedByOthers; }
+    /// The same, because something is in the file's place that was neither read nor written here.
+    bool placeTaken() const { return m_placeTaken; }
+    /// Gives the place free: what is there keeps another name in its folder, which is returned.
+    static Message moveAside(const QString& path, QString* name);
     /// Their versions become a branch, whose last one is called `name`: `tip`, when it worked. Save works again
     /// then.
     void takeTheirs(const QString& name, const std::function<void(const Message& problem, NodeId tip)>& done);
@@ -95,8 +99,9 @@ signals:
     void problemsChanged();
     /// The design is shown where one stood at the end, which is not where its file stands.
     void wentToLastPlace();
-    /// Unsaved work cannot be protected against a crash.
+    /// Unsaved work cannot be protected against a crash, until recoveryWorksAgain.
     void recoveryFailed(const bolster::Message& why);
+    void recoveryWorksAgain();
 
 private:
     /// A file by its name as elements have it, and what it is read as.
@@ -106,6 +111,11 @@ private:
 
     static FileKey keyOf(const Element& element);
     struct Moment;
+    /// A project that is written from a journal, on another thread.
+    struct Writing {
+        std::function<Message(Journal&)> work;
+        std::function<bool()> refused; ///< on purpose: no other journal would do better
+    };
 
     static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own);
     static Opened readLeft(const WorkJournal::Left& left);
@@ -117,9 +127,13 @@ private:
     void saveProject(const QString& file, const Done& done);
     void saveText(const QString& file, const Done& done);
     void endSaving(const QString& file, const std::optional<HeldHistory>& held, const Message& problem,
-                   const Done& done);
-    void besideEdits(const std::function<Message(Journal&)>& work, const Done& done);
-    void addFiles(const Done& done);
+                   const FileStamp& stamp, const Done& done);
+    void besideEdits(const std::shared_ptr<Journal>& journal, const std::function<Message(Journal&)>& work,
+                     const Done& done);
+    void writeProject(const QString& file, const Writing& writing, const Done& done);
+    void writeFromStandIn(const QString& file, const Writing& writing, const Done& done);
+    void writeFrom(const std::shared_ptr<Journal>& journal, const Writing& writing, const Done& done);
+    void addFiles(const std::shared_ptr<Journal>& journal, const Done& done);
     void renameFiles(const std::map<std::string, std::string>& names);
     void designChanged(const std::set<ElementId>& ids);
     void updateFiles();
@@ -141,6 +155,7 @@ private:
     DesignFiles m_files;
     int m_saves = 0; ///< on their way
     bool m_changedByOthers = false;
+    bool m_placeTaken = false;
     int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
 };
 

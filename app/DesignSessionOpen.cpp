@@ -17,6 +17,7 @@ struct DesignSession::Opened {
     OpenedDesign design;
     WorkJournal::Taken journal;     // of a project
     std::shared_ptr<OwnFolder> own; // in which its files are
+    FileStamp stamp;                // of the file, before it was read
 };
 
 /// What tells whether something was done since.
@@ -31,7 +32,7 @@ void DesignSession::startNew()
 {
     Design design;
     const Edit fabric = edits::addElement(design, makeElement(Fabric{tr("Fabric").toStdString()}));
-    take({{design.with(fabric), {}, {}, true}, {}, {}}, {}, {}, {});
+    take({{design.with(fabric), {}, {}, true}, {}, {}, {}}, {}, {}, {});
 }
 
 DesignSession::Moment DesignSession::now() const
@@ -86,7 +87,9 @@ DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
         if (own)
             (void)elsewhere.copyTo(own->path(), taken.project.design, &copied); // what is missing is reported
     }
-    return readProject(std::move(taken), std::move(own));
+    Opened opened = readProject(std::move(taken), std::move(own));
+    opened.stamp = left.place.stamp;
+    return opened;
 }
 
 void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done,
@@ -95,9 +98,13 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
     const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
     inBackground<Opened>([file] {
-        if (!looksLikeProject(file))
-            return Opened{openDesign(file), {}, {}};
-        return readProject(WorkJournal::takeProject(file), OwnFolder::make());
+        const bool project = looksLikeProject(file);
+        const FileStamp stamp = stampOf(file, !project);
+        if (!project)
+            return Opened{openDesign(file), {}, {}, stamp};
+        Opened opened = readProject(WorkJournal::takeProject(file), OwnFolder::make());
+        opened.stamp = stamp;
+        return opened;
     })
         .then(this, [this, file, opening, generation, before = now(), replace, done,
                      stop = std::move(stop)](const Opened& opened) {
@@ -175,7 +182,7 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     } else {
         m_document.reset(design);
     }
-    m_journal.start({path, m_folder.folder()}, opened.journal);
+    m_journal.start({path, m_folder.folder(), opened.stamp}, opened.journal);
     for (const auto& [id, element] : design.elements())
         noteFile(*element);
     updateFiles();

@@ -38,8 +38,16 @@ FileFlow::FileFlow(DesignSession& session, QWidget* window, Banner* banner)
     , m_banner(banner)
 {
     connect(&session, &DesignSession::saveEnded, this, [this] {
-        if (!m_session.document().hasUnsavedWork())
-            m_banner->withdraw(m_restored);
+        if (m_session.document().hasUnsavedWork())
+            return;
+        m_banner->withdraw(m_restored);
+        if (!m_unprotected.empty())
+            warnOfCrashes(m_unprotected); // counts from now on
+    });
+    connect(&session, &DesignSession::recoveryFailed, this, &FileFlow::warnOfCrashes);
+    connect(&session, &DesignSession::recoveryWorksAgain, this, [this] {
+        m_unprotected = {};
+        m_banner->endWarning();
     });
     connect(&session, &DesignSession::wentToLastPlace, this, [this] {
         emit done(

@@ -19,6 +19,7 @@ class QWidget;
 namespace bolster {
 
 class Banner;
+struct Salvaged;
 
 class FileFlow : public QObject {
     Q_OBJECT
@@ -69,6 +70,12 @@ signals:
 private:
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
+    void setAside(const WorkJournal::Left& left, const Message& problem);
+    void salvageWork(const WorkJournal::Left& damaged, const QString& why);
+    void sayWhatBecameOf(const QString& work, const QString& why, const QString& recovered,
+                         const Salvaged& salvaged);
+    void offerWorkSalvage(const WorkJournal::Left& damaged);
+    void warnOfCrashes(const Message& why);
     void askAboutWork(const Then& then);
     void keepForLater(const Then& then);
     void saveForGood(bool asProject, const Then& then);
@@ -83,6 +90,8 @@ private:
     void saveCopyTo(const QString& path, const SaveOptions& options);
     void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
+    void saveBesideStranger(const QString& path, const Message& stranger, const Then& then);
+    void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
     void chooseTarget(const QString& title, const QString& proposal, const QString& filter,
@@ -106,6 +115,7 @@ private:
     QPointer<QMessageBox> m_question;    ///< what becomes of unsaved work
     QPointer<QProgressDialog> m_reading; ///< of the design that is being opened
     int m_restored = 0;                  ///< number of what the banner says about it
+    Message m_unprotected;               ///< why what is done is not protected; empty when it is
 };
 
 } // namespace bolster

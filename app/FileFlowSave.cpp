@@ -182,6 +182,10 @@ void FileFlow::saveTo(const QString& path, const Then& then)
             saveBesideOthers(path, then);
             return;
         }
+        if (m_session.placeTaken()) {
+            saveBesideStranger(path, problem, then);
+            return;
+        }
         if (!problem.empty()) {
             offerAnotherTry(
                 path, problem, [this, path, then] { saveTo(path, then); },
@@ -194,6 +198,43 @@ void FileFlow::saveTo(const QString& path, const Then& then)
                                                  : tr("%1: the design alone, without its history").arg(saved));
         then();
     });
+}
+
+/// Whatever it is, somebody may want it: it is never replaced, but given another name.
+void FileFlow::saveBesideStranger(const QString& path, const Message& stranger, const Then& then)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Warning,
+               tr("\"%1\" is not the file any more that was opened or saved here.").arg(QFileInfo(path).fileName()),
+               QMessageBox::Save | QMessageBox::Cancel);
+    QStringList text{translated(stranger)};
+    text << tr("Save your design under another name, or let what is there now have another name beside it. If that "
+               "is a damaged project, File > Open recovers what can be read of it.");
+    box->setInformativeText(text.join(QStringLiteral("\n\n")));
+    const QAbstractButton* aside =
+        box->addButton(tr("&Keep the other file beside it, and save"), QMessageBox::AcceptRole);
+    const QAbstractButton* elsewhere = box->button(QMessageBox::Save);
+    box->button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
+    box->setDefaultButton(QMessageBox::Cancel);
+    openQuestion(box, [this, aside, elsewhere, path, then](const QAbstractButton* pressed) {
+        if (pressed == aside)
+            keepAside(path, then);
+        else if (pressed == elsewhere)
+            chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); });
+    });
+}
+
+void FileFlow::keepAside(const QString& path, const Then& then)
+{
+    QString name;
+    if (const Message problem = DesignSession::moveAside(path, &name); !problem.empty()) {
+        fail(tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()), problem);
+        return;
+    }
+    m_banner->announce(
+        Banner::Kind::Information,
+        tr("What was in the place of \"%1\" is in \"%2\" now.").arg(QFileInfo(path).fileName(), name), {});
+    saveTo(path, then);
 }
 
 /// Whoever can make room or choose another place must not begin again.

@@ -2,6 +2,7 @@
 #include "Background.h"
 #include "Banner.h"
 #include "FileFlow.h"
+#include "Project.h"
 #include "Salvage.h"
 #include "Translated.h"
 
@@ -18,6 +19,13 @@
 namespace bolster {
 
 namespace {
+
+/// Of the work, as the user knows it.
+QString nameOf(const WorkJournal::Left& left)
+{
+    const QString& original = left.place.original;
+    return original.isEmpty() ? FileFlow::tr("New design") : QFileInfo(original).fileName();
+}
 
 /// "box (recovered).bolster", in the user's documents where the folder cannot be written to.
 QString freePathBeside(const QString& path)
@@ -49,11 +57,83 @@ void FileFlow::recover()
 void FileFlow::restore(const WorkJournal::Left& left, int others)
 {
     const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.restore(left, replace, [this, others](const Message& problem) {
+    m_session.restore(left, replace, [this, left, others](const Message& problem) {
         if (!problem.empty())
-            fail(tr("The unsaved work could not be restored."), problem);
+            setAside(left, problem);
         else
             announceRestored(others);
+    });
+}
+
+/// Damaged work must not stand before its sound project: that is opened as it was saved.
+void FileFlow::setAside(const WorkJournal::Left& left, const Message& problem)
+{
+    const auto damaged = WorkJournal::setAside(left);
+    if (!damaged) {
+        fail(tr("The unsaved work on \"%1\" could not be restored.").arg(nameOf(left)), problem);
+        return;
+    }
+    if (QFileInfo(left.place.original).isFile())
+        openNow(left.place.original);
+    salvageWork(*damaged, translated(problem));
+}
+
+void FileFlow::salvageWork(const WorkJournal::Left& damaged, const QString& why)
+{
+    const QString& original = damaged.place.original;
+    const QString to = freePathBeside(
+        original.isEmpty()
+            ? QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).filePath(nameOf(damaged))
+            : original);
+    inBackground<Salvaged>([journal = damaged.journal, to] {
+        return salvageJournal(journal, to);
+    }).then(this, [this, work = nameOf(damaged), why, to](const Salvaged& salvaged) {
+        sayWhatBecameOf(work, why, to, salvaged);
+    });
+}
+
+void FileFlow::sayWhatBecameOf(const QString& work, const QString& why, const QString& recovered,
+                               const Salvaged& salvaged)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Warning, tr("The unsaved work on \"%1\" is damaged.").arg(work), QMessageBox::Ok);
+    const bool some = salvaged.problem.empty();
+    QStringList text;
+    if (some)
+        text << tr("What could be read of it is in \"%1\" now.").arg(QDir::toNativeSeparators(recovered));
+    else if (salvaged.readable)
+        text << asSentence(translated(salvaged.problem));
+    else
+        text << tr("Nothing of it could be read.");
+    text << tr("Nothing that was saved is concerned. The damaged work is kept under File > Unsaved work.");
+    box->setInformativeText(text.join(QStringLiteral("\n\n")));
+    QStringList details{why, translated(salvaged.problem)};
+    for (const Message& note : salvaged.notes)
+        details << translated(note);
+    details.removeAll(QString());
+    box->setDetailedText(details.join(u'\n'));
+    const QAbstractButton* look =
+        some ? box->addButton(tr("Open what was &recovered"), QMessageBox::AcceptRole) : nullptr;
+    openQuestion(box, [this, look, recovered](const QAbstractButton* pressed) {
+        if (look && pressed == look)
+            open(recovered);
+    });
+}
+
+void FileFlow::offerWorkSalvage(const WorkJournal::Left& damaged)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Question, tr("The unsaved work on \"%1\" is damaged.").arg(nameOf(damaged)),
+               QMessageBox::Cancel);
+    box->setInformativeText(tr("What can be read goes into a new project. What you do not want any more is deleted "
+                               "30 days after it was put into the bin."));
+    const QAbstractButton* rescue = box->addButton(tr("&Recover what can be read"), QMessageBox::AcceptRole);
+    const QAbstractButton* bin = box->addButton(tr("Put it into the &bin"), QMessageBox::DestructiveRole);
+    openQuestion(box, [this, rescue, bin, damaged](const QAbstractButton* pressed) {
+        if (pressed == rescue)
+            salvageWork(damaged, {});
+        else if (pressed == bin)
+            WorkJournal::putIntoBin(damaged);
     });
 }
 
@@ -74,11 +154,29 @@ void FileFlow::announceRestored(int others)
         {{tr("Sh&ow"), [this] { emit historyWanted(); }}, {tr("Go &back to saved"), [this] { revert(); }}});
 }
 
+/// As long as it is so: whoever goes on working has to know.
+void FileFlow::warnOfCrashes(const Message& why)
+{
+    m_unprotected = why;
+    m_banner->warn(tr("Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder "
+                      "\"%2\". Make room there, or save the design.")
+                       .arg(QLocale().toString(QTime::currentTime(), QLocale::ShortFormat),
+                            QDir::toNativeSeparators(WorkJournal::folder())),
+                   translated(why),
+                   {{tr("&Save"), [this] { save(); }},
+                    {tr("Save &as \u2026"), [this] { saveAs(); }},
+                    {tr("&Try again"), [this] {
+                         if (const Message still = m_session.journal().catchUp(); !still.empty())
+                             emit done(translated(still));
+                     }}});
+}
+
 /// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
 void FileFlow::offerSalvage(const QString& path, const Message& problem)
 {
     const QFileInfo file(path);
-    const bool project = file.exists() && file.suffix().compare(QLatin1String("bolster"), Qt::CaseInsensitive) == 0;
+    // A sound one cannot be opened where the disk of the journals is full.
+    const bool project = file.exists() && DesignSession::isProject(path) && !openProject(path).problem.empty();
     QMessageBox* box = newBox(QMessageBox::Warning, tr("\"%1\" could not be opened.").arg(file.fileName()),
                               project ? QMessageBox::Close : QMessageBox::Ok);
     box->setInformativeText(translated(problem));
@@ -171,12 +269,16 @@ void FileFlow::fillUnsaved(QMenu& menu)
     menu.clear();
     menu.setToolTipsVisible(true);
     for (const WorkJournal::Left& left : WorkJournal::left()) {
-        const QString& original = left.place.original;
-        const QString name = original.isEmpty() ? tr("New design") : QFileInfo(original).fileName();
         QAction* action =
-            menu.addAction(tr("%1, %2").arg(name, QLocale().toString(left.when, QLocale::ShortFormat)), this,
-                           [this, left] { keepWork([this, left] { restore(left); }); });
-        action->setToolTip(QDir::toNativeSeparators(original));
+            menu.addAction(tr("%1, %2").arg(nameOf(left), QLocale().toString(left.when, QLocale::ShortFormat)),
+                           this, [this, left] { keepWork([this, left] { restore(left); }); });
+        action->setToolTip(QDir::toNativeSeparators(left.place.original));
+    }
+    for (const WorkJournal::Left& left : WorkJournal::damaged()) {
+        QAction* action = menu.addAction(
+            tr("%1, %2, damaged").arg(nameOf(left), QLocale().toString(left.when, QLocale::ShortFormat)), this,
+            [this, left] { offerWorkSalvage(left); });
+        action->setToolTip(QDir::toNativeSeparators(left.place.original));
     }
     if (menu.isEmpty())
         menu.addAction(tr("Nothing"))->setEnabled(false);

@@ -162,8 +162,6 @@ void MainWindow::connectDocument()
             m_surface->fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
-    connect(m_session.get(), &DesignSession::recoveryFailed, this,
-            [this](const Message& why) { m_status->flash(translated(why)); });
     connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
     connect(&document(), &Document::historyChanged, this, &MainWindow::updateEditActions);
     connect(&document(), &Document::changed, this, [this] {

@@ -1,5 +1,6 @@
 #include "StatusLine.h"
 
+#include "Ask.h"
 #include "ElidedLabel.h"
 #include "Icons.h"
 #include "Translated.h"
@@ -153,7 +154,7 @@ void StatusLine::setPrompt(const QString& prompt)
 
 void StatusLine::flashWithReason(const QString& message, const QString& why)
 {
-    m_flash = message;
+    m_flash = asSentence(message);
     m_reasons = why;
     m_flashTime.start(why.isEmpty() ? shortFlash : longFlash);
     showPrompt();

@@ -58,6 +58,18 @@
         <source>Click an edge of an outline to fix it to %1 – Enter takes the selected stretch, Esc ends the tool</source>
         <translation>Auf eine Kante eines Umrisses klicken, um sie an %1 zu fixieren – Eingabe nimmt den gewählten Abschnitt, Esc beendet das Werkzeug</translation>
     </message>
+    <message>
+        <source>&amp;Attach what is marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take back the last edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Give up</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>BackgroundMoveTool</name>
@@ -207,6 +219,25 @@
     <message>
         <source>Worst spots</source>
         <translation>Schlimmste Stellen</translation>
+    </message>
+</context>
+<context>
+    <name>DrawingKeys</name>
+    <message>
+        <source>&amp;Finish</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take back the last point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch between &amp;straight and smooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Give up</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -492,6 +523,10 @@
     <message>
         <source>Click or type the next point, Enter ends, C closes – straight from point to point, whatever lies between: B makes it smooth along the surface, Backspace takes a point back</source>
         <translation>Nächsten Punkt klicken oder tippen, Eingabe beendet, C schließt – gerade von Punkt zu Punkt, was auch dazwischen liegt: B macht glatt an der Oberfläche entlang, Rücktaste nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Close the curve</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3029,10 +3064,6 @@
         <translation>„%1“ lässt sich nicht schreiben: es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>the content number %1 is damaged</source>
-        <translation>der Inhalt Nummer %1 ist beschädigt</translation>
-    </message>
-    <message>
         <source>a file that the design uses cannot be read (%1)</source>
         <translation>eine Datei, die der Entwurf benutzt, lässt sich nicht lesen (%1)</translation>
     </message>
@@ -3055,10 +3086,6 @@
     <message>
         <source>&quot;%1&quot; cannot be read or written (%2)</source>
         <translation>„%1“ lässt sich nicht lesen oder schreiben (%2)</translation>
-    </message>
-    <message>
-        <source>a row holds something of another kind than it should</source>
-        <translation>eine Zeile enthält etwas anderer Art, als sie sollte</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is closed</source>
@@ -3113,18 +3140,6 @@
         <translation>ein temporärer Ordner lässt sich nicht anlegen (%1)</translation>
     </message>
     <message>
-        <source>row %1 of the table &quot;%2&quot; contradicts others</source>
-        <translation>Zeile %1 der Tabelle „%2“ widerspricht anderen</translation>
-    </message>
-    <message>
-        <source>rows are missing from the project, or there are some too many</source>
-        <translation>im Projekt fehlen Zeilen, oder es sind zu viele</translation>
-    </message>
-    <message>
-        <source>the edits up to number %1 do not lead to the design that was stored with it</source>
-        <translation>die Bearbeitungen bis Nummer %1 führen nicht zu dem Entwurf, der damit gespeichert wurde</translation>
-    </message>
-    <message>
         <source>a temporary file cannot be made (%1)</source>
         <translation>eine temporäre Datei lässt sich nicht anlegen (%1)</translation>
     </message>
@@ -3165,20 +3180,8 @@
         <translation>eine Prüfsumme ist unvollständig</translation>
     </message>
     <message>
-        <source>row %1 of the table &quot;%2&quot; is damaged</source>
-        <translation>Zeile %1 der Tabelle „%2“ ist beschädigt</translation>
-    </message>
-    <message>
         <source>another window has it</source>
         <translation>ein anderes Fenster hat es</translation>
-    </message>
-    <message>
-        <source>somebody else has changed it since it was opened here</source>
-        <translation>jemand anders hat sie geändert, seit sie hier geöffnet wurde</translation>
-    </message>
-    <message>
-        <source>there is another project in the file now; save under another name</source>
-        <translation>in der Datei ist jetzt ein anderes Projekt; unter einem anderen Namen speichern</translation>
     </message>
     <message>
         <source>must be a list of pairs in braces, with patch and fabric</source>
@@ -3532,6 +3535,50 @@
         <source>Show all parts of %1</source>
         <translation>Alle Teile von %1 zeigen</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is a link to &quot;%2&quot; now</source>
+        <translation>„%1“ ist jetzt eine Verknüpfung auf „%2“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed by another program</source>
+        <translation>„%1“ wurde von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>somebody else has changed &quot;%1&quot; since it was opened here</source>
+        <translation>jemand anders hat „%1“ geändert, seit es hier geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is another project now</source>
+        <translation>„%1“ ist jetzt ein anderes Projekt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be renamed (%2)</source>
+        <translation>„%1“ kann nicht umbenannt werden (%2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: the content number %2 cannot be read</source>
+        <translation>„%1“ ist beschädigt: Der Inhalt Nummer %2 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: a row holds something of another kind than it should</source>
+        <translation>„%1“ ist beschädigt: In einer Zeile steht etwas von anderer Art, als es sollte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; contradicts others</source>
+        <translation>„%1“ ist beschädigt: Zeile %2 der Tabelle „%3“ widerspricht anderen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: rows are missing, or there are some too many</source>
+        <translation>„%1“ ist beschädigt: Zeilen fehlen, oder es gibt zu viele</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: the edits up to number %2 do not lead to the design that was stored with them</source>
+        <translation>„%1“ ist beschädigt: Die Bearbeitungen bis Nummer %2 führen nicht zu dem Entwurf, der mit ihnen gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; is not what was written</source>
+        <translation>„%1“ ist beschädigt: Zeile %2 der Tabelle „%3“ ist nicht, was geschrieben wurde</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -3870,6 +3917,30 @@
     <message>
         <source>Ctrl+click the next edge of the row, click the last one – Enter sews, F flips, Backspace takes one back</source>
         <translation>Strg+Klick auf die nächste Kante der Reihe, Klick auf die letzte – Eingabe näht, F kehrt um, Rücktaste nimmt eine zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Sew what is marked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation type="unfinished">&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Take &amp;one edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take se&amp;veral edges in a row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take back the last edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Give up</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4853,6 +4924,14 @@
         <source>Restored design</source>
         <translation>Wiederhergestellter Entwurf</translation>
     </message>
+    <message>
+        <source> (other)</source>
+        <translation> (anderes)</translation>
+    </message>
+    <message>
+        <source> (other %1)</source>
+        <translation> (anderes %1)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::DockTitle</name>
@@ -5417,10 +5496,6 @@
         <translation>Das Bild ließ sich nicht exportieren.</translation>
     </message>
     <message>
-        <source>The unsaved work could not be restored.</source>
-        <translation>Die ungespeicherte Arbeit ließ sich nicht wiederherstellen.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not replaced.</source>
         <translation>„%1“ wird nicht ersetzt.</translation>
     </message>
@@ -5642,6 +5717,66 @@
     <message>
         <source>Go &amp;there</source>
         <translation>&amp;Dorthin gehen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not the file any more that was opened or saved here.</source>
+        <translation>„%1“ ist nicht mehr die Datei, die hier geöffnet oder gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Save your design under another name, or let what is there now have another name beside it. If that is a damaged project, File &gt; Open recovers what can be read of it.</source>
+        <translation>Speichern Sie Ihren Entwurf unter einem anderen Namen, oder geben Sie dem, was jetzt dort liegt, einen anderen Namen daneben. Ist das ein beschädigtes Projekt, so rettet Datei &gt; Öffnen, was davon lesbar ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the other file beside it, and save</source>
+        <translation>Die andere Datei daneben auf&amp;heben und speichern</translation>
+    </message>
+    <message>
+        <source>What was in the place of &quot;%1&quot; is in &quot;%2&quot; now.</source>
+        <translation>Was an der Stelle von „%1“ lag, liegt jetzt in „%2“.</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; could not be restored.</source>
+        <translation>Die nicht gespeicherte Arbeit an „%1“ konnte nicht wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &quot;%1&quot; is damaged.</source>
+        <translation>Die nicht gespeicherte Arbeit an „%1“ ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>What could be read of it is in &quot;%1&quot; now.</source>
+        <translation>Was davon lesbar war, ist jetzt in „%1“.</translation>
+    </message>
+    <message>
+        <source>Nothing of it could be read.</source>
+        <translation>Davon war nichts lesbar.</translation>
+    </message>
+    <message>
+        <source>Nothing that was saved is concerned. The damaged work is kept under File &gt; Unsaved work.</source>
+        <translation>Was gespeichert war, ist nicht betroffen. Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit.</translation>
+    </message>
+    <message>
+        <source>Open what was &amp;recovered</source>
+        <translation>&amp;Gerettetes öffnen</translation>
+    </message>
+    <message>
+        <source>What can be read goes into a new project. What you do not want any more is deleted 30 days after it was put into the bin.</source>
+        <translation>Was lesbar ist, kommt in ein neues Projekt. Was Sie nicht mehr wollen, wird 30 Tage, nachdem es in den Papierkorb kam, gelöscht.</translation>
+    </message>
+    <message>
+        <source>Put it into the &amp;bin</source>
+        <translation>In den &amp;Papierkorb</translation>
+    </message>
+    <message>
+        <source>Nothing protects what you do since %1 against a crash: Bolster cannot write to the folder &quot;%2&quot;. Make room there, or save the design.</source>
+        <translation>Was Sie seit %1 tun, ist nicht gegen einen Absturz geschützt: Bolster kann nicht in den Ordner „%2“ schreiben. Schaffen Sie dort Platz, oder speichern Sie den Entwurf.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <translation>%1, %2, beschädigt</translation>
     </message>
 </context>
 <context>

@@ -37,9 +37,10 @@ std::int64_t crcOf(std::string_view bytes)
     return crc ^ 0xFFFFFFFFu;
 }
 
-[[noreturn]] void refuse(std::int64_t blob)
+[[noreturn]] void refuse(const Database& database, std::int64_t blob)
 {
-    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "the content number %1 is damaged"), {std::to_string(blob)}});
+    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: the content number %2 cannot be read"),
+                         {database.name().toStdString(), std::to_string(blob)}});
 }
 
 /// Of a content that isBlobNumber().
@@ -89,7 +90,7 @@ std::int64_t nextNumber(Database& database)
     const std::int64_t ofPieces = pieces.next() ? pieces.integer(0) / mostChunks : 0;
     const std::int64_t next = 1 + std::max(database.number("SELECT coalesce(max(id), 0) FROM blob"), ofPieces);
     if (!isBlobNumber(next))
-        refuse(next);
+        refuse(database, next);
     return next;
 }
 
@@ -176,7 +177,7 @@ BlobFacts factsOf(Database& database, std::int64_t blob)
 {
     Query facts(database, "SELECT hash, bytes FROM blob WHERE id = ?", {Value::integer(blob)});
     if (!facts.next())
-        refuse(blob);
+        refuse(database, blob);
     return {std::string(facts.blob(0)), facts.integer(1)};
 }
 
@@ -186,7 +187,7 @@ BlobFacts factsOf(Database& database, std::int64_t blob)
 void readBlob(Database& database, std::int64_t blob, QIODevice* target)
 {
     if (!isBlobNumber(blob))
-        refuse(blob);
+        refuse(database, blob);
     const BlobFacts facts = factsOf(database, blob);
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
     std::int64_t size = 0;
@@ -194,10 +195,10 @@ void readBlob(Database& database, std::int64_t blob, QIODevice* target)
     for (; size < facts.bytes; ++index) {
         Query chunk(database, "SELECT data, crc FROM chunk WHERE id = ?", {Value::integer(chunkId(blob, index))});
         if (index == mostChunks || !chunk.next())
-            refuse(blob);
+            refuse(database, blob);
         const std::string_view data = chunk.blob(0);
         if (data.empty() || chunk.integer(1) != crcOf(data))
-            refuse(blob);
+            refuse(database, blob);
         const QByteArray bytes = QByteArray::fromRawData(data.data(), static_cast<qsizetype>(data.size()));
         hash.addData(bytes);
         size += bytes.size();
@@ -207,7 +208,7 @@ void readBlob(Database& database, std::int64_t blob, QIODevice* target)
     }
     const std::int64_t more = firstChunkFrom(database, chunkId(blob, index));
     if (size != facts.bytes || (more >= 0 && more < chunkId(blob + 1, 0)) || bytesOf(resultOf(hash)) != facts.hash)
-        refuse(blob);
+        refuse(database, blob);
 }
 
 void extractBlob(Database& database, std::int64_t blob, const QString& path, FileThere there)

@@ -50,12 +50,14 @@ QByteArray addressOf(const QString& path)
     return "file:" + QUrl::toPercentEncoding(path, "/");
 }
 
-[[noreturn]] void wrongKind()
+[[noreturn]] void wrongKind(const Database& database)
 {
-    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a row holds something of another kind than it should")});
+    throw DatabaseError(
+        {QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: a row holds something of another kind than it should"),
+         {database.name().toStdString()}});
 }
 
-Value::Type typeOf(int sqlType)
+Value::Type typeOf(const Database& database, int sqlType)
 {
     switch (sqlType) {
     case SQLITE_NULL:
@@ -67,7 +69,7 @@ Value::Type typeOf(int sqlType)
     case SQLITE_BLOB:
         return Value::Type::Blob;
     default:
-        wrongKind();
+        wrongKind(database);
     }
 }
 
@@ -137,7 +139,7 @@ int Query::columns() const
 
 Value Query::value(int column) const
 {
-    const Value::Type type = typeOf(sqlite3_column_type(m_statement, column));
+    const Value::Type type = typeOf(m_database, sqlite3_column_type(m_statement, column));
     if (type == Value::Type::Null)
         return Value::null();
     if (type == Value::Type::Integer)
@@ -155,7 +157,7 @@ std::int64_t Query::integer(int column) const
 {
     const Value found = value(column);
     if (found.type != Value::Type::Integer)
-        wrongKind();
+        wrongKind(m_database);
     return found.number;
 }
 
@@ -163,7 +165,7 @@ std::string_view Query::text(int column) const
 {
     const Value found = value(column);
     if (found.type != Value::Type::Text)
-        wrongKind();
+        wrongKind(m_database);
     return found.bytes;
 }
 
@@ -171,7 +173,7 @@ std::string_view Query::blob(int column) const
 {
     const Value found = value(column);
     if (found.type != Value::Type::Blob)
-        wrongKind();
+        wrongKind(m_database);
     return found.bytes;
 }
 

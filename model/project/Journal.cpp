@@ -42,6 +42,11 @@ Journal::Opened failed(const QString& path, const char* sentence)
     return failed(Message{sentence, {path.toStdString()}});
 }
 
+std::shared_ptr<Journal::Identity> newIdentity()
+{
+    return std::make_shared<Journal::Identity>(Journal::Identity{newUid(), {}});
+}
+
 template <class Work>
 Journal::Opened guardedOpen(Work work)
 {
@@ -81,9 +86,9 @@ std::string numbered(const std::string& name, int number)
 
 } // namespace
 
-Journal::Journal(std::shared_ptr<Database> database, std::string uuid)
+Journal::Journal(std::shared_ptr<Database> database, std::shared_ptr<Identity> identity)
     : m_database(std::move(database))
-    , m_uuid(std::move(uuid))
+    , m_identity(std::move(identity))
 {}
 
 /// Histories may live longer: they must not keep the file from being opened again.
@@ -101,14 +106,58 @@ Journal::Opened Journal::create(const QString& path, const Design& design, const
     return guardedOpen([&] {
         auto database = std::make_shared<Database>(path, Database::Access::Working, vfs);
         prepareForWork(*database);
-        Transaction transaction(*database);
-        SealedRows rows(*database, {});
-        createTables(*database);
-        putProject(rows, newUid(), std::nullopt);
-        putNode(rows, firstNode(design), {});
-        rows.close(0);
-        transaction.commit();
-        return opened(std::move(database));
+        return createIn(std::move(database), design, newIdentity());
+    });
+}
+
+Journal::Opened Journal::create(const QString& path, const Design& design, std::shared_ptr<Identity> identity)
+{
+    if (QFileInfo::exists(path))
+        return failed(path, QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"));
+    return guardedOpen([&] {
+        auto database = std::make_shared<Database>(path, Database::Access::Working);
+        prepareForWork(*database);
+        return createIn(std::move(database), design, std::move(identity));
+    });
+}
+
+Journal::Opened Journal::createStandIn(const QString& path, const Design& design,
+                                       std::shared_ptr<Identity> identity)
+{
+    return guardedOpen([&] {
+        auto database = std::make_shared<Database>(path, Database::Access::Working);
+        prepareUnshared(*database);
+        return createIn(std::move(database), design, std::move(identity));
+    });
+}
+
+Journal::Opened Journal::createIn(std::shared_ptr<Database> database, const Design& design,
+                                  std::shared_ptr<Identity> identity)
+{
+    Transaction transaction(*database);
+    SealedRows rows(*database, {});
+    createTables(*database);
+    putProject(rows, identity->uuid, std::nullopt);
+    NewNode first = firstNode(design);
+    first.uid = identity->uids.try_emplace(0, first.uid).first->second;
+    putNode(rows, first, {});
+    rows.close(0);
+    transaction.commit();
+    return opened(database, std::move(identity)); // the transaction needs it until it has ended
+}
+
+Journal::Opened Journal::standIn(const QString& path)
+{
+    return guardedOpen([&] {
+        const std::scoped_lock turn(*m_database);
+        m_database->vacuumInto(path);
+        auto database = std::make_shared<Database>(path, Database::Access::Working);
+        prepareUnshared(*database);
+        Opened result = opened(std::move(database), m_identity);
+        result.journal->m_base = m_base;
+        result.journal->m_run = m_run;
+        result.journal->m_behind = true;
+        return result;
     });
 }
 
@@ -131,7 +180,7 @@ Journal::Opened Journal::begin(const QString& project, const QString& path)
         result.journal->m_base = checked.seal;
         if (Message problem = result.journal->guarded([&] {
                 Step step(*result.journal->m_database, result.journal->m_seal);
-                putProject(step.rows, result.journal->m_uuid, checked.seal);
+                putProject(step.rows, result.journal->uuid(), checked.seal);
                 result.journal->accept(step, result.journal->m_current);
             });
             !problem.empty())
@@ -152,13 +201,15 @@ Journal::Opened Journal::open(const QString& path, const char* vfs)
     });
 }
 
-Journal::Opened Journal::opened(std::shared_ptr<Database> database)
+Journal::Opened Journal::opened(std::shared_ptr<Database> database, std::shared_ptr<Identity> identity)
 {
     ProjectContents contents = readContents(*database);
     Design design = designOf(*database, contents, contents.current);
 
     Opened result;
-    result.journal.reset(new Journal(database, contents.uuid));
+    if (!identity)
+        identity = std::make_shared<Identity>(Identity{contents.uuid, {}});
+    result.journal.reset(new Journal(database, std::move(identity)));
     Journal& journal = *result.journal;
     journal.m_base = contents.base;
     journal.m_seal = contents.seal;
@@ -217,6 +268,8 @@ Message Journal::record(const History& history, const Design& design)
         m_design = design;
     });
     m_behind = !problem.empty();
+    if (!m_behind && m_identity.use_count() == 1) // nobody stands in
+        m_identity->uids.clear();
     return problem;
 }
 
@@ -227,11 +280,11 @@ void Journal::store(Step& step, const History& history, NodeId id, const Design&
     const std::size_t stored = m_rowHashes.size();
     const Hash chain = parent < stored ? m_rowHashes[parent] : step.rowHashes[parent - stored];
     const int since = 1 + (parent < stored ? m_sinceSnapshot[parent] : step.sinceSnapshot[parent - stored]);
-    step.rowHashes.push_back(
-        putNode(step.rows,
-                {id, newUid(), node.parent, node.time.toMSecsSinceEpoch(), m_run, node.edit.verb,
-                 packChanges(fieldChanges(node.edit)), m_designHash.follow(design)},
-                chain));
+    step.rowHashes.push_back(putNode(step.rows,
+                                     {id, m_identity->uids.try_emplace(id, newUid()).first->second, node.parent,
+                                      node.time.toMSecsSinceEpoch(), m_run, node.edit.verb,
+                                      packChanges(fieldChanges(node.edit)), m_designHash.follow(design)},
+                                     chain));
     const bool snapshot = since >= editsPerSnapshot;
     step.sinceSnapshot.push_back(snapshot ? 0 : since);
     if (snapshot)
@@ -343,6 +396,17 @@ std::optional<Hash> Journal::base() const
 {
     const std::scoped_lock turn(*m_database);
     return m_base;
+}
+
+void Journal::setBase(const Hash& seal)
+{
+    const std::scoped_lock turn(*m_database);
+    m_base = seal;
+    (void)caught([&] { // where it cannot be stored now, the versions tell later that the file is ours
+        Step step(*m_database, m_seal);
+        putProject(step.rows, uuid(), seal);
+        accept(step, m_current);
+    });
 }
 
 std::string Journal::thumbnail(NodeId node)

@@ -27,12 +27,25 @@ public:
         OpenedProject project;
     };
 
+    /// What a journal and its stand-ins have in common: a version that is stored in several of them is one version.
+    struct Identity {
+        std::string uuid;
+        std::map<NodeId, std::string> uids; ///< of nodes that are not stored yet
+    };
+
     /// That of a new project; there must be no such file. `vfs` is for tests that simulate disks.
     static Opened create(const QString& path, const Design& design, const char* vfs = nullptr);
+    /// The same with a known name.
+    static Opened create(const QString& path, const Design& design, std::shared_ptr<Identity> identity);
+    /// For a project that has no journal yet, because its disk takes nothing: as standIn().
+    static Opened createStandIn(const QString& path, const Design& design, std::shared_ptr<Identity> identity);
     /// That of a project file, as a copy of it; there must be no such file.
     static Opened begin(const QString& project, const QString& path);
     /// One that is there, whatever happened to the program that wrote it.
     static Opened open(const QString& path, const char* vfs = nullptr);
+    /// When the disk of this one takes nothing more: another one with all that is in it, to save from. `path` is an
+    /// empty file that is gone afterwards: nothing in it is durable.
+    Opened standIn(const QString& path);
     /// The file is free then; edits that a history has not loaded yet cannot be read any more.
     ~Journal();
 
@@ -63,12 +76,16 @@ public:
     /// The seal that the project file had when it was last saved or opened: another one means that somebody else
     /// has changed it.
     std::optional<Hash> base() const;
+    /// A stand-in has saved the project: the file, which has this seal, is ours.
+    void setBase(const Hash& seal);
     /// The project's name among all, 16 bytes.
-    const std::string& uuid() const { return m_uuid; }
+    const std::string& uuid() const { return m_identity->uuid; }
 
     /// What the file of this project has that is not here.
     enum class Theirs { NothingNew, MoreVersions, AnotherProject };
     Theirs compare(const OpenedProject& theirs);
+    /// Whether all versions and names that are stored here are in that file, too.
+    bool isIn(const OpenedProject& file);
     /// Versions of somebody else that are stored here now.
     struct TakenIn {
         std::vector<History::Node> nodes;       ///< for the history, after all that it has
@@ -86,8 +103,10 @@ private:
     struct Step; // one that is being stored
     class Moment;
 
-    Journal(std::shared_ptr<Database> database, std::string uuid);
-    static Opened opened(std::shared_ptr<Database> database);
+    Journal(std::shared_ptr<Database> database, std::shared_ptr<Identity> identity);
+    static Opened opened(std::shared_ptr<Database> database, std::shared_ptr<Identity> identity = {});
+    static Opened createIn(std::shared_ptr<Database> database, const Design& design,
+                           std::shared_ptr<Identity> identity);
     Message guarded(const std::function<void()>& work);
     static Message caught(const std::function<void()>& work);
     void store(Step& step, const History& history, NodeId id, const Design& design);
@@ -104,7 +123,7 @@ private:
 
     std::mutex m_longWork;                // one thread at a time saves or adds files
     std::shared_ptr<Database> m_database; // who has locked it has all below
-    std::string m_uuid;
+    std::shared_ptr<Identity> m_identity;
     std::optional<Hash> m_base;
     HashSum m_seal;
     DesignHash m_designHash;

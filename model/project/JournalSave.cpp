@@ -139,7 +139,7 @@ Message Journal::save(const QString& path, HistoryMark* held)
         removeUnfinishedBlobs(*m_database);
         snapshotBeforeSave();
         ProjectContents contents;
-        contents.uuid = m_uuid;
+        contents.uuid = uuid();
         contents.seal = m_seal;
         const HistoryMark now = mark();
         contents.current = now.current;
@@ -172,7 +172,7 @@ void Journal::rememberSaved(const Hash& seal, NodeId version)
     m_base = seal;
     (void)caught([&] {
         Step step(*m_database, m_seal);
-        putProject(step.rows, m_uuid, seal);
+        putProject(step.rows, uuid(), seal);
         putSavePoint(*m_database, step.rows, version);
         accept(step, m_current);
     });

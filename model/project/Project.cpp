@@ -100,6 +100,19 @@ bool looksLikeProject(const QString& path)
     return file && headOf(*file, magic.size()) == magic;
 }
 
+std::string projectUuid(const QString& path)
+{
+    if (!looksLikeProject(path))
+        return {};
+    try {
+        Database database(path, Database::Access::AtRest);
+        Query project(database, "SELECT uuid FROM project");
+        return project.next() ? std::string(project.blob(0)) : std::string();
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
 OpenedProject openProject(const QString& path, ProjectCheck check)
 {
     if (Message problem = headProblem(path); !problem.empty())

@@ -48,6 +48,9 @@ enum class ProjectCheck {
 /// Only whether it is a project or a text, by the first bytes.
 bool looksLikeProject(const QString& path);
 
+/// The project's name among all, or "" when it cannot be read; nothing else is looked at. Of a journal, too.
+std::string projectUuid(const QString& path);
+
 /// Opens a project file without changing it. Nothing but a problem when anything is wrong with it: see
 /// salvageProject.
 OpenedProject openProject(const QString& path, ProjectCheck check = ProjectCheck::ToWork);

@@ -15,10 +15,11 @@ constexpr std::int64_t mostNodes = 10'000'000;
 constexpr std::uint64_t plainAtLeast = 128u << 20;
 constexpr std::uint64_t plainPerByte = 32;
 
-[[noreturn]] void refuse(const char* table, std::int64_t key)
+[[noreturn]] void refuse(const Database& database, const char* table, std::int64_t key)
 {
-    throw DatabaseError({QT_TRANSLATE_NOOP("Message", "row %1 of the table \"%2\" contradicts others"),
-                         {std::to_string(key), table}});
+    throw DatabaseError(
+        {QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: row %2 of the table \"%3\" contradicts others"),
+         {database.name().toStdString(), std::to_string(key), table}});
 }
 
 /// Counts what the edits and snapshots of a project say they unpack to. A file that holds little and promises much
@@ -63,17 +64,17 @@ void readProject(Database& database, ProjectContents& contents)
         ++count;
     });
     if (count != 1)
-        refuse("project", count);
+        refuse(database, "project", count);
 }
 
-void readNode(ProjectContents& contents, std::span<const Value> row, const Hash& hash)
+void readNode(const Database& database, ProjectContents& contents, std::span<const Value> row, const Hash& hash)
 {
     const auto id = static_cast<std::int64_t>(contents.nodes.size());
     const bool parentRight = id == 0 ? row[2].type == Value::Type::Null : isNode(contents, row[2]);
     auto args = decodeTexts(row[6].bytes);
     ProjectNode facts;
     if (row[0].number != id || id >= mostNodes || !parentRight || !args || row[1].bytes.size() != facts.uid.size())
-        refuse("node", row[0].number);
+        refuse(database, "node", row[0].number);
     std::copy(row[1].bytes.begin(), row[1].bytes.end(), facts.uid.begin());
     facts.run = row[4].number;
     facts.designHash = hashFrom(row[8].bytes);
@@ -93,14 +94,14 @@ void readNodes(Database& database, ProjectContents& contents, PlainSum& plain)
         database, "node", contents.seal,
         [&](std::span<const Value> row, const Hash& hash) {
             plain.add(row[7].bytes);
-            readNode(contents, row, hash);
+            readNode(database, contents, row, hash);
         },
         [&](std::span<const Value> row) {
             return isNode(contents, row[2]) ? contents.facts[static_cast<std::size_t>(row[2].number)].rowHash
                                             : Hash{};
         });
     if (contents.nodes.empty())
-        refuse("node", 0);
+        refuse(database, "node", 0);
 }
 
 void readWhatRefersToNodes(Database& database, ProjectContents& contents, PlainSum& plain)
@@ -108,7 +109,7 @@ void readWhatRefersToNodes(Database& database, ProjectContents& contents, PlainS
     const auto nodeAt = [&](NodeId id) -> History::Node& { return contents.nodes[static_cast<std::size_t>(id)]; };
     eachRow(database, "label", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]))
-            refuse("label", row[0].number);
+            refuse(database, "label", row[0].number);
         History::Node& node = nodeAt(static_cast<NodeId>(row[0].number));
         node.name = row[1].bytes;
         node.branch = row[2].bytes;
@@ -116,19 +117,19 @@ void readWhatRefersToNodes(Database& database, ProjectContents& contents, PlainS
     eachRow(database, "redo", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]) || !isNode(contents, row[1]) ||
             nodeAt(static_cast<NodeId>(row[1].number)).parent != row[0].number)
-            refuse("redo", row[0].number);
+            refuse(database, "redo", row[0].number);
         contents.redo.emplace(row[0].number, row[1].number);
         nodeAt(static_cast<NodeId>(row[0].number)).lastVisitedChild = static_cast<NodeId>(row[1].number);
     });
     eachRow(database, "snapshot", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[0]))
-            refuse("snapshot", row[0].number);
+            refuse(database, "snapshot", row[0].number);
         plain.add(row[2].bytes);
         contents.snapshots.push_back(static_cast<NodeId>(row[0].number));
     });
     eachRow(database, "save_point", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isNode(contents, row[2]))
-            refuse("save_point", row[0].number);
+            refuse(database, "save_point", row[0].number);
         contents.saved = static_cast<NodeId>(row[2].number);
     });
 }
@@ -138,14 +139,14 @@ void readAssets(Database& database, ProjectContents& contents)
     std::set<std::int64_t> blobs;
     eachRow(database, "blob", contents.seal, [&](std::span<const Value> row, const Hash&) {
         if (!isBlobNumber(row[0].number))
-            refuse("blob", row[0].number);
+            refuse(database, "blob", row[0].number);
         blobs.insert(row[0].number);
     });
     std::set<std::string> places;
     eachRow(database, "asset", contents.seal, [&](std::span<const Value> row, const Hash&) {
         const std::string name(row[1].bytes);
         if (!blobs.contains(row[2].number) || !isAssetName(name) || !places.insert(assetPlace(name)).second)
-            refuse("asset", row[0].number);
+            refuse(database, "asset", row[0].number);
         contents.assets.emplace(name, row[2].number);
     });
 }
@@ -156,16 +157,16 @@ void readState(Database& database, ProjectContents& contents)
     int count = 0;
     eachRow(database, "state", ignored, [&](std::span<const Value> row, const Hash&) {
         if (row[0].number != 0 || !isNode(contents, row[1]))
-            refuse("state", row[0].number);
+            refuse(database, "state", row[0].number);
         contents.current = static_cast<NodeId>(row[1].number);
         if (hashFrom(row[2].bytes) != contents.seal.value())
             throw DatabaseError(
-                {QT_TRANSLATE_NOOP("Message", "rows are missing from the project, or there are some too "
-                                              "many")});
+                {QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: rows are missing, or there are some too many"),
+                 {database.name().toStdString()}});
         ++count;
     });
     if (count != 1)
-        refuse("state", count);
+        refuse(database, "state", count);
 }
 
 class StoredNodes : public StoredEdits {
@@ -188,12 +189,13 @@ private:
     std::shared_ptr<Database> m_database;
 };
 
-[[noreturn]] void refuseDesign(NodeId node)
+[[noreturn]] void refuseDesign(const Database& database, NodeId node)
 {
     throw DatabaseError(
-        {QT_TRANSLATE_NOOP("Message", "the edits up to number %1 do not lead to the design that was "
-                                      "stored with it"),
-         {std::to_string(node)}});
+        {QT_TRANSLATE_NOOP("Message",
+                           "\"%1\" is damaged: the edits up to number %2 do not lead to the design that was "
+                           "stored with them"),
+         {database.name().toStdString(), std::to_string(node)}});
 }
 
 Replayed stepped(Database& database, NodeId node, const Replayed& parent)
@@ -201,7 +203,7 @@ Replayed stepped(Database& database, NodeId node, const Replayed& parent)
     const auto changes = changesOf(database, node);
     auto next = changes ? replayed(parent, *changes) : std::nullopt;
     if (!next)
-        refuseDesign(node);
+        refuseDesign(database, node);
     return std::move(*next);
 }
 
@@ -244,7 +246,7 @@ private:
         const NodeId parent = m_contents.nodes[static_cast<std::size_t>(id)].parent;
         const Replayed next = stepped(m_database, id, parent < 0 ? Replayed() : m_designs.at(parent).design);
         if (m_hash.follow(next.design) != m_contents.facts[static_cast<std::size_t>(id)].designHash)
-            refuseDesign(id);
+            refuseDesign(m_database, id);
         const auto entries = static_cast<std::int64_t>(next.design.elements().size());
         m_handled += next.handled + textOfEntry * entries;
         if (std::binary_search(m_contents.snapshots.begin(), m_contents.snapshots.end(), id))
@@ -264,7 +266,7 @@ private:
     {
         const std::optional<Replayed> snapshot = snapshotOf(m_database, id);
         if (!snapshot || snapshot->design != design)
-            refuse("snapshot", id);
+            refuse(m_database, "snapshot", id);
         m_handled += snapshot->handled;
     }
 
@@ -329,11 +331,11 @@ Design designOf(Database& database, const ProjectContents& contents, NodeId node
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
         const auto changes = changesOf(database, *step);
         if (!changes || !replay.add(*changes))
-            refuseDesign(*step);
+            refuseDesign(database, *step);
     }
     design = replay.result();
     if (!design || hashOf(design->design) != contents.facts[static_cast<std::size_t>(node)].designHash)
-        refuseDesign(node);
+        refuseDesign(database, node);
     return design->design;
 }
 
@@ -343,7 +345,7 @@ std::int64_t checkThoroughly(Database& database, const ProjectContents& contents
     while (blobs.next())
         readBlob(database, blobs.integer(0), nullptr);
     if (hasForeignChunks(database))
-        refuse("chunk", 0);
+        refuse(database, "chunk", 0);
     return DesignWalk(database, contents).run(check == ProjectCheck::Everything);
 }
 

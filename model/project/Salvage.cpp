@@ -1,5 +1,6 @@
 #include "Salvage.h"
 
+#include "Database.h"
 #include "HelperProcess.h"
 #include "Salvager.h"
 #include "Schema.h"
@@ -85,9 +86,20 @@ std::optional<Salvaged> run(QProcess& process)
     return salvagedFrom({answer.constData(), static_cast<std::size_t>(answer.size())});
 }
 
-} // namespace
+/// Brings into the copy what is in the log: SQLite takes it up to the first piece that is damaged.
+void applyLog(const QString& log, const QString& copy)
+{
+    if (!copyWholeFile(log, copy + "-wal", largestProject).empty())
+        return;
+    (void)repairHead(copy); // else it is not looked at
+    try {
+        Database(copy, Database::Access::Working).run("PRAGMA wal_checkpoint(TRUNCATE)");
+    } catch (const std::exception&) { // what is in the file itself is left
+    }
+    QFile::remove(copy + "-wal");
+}
 
-Salvaged salvageProject(const QString& damaged, const QString& out)
+Salvaged salvageFile(const QString& damaged, const QString& out, const QString& log)
 {
     if (QFileInfo::exists(out))
         return {{QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"), {out.toStdString()}}, true, {}};
@@ -95,6 +107,8 @@ Salvaged salvageProject(const QString& damaged, const QString& out)
     const QString copy = folder.filePath("damaged");
     if (const Message problem = copyWholeFile(damaged, copy, largestProject); !problem.empty())
         return blamed(problem);
+    if (!log.isEmpty())
+        applyLog(log, copy);
     if (!repairHead(copy))
         return blamed({QT_TRANSLATE_NOOP("Message", "nothing in \"%1\" can be saved"), {damaged.toStdString()}});
 
@@ -113,6 +127,18 @@ Salvaged salvageProject(const QString& damaged, const QString& out)
         {QT_TRANSLATE_NOOP("Message", "nothing in \"%1\" can be saved: it is damaged in a way that takes too "
                                       "much time or memory"),
          {damaged.toStdString()}});
+}
+
+} // namespace
+
+Salvaged salvageProject(const QString& damaged, const QString& out)
+{
+    return salvageFile(damaged, out, {});
+}
+
+Salvaged salvageJournal(const QString& damaged, const QString& out)
+{
+    return salvageFile(damaged, out, damaged + "-wal");
 }
 
 } // namespace bolster

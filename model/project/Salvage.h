@@ -21,4 +21,7 @@ struct Salvaged {
 /// with the file. The damaged file is not changed; there must be no file at `out`. Any thread may call it.
 Salvaged salvageProject(const QString& damaged, const QString& out);
 
+/// The same of a journal, with what is whole of its log ("-wal").
+Salvaged salvageJournal(const QString& damaged, const QString& out);
+
 } // namespace bolster

@@ -81,10 +81,13 @@ void eachRow(Database& database, const std::string& table, HashSum& seal,
         for (std::size_t i = 0; i < count; ++i)
             values[i] = query.value(static_cast<int>(i));
         const std::span<const Value> columns(values.data(), count - 1);
-        const Hash hash = values.back().type == Value::Type::Blob ? hashFrom(values.back().bytes) : Hash{};
+        const bool whole = values.back().type == Value::Type::Blob && values.back().bytes.size() == Hash().size();
+        const Hash hash = whole ? hashFrom(values.back().bytes) : Hash{};
         if (hash != rowHash(table, columns, chain ? chain(columns) : Hash{}))
-            throw DatabaseError({QT_TRANSLATE_NOOP("Message", "row %1 of the table \"%2\" is damaged"),
-                                 {std::to_string(columns[0].number), table}});
+            throw DatabaseError(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "\"%1\" is damaged: row %2 of the table \"%3\" is not what was written"),
+                 {database.name().toStdString(), std::to_string(columns[0].number), table}});
         seal.add(hash);
         row(columns, hash);
     }

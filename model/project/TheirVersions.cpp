@@ -82,7 +82,7 @@ NewNode newNode(const OpenedProject& theirs, NodeId node, NodeId id, NodeId pare
 Journal::Theirs Journal::compare(const OpenedProject& theirs)
 {
     const std::scoped_lock turn(*m_database);
-    if (theirs.uuid != m_uuid)
+    if (theirs.uuid != uuid())
         return Theirs::AnotherProject;
     const std::vector<NodeId> places = placesOf(theirs, *m_database);
     for (NodeId node = 0; node < theirs.history.count(); ++node) {
@@ -100,11 +100,31 @@ Journal::Theirs Journal::compare(const OpenedProject& theirs)
     return Theirs::NothingNew;
 }
 
+bool Journal::isIn(const OpenedProject& file)
+{
+    std::map<std::string, NodeId> there;
+    for (NodeId node = 0; node < static_cast<NodeId>(file.nodes.size()); ++node) {
+        const Uid& uid = file.nodes[static_cast<std::size_t>(node)].uid;
+        there[std::string(uid.begin(), uid.end())] = node;
+    }
+    bool all = file.uuid == uuid();
+    const Message problem = guarded([&] {
+        Query ours(*m_database, "SELECT node.uid, label.version, label.branch FROM node LEFT JOIN label ON "
+                                "label.node = node.id");
+        while (all && ours.next()) {
+            const auto found = there.find(std::string(ours.blob(0)));
+            all = found != there.end() && file.history.node(found->second).name == ours.value(1).bytes &&
+                  file.history.node(found->second).branch == ours.value(2).bytes;
+        }
+    });
+    return all && problem.empty();
+}
+
 Message Journal::takeIn(const OpenedProject& theirs, const std::string& name, const History& history,
                         TakenIn& taken)
 {
     return guarded([&] {
-        if (theirs.uuid != m_uuid || theirs.history.count() == 0)
+        if (theirs.uuid != uuid() || theirs.history.count() == 0)
             throw DatabaseError({QT_TRANSLATE_NOOP("Message", "there is another project in the file now")});
         if (m_behind || static_cast<NodeId>(m_rowHashes.size()) != history.count())
             throw DatabaseError({QT_TRANSLATE_NOOP("Message", "the last edits are not on the disk yet")});
@@ -118,7 +138,7 @@ Message Journal::takeIn(const OpenedProject& theirs, const std::string& name, co
             takeAssets(theirs, *m_database, step.rows);
         takeNames(step, theirs, places, history, name, taken);
         keepRedo(step, history, taken);
-        putProject(step.rows, m_uuid, theirs.seal);
+        putProject(step.rows, uuid(), theirs.seal);
         accept(step, m_current);
         m_base = theirs.seal;
         taken.edits = storedEdits(m_database);

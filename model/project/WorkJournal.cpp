@@ -2,6 +2,7 @@
 
 #include "EditCodec.h"
 #include "LastPlaces.h"
+#include "ProjectRows.h"
 #include "TemporaryFile.h"
 #include "WholeFile.h"
 
@@ -11,14 +12,19 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 
 namespace bolster {
 namespace {
 
 const QString journalEnding = QStringLiteral(".bolster");
+const QString damagedEnding = QStringLiteral(".damaged");
+const QString logEnding = QStringLiteral("-wal"); // after the other one
 const QString aboutEnding = QStringLiteral(".about");
 constexpr std::int64_t longestAbout = 100'000;
 constexpr int daysInBin = 30;
+constexpr std::chrono::seconds untilNextTry(2);
 
 QString stateFolder(const char* name)
 {
@@ -51,7 +57,7 @@ QString newBase()
 
 QString baseOf(const WorkJournal::Left& left)
 {
-    return left.journal.chopped(journalEnding.size());
+    return left.journal.chopped(left.damaged ? damagedEnding.size() : journalEnding.size());
 }
 
 /// What stands in UUID.about, a line each.
@@ -100,7 +106,7 @@ About readAbout(const QString& base)
     const QStringList lines =
         QString::fromStdString(readWholeFile(base + aboutEnding, longestAbout).bytes).split('\n');
     About about;
-    about.place = {lines.value(0), lines.value(1)};
+    about.place = {lines.value(0), lines.value(1), stampFrom(lines.value(4))};
     about.kept = lines.value(2) == QLatin1String("kept");
     about.held = heldFrom(lines.value(3));
     return about;
@@ -110,7 +116,7 @@ Message writeAboutFile(const QString& base, const About& about)
 {
     const QStringList lines{about.place.original, about.place.files,
                             about.kept ? QStringLiteral("kept") : QString(),
-                            about.held ? textOf(*about.held) : QString()};
+                            about.held ? textOf(*about.held) : QString(), textOf(about.place.stamp)};
     return replaceWholeFile(base + aboutEnding, lines.join('\n').toStdString());
 }
 
@@ -124,7 +130,7 @@ void moveToBin(const QString& base)
 {
     QDir().mkpath(bin());
     const QString target = bin() + '/' + QFileInfo(base).fileName();
-    for (const QString& ending : {journalEnding, aboutEnding})
+    for (const QString& ending : {journalEnding, damagedEnding, damagedEnding + logEnding, aboutEnding})
         if (!QFile::rename(base + ending, target + ending))
             QFile::remove(base + ending);
     removeJournal(base);
@@ -156,6 +162,12 @@ void keepPlace(const Journal& journal, const HeldHistory& held, NodeId current)
         lastPlaces::forget(journal.uuid());
 }
 
+/// A full disk may have kept the journal from knowing what the file holds.
+bool isSavedByNow(Journal& journal, const About& about)
+{
+    return looksLikeProject(about.place.original) && journal.isIn(openProject(about.place.original));
+}
+
 /// Whether there is unsaved work in the journal of a program that has ended.
 bool hasUnsavedWork(const QString& base)
 {
@@ -164,13 +176,19 @@ bool hasUnsavedWork(const QString& base)
         return true; // whatever it is, it is not for us to throw it away
     const HeldHistory held = heldOf(readAbout(base), opened.project);
     const HistoryMark now = opened.project.history.mark();
-    if (!holdsAllWork(held, opened.project.history, now))
+    if (!holdsAllWork(held, opened.project.history, now) && !isSavedByNow(*opened.journal, readAbout(base)))
         return true;
     keepPlace(*opened.journal, held, now.current);
     return false;
 }
 
-/// Those with unsaved work among the journals of which `wanted` likes what stands about them.
+bool isOfProject(const QString& journal, const QString& project)
+{
+    const std::string uuid = projectUuid(journal);
+    return !uuid.empty() && uuid == projectUuid(project);
+}
+
+/// Those with unsaved work among the journals that are `wanted`, by what stands about them.
 template <class Wanted>
 QList<WorkJournal::Left> leftWhere(Wanted wanted)
 {
@@ -179,7 +197,7 @@ QList<WorkJournal::Left> leftWhere(Wanted wanted)
         WorkJournal::Left left{{}, file.lastModified(), file.absoluteFilePath()};
         const QString base = baseOf(left);
         const About about = readAbout(base);
-        const auto lock = wanted(about) ? lockOf(base) : nullptr;
+        const auto lock = wanted(about, left.journal) ? lockOf(base) : nullptr;
         if (!lock)
             continue;
         if (!hasUnsavedWork(base)) {
@@ -200,13 +218,49 @@ QList<WorkJournal::Left> leftWhere(Wanted wanted)
 QList<WorkJournal::Left> WorkJournal::left()
 {
     removeLeftTemporaryFiles(journals());
-    return leftWhere([](const About&) { return true; });
+    return leftWhere([](const About&, const QString&) { return true; });
 }
 
 std::optional<WorkJournal::Left> WorkJournal::leftOf(const QString& original)
 {
-    const QList<Left> found = leftWhere([&](const About& about) { return about.place.original == original; });
-    return found.isEmpty() ? std::nullopt : std::optional(found.front());
+    QList<Left> found = leftWhere([&](const About& about, const QString& journal) {
+        const QString& known = about.place.original;
+        return known == original || (known.isEmpty() && isOfProject(journal, original));
+    });
+    if (found.isEmpty())
+        return std::nullopt;
+    found.front().place.original = original;
+    return found.front();
+}
+
+std::optional<WorkJournal::Left> WorkJournal::setAside(const Left& left)
+{
+    const QString base = baseOf(left);
+    const auto lock = lockOf(base);
+    if (!lock || left.damaged || Journal::open(left.journal).journal)
+        return std::nullopt;
+    Left aside = left;
+    aside.damaged = true;
+    aside.journal = base + damagedEnding;
+    const auto rename = [](const QString& from, const QString& to) { // QFile has its doubts about folders
+        return std::rename(QFile::encodeName(from).constData(), QFile::encodeName(to).constData()) == 0;
+    };
+    rename(left.journal + logEnding, aside.journal + logEnding);
+    return rename(left.journal, aside.journal) ? std::optional(aside) : std::nullopt;
+}
+
+QList<WorkJournal::Left> WorkJournal::damaged()
+{
+    QList<Left> found;
+    const auto filter = QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot;
+    for (const QFileInfo& file : QDir(journals()).entryInfoList({'*' + damagedEnding}, filter, QDir::Time)) {
+        Left left{{}, file.lastModified(), file.absoluteFilePath(), false, true};
+        const About about = readAbout(baseOf(left));
+        left.place = about.place;
+        left.kept = about.kept;
+        found.append(left);
+    }
+    return found;
 }
 
 bool WorkJournal::isWorkedOn(const QString& original)
@@ -274,6 +328,13 @@ WorkJournal::WorkJournal(Document& document, QObject* parent)
 {
     connect(&document, &Document::historyChanged, this, &WorkJournal::follow);
     connect(&document, &Document::named, this, [this](NodeId node) { m_renamed.insert(node); });
+    m_again.setInterval(untilNextTry);
+    connect(&m_again, &QTimer::timeout, this, [this] { (void)catchUp(); });
+}
+
+QString WorkJournal::folder()
+{
+    return journals();
 }
 
 WorkJournal::~WorkJournal()
@@ -289,9 +350,12 @@ void WorkJournal::start(const Place& place, const Taken& taken)
     m_lock = taken.lock;
     m_journal = taken.journal;
     m_renamed.clear();
+    m_identity.reset();
+    m_savedSeal.reset();
     m_fate = Fate::Leave;
-    m_failing = false;
+    m_aboutBehind = false;
     m_following = true;
+    setFailing({});
     if (m_journal)
         move(place);
 }
@@ -299,9 +363,12 @@ void WorkJournal::start(const Place& place, const Taken& taken)
 void WorkJournal::move(const Place& place)
 {
     m_place = place;
-    if (m_journal)
-        if (const Message problem = writeAbout(); !problem.empty())
-            emit failed(problem);
+    if (!m_journal)
+        return;
+    const Message problem = writeAbout();
+    m_aboutBehind = !problem.empty();
+    if (m_aboutBehind)
+        setFailing(problem);
 }
 
 Message WorkJournal::writeAbout() const
@@ -311,6 +378,9 @@ Message WorkJournal::writeAbout() const
 
 void WorkJournal::end()
 {
+    if (m_failing && m_following)
+        (void)catchUp(); // the last time
+    m_again.stop();
     if (!std::exchange(m_following, false) || !m_journal)
         return;
     const bool unsaved = m_document.hasUnsavedWork();
@@ -343,8 +413,13 @@ Message WorkJournal::prepare()
                 {journals().toStdString()}};
     if (Message problem = writeAbout(); !problem.empty())
         return problem;
-    Journal::Opened opened = Journal::create(m_base + journalEnding, m_root);
+    const QString path = m_base + journalEnding;
+    Journal::Opened opened = m_identity ? Journal::create(path, m_root, m_identity) : Journal::create(path, m_root);
     m_journal = std::move(opened.journal);
+    if (!m_journal)
+        removeJournal(m_base); // half of one would be taken for work
+    else if (m_savedSeal)
+        m_journal->setBase(*m_savedSeal);
     return opened.project.problem;
 }
 
@@ -353,27 +428,89 @@ void WorkJournal::follow()
     if (!m_following || (!m_journal && m_document.history().count() == 1 && m_renamed.empty()))
         return;           // nothing was done
     m_fate = Fate::Leave; // was said of the work as it was then
-    const Message problem = catchUp();
-    if (!problem.empty() && !std::exchange(m_failing, true))
+    (void)catchUp();
+}
+
+/// An edit that cannot be stored is done nevertheless: whoever is warned can save it, which is more than nothing.
+void WorkJournal::setFailing(const Message& problem)
+{
+    const bool before = std::exchange(m_failing, !problem.empty());
+    if (m_failing == before)
+        return;
+    if (m_failing) {
+        m_again.start();
         emit failed(problem);
-    m_failing = !problem.empty();
+    } else {
+        m_again.stop();
+        emit worksAgain();
+    }
 }
 
 Message WorkJournal::catchUp()
 {
+    const Message problem = store();
+    setFailing(problem);
+    return problem;
+}
+
+Message WorkJournal::store()
+{
     if (Message problem = prepare(); !problem.empty())
         return problem;
-    const History& history = m_document.history();
-    if (Message problem = m_journal->record(history, m_document.committed()); !problem.empty())
-        return problem;
-    while (!m_renamed.empty()) {
-        const NodeId id = *m_renamed.begin();
-        const History::Node& node = history.node(id);
-        if (Message problem = m_journal->setNames(id, node.name, node.branch); !problem.empty())
+    if (m_aboutBehind)
+        if (Message problem = writeAbout(); !problem.empty())
             return problem;
-        m_renamed.erase(id);
+    m_aboutBehind = false;
+    Message problem = catchUp(*m_journal);
+    if (problem.empty())
+        m_renamed.clear();
+    return problem;
+}
+
+Message WorkJournal::catchUp(Journal& journal) const
+{
+    const History& history = m_document.history();
+    if (Message problem = journal.record(history, m_document.committed()); !problem.empty())
+        return problem;
+    for (const NodeId id : m_renamed) {
+        const History::Node& node = history.node(id);
+        if (Message problem = journal.setNames(id, node.name, node.branch); !problem.empty())
+            return problem;
     }
     return {};
+}
+
+WorkJournal::StandIn::StandIn() = default;
+WorkJournal::StandIn::~StandIn() = default;
+
+std::function<std::shared_ptr<WorkJournal::StandIn>(const QString& target)> WorkJournal::standIns()
+{
+    if (!m_journal && !m_identity)
+        m_identity = std::make_shared<Journal::Identity>(Journal::Identity{newUid(), {}});
+    return [journal = m_journal, root = m_root, identity = m_identity, base = m_savedSeal](const QString& target) {
+        auto made = std::make_shared<StandIn>();
+        made->file = std::make_unique<TemporaryFile>(target);
+        made->problem = made->file->problem();
+        if (!made->problem.empty())
+            return made;
+        const QString path = made->file->path();
+        Journal::Opened opened = journal ? journal->standIn(path) : Journal::createStandIn(path, root, identity);
+        made->journal = std::move(opened.journal);
+        made->problem = std::move(opened.project.problem);
+        for (std::string& arg : made->problem.args)
+            if (arg == path.toStdString())
+                arg = target.toStdString(); // the file that the user knows
+        if (made->journal && !journal && base)
+            made->journal->setBase(*base);
+        return made;
+    };
+}
+
+void WorkJournal::savedBy(const Journal& standIn)
+{
+    m_savedSeal = standIn.base();
+    if (m_journal && m_savedSeal)
+        m_journal->setBase(*m_savedSeal);
 }
 
 Message WorkJournal::takeIn(const OpenedProject& theirs, const std::string& name, NodeId& tip)

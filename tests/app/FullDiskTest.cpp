@@ -6,6 +6,7 @@
 
 #include <QFile>
 #include <QProcess>
+#include <QStandardPaths>
 #include <QStorageInfo>
 #include <QTemporaryDir>
 
@@ -15,27 +16,28 @@ namespace {
 /// A file system of its own; only the system's administrator may make one.
 class SmallDisk {
 public:
-    explicit SmallDisk(int kilobytes)
-        : m_mounted(run("mount",
-                        {"-t", "tmpfs", "-o", QStringLiteral("size=%1k").arg(kilobytes), "tmpfs", m_folder.path()}))
+    /// In a folder of its own, or over one that is there.
+    explicit SmallDisk(int kilobytes, const QString& over = {})
+        : m_path(over.isEmpty() ? m_folder.path() : over)
+        , m_mounted(run("mount", {"-t", "tmpfs", "-o", QStringLiteral("size=%1k").arg(kilobytes), "tmpfs", m_path}))
     {}
     ~SmallDisk()
     {
         if (m_mounted)
-            run("umount", {"-l", m_folder.path()});
+            run("umount", {"-l", m_path});
     }
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;
 
     bool mounted() const { return m_mounted; }
-    QString filePath(const QString& name) const { return m_folder.filePath(name); }
+    QString filePath(const QString& name) const { return QDir(m_path).filePath(name); }
 
     /// Leaves so much room.
     void fill(qint64 left)
     {
         QFile filler(filePath("filler"));
         ASSERT_TRUE(filler.open(QFile::WriteOnly));
-        filler.write(QByteArray(QStorageInfo(m_folder.path()).bytesAvailable() - left, 'x'));
+        filler.write(QByteArray(QStorageInfo(m_path).bytesAvailable() - left, 'x'));
     }
     void makeRoom() { QFile::remove(filePath("filler")); }
 
@@ -46,6 +48,7 @@ private:
     }
 
     QTemporaryDir m_folder;
+    QString m_path;
     bool m_mounted;
 };
 
@@ -130,6 +133,152 @@ TEST_F(FullDiskTest, OneTriesAgainOrSavesElsewhereWithoutBeginningAnew)
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
     EXPECT_EQ(failures, 1);
     EXPECT_TRUE(openProject(path).design == window.document().design());
+}
+
+/// The disk of the journals is full, that of the projects is not.
+class FullStateTest : public FullDiskTest {
+protected:
+    FullStateTest()
+        : m_disk(8192, stateFolder())
+    {}
+
+    void SetUp() override
+    {
+        if (!m_disk.mounted())
+            GTEST_SKIP() << "making a file system is not allowed here";
+        FullDiskTest::SetUp();
+    }
+    void TearDown() override
+    {
+        if (!m_disk.mounted())
+            return;
+        m_disk.makeRoom();
+        FullDiskTest::TearDown();
+        window.session().end(); // before the disk goes
+    }
+
+    static QString stateFolder()
+    {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+        QDir().mkpath(folder);
+        return folder;
+    }
+    QString path(const QString& name) { return m_projects.filePath(name); }
+    bool warned() { return window.banner().shown() && window.banner().text().contains(stateFolder()); }
+    bool isProtectedAgain()
+    {
+        return QTest::qWaitFor([&] { return !window.banner().shown(); }, 30000);
+    }
+    /// What a crash would leave now.
+    void keepJournals(const QString& to)
+    {
+        QDir().mkpath(to);
+        for (const QFileInfo& file : QDir(WorkJournal::folder()).entryInfoList({"*.bolster*", "*.about"}))
+            EXPECT_TRUE(QFile::copy(file.filePath(), to + '/' + file.fileName()));
+    }
+    QList<WorkJournal::Left> leftByACrash()
+    {
+        keepJournals(path("journals"));
+        window.document().markSaved();
+        window.session().startNew();
+        m_disk.makeRoom();
+        QDir().mkpath(WorkJournal::folder());
+        for (const QFileInfo& file : QDir(path("journals")).entryInfoList(QDir::Files))
+            EXPECT_TRUE(QFile::copy(file.filePath(), WorkJournal::folder() + '/' + file.fileName()));
+        return WorkJournal::left();
+    }
+
+    SmallDisk m_disk;
+    QTemporaryDir m_projects;
+};
+
+TEST_F(FullStateTest, WarnsAsLongAsEditsAreNotProtected)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(path("box.bolster")).english(), "");
+    m_disk.fill(0);
+    change();
+    ASSERT_TRUE(warned()) << qPrintable(window.banner().text());
+    window.banner().announce(Banner::Kind::Information, "something else", {});
+    window.banner().dismiss();
+    change();
+    EXPECT_TRUE(warned()) << "nothing else takes its place, and nobody closes it";
+    m_disk.makeRoom();
+    ASSERT_TRUE(isProtectedAgain()) << "without another edit";
+    const auto left = leftByACrash();
+    ASSERT_EQ(left.size(), 1);
+    EXPECT_EQ(WorkJournal::takeLeft(left[0]).project.history.count(), 3);
+}
+
+TEST_F(FullStateTest, SavingToAnotherDiskWorks)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(path("box.bolster")).english(), "");
+    m_disk.fill(0);
+    for (int saves = 1; saves <= 2; ++saves) {
+        change();
+        window.document().nameVersion(saves, "Name " + std::to_string(saves));
+        EXPECT_EQ(save(path("box.bolster")).english(), "");
+        EXPECT_FALSE(window.document().hasUnsavedWork());
+        const OpenedProject there = openProject(path("box.bolster"), ProjectCheck::Everything);
+        EXPECT_EQ(there.problem.english(), "");
+        EXPECT_TRUE(there.design == window.document().design());
+        EXPECT_EQ(there.history.count(), 1 + saves);
+        EXPECT_EQ(there.history.node(saves).name, "Name " + std::to_string(saves));
+    }
+    EXPECT_EQ(QDir(m_projects.path()).entryList(QDir::Files | QDir::Hidden), QStringList("box.bolster"));
+    EXPECT_TRUE(warned()) << "for what comes";
+    change();
+    EXPECT_EQ(save(path("other.bolster")).english(), "") << "under another name";
+    m_disk.makeRoom();
+    ASSERT_TRUE(isProtectedAgain());
+    change();
+    EXPECT_EQ(save(path("other.bolster")).english(), "") << "nobody else has changed it";
+    EXPECT_EQ(openProject(path("other.bolster")).history.count(), 5);
+}
+
+TEST_F(FullStateTest, ADesignThatHasNoJournalYetIsSavedToo)
+{
+    ASSERT_TRUE(open(sample("armchair"))); // with a file
+    m_disk.fill(0);
+    change();
+    ASSERT_TRUE(warned());
+    EXPECT_EQ(QDir(WorkJournal::folder()).entryList({"*.bolster"}), QStringList()) << "half a journal";
+    EXPECT_EQ(save(path("chair.bolster")).english(), "");
+    change();
+    EXPECT_EQ(save(path("chair.bolster")).english(), "");
+    EXPECT_EQ(openProject(path("chair.bolster")).assets.size(), 1U);
+    m_disk.makeRoom();
+    ASSERT_TRUE(isProtectedAgain());
+    change();
+    EXPECT_EQ(save(path("chair.bolster")).english(), "") << "it is the same project";
+    EXPECT_EQ(openProject(path("chair.bolster"), ProjectCheck::Everything).history.count(), 4);
+}
+
+TEST_F(FullStateTest, ASoundProjectThatCannotBeOpenedIsNotCalledDamaged)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(path("box.bolster")).english(), "");
+    window.session().startNew();
+    m_disk.fill(0);
+    whenABoxHas([&](QMessageBox& box) {
+        EXPECT_TRUE(box.informativeText().contains(stateFolder())) << qPrintable(box.informativeText());
+        EXPECT_EQ(box.buttons().size(), 1) << "nothing to recover";
+        return box.button(QMessageBox::Ok);
+    });
+    window.open(path("box.bolster"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+}
+
+TEST_F(FullStateTest, AnOlderJournalIsNoWorkWhenTheFileHoldsAllOfIt)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ASSERT_EQ(save(path("box.bolster")).english(), "");
+    change();
+    m_disk.fill(0);
+    change();
+    EXPECT_EQ(save(path("box.bolster")).english(), "");
+    EXPECT_TRUE(leftByACrash().isEmpty());
 }
 
 } // namespace

@@ -203,6 +203,109 @@ TEST_F(ProjectFilesTest, OfSeveralCrashedProgramsTheOthersAreSaidToBeThere)
     EXPECT_TRUE(window.banner().text().contains("1 more")) << qPrintable(window.banner().text());
 }
 
+/// What a killed program has left does not open.
+class DamagedWorkTest : public ProjectFilesTest {
+protected:
+    void SetUp() override
+    {
+        ProjectFilesTest::SetUp();
+        ASSERT_TRUE(open(sample("box-cushion")));
+        change(edits);
+        path = folder.filePath("box.bolster");
+        ASSERT_EQ(save(path).english(), "");
+        saved = window.document().design();
+        window.actions().newDesign->trigger();
+        ASSERT_TRUE(ProgramThatDies::run(path, 5, 0));
+        journal = QDir(stateFolder("journals")).entryInfoList({"*.bolster"}).value(0).filePath();
+    }
+    void rewrite(const QString& file, const std::function<void(QByteArray&)>& damage)
+    {
+        QFile there(file);
+        ASSERT_TRUE(there.open(QFile::ReadWrite));
+        QByteArray bytes = there.readAll();
+        damage(bytes);
+        there.resize(0);
+        there.seek(0);
+        there.write(bytes);
+    }
+    /// The box says it, and which project is meant; then that is open, and nothing is in its way any more.
+    void expectSetAside(const std::function<void()>& start)
+    {
+        QString said;
+        whenABoxHas([&](QMessageBox& box) -> QAbstractButton* {
+            said = box.text() + box.informativeText();
+            return box.button(QMessageBox::Ok);
+        });
+        start();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1 && window.session().path() == path; }, 30000));
+        EXPECT_TRUE(said.contains("box.bolster")) << qPrintable(said);
+        EXPECT_TRUE(said.contains("Unsaved work")) << qPrintable(said);
+        EXPECT_TRUE(window.document().design() == saved);
+        EXPECT_TRUE(WorkJournal::left().isEmpty());
+        const auto damaged = WorkJournal::damaged();
+        ASSERT_EQ(damaged.size(), 1);
+        EXPECT_EQ(damaged[0].place.original, path);
+        EXPECT_TRUE(QFileInfo::exists(damaged[0].journal));
+        change();
+        EXPECT_EQ(save(path).english(), "");
+        WorkJournal::putIntoBin(damaged[0]);
+        EXPECT_TRUE(WorkJournal::damaged().isEmpty());
+    }
+    /// How many versions were recovered.
+    NodeId recovered()
+    {
+        const OpenedProject found = openProject(folder.filePath("box (recovered).bolster"));
+        return found.problem.empty() ? found.history.count() : 0;
+    }
+
+    static constexpr int edits = 300; // more than one page: the log does not hold them all
+    QString path;
+    QString journal;
+    Design saved;
+};
+
+TEST_F(DamagedWorkTest, ABeginningOfZeros)
+{
+    QFile::remove(journal + "-wal");
+    rewrite(journal, [](QByteArray& bytes) { bytes.replace(0, 40960, QByteArray(40960, 0)); });
+    expectSetAside([&] { window.open(path); });
+}
+
+TEST_F(DamagedWorkTest, AnEmptyFile)
+{
+    rewrite(journal, [](QByteArray& bytes) { bytes.clear(); });
+    expectSetAside([&] { window.recover(); });
+}
+
+TEST_F(DamagedWorkTest, AFolderInPlaceOfItsLog)
+{
+    QFile::remove(journal + "-wal");
+    ASSERT_TRUE(QDir().mkpath(journal + "-wal/inside"));
+    expectSetAside([&] { window.open(path); });
+    EXPECT_EQ(recovered(), edits + 1) << "what was in the file itself";
+}
+
+TEST_F(DamagedWorkTest, ARow)
+{
+    rewrite(journal, [](QByteArray& bytes) {
+        const qsizetype place = bytes.indexOf("Change the settings");
+        ASSERT_GT(place, 0);
+        bytes[place] = static_cast<char>(bytes[place] ^ 4);
+    });
+    expectSetAside([&] { window.open(path); });
+    EXPECT_GT(recovered(), 0);
+}
+
+TEST_F(DamagedWorkTest, AJournalThatDoesNotSayWhereItBelongsIsOfferedWithItsProject)
+{
+    rewrite(QString(journal).replace(".bolster", ".about"), [](QByteArray& bytes) { bytes.clear(); });
+    window.open(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().startsWith("5 unsaved edits")) << qPrintable(window.banner().text());
+    EXPECT_EQ(window.session().path(), path);
+    EXPECT_EQ(window.document().history().count(), edits + 6);
+}
+
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -261,6 +364,119 @@ TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
     EXPECT_EQ(save(folder.filePath("mine.bolster")).english(), "");
     EXPECT_FALSE(window.session().changedByOthers());
     EXPECT_FALSE(window.document().dirty());
+}
+
+/// What is in the place of a project, or of a design as text, that somebody has removed.
+class StrangerTest : public ProjectFilesTest {
+protected:
+    void write(const QString& path, const QByteArray& bytes)
+    {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QFile::WriteOnly));
+        file.write(bytes);
+    }
+    static QByteArray bytesOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray("none");
+    }
+    /// Saving asks, and what is there is beside the new file afterwards.
+    void expectKept(const QString& path, const QByteArray& stranger)
+    {
+        change();
+        EXPECT_FALSE(save(path).empty());
+        EXPECT_TRUE(window.session().placeTaken());
+        EXPECT_EQ(bytesOf(path), stranger);
+        const QString other =
+            folder.filePath(QFileInfo(path).completeBaseName() + " (other)." + QFileInfo(path).suffix());
+        pressInBox("Keep the other file");
+        window.actions().save->trigger();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
+        EXPECT_EQ(bytesOf(other), stranger);
+        EXPECT_TRUE(openDesignOrProject(path).design == window.document().design());
+        QFile::remove(other);
+    }
+};
+
+TEST_F(StrangerTest, IsNeverReplacedByAProject)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    for (const QByteArray& stranger : {QByteArray("my only copy"), QByteArray(), bytesOf(sample("pillow"))}) {
+        QFile::remove(path);
+        write(path, stranger);
+        expectKept(path, stranger);
+    }
+    saveElsewhere(path); // newer, and damaged then
+    QByteArray damaged = bytesOf(path);
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
+    damaged[damaged.size() - 100] = static_cast<char>(damaged[damaged.size() - 100] ^ 4);
+    write(path, damaged);
+    ASSERT_NE(openProject(path).problem.english(), "");
+    expectKept(path, damaged);
+}
+
+TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
+{
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_EQ(save(folder.filePath("pillow.bolster")).english(), "");
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    const QByteArray pillow = bytesOf(folder.filePath("pillow.bolster"));
+    write(path, pillow);
+    expectKept(path, pillow);
+}
+
+TEST_F(StrangerTest, ANewLinkIsNotFollowed)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    const QString moved = folder.filePath("moved.bolster");
+    ASSERT_TRUE(QFile::rename(path, moved));
+    const QByteArray before = bytesOf(moved);
+    ASSERT_TRUE(QFile::link(moved, path));
+    expectKept(path, before);
+    EXPECT_EQ(bytesOf(moved), before);
+    QFile::remove(path);
+    ASSERT_TRUE(QFile::link(folder.filePath("nowhere"), path));
+    change();
+    EXPECT_FALSE(save(path).empty());
+    EXPECT_TRUE(window.session().placeTaken());
+    EXPECT_TRUE(QFileInfo(path).isSymLink());
+}
+
+TEST_F(StrangerTest, ALinkThatWasOpenedIsFollowed)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString real = folder.filePath("real.bolster");
+    ASSERT_EQ(save(real).english(), "");
+    const QString path = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(real, path));
+    ASSERT_TRUE(open(path));
+    for (int saves = 0; saves < 2; ++saves) {
+        change();
+        EXPECT_EQ(save(path).english(), "");
+    }
+    EXPECT_TRUE(QFileInfo(path).isSymLink());
+    EXPECT_TRUE(openProject(real).design == window.document().design());
+}
+
+TEST_F(StrangerTest, IsNeverReplacedByADesignAsText)
+{
+    const QString path = folder.filePath("pillow.json");
+    ASSERT_TRUE(QFile::copy(sample("pillow"), path));
+    ASSERT_TRUE(open(path));
+    write(path, bytesOf(path)); // by a sync service
+    change();
+    EXPECT_EQ(save(path).english(), "");
+    change();
+    EXPECT_EQ(save(path).english(), "");
+    const QByteArray theirs = bytesOf(path) + "\n";
+    write(path, theirs);
+    expectKept(path, theirs);
 }
 
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
@@ -554,6 +770,34 @@ TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
     window.open(path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
     EXPECT_TRUE(window.document().design() == before);
+}
+
+TEST_F(ProjectFilesTest, WhatIsWrongIsSaidInASentenceThatNamesTheFile)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change(40);
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QFile::ReadWrite));
+    file.seek(file.readAll().lastIndexOf("Change the settings"));
+    file.write("X");
+    file.close();
+    QString said;
+    const auto opening = [&](const QString& what) {
+        const int before = answered;
+        whenABoxHas([&](QMessageBox& box) {
+            said = box.informativeText();
+            return box.button(QMessageBox::Close) ? box.button(QMessageBox::Close) : box.button(QMessageBox::Ok);
+        });
+        window.open(what);
+        return QTest::qWaitFor([&] { return answered > before; }, 30000);
+    };
+    ASSERT_TRUE(opening(path));
+    EXPECT_TRUE(said.startsWith('"' + path + '"')) << qPrintable(said);
+    ASSERT_TRUE(opening(folder.filePath("nothing.bolster")));
+    EXPECT_TRUE(said.startsWith("There is no file")) << qPrintable(said);
 }
 
 /// What only older versions mean is not laid out when a project is opened.

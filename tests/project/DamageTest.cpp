@@ -32,8 +32,11 @@ protected:
     std::string content(const QString& file) const
     {
         const OpenedProject project = openProject(file, ProjectCheck::Everything);
-        if (!project.problem.empty())
+        if (!project.problem.empty()) {
+            EXPECT_NE(project.problem.english().find(file.toStdString()), std::string::npos)
+                << project.problem.english();
             return {};
+        }
         std::string text =
             writeDesign(project.design) + historyText(project.history) + std::to_string(project.saved.value_or(-1));
         for (const ProjectNode& node : project.nodes)
