@@ -2,6 +2,7 @@
 
 #include "Commands.h"
 #include "Output.h"
+#include "Unfinished.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -12,8 +13,9 @@ namespace bolster::cli {
 Interrupt::Interrupt()
 {
     sigemptyset(&m_signals);
-    sigaddset(&m_signals, SIGINT);
-    sigaddset(&m_signals, SIGTERM);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (struct sigaction now = {}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaddset(&m_signals, signal);
     pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
     m_watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
@@ -63,6 +65,7 @@ void Interrupt::endUnlessBack(const std::stop_token& end)
     printError("error: interrupted");
     if (m_leave)
         m_leave();
+    removeUnfinished();
     std::_Exit(otherFailure);
 }
 

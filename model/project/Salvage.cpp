@@ -4,12 +4,12 @@
 #include "Salvager.h"
 #include "Schema.h"
 #include "TemporaryFile.h"
+#include "Unfinished.h"
 #include "WholeFile.h"
 
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
-#include <QTemporaryDir>
 
 namespace bolster {
 namespace {
@@ -64,8 +64,9 @@ HelperLimits limitsFor(std::int64_t bytes)
 }
 
 /// What the process says, or nothing when it died.
-std::optional<Salvaged> run(QProcess& process)
+std::optional<Salvaged> run(QProcess& process, const std::stop_token& stop)
 {
+    constexpr int pollMilliseconds = 50;
     if (!process.waitForStarted())
         return Salvaged{
             {QT_TRANSLATE_NOOP("Message", "the program \"%1\", which recovers projects for Bolster, cannot "
@@ -74,9 +75,11 @@ std::optional<Salvaged> run(QProcess& process)
             true,
             {}};
     QByteArray answer;
-    while (process.waitForReadyRead(-1) && answer.size() <= longestAnswer)
+    while (process.state() != QProcess::NotRunning && answer.size() <= longestAnswer && !stop.stop_requested()) {
+        process.waitForReadyRead(pollMilliseconds);
         answer += process.readAllStandardOutput();
-    if (answer.size() > longestAnswer)
+    }
+    if (answer.size() > longestAnswer || stop.stop_requested())
         process.kill();
     process.waitForFinished(-1);
     answer += process.readAllStandardOutput();
@@ -87,11 +90,11 @@ std::optional<Salvaged> run(QProcess& process)
 
 } // namespace
 
-Salvaged salvageProject(const QString& damaged, const QString& out)
+Salvaged salvageProject(const QString& damaged, const QString& out, const std::stop_token& stop)
 {
     if (QFileInfo::exists(out))
         return {{QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"), {out.toStdString()}}, true, {}};
-    const QTemporaryDir folder;
+    const WorkFolder folder;
     const QString copy = folder.filePath("damaged");
     if (const Message problem = copyWholeFile(damaged, copy, largestProject); !problem.empty())
         return blamed(problem);
@@ -106,9 +109,11 @@ Salvaged salvageProject(const QString& damaged, const QString& out)
     process.setStandardErrorFile(QProcess::nullDevice());
     confine(process, limits, folder.path());
     process.start(QIODevice::ReadOnly);
-    if (std::optional<Salvaged> salvaged = run(process))
+    if (std::optional<Salvaged> salvaged = run(process, stop))
         return std::move(*salvaged);
     removeLeftTemporaryFiles(QFileInfo(out).absolutePath());
+    if (stop.stop_requested())
+        return {{QT_TRANSLATE_NOOP("Message", "interrupted"), {}}, true, {}};
     return blamed(
         {QT_TRANSLATE_NOOP("Message", "nothing in \"%1\" can be saved: it is damaged in a way that takes too "
                                       "much time or memory"),
