@@ -4,7 +4,9 @@
 #include "FileFlow.h"
 #include "FileImportDialog.h"
 #include "SurfaceExport.h"
+#include "WholeFile.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
@@ -77,6 +79,7 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
         openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), steps);
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
+    connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
     const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar)](double done) {
         const int step = static_cast<int>(done * steps);
         if (step > std::exchange(*shown, step))
@@ -140,15 +143,29 @@ void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& pat
     });
 }
 
+namespace {
+
+/// QImage does not tell when the disk is full.
+Message writePng(const QImage& picture, const QString& path)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, "PNG"))
+        return {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}};
+    return replaceWholeFile(path, {png.constData(), static_cast<std::size_t>(png.size())});
+}
+
+} // namespace
+
 void FileFlow::exportPicture(const QImage& picture)
 {
     chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"), {QStringLiteral("png")},
                  [this, picture](const QString& path) {
-                     if (picture.save(path, "PNG"))
+                     if (const Message problem = writePng(picture, path); problem.empty())
                          emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
                      else
-                         fail(tr("The picture could not be exported."),
-                              {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {path.toStdString()}});
+                         fail(tr("The picture could not be exported."), problem);
                  });
 }
 

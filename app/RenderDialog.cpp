@@ -59,9 +59,10 @@ RenderDialog::Result RenderDialog::drawn(PictureStudio& studio, const Request& r
         if (!result.toFile || result.image.empty())
             break;
         const std::string path = request.turntable > 1 ? numberedPath(request.path, n + 1) : request.path;
-        const Message problem = replaceFile(QString::fromStdString(path), [&](const QString& file) {
-            return writePicture(result.image, request.format, file.toStdString(), request.notes);
-        });
+        const EncodedPicture encoded = encodePicture(result.image, request.format, request.notes);
+        const Message problem = encoded.problem.empty()
+                                    ? replaceWholeFile(QString::fromStdString(path), encoded.bytes)
+                                    : encoded.problem;
         result.problem = problem.empty() ? std::string() : translated(problem).toStdString();
         if (!result.problem.empty())
             break;

@@ -6,7 +6,9 @@
 #include "Translations.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QLocale>
+#include <QProcess>
 
 #include <cstdio>
 
@@ -21,6 +23,12 @@ bool hasDisplay()
 #else
     return true;
 #endif
+}
+
+/// In a program of its own: whatever happens to one design, the others go on.
+void openInWindowOfItsOwn(const QString& path)
+{
+    QProcess::startDetached(QCoreApplication::applicationFilePath(), {QFileInfo(path).absoluteFilePath()});
 }
 
 } // namespace
@@ -46,9 +54,12 @@ int main(int argc, char* argv[])
 
     MainWindow window;
     window.show();
-    if (const QStringList arguments = QCoreApplication::arguments(); arguments.size() > 1)
-        window.open(arguments.at(1));
-    else
+    const QStringList designs = QCoreApplication::arguments().mid(1);
+    if (designs.isEmpty())
         window.recover();
+    else
+        window.open(designs.front());
+    for (const QString& another : designs.mid(1))
+        openInWindowOfItsOwn(another);
     return QApplication::exec();
 }

@@ -6,18 +6,20 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace bolster {
 namespace {
 
 constexpr std::int64_t largestDesignFile = 64'000'000;
 
-OpenedDesign unreadable(Message why)
+ReadDesign unreadable(Message why)
 {
-    OpenedDesign opened;
-    opened.problems.push_back({settingsId, {}, {}, std::move(why)});
-    return opened;
+    ReadDesign read;
+    read.problems.push_back({settingsId, {}, {}, std::move(why)});
+    return read;
 }
 
 /// The element's file with links resolved, if it is there and inside the folder.
@@ -39,18 +41,61 @@ QString fileInFolder(const std::string& name, const QString& folder, Message& pr
     return problem.empty() ? file : QString();
 }
 
-Message sizeProblem(const Element& element, const FileContent& content)
+bool isNear(const Vec3& point)
 {
-    const Placement* placement = elementPlacement(element);
-    for (const Vec3& point : content.points())
-        if (placement && !(placement->placed(point).array().abs() <= largestCoordinate).all())
-            return {
-                QT_TRANSLATE_NOOP("Message", "with this scale and position the points reach beyond 10,000,000 mm")};
-    return {};
+    return (point.array().abs() <= largestCoordinate).all();
 }
 
-void readFiles(OpenedDesign& opened, const QString& folder)
+Message sizeProblem(const Element& element, const FileContent& content, const Box3& box)
 {
+    const Placement* placement = elementPlacement(element);
+    if (!placement)
+        return {};
+    bool cornersNear = true; // then all within are
+    for (int corner = 0; corner < 8; ++corner)
+        cornersNear = cornersNear && isNear(placement->placed(box.corner(static_cast<Box3::CornerType>(corner))));
+    const std::vector<Vec3>& points = content.points();
+    if (cornersNear ||
+        std::ranges::all_of(points, [&](const Vec3& point) { return isNear(placement->placed(point)); }))
+        return {};
+    return {QT_TRANSLATE_NOOP("Message", "with this scale and position the points reach beyond 10,000,000 mm")};
+}
+
+/// The files of elements. Many may have the same one, which is read once, and is in memory once.
+class ElementFiles {
+public:
+    ElementFiles(const QString& folder, std::stop_token stop)
+        : m_folder(folder)
+        , m_stop(std::move(stop))
+    {}
+
+    ImportedFile read(const Element& element)
+    {
+        Message problem;
+        const QString path = fileInFolder(*elementFile(element), m_folder, problem);
+        if (!problem.empty())
+            return {{}, problem};
+        const auto [found, isNew] = m_read.try_emplace({fileKind(element), path});
+        auto& [file, box] = found->second;
+        if (isNew) {
+            file = importFile(fileKind(element), path, {m_stop});
+            box = file.content.boundingBox();
+        }
+        if (file.content)
+            if (problem = sizeProblem(element, file.content, box); !problem.empty())
+                return {{}, problem};
+        return file;
+    }
+
+private:
+    QString m_folder;
+    std::stop_token m_stop;
+    std::map<std::pair<FileKind, QString>, std::pair<ImportedFile, Box3>> m_read; // by path
+};
+
+void readFiles(OpenedDesign& opened, const QString& folder, const std::stop_token& stop)
+{
+    ElementFiles files(folder, stop);
     std::set<std::pair<ElementId, std::string>> refused;
     for (const Problem& known : opened.problems)
         if (known.severity == Severity::Error)
@@ -66,7 +111,9 @@ void readFiles(OpenedDesign& opened, const QString& folder)
                                            std::move(missing), Severity::Warning});
             continue;
         }
-        ImportedFile file = readElementFile(*element, folder);
+        ImportedFile file = files.read(*element);
+        if (stop.stop_requested())
+            return;
         file.content.addTo(opened.files, id);
         if (!file.content)
             opened.problems.push_back({id, elementLabel(id, *element), "file", std::move(file.problem)});
@@ -87,27 +134,38 @@ void arrange(Problems& problems)
 
 } // namespace
 
-OpenedDesign openDesign(const QString& path, const QString& filesFolder)
+ReadDesign readDesignFile(const QString& path)
 {
     const WholeFile file = readWholeFile(path, largestDesignFile);
     if (!file.problem.empty())
         return unreadable(file.problem);
+    ReadDesign read = readDesign(file.bytes);
+    if (!read.readable)
+        for (Problem& problem : read.problems)
+            problem.label = path.toStdString();
+    return read;
+}
+
+OpenedDesign openDesign(const QString& path, const QString& filesFolder)
+{
     try {
-        return openReadDesign(readDesign(file.bytes),
+        return openReadDesign(readDesignFile(path),
                               filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder);
     } catch (const std::bad_alloc&) {
-        return unreadable({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this design"), {}});
+        const ReadDesign read =
+            unreadable({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this design"), {}});
+        return {{}, {}, read.problems};
     }
 }
 
-OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder)
+OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder, const std::stop_token& stop)
 {
     OpenedDesign opened{std::move(read.design), {}, std::move(read.problems), read.readable};
     if (!opened.readable)
         return opened;
     const Problems checked = checkDesign(opened.design);
     opened.problems.insert(opened.problems.end(), checked.begin(), checked.end());
-    readFiles(opened, filesFolder);
+    readFiles(opened, filesFolder, stop);
     arrange(opened.problems);
     return opened;
 }
@@ -119,15 +177,7 @@ QString elementFilePath(const Element& element, const QString& folder, Message& 
 
 ImportedFile readElementFile(const Element& element, const QString& folder)
 {
-    Message problem;
-    const QString file = fileInFolder(*elementFile(element), folder, problem);
-    if (!problem.empty())
-        return {{}, problem};
-    ImportedFile imported = importFile(fileKind(element), file);
-    if (imported.content)
-        if (problem = sizeProblem(element, imported.content); !problem.empty())
-            return {{}, problem};
-    return imported;
+    return ElementFiles(folder, {}).read(element);
 }
 
 Message saveDesign(const Design& design, const QString& path)

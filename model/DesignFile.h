@@ -4,6 +4,8 @@
 #include "DesignJson.h"
 #include "FileContent.h"
 
+#include <stop_token>
+
 namespace bolster {
 
 struct OpenedDesign {
@@ -18,8 +20,12 @@ struct OpenedDesign {
 /// "file".
 OpenedDesign openDesign(const QString& path, const QString& filesFolder = {});
 
-/// The same from a design that has been read: checks it and reads the files in the folder. Throws std::bad_alloc.
-OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder);
+/// The text alone. The problems of one that cannot be read name the file.
+ReadDesign readDesignFile(const QString& path);
+
+/// The same as openDesign from a design that has been read: checks it and reads the files in the folder, each once.
+/// When it is stopped some are missing. Throws std::bad_alloc.
+OpenedDesign openReadDesign(ReadDesign read, const QString& filesFolder, const std::stop_token& stop = {});
 
 /// The element's file with links resolved; empty, and a problem, when it is not there or not inside the folder.
 QString elementFilePath(const Element& element, const QString& folder, Message& problem);

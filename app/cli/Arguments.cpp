@@ -26,8 +26,18 @@ Number parsed(std::string_view option, const std::string& text, Number least, Nu
 
 } // namespace
 
+QString exactText(const std::string& word)
+{
+    const QString text = QString::fromStdString(word);
+    if (text.toStdString() != word)
+        throw UsageError("the argument \"" + word +
+                         "\" is not UTF-8, and names of files are; give the file another name (mv, convmv)");
+    return text;
+}
+
 Arguments::Arguments(std::span<const std::string> words, std::span<const OptionRule> rules)
 {
+    std::ranges::for_each(words, exactText);
     bool optionsEnded = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];

@@ -18,6 +18,9 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A word of the command line; throws UsageError when it is not UTF-8: it would name another file.
+QString exactText(const std::string& word);
+
 struct OptionRule {
     std::string_view name; ///< with the dashes
     bool takesValue = false;

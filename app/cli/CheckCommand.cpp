@@ -1,5 +1,7 @@
 #include "Commands.h"
+#include "FabricBaking.h"
 #include "FrameWarnings.h"
+#include "Interrupt.h"
 #include "Output.h"
 #include "Project.h"
 #include "RestingSolve.h"
@@ -11,7 +13,7 @@ namespace bolster::cli {
 
 const char* const checkHelp = R"(Usage: bolster check DESIGN
 
-Reads a design (JSON or a project) and the frames it names, and reports
+Reads a design (JSON or a project), the frames and the pictures it names, and reports
 everything that is wrong with it: one line for each problem on stderr, with element and field, and
 the number of errors and warnings on stdout. A design without a patch is an error,
 too: there is nothing to solve.
@@ -24,10 +26,12 @@ Exit code:
 int check(std::span<const std::string> words)
 {
     const QString path = Arguments(words, {}).onlyFile("DESIGN");
+    const Interrupt interrupt;
     OpenedDesign opened = openDesignOrProject(path);
     if (opened.readable) {
         addNew(opened.problems, checkSolvable(opened.design));
         addNew(opened.problems, checkFrames({opened.design, opened.files}));
+        addNew(opened.problems, pictureProblems(path, opened.design, interrupt.token()));
         addMissingPatch(opened.problems, opened.design);
     }
     std::stable_sort(opened.problems.begin(), opened.problems.end(),

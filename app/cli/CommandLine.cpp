@@ -5,13 +5,14 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 
 namespace bolster {
 namespace {
 
-const char* const help = R"(Usage: bolster [DESIGN]             open the workbench
+const char* const help = R"(Usage: bolster [DESIGN ...]         open the workbench, a window for each
        bolster solve DESIGN ...     solve a design and write the cover
        bolster render DESIGN ...    draw pictures of the cover
        bolster check DESIGN         report everything that is wrong with a design
@@ -70,6 +71,22 @@ bool looksLikeCommand(const std::string& word)
     return word.find_first_of("-./\\:") == std::string::npos && !QFileInfo::exists(QString::fromStdString(word));
 }
 
+/// Nothing when the window can open all of them.
+std::optional<int> windowProblem(const std::vector<std::string>& words)
+{
+    constexpr std::size_t mostWindows = 20;
+    try {
+        std::ranges::for_each(words, cli::exactText);
+        if (words.size() > mostWindows)
+            throw cli::UsageError("each design gets a window of its own, and " + std::to_string(words.size()) +
+                                  " are too many: open " + std::to_string(mostWindows) + " at most at once");
+    } catch (const cli::UsageError& error) {
+        cli::printError(std::string("bolster: ") + error.what());
+        return cli::badInput;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<int> runCommandLine(int argc, char** argv)
@@ -91,7 +108,7 @@ std::optional<int> runCommandLine(int argc, char** argv)
             return run(command, std::span(words).subspan(1));
     const bool option = first.starts_with('-');
     if (!option && !looksLikeCommand(first))
-        return std::nullopt;
+        return windowProblem(words);
     cli::printError((option ? "bolster: unknown option \"" : "bolster: unknown command \"") + first + "\"");
     cli::printError("Try \"bolster --help\".");
     return cli::badInput;

@@ -1,8 +1,8 @@
 #include "Commands.h"
 #include "Escaped.h"
+#include "Interrupt.h"
 #include "Output.h"
 #include "Project.h"
-#include "WholeFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,6 @@ Exit code:
 namespace {
 
 constexpr std::array dumpOptions = {OptionRule{"--history", false}, OptionRule{"--assets", true}};
-constexpr std::int64_t largestDesign = 64'000'000;
 
 std::string quoted(const std::string& text)
 {
@@ -129,10 +128,7 @@ int refused(const Message& why)
 
 int dumpText(const QString& path)
 {
-    const WholeFile text = readWholeFile(path, largestDesign);
-    if (!text.problem.empty())
-        return refused(text.problem);
-    const ReadDesign read = readDesign(text.bytes);
+    const ReadDesign read = readDesignFile(path);
     printProblems(read.problems);
     return read.readable ? printDesign(read.design) : badInput;
 }
@@ -143,6 +139,7 @@ int dump(std::span<const std::string> words)
 {
     const Arguments arguments(words, dumpOptions);
     const QString path = arguments.onlyFile("FILE");
+    const Interrupt interrupt; // removes what is half written out
     if (!looksLikeProject(path)) {
         if (arguments.has("--history") || arguments.has("--assets"))
             throw UsageError("only a project has a history and files, and \"" + path.toStdString() + "\" is none");
@@ -150,7 +147,7 @@ int dump(std::span<const std::string> words)
     }
     const OpenedProject project = openProject(path);
     if (!project.problem.empty())
-        return refused(project.problem);
+        return refused(damageAdvice(project, path));
     if (arguments.has("--assets"))
         if (const Message problem = extractAllAssets(project, arguments.path("--assets")); !problem.empty()) {
             printError("error: " + problem.english());

@@ -3,14 +3,18 @@
 
 #include "Design.h"
 #include "FabricMaps.h"
+#include "Problem.h"
+#include "Unfinished.h"
 
 #include <QString>
-#include <QTemporaryDir>
 
 #include <map>
 #include <stop_token>
 
 namespace bolster::cli {
+
+/// What is wrong with the pictures of fabrics that are there; `path`: of a design or project.
+Problems pictureProblems(const QString& path, const Design& design, const std::stop_token& stop);
 
 class FabricBaking {
 public:
@@ -22,7 +26,7 @@ public:
 
 private:
     const Design& m_design;
-    QTemporaryDir m_extracted; ///< of a project
+    WorkFolder m_extracted; ///< of a project
     QString m_folder;
     int m_threads;
     std::stop_token m_stop;

@@ -22,7 +22,7 @@ int history(std::span<const std::string> words)
     const QString path = Arguments(words, {}).onlyFile("FILE");
     const OpenedProject project = openProject(path);
     if (!project.problem.empty()) {
-        printError("error: " + project.problem.english());
+        printError("error: " + damageAdvice(project, path).english());
         return badInput;
     }
     for (NodeId id = 0; id < project.history.count(); ++id) {

@@ -1,57 +1,60 @@
 #include "Commands.h"
+#include "DiskFile.h"
+#include "Interrupt.h"
 #include "Journal.h"
 #include "Output.h"
-#include "WholeFile.h"
+#include "Unfinished.h"
 
 #include <QFileInfo>
-#include <QTemporaryDir>
+
+#include <set>
 
 namespace bolster::cli {
 
 const char* const importHelp = R"(Usage: bolster import DESIGN FILE
 
 Makes a new project FILE of a design (JSON), with the frames and scans that it
-names. What cannot be read of the design is kept in it, and reported.
+names. What cannot be read of the design is kept in it, and reported; so are
+elements whose files are missing or hold something else.
 
 Exit code:
   0  done; elements with errors are reported, and are in the project as they are
-  1  FILE is there already, or cannot be written
+  1  FILE is there already, or cannot be written, or interrupted
   2  DESIGN cannot be read
 )";
 
 namespace {
 
-constexpr std::int64_t largestImported = 64'000'000;
-
-/// Reports files that are not there: the project goes without them.
-Message addFiles(Journal& journal, const Design& design, const QString& folder)
+/// The project goes without files that cannot be taken into it: that has been reported.
+Message addFiles(Journal& journal, const Design& design, const QString& folder, const std::stop_token& stop)
 {
+    std::set<std::string> known; // many elements may have one file
     for (const auto& [id, element] : design.elements()) {
         const std::string* file = elementFile(*element);
-        if (!file)
+        if (!file || !known.insert(*file).second || stop.stop_requested())
             continue;
         Message missing;
         const QString path = elementFilePath(*element, folder, missing);
+        if (missing.empty())
+            missing = ordinaryFileProblem(path);
         std::string name = *file;
         if (missing.empty())
             if (Message problem = journal.addAsset(name, path); !problem.empty())
                 return problem;
-        if (!missing.empty())
-            printProblems(
-                {{id, elementLabel(id, *element), elementFileField(*element), missing, Severity::Warning}});
     }
     return {};
 }
 
-Message writeProject(const Design& design, const QString& folder, const QString& target)
+Message writeProject(const Design& design, const QString& folder, const QString& target,
+                     const std::stop_token& stop)
 {
-    const QTemporaryDir work;
+    const WorkFolder work;
     const Journal::Opened opened = Journal::create(work.filePath("journal"), design);
     if (!opened.journal)
         return opened.project.problem;
-    if (Message problem = addFiles(*opened.journal, design, folder); !problem.empty())
+    if (Message problem = addFiles(*opened.journal, design, folder, stop); !problem.empty())
         return problem;
-    return opened.journal->save(target);
+    return stop.stop_requested() ? Message{"interrupted", {}} : opened.journal->save(target);
 }
 
 } // namespace
@@ -63,17 +66,15 @@ int importDesign(std::span<const std::string> words)
         printError("error: \"" + files[1].toStdString() + "\" is there already; choose another name");
         return otherFailure;
     }
-    const WholeFile text = readWholeFile(files[0], largestImported);
-    if (!text.problem.empty()) {
-        printError("error: " + text.problem.english());
+    const Interrupt interrupt;
+    const ReadDesign read = readDesignFile(files[0]);
+    if (!read.readable) {
+        printProblems(read.problems);
         return badInput;
     }
-    const ReadDesign read = readDesign(text.bytes);
-    printProblems(read.problems);
-    if (!read.readable)
-        return badInput;
-    if (const Message problem = writeProject(read.design, QFileInfo(files[0]).absolutePath(), files[1]);
-        !problem.empty()) {
+    const QString folder = QFileInfo(files[0]).absolutePath();
+    printProblems(openReadDesign(read, folder, interrupt.token()).problems);
+    if (const Message problem = writeProject(read.design, folder, files[1], interrupt.token()); !problem.empty()) {
         printError("error: " + problem.english());
         return otherFailure;
     }

@@ -2,6 +2,8 @@
 
 #include "Commands.h"
 #include "DirectWrite.h"
+#include "Output.h"
+#include "Unfinished.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -15,8 +17,9 @@ namespace bolster::cli {
 Interrupt::Interrupt()
 {
     sigemptyset(&m_signals);
-    sigaddset(&m_signals, SIGINT);
-    sigaddset(&m_signals, SIGTERM);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (struct sigaction now = {}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
+            sigaddset(&m_signals, signal);
     pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
     m_watcher = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
@@ -82,6 +85,7 @@ void Interrupt::endHere()
         std::_Exit(otherFailure); // nobody is left to tell
     if (m_leave && !m_writing)
         m_leave();
+    removeUnfinished();
     std::_Exit(otherFailure);
 }
 

@@ -172,8 +172,8 @@ bool Pictures::write(const PreviewImage& image, const QString& path) const
     }
     const PictureNotes notes{QFileInfo(m_order.design).fileName().toStdString(),
                              hexText(hashOf(m_opened.design)).substr(0, 12), m_order.viewName};
-    const Message problem = replaceFile(
-        path, [&](const QString& file) { return writePicture(image, m_order.format, file.toStdString(), notes); });
+    const EncodedPicture encoded = encodePicture(image, m_order.format, notes);
+    const Message problem = encoded.problem.empty() ? replaceWholeFile(path, encoded.bytes) : encoded.problem;
     if (problem.empty())
         printResult("wrote " + path.toStdString());
     else

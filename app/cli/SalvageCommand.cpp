@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "Interrupt.h"
 #include "Output.h"
 #include "Salvage.h"
 
@@ -19,7 +20,8 @@ Exit code:
 int salvage(std::span<const std::string> words)
 {
     const std::vector<QString> files = Arguments(words, {}).files({"FILE", "OUT"});
-    const Salvaged salvaged = salvageProject(files[0], files[1]);
+    const Interrupt interrupt;
+    const Salvaged salvaged = salvageProject(files[0], files[1], interrupt.token());
     if (!salvaged.problem.empty()) {
         printError("error: " + salvaged.problem.english());
         return salvaged.readable ? otherFailure : badInput;

@@ -48,8 +48,8 @@ Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const Pr
     const PreviewImage image = renderPreview(scene(surface, design), view, options, std::move(stop));
     if (image.rgba.empty())
         return {"\"%1\" was not drawn: interrupted", {path.toStdString()}};
-    return replaceFile(
-        path, [&](const QString& file) { return writePicture(image, PictureFormat::Png, file.toStdString()); });
+    const EncodedPicture encoded = encodePicture(image, PictureFormat::Png);
+    return encoded.problem.empty() ? replaceWholeFile(path, encoded.bytes) : encoded.problem;
 }
 
 } // namespace

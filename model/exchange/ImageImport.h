@@ -29,9 +29,10 @@ struct ImageDecoder {
     static QString usualProgram();
 };
 
-/// Reads a picture of at most 64 million pixels. The file's content decides what it is, not its name. Float pixels
-/// (OpenEXR) are taken for light and encoded as sRGB; a photograph that is marked as turned is turned. Takes about
-/// 0.2 s and more: call it on a thread of its own (inBackground); `stop` ends it within 50 ms.
+/// Reads a picture of at most 64 million pixels; one with a side of more than 2048 is scaled down to that. The
+/// file's content decides what it is, not its name. Float pixels (OpenEXR) are taken for light and encoded as sRGB;
+/// a photograph that is marked as turned is turned. Takes about 0.2 s and more: call it on a thread of its own
+/// (inBackground); `stop` ends it within 50 ms.
 ImageOutcome importImage(const QString& path, const std::stop_token& stop = {}, const ImageDecoder& decoder = {});
 
 /// Endings without the dot, for a file dialog: "png", "jpg" ...

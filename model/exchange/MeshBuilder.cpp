@@ -98,6 +98,11 @@ void MeshBuilder::beginPart(std::string_view name)
 
 void MeshBuilder::addFace(std::span<const std::int64_t> corners, FilePlace place)
 {
+    if (corners.size() > mostFaceCorners) // splitting them takes the square of it
+        refuseFile(place,
+                   QT_TRANSLATE_NOOP("Message", "%1: a face has %2 corners, and at most %3 are read; have it split "
+                                                "into triangles by the program that has made the file"),
+                   {std::to_string(corners.size()), std::to_string(mostFaceCorners)});
     m_face.clear();
     for (const std::int64_t corner : corners) {
         if (corner < 0 || static_cast<std::uint64_t>(corner) >= m_points.size())

@@ -13,6 +13,8 @@ namespace bolster {
 inline constexpr double largestMeshCoordinate = 1e7;          ///< file units
 inline constexpr std::uint64_t largestMeshCount = 20'000'000; ///< points, and triangles
 
+inline constexpr std::size_t mostFaceCorners = 10'000;
+
 class MeshBuilder {
 public:
     MeshBuilder();
@@ -28,8 +30,8 @@ public:
 
     /// Triangles belong to this part from now on; a name that was there continues that part.
     void beginPart(std::string_view name);
-    /// A face by indices from 0. Refuses indices out of range. Corners that repeat their predecessor are dropped,
-    /// and so are faces with fewer than three corners.
+    /// A face by indices from 0. Refuses indices out of range, and faces with too many corners. Corners that repeat
+    /// their predecessor are dropped, and so are faces with fewer than three corners.
     void addFace(std::span<const std::int64_t> corners, FilePlace place);
 
     /// The mesh, without points that no triangle uses. Refuses one without triangles.

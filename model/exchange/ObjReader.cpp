@@ -11,6 +11,10 @@ std::int64_t pointIndex(const TextScanner& text, std::string_view corner, std::u
     const std::int64_t index = text.integer(corner.substr(0, corner.find('/')));
     if (index == 0)
         refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: points are counted from 1, not from 0"));
+    if (index < -static_cast<std::int64_t>(pointCount))
+        refuseFile(text.place(),
+                   QT_TRANSLATE_NOOP("Message", "%1: a face refers to point %2, but there are %3 points"),
+                   {std::to_string(index), std::to_string(pointCount)});
     return index > 0 ? index - 1 : index + static_cast<std::int64_t>(pointCount);
 }
 

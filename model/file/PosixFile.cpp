@@ -59,6 +59,10 @@ Message writeProblem(const QString& path, int error)
                 {name, folder}};
     case ENOENT:
     case ENOTDIR:
+        if (QFileInfo(QString::fromStdString(folder)).isDir()) // one of the system's, as /proc
+            return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: no file can be made in \"%2\"; choose "
+                                                 "another folder"),
+                    {name, folder}};
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written: there is no folder \"%2\""),
                 {name, folder}};
     case EISDIR:

@@ -2,6 +2,7 @@
 
 #include "DiskFile.h"
 #include "PosixFile.h"
+#include "Unfinished.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <sys/file.h>
 
 namespace bolster {
@@ -66,6 +68,7 @@ void removeIfLeft(const QFileInfo& info, const QString& own)
 
 struct TemporaryFile::File {
     Descriptor descriptor;
+    std::optional<Unfinished> unfinished, beside;
 };
 
 TemporaryFile::TemporaryFile(const QString& target)
@@ -81,8 +84,11 @@ TemporaryFile::TemporaryFile(const QString& target)
             return;
         }
         // Whoever removes what is left may have been faster.
-        if (lockNow(m_file->descriptor) != Lock::Taken && hasName(m_file->descriptor))
+        if (lockNow(m_file->descriptor) != Lock::Taken && hasName(m_file->descriptor)) {
+            m_file->unfinished.emplace(m_path);
+            m_file->beside.emplace(m_path + besideIt);
             return;
+        }
     }
     m_file->descriptor.close();
     m_problem = writeProblem(m_target, EBUSY);

@@ -5,11 +5,8 @@
 #include "PosixFile.h"
 #include "TemporaryFile.h"
 
-#include <QTemporaryDir>
-
 #include <algorithm>
 #include <cerrno>
-#include <limits>
 #include <new>
 
 // QSaveFile would do most of this, but it ignores the result of fsync, does not sync the folder (so a power cut
@@ -76,30 +73,6 @@ Message replaceWholeFile(const QString& path, std::string_view bytes)
     const DirectWrite direct;
     const int error = writeAll(device, bytes);
     return error ? writeProblem(path, error) : Message{};
-}
-
-Message replaceFile(const QString& path, const std::function<std::string(const QString& file)>& write)
-{
-    const auto failed = [&](const std::string& why) {
-        return Message{QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written (%2)"), {path.toStdString(), why}};
-    };
-    const auto present = statusOf(resolved(path));
-    if (!present || S_ISREG(present->st_mode)) {
-        TemporaryFile file(path);
-        if (!file.problem().empty())
-            return file.problem();
-        const std::string why = write(file.path());
-        return why.empty() ? file.moveIntoPlace() : failed(why);
-    }
-    WholeFile whole;
-    {
-        const QTemporaryDir folder; // gone before anybody is waited for who reads
-        const QString file = folder.filePath(QStringLiteral("file"));
-        if (const std::string why = write(file); !why.empty())
-            return failed(why);
-        whole = readWholeFile(file, std::numeric_limits<int>::max());
-    }
-    return whole.problem.empty() ? replaceWholeFile(path, whole.bytes) : whole.problem;
 }
 
 } // namespace bolster

@@ -6,7 +6,6 @@
 #include <QString>
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -29,9 +28,5 @@ Message copyWholeFile(const QString& from, const QString& to, std::int64_t large
 /// pipes that somebody reads and devices ("/dev/stdout") are written to directly. Returns what went wrong, or an
 /// empty message; the old file is untouched then.
 Message replaceWholeFile(const QString& path, std::string_view bytes);
-
-/// The same with whatever `write` writes to the new file that it is given the path of; it returns what went wrong,
-/// in words, or "".
-Message replaceFile(const QString& path, const std::function<std::string(const QString& file)>& write);
 
 } // namespace bolster

@@ -25,4 +25,14 @@ constexpr bool imageFits(std::uint64_t width, std::uint64_t height)
            width * height <= mostImagePixels;
 }
 
+/// Pictures are scaled down to this while they are decoded: the maps of fabrics use half as many.
+inline constexpr std::uint32_t mostDecodedSide = 2048; ///< pixels
+
+/// How many pixels of each side become one.
+constexpr std::uint32_t shrinkingOf(std::uint32_t width, std::uint32_t height)
+{
+    const std::uint32_t longer = width > height ? width : height;
+    return longer == 0 ? 1 : (longer - 1) / mostDecodedSide + 1;
+}
+
 } // namespace bolster

@@ -14,7 +14,7 @@ enum class ImageVerdict : std::uint32_t { Pixels, UnknownKind, TooLarge, Damaged
 
 struct ImageHead {
     ImageVerdict verdict = ImageVerdict::Damaged;
-    std::uint32_t width = 0; ///< pixels; of one that is too large, too
+    std::uint32_t width = 0; ///< pixels that follow; of one that is too large those that it has
     std::uint32_t height = 0;
     std::uint32_t orientation = 1; ///< 1 to 8, as Exif has it: how the rows that follow have to be turned
 };

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -16,6 +17,8 @@
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 using namespace bolster;
 
@@ -147,6 +150,69 @@ void convert(const Conversion& how, const float* from, std::size_t pixels, std::
     }
 }
 
+/// Sends rows of pixels with as many columns and rows taken together as shrinkingOf() says.
+class ShrunkRows {
+public:
+    ShrunkRows(std::uint32_t width, std::uint32_t height)
+        : m_width(width)
+        , m_height(height)
+        , m_factor(shrinkingOf(width, height))
+        , m_sums(width / m_factor + (width % m_factor > 0 ? 1 : 0))
+        , m_row(4 * m_sums.size())
+    {}
+
+    void send(const std::uint8_t* rows, std::uint32_t count)
+    {
+        if (m_factor == 1) {
+            write(rows, std::size_t{4} * m_width * count);
+            return;
+        }
+        for (std::uint32_t y = 0; y < count; ++y, rows += std::size_t{4} * m_width) {
+            add(rows);
+            if (++m_seen % m_factor == 0 || m_seen == m_height)
+                sendSums();
+        }
+    }
+
+private:
+    struct Sum {
+        std::array<std::uint64_t, 3> colour{}; ///< times opacity: what is not seen has no colour
+        std::uint64_t opacity = 0, count = 0;
+    };
+
+    void add(const std::uint8_t* row)
+    {
+        for (std::uint32_t x = 0; x < m_width; ++x) {
+            Sum& sum = m_sums[x / m_factor];
+            const std::uint8_t* const pixel = row + std::size_t{4} * x;
+            for (std::size_t c = 0; c < 3; ++c)
+                sum.colour[c] += std::uint64_t{pixel[c]} * pixel[3];
+            sum.opacity += pixel[3];
+            ++sum.count;
+        }
+    }
+
+    void sendSums()
+    {
+        for (std::size_t x = 0; x < m_sums.size(); ++x) {
+            const Sum sum = std::exchange(m_sums[x], {});
+            for (std::size_t c = 0; c < 3; ++c)
+                m_row[4 * x + c] = rounded(sum.colour[c], sum.opacity);
+            m_row[4 * x + 3] = rounded(sum.opacity, sum.count);
+        }
+        write(m_row.data(), m_row.size());
+    }
+
+    static std::uint8_t rounded(std::uint64_t sum, std::uint64_t count)
+    {
+        return count == 0 ? 0 : static_cast<std::uint8_t>((sum + count / 2) / count);
+    }
+
+    std::uint32_t m_width, m_height, m_factor, m_seen = 0;
+    std::vector<Sum> m_sums;
+    std::vector<std::uint8_t> m_row;
+};
+
 /// Strip by strip, so that only one is in memory.
 void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Conversion& how)
 {
@@ -162,6 +228,7 @@ void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Co
         refuse(ImageVerdict::Damaged);
     std::vector<float> strip(static_cast<std::size_t>(rows) * width * static_cast<std::size_t>(spec.nchannels));
     std::vector<std::uint8_t> row(static_cast<std::size_t>(rows) * width * 4);
+    ShrunkRows shrunk(static_cast<std::uint32_t>(spec.width), static_cast<std::uint32_t>(spec.height));
     for (int y = 0; y < spec.height; y += rows) {
         const int end = std::min(y + rows, spec.height);
         const bool read = tiled ? decoder.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + y, spec.y + end, 0,
@@ -172,7 +239,7 @@ void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Co
             ::_exit(2); // the head has been sent: that there are no more pixels says it
         const std::size_t pixels = static_cast<std::size_t>(end - y) * width;
         convert(how, strip.data(), pixels, row.data());
-        write(row.data(), 4 * pixels);
+        shrunk.send(row.data(), static_cast<std::uint32_t>(end - y));
     }
 }
 
@@ -194,7 +261,8 @@ void decode()
     const Conversion how{channels, spec.nchannels, spec.format.is_floating_point() || space == "Linear",
                          channels[3] >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0};
     const int orientation = spec.get_int_attribute("Orientation", 1);
-    const ImageHead head{ImageVerdict::Pixels, width, height,
+    const std::uint32_t factor = shrinkingOf(width, height);
+    const ImageHead head{ImageVerdict::Pixels, (width - 1) / factor + 1, (height - 1) / factor + 1,
                          orientation < 1 || orientation > 8 ? 1U : static_cast<std::uint32_t>(orientation)};
     write(bytesOf(head).data(), imageHeadBytes);
     sendPixels(*decoder, spec, how);

@@ -1,5 +1,7 @@
 #include "BlobStore.h"
 
+#include "Unfinished.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
@@ -221,6 +223,7 @@ void extractBlob(Database& database, std::int64_t blob, const QString& path, Fil
                                  {path.toStdString(), file.errorString().toStdString()}});
     };
     refuseUnless(file.open());
+    const Unfinished unfinished(file.fileName());
     readBlob(database, blob, &file);
     refuseUnless(file.flush());
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup | QFile::ReadOther);

@@ -5,10 +5,10 @@
 #include "DiskFile.h"
 #include "ProjectContents.h"
 #include "Schema.h"
+#include "Unfinished.h"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <limits>
@@ -36,7 +36,7 @@ std::string headOf(const DiskFile& file, std::size_t count)
 }
 
 /// What the first bytes tell, before SQLite has a look.
-Message headProblem(const QString& path)
+Message headProblem(const QString& path, bool& damaged)
 {
     const std::string name = path.toStdString();
     Message problem;
@@ -59,6 +59,7 @@ Message headProblem(const QString& path)
                                   "\"%1\" is the journal of a running program, or of one that crashed, not "
                                   "a project file"),
                 {name}};
+    damaged = true;
     if (bigEndian(head, 16, 2) != pageSize || bigEndian(head, 28, 4) * pageSize != size)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: it is %2 bytes long and should have %3"),
                 {name, std::to_string(size), std::to_string(bigEndian(head, 28, 4) * pageSize)}};
@@ -67,9 +68,10 @@ Message headProblem(const QString& path)
     return {};
 }
 
-OpenedProject refused(Message why)
+OpenedProject refused(Message why, bool damaged = false)
 {
     OpenedProject project;
+    project.damaged = damaged;
     project.problem = std::move(why);
     return project;
 }
@@ -115,8 +117,9 @@ std::string projectUuid(const QString& path)
 
 OpenedProject openProject(const QString& path, ProjectCheck check)
 {
-    if (Message problem = headProblem(path); !problem.empty())
-        return refused(std::move(problem));
+    bool damaged = false;
+    if (Message problem = headProblem(path, damaged); !problem.empty())
+        return refused(std::move(problem), damaged);
     try {
         auto database = std::make_shared<Database>(path, Database::Access::AtRest);
         ProjectContents contents = readContents(*database);
@@ -127,10 +130,20 @@ OpenedProject openProject(const QString& path, ProjectCheck check)
         project.designsChecked = checked;
         return project;
     } catch (const DatabaseError& error) {
-        return refused(error.message);
+        return refused(error.message, true);
     } catch (const std::bad_alloc&) {
         return refused({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this project"), {}});
     }
+}
+
+Message damageAdvice(const OpenedProject& project, const QString& path)
+{
+    if (!project.damaged)
+        return project.problem;
+    const std::string file = "\"" + path.toStdString() + "\"";
+    const std::string why = project.problem.english();
+    return {"%1; \"bolster salvage\" may get out what is left: bolster salvage %2 OUT",
+            {why.find(file) == std::string::npos ? file + ": " + why : why, file}};
 }
 
 std::optional<FieldChanges> storedChanges(const OpenedProject& project, NodeId node)
@@ -185,8 +198,8 @@ OpenedDesign openDesignOrProject(const QString& path)
         return openDesign(path);
     const OpenedProject project = openProject(path);
     if (!project.problem.empty())
-        return unreadable(project.problem);
-    const QTemporaryDir folder;
+        return unreadable(damageAdvice(project, path));
+    const WorkFolder folder;
     if (!folder.isValid())
         return unreadable({QT_TRANSLATE_NOOP("Message", "a temporary folder cannot be made (%1)"),
                            {folder.errorString().toStdString()}});

@@ -26,9 +26,10 @@ struct ProjectNode {
 };
 
 struct OpenedProject {
-    Message problem;  ///< why it could not be opened; the rest is empty then
-    std::string uuid; ///< the same in all copies of the project
-    Design design;    ///< of the current node
+    Message problem;      ///< why it could not be opened; the rest is empty then
+    bool damaged = false; ///< that is why: salvageProject may help
+    std::string uuid;     ///< the same in all copies of the project
+    Design design;        ///< of the current node
     History history;
     std::vector<ProjectNode> nodes;             ///< by NodeId
     std::optional<NodeId> saved;                ///< the node that was saved last
@@ -44,6 +45,10 @@ enum class ProjectCheck {
     Thorough,  ///< and all assets, and the design after each edit as far as that takes some seconds
     Everything ///< and all of these designs, however long that takes
 };
+
+/// The problem of a project that cannot be opened, for a line on stderr: names the file, and `bolster salvage`
+/// where that may help.
+Message damageAdvice(const OpenedProject& project, const QString& path);
 
 /// Only whether it is a project or a text, by the first bytes.
 bool looksLikeProject(const QString& path);

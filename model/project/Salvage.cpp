@@ -5,12 +5,12 @@
 #include "Salvager.h"
 #include "Schema.h"
 #include "TemporaryFile.h"
+#include "Unfinished.h"
 #include "WholeFile.h"
 
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
-#include <QTemporaryDir>
 
 namespace bolster {
 namespace {
@@ -65,8 +65,9 @@ HelperLimits limitsFor(std::int64_t bytes)
 }
 
 /// What the process says, or nothing when it died.
-std::optional<Salvaged> run(QProcess& process)
+std::optional<Salvaged> run(QProcess& process, const std::stop_token& stop)
 {
+    constexpr int pollMilliseconds = 50;
     if (!process.waitForStarted())
         return Salvaged{
             {QT_TRANSLATE_NOOP("Message", "the program \"%1\", which recovers projects for Bolster, cannot "
@@ -75,9 +76,11 @@ std::optional<Salvaged> run(QProcess& process)
             true,
             {}};
     QByteArray answer;
-    while (process.waitForReadyRead(-1) && answer.size() <= longestAnswer)
+    while (process.state() != QProcess::NotRunning && answer.size() <= longestAnswer && !stop.stop_requested()) {
+        process.waitForReadyRead(pollMilliseconds);
         answer += process.readAllStandardOutput();
-    if (answer.size() > longestAnswer)
+    }
+    if (answer.size() > longestAnswer || stop.stop_requested())
         process.kill();
     process.waitForFinished(-1);
     answer += process.readAllStandardOutput();
@@ -99,11 +102,11 @@ void applyLog(const QString& log, const QString& copy)
     QFile::remove(copy + "-wal");
 }
 
-Salvaged salvageFile(const QString& damaged, const QString& out, const QString& log)
+Salvaged salvageFile(const QString& damaged, const QString& out, const QString& log, const std::stop_token& stop)
 {
     if (QFileInfo::exists(out))
         return {{QT_TRANSLATE_NOOP("Message", "there is a file \"%1\" already"), {out.toStdString()}}, true, {}};
-    const QTemporaryDir folder;
+    const WorkFolder folder;
     const QString copy = folder.filePath("damaged");
     if (const Message problem = copyWholeFile(damaged, copy, largestProject); !problem.empty())
         return blamed(problem);
@@ -120,9 +123,11 @@ Salvaged salvageFile(const QString& damaged, const QString& out, const QString& 
     process.setStandardErrorFile(QProcess::nullDevice());
     confine(process, limits, folder.path());
     process.start(QIODevice::ReadOnly);
-    if (std::optional<Salvaged> salvaged = run(process))
+    if (std::optional<Salvaged> salvaged = run(process, stop))
         return std::move(*salvaged);
     removeLeftTemporaryFiles(QFileInfo(out).absolutePath());
+    if (stop.stop_requested())
+        return {{QT_TRANSLATE_NOOP("Message", "interrupted"), {}}, true, {}};
     return blamed(
         {QT_TRANSLATE_NOOP("Message", "nothing in \"%1\" can be saved: it is damaged in a way that takes too "
                                       "much time or memory"),
@@ -131,14 +136,14 @@ Salvaged salvageFile(const QString& damaged, const QString& out, const QString& 
 
 } // namespace
 
-Salvaged salvageProject(const QString& damaged, const QString& out)
+Salvaged salvageProject(const QString& damaged, const QString& out, const std::stop_token& stop)
 {
-    return salvageFile(damaged, out, {});
+    return salvageFile(damaged, out, {}, stop);
 }
 
 Salvaged salvageJournal(const QString& damaged, const QString& out)
 {
-    return salvageFile(damaged, out, damaged + "-wal");
+    return salvageFile(damaged, out, damaged + "-wal", {});
 }
 
 } // namespace bolster

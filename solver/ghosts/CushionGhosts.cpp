@@ -277,8 +277,10 @@ void addCushionGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields
                       const std::stop_token& stop, Ghosts& ghosts, Problems& problems)
 {
     CushionMaker maker(input, mesh, fields, pool, stop, problems);
+    addTooManyCushions(input, problems);
+    int count = 0;
     input.design.each<Cushion>([&](ElementId id, const Cushion& cushion) {
-        if (!cushion.enabled || stop.stop_requested())
+        if (!cushion.enabled || ++count > mostCushions || stop.stop_requested())
             return;
         if (auto source = maker.make(id, cushion))
             ghosts.push_back(std::move(source));

@@ -27,10 +27,14 @@ public:
     Problems run()
     {
         addUnknownParts(m_input, m_problems);
+        addTooManyCushions(m_input, m_problems);
+        int count = 0;
         m_input.design.each<Cushion>([&](ElementId id, const Cushion& cushion) {
+            if (!cushion.enabled || ++count > mostCushions)
+                return;
             const auto* frame = m_input.design.find<Frame>(cushion.frame);
             const TriangleMeshPtr mesh = meshOfFrame(m_input, cushion.frame);
-            if (cushion.enabled && frame && mesh)
+            if (frame && mesh)
                 look(id, VoxelUser::Cushion, *mesh,
                      FrameFields::SolidKey{{mesh, frame->scale}, named(cushion, *mesh), cushion.voxel});
         });
@@ -156,6 +160,22 @@ void addUnknownParts(const SolveInput& input, Problems& problems)
                  elementLabel(id, *input.design.element(id)),
                  "hidden_parts",
                  {QT_TRANSLATE_NOOP("Message", "the frame has no part \"%1\"; it has %2"), {name, partNames(mesh)}},
+                 Severity::Warning});
+    });
+}
+
+void addTooManyCushions(const SolveInput& input, Problems& problems)
+{
+    int count = 0;
+    input.design.each<Cushion>([&](ElementId id, const Cushion& cushion) {
+        if (cushion.enabled && ++count == mostCushions + 1)
+            problems.push_back(
+                {id,
+                 elementLabel(id, *input.design.element(id)),
+                 "enabled",
+                 {QT_TRANSLATE_NOOP("Message",
+                                    "at most %1 cushions push; this one and those after it are left out"),
+                  {std::to_string(mostCushions)}},
                  Severity::Warning});
     });
 }

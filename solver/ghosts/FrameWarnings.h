@@ -26,6 +26,11 @@ Message noVoxelsMessage(VoxelUser user, double edge);
 /// For each frame that hides parts which its file does not have.
 void addUnknownParts(const SolveInput& input, Problems& problems);
 
+/// Each of them looks at the whole cover in every iteration.
+inline constexpr int mostCushions = 100;
+/// Once, when more are enabled.
+void addTooManyCushions(const SolveInput& input, Problems& problems);
+
 /// What can be known of the frames under enabled cushions and of those with contact without looking for the parts
 /// under each cover. Nothing of frames whose files are not there.
 Problems checkFrames(const SolveInput& input);

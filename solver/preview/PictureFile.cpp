@@ -2,6 +2,7 @@
 
 #include "PictureTones.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -50,8 +51,9 @@ OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const Pi
     return spec;
 }
 
-std::string written(const PreviewImage& image, PictureFormat format, const std::string& path,
-                    const PictureNotes& notes)
+/// Returns what went wrong, or "".
+std::string encode(const PreviewImage& image, PictureFormat format, const PictureNotes& notes,
+                   std::vector<unsigned char>& bytes)
 {
     const char* const plugin = format == PictureFormat::Exr    ? "openexr"
                                : format == PictureFormat::Tiff ? "tiff"
@@ -59,7 +61,9 @@ std::string written(const PreviewImage& image, PictureFormat format, const std::
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
     if (!output)
         return OIIO::geterror();
-    if (!output->open(path, specOf(image, format, notes)))
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const bool opened = output->set_ioproxy(&memory) && output->open("picture", specOf(image, format, notes));
+    if (!opened)
         return output->geterror();
     const bool good =
         format == PictureFormat::Png
@@ -101,12 +105,15 @@ std::string numberedPath(const std::string& path, int number)
     return (whole.parent_path() / name).string();
 }
 
-std::string writePicture(const PreviewImage& image, PictureFormat format, const std::string& path,
-                         const PictureNotes& notes)
+EncodedPicture encodePicture(const PreviewImage& image, PictureFormat format, const PictureNotes& notes)
 {
     if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
-        return "There is no picture to write";
-    return written(image, format, path, notes);
+        return {{}, {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}}};
+    std::vector<unsigned char> bytes;
+    const std::string why = encode(image, format, notes, bytes);
+    if (!why.empty() || bytes.empty())
+        return {{}, {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}}};
+    return {std::string(bytes.begin(), bytes.end()), {}};
 }
 
 } // namespace bolster

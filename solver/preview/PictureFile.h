@@ -1,6 +1,7 @@
-// Pictures on disk, through OpenImageIO.
+// Pictures as files, through OpenImageIO.
 #pragma once
 
+#include "Message.h"
 #include "PreviewRenderer.h"
 
 #include <string_view>
@@ -29,9 +30,12 @@ struct PictureNotes {
     std::string program = "Bolster";
 };
 
-/// Over what is at `path`, from the first byte on: whoever wants the old file or the new one gives a name that
-/// nobody else knows (replaceFile). The same picture and notes give the same bytes. Returns what went wrong, or "".
-std::string writePicture(const PreviewImage& image, PictureFormat format, const std::string& path,
-                         const PictureNotes& notes = {});
+/// The bytes of a file. Whoever writes them sees whether the disk takes them; image libraries do not always tell.
+struct EncodedPicture {
+    std::string bytes;
+    Message problem; ///< why there are none
+};
+/// The same picture and notes give the same bytes.
+EncodedPicture encodePicture(const PreviewImage& image, PictureFormat format, const PictureNotes& notes = {});
 
 } // namespace bolster

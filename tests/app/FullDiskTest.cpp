@@ -2,10 +2,14 @@
 #include "WindowTest.h"
 
 #include "ElementEdits.h"
+#include "FabricLink.h"
 #include "Project.h"
+#include "RenderDialog.h"
 
 #include <QFile>
+#include <QImage>
 #include <QProcess>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QStorageInfo>
 #include <QTemporaryDir>
@@ -279,6 +283,31 @@ TEST_F(FullStateTest, AnOlderJournalIsNoWorkWhenTheFileHoldsAllOfIt)
     change();
     EXPECT_EQ(save(path("box.bolster")).english(), "");
     EXPECT_TRUE(leftByACrash().isEmpty());
+}
+
+TEST_F(FullDiskTest, APictureThatDoesNotFitIsReportedAndTheOlderOneStays)
+{
+    SmallDisk disk(1024);
+    if (!disk.mounted())
+        GTEST_SKIP() << "making a file system is not allowed here";
+    ASSERT_TRUE(open(sample("trapezoid")));
+    ASSERT_TRUE(waitUntilSolved());
+    window.show();
+    RenderDialog dialog({window.solver().surface(), window.document().design(), window.session().files(),
+                         window.fabricLink().baker(), window.fabricLink().bakedByNow(), window.session().title(),
+                         window.surfaceView().camera()});
+    QSignalSpy ends(&dialog, &RenderDialog::rendered);
+    const QString path = disk.filePath("picture.png");
+    dialog.renderTo(path);
+    ASSERT_TRUE(ends.wait(60000));
+    ASSERT_EQ(ends.takeFirst().front().toString(), QString());
+    const QImage before(path);
+    disk.fill(0);
+    dialog.renderTo(path);
+    ASSERT_TRUE(ends.wait(60000));
+    const QString problem = ends.takeFirst().front().toString();
+    EXPECT_TRUE(problem.contains("the disk is full") && problem.contains(path)) << problem.toStdString();
+    EXPECT_EQ(QImage(path), before);
 }
 
 } // namespace

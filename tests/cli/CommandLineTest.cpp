@@ -1,3 +1,4 @@
+#include "CommandLine.h"
 #include "../model/TestFiles.h"
 #include "MeshImport.h"
 #include "ProgramRun.h"
@@ -415,7 +416,7 @@ TEST_F(CommandLine, EndsAtOnceWhenInterruptedInTheMiddleOfPreparing)
                                 {"outline", {{"degree", 1}, {"closed", true}, {"points", points}}}});
     comb["settings"]["edge_length"] = 12;
     const QString file = design("comb.json", comb);
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         QProcess process;
         process.setProcessEnvironment(bareEnvironment());
         process.start(QString::fromStdString(test::program()),
@@ -472,6 +473,124 @@ TEST_F(CommandLine, CheckCopesWithThousandsOfBadElements)
     const ProgramRun run = callCommandLine({"check", this->design("a.json", design)});
     EXPECT_EQ(run.exitCode, 2);
     EXPECT_TRUE(contains(run.out, std::to_string(count) + " errors")) << run.out;
+}
+
+TEST_F(CommandLine, MessagesNameTheFileAndThePlace)
+{
+    const QString bad = write("bad.json", "{,");
+    for (const QStringList& command : std::initializer_list<QStringList>{
+             {"check", bad}, {"solve", bad}, {"dump", bad}, {"import", bad, path("b.bolster")}}) {
+        const ProgramRun run = callCommandLine(command);
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_TRUE(contains(run.err, bad.toStdString() + ": Line 1, column 2: ")) << run.err;
+    }
+    const QString project = path("seat.bolster");
+    ASSERT_EQ(callCommandLine({"import", design("seat.json", hammock()), project}).exitCode, 0);
+    std::string bytes = read("seat.bolster");
+    for (std::size_t at = 100; at < bytes.size(); ++at)
+        bytes[at] = static_cast<char>(bytes[at] ^ (at > 3000 ? 0x55 : 0));
+    write("seat.bolster", bytes);
+    for (const char* const command : {"check", "solve", "dump", "history"}) {
+        const ProgramRun run = callCommandLine({command, project});
+        EXPECT_EQ(run.exitCode, 2);
+        EXPECT_TRUE(contains(run.err, project.toStdString() + "\" OUT")) << run.err;
+    }
+    const ProgramRun nowhere = callCommandLine({"solve", design("seat.json", hammock()), "--obj", "/proc/a.obj"});
+    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_TRUE(contains(nowhere.err, "no file can be made in \"/proc\"")) << nowhere.err;
+    write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9223372036854775808\n");
+    Json far = with(hammock(), {{"id", 40}, {"kind", "frame"}, {"name", "Far"}, {"file", "far.obj"}});
+    const ProgramRun index = callCommandLine({"check", design("far.json", far)});
+    EXPECT_TRUE(contains(index.err, "a face refers to point -9223372036854775808, but there are 3 points"))
+        << index.err;
+}
+
+/// Qt would take them for other names, and write there.
+TEST_F(CommandLine, RefusesNamesThatAreNotUtf8)
+{
+    const std::string seat = design("seat.json", hammock()).toStdString();
+    const std::string odd = path("caf").toStdString() + "\xe9.json";
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"check", odd},
+                                                  {"solve", seat, "--obj", odd},
+                                                  {"render", seat, "--image=" + odd},
+                                                  {"import", seat, odd},
+                                                  {odd},
+                                                  {seat, odd}}) {
+        std::vector<std::string> all = {"bolster"};
+        all.insert(all.end(), words.begin(), words.end());
+        std::vector<char*> argv;
+        for (std::string& word : all)
+            argv.push_back(word.data());
+        ::testing::internal::CaptureStderr();
+        const std::optional<int> code = runCommandLine(static_cast<int>(argv.size()), argv.data());
+        const std::string err = ::testing::internal::GetCapturedStderr();
+        EXPECT_EQ(code, 2) << err;
+        EXPECT_TRUE(contains(err, "caf\\u00e9.json\" is not UTF-8")) << err;
+    }
+    EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList("seat.json"));
+}
+
+/// The programs that have this among their arguments.
+std::vector<pid_t> programsWith(const QString& argument)
+{
+    std::vector<pid_t> found;
+    for (const QString& process : QDir("/proc").entryList(QDir::Dirs))
+        if (QFile file("/proc/" + process + "/cmdline"); process.toInt() > 0 && file.open(QIODevice::ReadOnly))
+            if (file.readAll().split('\0').mid(1) == QByteArrayList{argument.toUtf8(), QByteArray()})
+                found.push_back(process.toInt());
+    return found;
+}
+
+TEST_F(CommandLine, OpensAWindowForEachDesign)
+{
+    const QString first = design("first.json", hammock()), second = design("second.json", hammock());
+    QProcess process;
+    QProcessEnvironment environment = bareEnvironment();
+    environment.insert("QT_QPA_PLATFORM", "offscreen");
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(m_folder.path());
+    process.start(QString::fromStdString(test::program()), {first, "second.json"});
+    std::vector<pid_t> other;
+    for (int tries = 0; tries < 600 && other.empty(); ++tries) {
+        EXPECT_FALSE(process.waitForFinished(100)) << process.readAllStandardError().toStdString();
+        other = programsWith(second);
+    }
+    EXPECT_EQ(other.size(), 1U);
+    for (const pid_t program : other)
+        ::kill(program, SIGKILL);
+    process.kill();
+    process.waitForFinished();
+    EXPECT_EQ(callCommandLine(QStringList(30, first)).exitCode, 2) << "too many windows";
+}
+
+TEST_F(CommandLine, AnInterruptedImportLeavesNothing)
+{
+    std::string cloud;
+    for (int i = 0; i < 4'000'000; ++i)
+        cloud += std::to_string(i % 1000) + " " + std::to_string(i / 1000) + " 0\n";
+    write("room.xyz", cloud);
+    const Json scanned = with(hammock(), {{"id", 40}, {"kind", "scan"}, {"name", "Room"}, {"file", "room.xyz"}});
+    const QString text = design("scanned.json", scanned);
+    QDir(m_folder.path()).mkdir("temporary");
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        for (const int milliseconds : {50, 300, 900, 1500}) {
+            QProcess process;
+            QProcessEnvironment environment = bareEnvironment();
+            environment.insert("TMPDIR", path("temporary"));
+            process.setProcessEnvironment(environment);
+            process.start(QString::fromStdString(test::program()), {"import", text, path("scanned.bolster")});
+            ASSERT_TRUE(process.waitForStarted());
+            // Before it looks after signals, in the middle, or at the end.
+            if (!process.waitForFinished(milliseconds)) {
+                ::kill(static_cast<pid_t>(process.processId()), signal);
+                ASSERT_TRUE(process.waitForFinished(60'000));
+            }
+            QFile::remove(path("scanned.bolster"));
+            EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden),
+                      QStringList({"room.xyz", "scanned.json"}));
+            EXPECT_TRUE(QDir(path("temporary")).isEmpty());
+        }
+    }
 }
 
 TEST_F(CommandLine, EndsCleanlyWhenInterrupted)

@@ -259,11 +259,108 @@ TEST_F(HostileFiles, PipesAreRefusedWhereverTheyComeIn)
         Json design = Json::parse(read("seat.json"));
         design["elements"].push_back(Json::parse(element));
         const QString file = write("with.json", design.dump());
-        for (const QStringList& command : std::initializer_list<QStringList>{
-                 {"check", file}, {"solve", file}, {"import", file, path("b.bolster")}}) {
+        for (const QStringList& command : std::initializer_list<QStringList>{{"check", file}, {"solve", file}}) {
             const ProgramRun run = runProgram(command);
             EXPECT_GT(run.exitCode, 0) << element;
             EXPECT_TRUE(contains(run.err, "not an ordinary file")) << run.err;
+        }
+        QFile::remove(path("b.bolster"));
+        const ProgramRun run = runProgram({"import", file, path("b.bolster")});
+        EXPECT_EQ(run.exitCode, 0) << "the element stays, without its file";
+        EXPECT_TRUE(contains(run.err, "7 \"")) << run.err;
+        EXPECT_TRUE(contains(run.err, "not an ordinary file")) << run.err;
+    }
+}
+
+/// Each names its element and stays in the project.
+TEST_F(HostileFiles, ImportKeepsElementsWhoseFilesCannotBeRead)
+{
+    write("points.obj", "v 0 0 0\nv 1 0 0\n");
+    write("cloud.xyz", "0 0 0\n1 0 0\n0 1 0\n");
+    QDir(m_folder.path()).mkdir("folder.obj");
+    QFile::link(path("loop.obj"), path("loop.obj"));
+    Json design = Json::parse(read(QFileInfo(hammock()).fileName()));
+    const std::vector<std::string> names = {"points.obj", "cloud.xyz", "folder.obj", "loop.obj",
+                                            std::string(5000, 'x') + ".obj"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        design["elements"].push_back({{"id", 70 + i}, {"kind", "frame"}, {"name", "Chair"}, {"file", names[i]}});
+    const QString text = write("odd.json", design.dump());
+    const ProgramRun run = callCommandLine({"import", text, path("odd.bolster")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        EXPECT_TRUE(contains(run.err, std::to_string(70 + i) + " \"Chair\", file: ")) << run.err;
+    EXPECT_EQ(callCommandLine({"dump", path("odd.bolster")}).out, callCommandLine({"dump", text}).out);
+}
+
+TEST_F(HostileFiles, ManyElementsMayNameOneFile)
+{
+    write("cube.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    Json design = Json::parse(read(QFileInfo(hammock()).fileName()));
+    for (int i = 0; i < 5000; ++i)
+        design["elements"].push_back({{"id", 100 + i}, {"kind", "frame"}, {"name", "C"}, {"file", "cube.obj"}});
+    const Cost cost = costOf({"import", write("many.json", design.dump()), path("many.bolster")});
+    EXPECT_EQ(cost.exitCode, 0);
+#ifdef NDEBUG
+    EXPECT_LE(cost.seconds, 10);
+#endif
+    EXPECT_EQ(openProject(path("many.bolster")).assets.size(), 1U);
+}
+
+TEST_F(HostileFiles, OnlySoManyCushionsPush)
+{
+    write("cube.obj", "v 0 0 -90\nv 90 0 -90\nv 0 90 -90\nv 0 0 -20\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    Json design = Json::parse(read(QFileInfo(hammock()).fileName()));
+    design["elements"].push_back({{"id", 99}, {"kind", "frame"}, {"name", "Cube"}, {"file", "cube.obj"}});
+    for (int i = 0; i < 20'000; ++i)
+        design["elements"].push_back({{"id", 100 + i}, {"kind", "cushion"}, {"name", "Pad"}, {"frame", 99}});
+    const QString file = write("many.json", design.dump());
+    for (const char* const command : {"check", "solve"}) {
+        const ProgramRun run = callCommandLine({command, file});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        EXPECT_TRUE(contains(run.err, "cushion 200 \"Pad\", enabled: at most 100 cushions push")) << run.err;
+    }
+    const Cost cost = costOf({"solve", file});
+#ifdef NDEBUG
+    EXPECT_LE(cost.seconds, 20);
+#endif
+}
+
+TEST_F(HostileFiles, AFaceWithTooManyCornersIsRefused)
+{
+    constexpr int corners = 100'000;
+    std::string text, face = "f";
+    for (int i = 0; i < corners; ++i) {
+        text.append("v ").append(std::to_string(i)).append(i % 2 == 0 ? " 0 0\n" : " 500 0\n");
+        face.append(" ").append(std::to_string(i + 1));
+    }
+    write("comb.obj", text + face + "\n");
+    Json design = Json::parse(read(QFileInfo(hammock()).fileName()));
+    design["elements"].push_back({{"id", 99}, {"kind", "frame"}, {"name", "Comb"}, {"file", "comb.obj"}});
+    const ProgramRun run = callCommandLine({"check", write("comb.json", design.dump())});
+    EXPECT_EQ(run.exitCode, 2);
+    EXPECT_TRUE(contains(run.err, "comb.obj:100001: a face has 100000 corners, and at most 10000 are read"))
+        << run.err;
+}
+
+TEST_F(HostileFiles, CheckLooksAtThePicturesOfFabrics)
+{
+    Json design = Json::parse(read(QFileInfo(hammock()).fileName()));
+    const std::string png = "\x89PNG\r\n\x1a\n";
+    for (const auto& [name, bytes] :
+         {std::pair("empty.png", std::string()),
+          {"cut.png", png + "IHDR"},
+          {"drawing.png", std::string("<svg xmlns=\"http://www.w3.org/2000/svg\"/>")}}) {
+        write(name, bytes);
+        design["elements"][0]["look"] = {{"kind", "image"}, {"file", name}};
+        const QString text = write("dressed.json", design.dump());
+        QFile::remove(path("dressed.bolster"));
+        ASSERT_EQ(callCommandLine({"import", text, path("dressed.bolster")}).exitCode, 0);
+        for (const QString& file : {text, path("dressed.bolster")}) {
+            const ProgramRun run = callCommandLine({"check", file});
+            EXPECT_EQ(run.exitCode, 0) << run.err;
+            EXPECT_TRUE(contains(run.err, "warning: fabric 1 \"Leather\", look.file: \"")) << run.err;
+            EXPECT_TRUE(contains(run.err, name)) << run.err;
+            EXPECT_TRUE(contains(run.out, "0 errors, ")) << run.out;
         }
     }
 }

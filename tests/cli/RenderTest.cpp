@@ -1,14 +1,18 @@
 #include "../model/TestFiles.h"
 #include "ProgramRun.h"
 #include "SavedViews.h"
+#include "TestPaths.h"
 
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 
 #include <algorithm>
+#include <csignal>
+#include <sys/resource.h>
 
 namespace bolster {
 namespace {
@@ -125,6 +129,41 @@ TEST_F(Render, LooksFromAViewThatTheWindowHasSaved)
     EXPECT_NE(bytes("own.png"), bytes("saved.png"));
     SavedViews::remove("Low & left");
     EXPECT_EQ(run("gone.png", {"--view", "Low & left"}).exitCode, 2);
+}
+
+/// With a limit on the size of files, which stops writing in the middle as a full disk does, and needs no rights.
+ProgramRun runWithSmallFiles(const QStringList& arguments)
+{
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit limit = {4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        std::signal(SIGXFSZ, SIG_IGN);
+    });
+    process.start(QString::fromStdString(test::program()), arguments);
+    const bool ended = process.waitForFinished(120'000) && process.exitStatus() == QProcess::NormalExit;
+    return {ended ? process.exitCode() : -1, process.readAllStandardOutput().toStdString(),
+            process.readAllStandardError().toStdString()};
+}
+
+TEST_F(Render, APictureThatDoesNotFitLeavesTheOlderOneAndIsAFailure)
+{
+    const auto keepsTheOld = [this](const QString& name, const QStringList& words) {
+        write(name, "an older picture");
+        const ProgramRun got = runWithSmallFiles(words);
+        EXPECT_EQ(got.exitCode, 1) << words.join(' ').toStdString() << got.out;
+        EXPECT_EQ(got.out.find("wrote"), std::string::npos) << got.out;
+        EXPECT_NE(got.err.find(path(name).toStdString()), std::string::npos) << got.err;
+        EXPECT_NE(got.err.find("cannot be written"), std::string::npos) << got.err;
+        EXPECT_EQ(got.err.find("bolster-"), std::string::npos) << "a name that the user does not know: " << got.err;
+        EXPECT_EQ(read(name), "an older picture");
+    };
+    for (const QString& name : {QStringLiteral("a.png"), QStringLiteral("a.tif"), QStringLiteral("a.exr")})
+        keepsTheOld(name, {"render", m_design, "--image", path(name), "--size", "320x240", "--samples", "1"});
+    keepsTheOld("turn-001.png", {"render", m_design, "--image", path("turn.png"), "--size", "320x240", "--samples",
+                                 "1", "--turntable", "2"});
+    keepsTheOld("solved.png", {"solve", m_design, "--image", path("solved.png")});
+    EXPECT_EQ(QDir(m_folder.path()).entryList({".bolster*"}, QDir::Files | QDir::Hidden), QStringList());
 }
 
 TEST_F(Render, SaysWhatIsWrong)

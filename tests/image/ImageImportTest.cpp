@@ -85,6 +85,34 @@ TEST_F(ImageImportTest, ReadsGreyAndSixteenBits)
     EXPECT_EQ(png.pixels->rgba, (std::vector<std::uint8_t>{0, 0, 0, 255, 128, 128, 128, 255, 255, 255, 255, 255}));
 }
 
+/// Nobody sees more of a fabric, and it is in memory several times while its maps are made.
+TEST_F(ImageImportTest, LargePicturesComeSmaller)
+{
+    constexpr std::size_t width = 5000, height = 3000;
+    std::vector<std::uint8_t> values(4 * width * height, 0);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            if (x < width / 2) // the other half is not seen, whatever its colour
+                std::fill_n(&values[4 * (y * width + x)], 4, static_cast<std::uint8_t>(x % 3 == 0 ? 255 : 105));
+    for (std::size_t i = 3; i < values.size(); i += 4)
+        values[i] = values[i] > 0 ? 255 : 0;
+    for (const char* name : {"a.png", "a.tif"}) {
+        ImageSpec spec(width, height, 4, TypeDesc::UINT8);
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+        const ImageOutcome outcome = importImage(paint(name, spec, values, TypeDesc::UINT8));
+        ASSERT_TRUE(outcome.pixels) << outcome.problem.english();
+        EXPECT_EQ(outcome.pixels->width, 1667);
+        EXPECT_EQ(outcome.pixels->height, 1000);
+        const auto pixel = [&](std::size_t x, std::size_t y) {
+            const std::uint8_t* const at = &outcome.pixels->rgba[4 * (1667 * y + x)];
+            return std::vector<std::uint8_t>(at, at + 4);
+        };
+        EXPECT_EQ(pixel(3, 7), (std::vector<std::uint8_t>{155, 155, 155, 255})) << "the mean of three";
+        EXPECT_EQ(pixel(833, 999), (std::vector<std::uint8_t>{255, 255, 255, 85})) << "of what is seen";
+        EXPECT_EQ(pixel(1666, 999)[3], 0);
+    }
+}
+
 TEST_F(ImageImportTest, ReadsTiledTiff)
 {
     ImageSpec spec(100, 70, 3, TypeDesc::UINT8);

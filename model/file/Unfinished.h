@@ -1,0 +1,41 @@
+// What is on the disk only until a job is done.
+#pragma once
+
+#include <QString>
+#include <QTemporaryDir>
+
+namespace bolster {
+
+/// Whoever has made a file or folder for a while says so with one of these, and removes it in the usual way.
+class Unfinished {
+public:
+    explicit Unfinished(QString path);
+    ~Unfinished();
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
+
+private:
+    QString m_path;
+};
+
+/// Removes all of this process, for whoever ends it in the middle of that. From any thread.
+void removeUnfinished();
+
+/// A folder of the system's for temporary files, which goes with this.
+class WorkFolder {
+public:
+    WorkFolder()
+        : m_unfinished(m_folder.path())
+    {}
+
+    bool isValid() const { return m_folder.isValid(); }
+    QString path() const { return m_folder.path(); }
+    QString filePath(const QString& name) const { return m_folder.filePath(name); }
+    QString errorString() const { return m_folder.errorString(); }
+
+private:
+    QTemporaryDir m_folder;
+    Unfinished m_unfinished;
+};
+
+} // namespace bolster
