@@ -69,7 +69,7 @@ Message DesignSession::addWithFile(const QString& source, FileContent content, c
     if (m_path.isEmpty() && !m_folder.ownFolder()) {
         if (Message problem = m_folder.makeOwnFolder(m_document.design()); !problem.empty())
             return problem;
-        m_journal.move({{}, m_folder.folder()});
+        m_journal.move({{}, m_folder.folder(), {}, m_title});
     }
     QString name;
     const auto taken = [journal = m_journal.journal()](const QString& free) {

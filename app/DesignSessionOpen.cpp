@@ -140,7 +140,8 @@ void DesignSession::restore(const WorkJournal::Left& left, const Replace& replac
         }
         takeUnlessChanged(before, replace, [this, left, opened, done] {
             const QString& original = left.place.original;
-            take(opened, isSample(original) ? QString() : original, left.place.files, tr("Restored design"));
+            take(opened, isSample(original) ? QString() : original, left.place.files,
+                 left.place.title.isEmpty() ? tr("Restored design") : left.place.title);
             done({});
         });
     });
@@ -182,7 +183,7 @@ void DesignSession::take(const Opened& opened, const QString& path, const QStrin
     } else {
         m_document.reset(design);
     }
-    m_journal.start({path, m_folder.folder(), opened.stamp}, opened.journal);
+    m_journal.start({path, m_folder.folder(), opened.stamp, path.isEmpty() ? title : QString()}, opened.journal);
     for (const auto& [id, element] : design.elements())
         noteFile(*element);
     updateFiles();

@@ -23,8 +23,9 @@ namespace {
 /// Of the work, as the user knows it.
 QString nameOf(const WorkJournal::Left& left)
 {
-    const QString& original = left.place.original;
-    return original.isEmpty() ? FileFlow::tr("New design") : QFileInfo(original).fileName();
+    if (!left.place.original.isEmpty())
+        return QFileInfo(left.place.original).fileName();
+    return left.place.title.isEmpty() ? FileFlow::tr("New design") : left.place.title;
 }
 
 /// "box (recovered).bolster", in the user's documents where the folder cannot be written to.

@@ -13,8 +13,7 @@ namespace bolster::cli {
 /// program. Those that are ignored (nohup) stay so.
 /// Who does not come back within half a second is in the middle of something long that nobody needs to end in
 /// order, or writes to a pipe that nobody reads: then the program ends here, and what it has not finished is
-/// removed. Make it before any other thread is started: they
-/// inherit that the signals are not theirs.
+/// removed. Make it before any other thread is started: they inherit that the signals are not theirs.
 class Interrupt {
 public:
     Interrupt();

@@ -106,7 +106,7 @@ About readAbout(const QString& base)
     const QStringList lines =
         QString::fromStdString(readWholeFile(base + aboutEnding, longestAbout).bytes).split('\n');
     About about;
-    about.place = {lines.value(0), lines.value(1), stampFrom(lines.value(4))};
+    about.place = {lines.value(0), lines.value(1), stampFrom(lines.value(4)), lines.value(5)};
     about.kept = lines.value(2) == QLatin1String("kept");
     about.held = heldFrom(lines.value(3));
     return about;
@@ -116,7 +116,7 @@ Message writeAboutFile(const QString& base, const About& about)
 {
     const QStringList lines{about.place.original, about.place.files,
                             about.kept ? QStringLiteral("kept") : QString(),
-                            about.held ? textOf(*about.held) : QString(), textOf(about.place.stamp)};
+                            about.held ? textOf(*about.held) : QString(), textOf(about.place.stamp), about.place.title.simplified()};
     return replaceWholeFile(base + aboutEnding, lines.join('\n').toStdString());
 }
 

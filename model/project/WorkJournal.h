@@ -29,6 +29,7 @@ public:
         QString original;     ///< the project or design that is edited; empty for a new one
         QString files;        ///< the folder in which the design's files are found; empty when it has none
         FileStamp stamp = {}; ///< of the original when it was read or written here for the last time
+        QString title = {};   ///< what it is called while it has no original: that of a sample
 
         friend bool operator==(const Place&, const Place&) = default;
     };

@@ -324,6 +324,25 @@ TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
     EXPECT_TRUE(window.document().dirty());
 }
 
+TEST_F(ProjectFilesTest, KeptWorkOfASampleHasItsName)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString title = window.session().title();
+    change();
+    window.session().journal().setFate(WorkJournal::Fate::KeepForLater);
+    window.session().startNew();
+    const auto left = WorkJournal::left();
+    ASSERT_EQ(left.size(), 1);
+    EXPECT_EQ(left[0].place.original, QString());
+    EXPECT_EQ(left[0].place.title, title);
+    QMenu menu;
+    window.files().fillUnsaved(menu);
+    EXPECT_TRUE(menu.actions().front()->text().startsWith(title)) << qPrintable(menu.actions().front()->text());
+    menu.actions().front()->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.document().history().count() == 2; }, 30000));
+    EXPECT_EQ(window.session().title(), title);
+}
+
 TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
