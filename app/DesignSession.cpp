@@ -19,7 +19,10 @@ DesignSession::DesignSession(QObject* parent)
     connect(&m_journal, &WorkJournal::failed, this, &DesignSession::recoveryFailed);
 }
 
-DesignSession::~DesignSession() = default;
+DesignSession::~DesignSession()
+{
+    m_opening.request_stop();
+}
 
 QString DesignSession::title() const
 {

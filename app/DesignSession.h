@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <stop_token>
 
 namespace bolster {
 
@@ -105,7 +106,8 @@ private:
     static FileKey keyOf(const Element& element);
     struct Moment;
 
-    static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own);
+    static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own,
+                              const std::stop_token& stop = {});
     static Opened readLeft(const WorkJournal::Left& left);
     Moment now() const;
     void takeUnlessChanged(const Moment& before, const Replace& replace, const std::function<void()>& take);
@@ -139,7 +141,8 @@ private:
     DesignFiles m_files;
     int m_saves = 0; ///< on their way
     bool m_changedByOthers = false;
-    int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
+    std::stop_source m_opening; ///< reads a design in the background; nobody waits for it when this is gone
+    int m_generation = 0;       ///< counts designs, so that late results of an earlier one are dropped
 };
 
 } // namespace bolster

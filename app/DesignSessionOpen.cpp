@@ -50,7 +50,8 @@ void DesignSession::takeUnlessChanged(const Moment& before, const Replace& repla
 }
 
 /// The current design of a project; its files are put into the folder.
-DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own)
+DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own,
+                                                 const std::stop_token& stop)
 {
     Opened opened;
     if (!taken.journal) {
@@ -64,7 +65,7 @@ DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::
     }
     const Design& design = taken.project.design;
     Problems lacking = extractAssets(taken.project, design, own->path());
-    opened.design = openReadDesign({design, {}, true}, own->path());
+    opened.design = openReadDesign({design, {}, true}, own->path(), stop);
     std::ranges::move(lacking, std::back_inserter(opened.design.problems));
     opened.journal = std::move(taken);
     opened.own = std::move(own);
@@ -93,10 +94,12 @@ void DesignSession::open(const QString& path, Opening opening, const Replace& re
 {
     const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
-    inBackground<Opened>([file] {
+    m_opening.request_stop(); // only the newest is wanted
+    m_opening = {};
+    inBackground<Opened>([file, stop = m_opening.get_token()] {
         if (!looksLikeProject(file))
-            return Opened{openDesign(file), {}, {}};
-        return readProject(WorkJournal::takeProject(file), OwnFolder::make());
+            return Opened{openDesign(file, {}, stop), {}, {}};
+        return readProject(WorkJournal::takeProject(file), OwnFolder::make(), stop);
     }).then(this, [this, file, opening, generation, before = now(), replace, done](const Opened& opened) {
         if (generation != m_generation)
             return; // something else was opened meanwhile
