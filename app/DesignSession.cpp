@@ -20,7 +20,10 @@ DesignSession::DesignSession(QObject* parent)
     connect(&m_journal, &WorkJournal::worksAgain, this, &DesignSession::recoveryWorksAgain);
 }
 
-DesignSession::~DesignSession() = default;
+DesignSession::~DesignSession()
+{
+    m_opening.request_stop();
+}
 
 QString DesignSession::title() const
 {

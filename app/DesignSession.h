@@ -53,7 +53,7 @@ public:
     /// A sample is opened to look. On failure everything stays as it was. What was changed while the file was read
     /// is asked about by `replace`. When stopped, nothing happens, and `done` is not called.
     void open(const QString& path, Opening opening, const Replace& replace, const Done& done,
-              std::stop_token stop = {});
+              const std::stop_token& stop = {});
     /// Goes on with what a crash has left, or what was kept for later.
     void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done);
     /// As a project, with its whole history, or as a text (".json"): the design alone, with its files beside it.
@@ -117,7 +117,8 @@ private:
         std::function<bool()> refused; ///< on purpose: no other journal would do better
     };
 
-    static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own);
+    static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own,
+                              const std::stop_token& stop = {});
     static Opened readLeft(const WorkJournal::Left& left);
     Moment now() const;
     void takeUnlessChanged(const Moment& before, const Replace& replace, const std::function<void()>& take);
@@ -156,7 +157,8 @@ private:
     int m_saves = 0; ///< on their way
     bool m_changedByOthers = false;
     bool m_placeTaken = false;
-    int m_generation = 0; ///< counts designs, so that late results of an earlier one are dropped
+    std::stop_source m_opening; ///< reads a design in the background; nobody waits for it when this is gone
+    int m_generation = 0;       ///< counts designs, so that late results of an earlier one are dropped
 };
 
 } // namespace bolster

@@ -8,7 +8,10 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <memory>
+#include <stop_token>
 
 namespace bolster {
 
@@ -51,7 +54,8 @@ void DesignSession::takeUnlessChanged(const Moment& before, const Replace& repla
 }
 
 /// The current design of a project; its files are put into the folder.
-DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own)
+DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own,
+                                                 const std::stop_token& stop)
 {
     Opened opened;
     if (!taken.journal) {
@@ -65,7 +69,7 @@ DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::
     }
     const Design& design = taken.project.design;
     Problems lacking = extractAssets(taken.project, design, own->path());
-    opened.design = openReadDesign({design, {}, true}, own->path());
+    opened.design = openReadDesign({design, {}, true}, own->path(), stop);
     std::ranges::move(lacking, std::back_inserter(opened.design.problems));
     opened.journal = std::move(taken);
     opened.own = std::move(own);
@@ -93,22 +97,27 @@ DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
 }
 
 void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done,
-                         std::stop_token stop)
+                         const std::stop_token& stop)
 {
     const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
-    inBackground<Opened>([file] {
+    m_opening.request_stop(); // only the newest is wanted
+    m_opening = {};
+    using Cancelled = std::stop_callback<std::function<void()>>;
+    const auto cancelled =
+        std::make_shared<Cancelled>(stop, [source = m_opening]() mutable { source.request_stop(); });
+    inBackground<Opened>([file, reading = m_opening.get_token()] {
         const bool project = looksLikeProject(file);
         const FileStamp stamp = stampOf(file, !project);
         if (!project)
-            return Opened{openDesign(file), {}, {}, stamp};
-        Opened opened = readProject(WorkJournal::takeProject(file), OwnFolder::make());
+            return Opened{openDesign(file, {}, reading), {}, {}, stamp};
+        Opened opened = readProject(WorkJournal::takeProject(file), OwnFolder::make(), reading);
         opened.stamp = stamp;
         return opened;
     })
-        .then(this, [this, file, opening, generation, before = now(), replace, done,
-                     stop = std::move(stop)](const Opened& opened) {
-            if (generation != m_generation || stop.stop_requested())
+        .then(this, [this, file, opening, generation, before = now(), replace, done, cancelled,
+                     reading = m_opening.get_token()](const Opened& opened) {
+            if (generation != m_generation || reading.stop_requested())
                 return; // something else was opened meanwhile, or this is not wanted any more
             if (!opened.design.readable) {
                 done(opened.design.problems.empty()

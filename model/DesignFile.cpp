@@ -146,11 +146,11 @@ ReadDesign readDesignFile(const QString& path)
     return read;
 }
 
-OpenedDesign openDesign(const QString& path, const QString& filesFolder)
+OpenedDesign openDesign(const QString& path, const QString& filesFolder, const std::stop_token& stop)
 {
     try {
         return openReadDesign(readDesignFile(path),
-                              filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder);
+                              filesFolder.isEmpty() ? QFileInfo(path).absolutePath() : filesFolder, stop);
     } catch (const std::bad_alloc&) {
         const ReadDesign read =
             unreadable({QT_TRANSLATE_NOOP("Message", "there is not enough memory for this design"), {}});

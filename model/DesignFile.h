@@ -18,7 +18,7 @@ struct OpenedDesign {
 /// Reads a design and the files beside it (or in `filesFolder`, for a copy that lies elsewhere). Never throws; a
 /// missing file is a problem like any other: that of the design names no element, that of an element its field
 /// "file".
-OpenedDesign openDesign(const QString& path, const QString& filesFolder = {});
+OpenedDesign openDesign(const QString& path, const QString& filesFolder = {}, const std::stop_token& stop = {});
 
 /// The text alone. The problems of one that cannot be read name the file.
 ReadDesign readDesignFile(const QString& path);

@@ -3579,6 +3579,30 @@
         <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; is not what was written</source>
         <translation>„%1“ ist beschädigt: Zeile %2 der Tabelle „%3“ ist nicht, was geschrieben wurde</translation>
     </message>
+    <message>
+        <source>there is no picture to write</source>
+        <translation>es gibt kein Bild zum Schreiben</translation>
+    </message>
+    <message>
+        <source>%1: a face has %2 corners, and at most %3 are read; have it split into triangles by the program that has made the file</source>
+        <translation>%1: eine Fläche hat %2 Ecken, und höchstens %3 werden gelesen; das Programm, aus dem die Datei kommt, soll sie in Dreiecke teilen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be written: no file can be made in &quot;%2&quot;; choose another folder</source>
+        <translation>„%1“ lässt sich nicht schreiben: in „%2“ kann keine Datei angelegt werden; wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>at most %1 cushions push; this one and those after it are left out</source>
+        <translation>höchstens %1 Polsterungen drücken; diese und die nach ihr bleiben weg</translation>
+    </message>
+    <message>
+        <source>the picture cannot be encoded (%1)</source>
+        <translation>das Bild kann nicht kodiert werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>

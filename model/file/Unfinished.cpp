@@ -1,11 +1,15 @@
 #include "Unfinished.h"
 
+#include "PosixFile.h"
+
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
 #include <mutex>
 #include <set>
+#include <sys/file.h>
 #include <utility>
 
 namespace bolster {
@@ -23,6 +27,26 @@ UnfinishedPaths& unfinished()
     return *all;
 }
 
+const QString workFolderName = QStringLiteral("bolster-work-");
+
+std::unique_ptr<Descriptor> lockedFolder(const QString& path)
+{
+    auto folder = std::make_unique<Descriptor>(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+    return folder->valid() && ::flock(folder->get(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : nullptr;
+}
+
+/// Those of this user that no program has, a day old: younger ones may just be getting their lock.
+void removeLeftWorkFolders()
+{
+    const QDateTime yesterday = QDateTime::currentDateTime().addDays(-1);
+    for (const QFileInfo& folder :
+         QDir(QDir::tempPath())
+             .entryInfoList({workFolderName + QStringLiteral("??????")}, QDir::Dirs | QDir::NoSymLinks))
+        if (folder.ownerId() == ::geteuid() && folder.lastModified() < yesterday)
+            if (const auto lock = lockedFolder(folder.absoluteFilePath()))
+                QDir(folder.absoluteFilePath()).removeRecursively();
+}
+
 } // namespace
 
 Unfinished::Unfinished(QString path)
@@ -38,6 +62,16 @@ Unfinished::~Unfinished()
     if (const auto found = unfinished().paths.find(m_path); found != unfinished().paths.end())
         unfinished().paths.erase(found);
 }
+
+WorkFolder::WorkFolder()
+    : m_folder(QDir::tempPath() + u'/' + workFolderName + QStringLiteral("XXXXXX"))
+    , m_unfinished(m_folder.path())
+    , m_lock(lockedFolder(m_folder.path()))
+{
+    removeLeftWorkFolders();
+}
+
+WorkFolder::~WorkFolder() = default;
 
 void removeUnfinished()
 {

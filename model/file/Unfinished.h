@@ -4,7 +4,11 @@
 #include <QString>
 #include <QTemporaryDir>
 
+#include <memory>
+
 namespace bolster {
+
+class Descriptor;
 
 /// Whoever has made a file or folder for a while says so with one of these, and removes it in the usual way.
 class Unfinished {
@@ -21,12 +25,12 @@ private:
 /// Removes all of this process, for whoever ends it in the middle of that. From any thread.
 void removeUnfinished();
 
-/// A folder of the system's for temporary files, which goes with this.
+/// A folder of the system's for temporary files, which goes with this. It is locked meanwhile: what a program that
+/// was killed has left goes with the next one, a day later.
 class WorkFolder {
 public:
-    WorkFolder()
-        : m_unfinished(m_folder.path())
-    {}
+    WorkFolder();
+    ~WorkFolder();
 
     bool isValid() const { return m_folder.isValid(); }
     QString path() const { return m_folder.path(); }
@@ -36,6 +40,7 @@ public:
 private:
     QTemporaryDir m_folder;
     Unfinished m_unfinished;
+    std::unique_ptr<Descriptor> m_lock;
 };
 
 } // namespace bolster

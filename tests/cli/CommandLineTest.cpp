@@ -12,9 +12,11 @@
 
 #include <algorithm>
 #include <csignal>
+#include <ctime>
 #include <fcntl.h>
 #include <set>
 #include <sstream>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -547,6 +549,8 @@ TEST_F(CommandLine, OpensAWindowForEachDesign)
     QProcess process;
     QProcessEnvironment environment = bareEnvironment();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
+    for (const char* const place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"}) // nothing of the user's
+        environment.insert(place, path("home"));
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(m_folder.path());
     process.start(QString::fromStdString(test::program()), {first, "second.json"});
@@ -561,6 +565,26 @@ TEST_F(CommandLine, OpensAWindowForEachDesign)
     process.kill();
     process.waitForFinished();
     EXPECT_EQ(callCommandLine(QStringList(30, first)).exitCode, 2) << "too many windows";
+}
+
+TEST_F(CommandLine, WorkFoldersOfKilledProgramsAreRemovedAfterADay)
+{
+    const QDir temporary(m_folder.path());
+    for (const char* const name : {"bolster-work-abcdef", "bolster-work-locked", "bolster-work-recent", "others"}) {
+        ASSERT_TRUE(temporary.mkpath(QString(name) + "/inside"));
+        const timespec twoDaysAgo[] = {{::time(nullptr) - 172'800, 0}, {::time(nullptr) - 172'800, 0}};
+        if (std::string_view(name) != "bolster-work-recent")
+            ::utimensat(AT_FDCWD, path(name).toUtf8().constData(), twoDaysAgo, 0);
+    }
+    const int locked = ::open(path("bolster-work-locked").toUtf8().constData(), O_RDONLY | O_DIRECTORY);
+    ASSERT_EQ(::flock(locked, LOCK_EX), 0);
+    QProcessEnvironment environment = bareEnvironment();
+    environment.insert("TMPDIR", m_folder.path());
+    EXPECT_EQ(runProgram({"import", design("seat.json", hammock()), path("seat.bolster")}, environment).exitCode,
+              0);
+    EXPECT_EQ(temporary.entryList(QDir::Dirs | QDir::NoDotAndDotDot),
+              QStringList({"bolster-work-locked", "bolster-work-recent", "others"}));
+    ::close(locked);
 }
 
 TEST_F(CommandLine, AnInterruptedImportLeavesNothing)
