@@ -60,15 +60,15 @@
     </message>
     <message>
         <source>&amp;Attach what is marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Markiertes &amp;befestigen</translation>
     </message>
     <message>
         <source>&amp;Take back the last edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Kante &amp;zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -225,19 +225,19 @@
     <name>DrawingKeys</name>
     <message>
         <source>&amp;Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fertig</translation>
     </message>
     <message>
         <source>&amp;Take back the last point</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzten Punkt &amp;zurücknehmen</translation>
     </message>
     <message>
         <source>Switch between &amp;straight and smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen &amp;gerade und glatt wechseln</translation>
     </message>
     <message>
         <source>&amp;Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -526,7 +526,7 @@
     </message>
     <message>
         <source>&amp;Close the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve &amp;schließen</translation>
     </message>
 </context>
 <context>
@@ -3944,27 +3944,27 @@
     </message>
     <message>
         <source>&amp;Sew what is marked</source>
-        <translation type="unfinished"></translation>
+        <translation>Markiertes &amp;nähen</translation>
     </message>
     <message>
         <source>&amp;Flip</source>
-        <translation type="unfinished">&amp;Umkehren</translation>
+        <translation>&amp;Umkehren</translation>
     </message>
     <message>
         <source>Take &amp;one edge</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eine Kante nehmen</translation>
     </message>
     <message>
         <source>Take se&amp;veral edges in a row</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mehrere Kanten in Folge nehmen</translation>
     </message>
     <message>
         <source>&amp;Take back the last edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Kante &amp;zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Give up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -5696,10 +5696,6 @@
         <translation>Die Datei enthält eine andere Version des Entwurfs als die, die zu sehen ist.</translation>
     </message>
     <message>
-        <source>In no file yet: %1.</source>
-        <translation>Noch in keiner Datei: %1.</translation>
-    </message>
-    <message>
         <source>A design as text cannot hold that, a project can.</source>
         <translation>Ein Entwurf als Text kann das nicht aufnehmen, ein Projekt schon.</translation>
     </message>
@@ -5801,6 +5797,10 @@
     <message>
         <source>%1, %2, damaged</source>
         <translation>%1, %2, beschädigt</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Noch nicht gespeichert: %1.</translation>
     </message>
 </context>
 <context>
@@ -6766,12 +6766,12 @@
         <translation>&amp;Umriss</translation>
     </message>
     <message>
-        <source>&amp;Load frame …</source>
-        <translation>Gestell &amp;laden …</translation>
-    </message>
-    <message>
         <source>&amp;Open …</source>
         <translation>Öff&amp;nen …</translation>
+    </message>
+    <message>
+        <source>&amp;Import frame …</source>
+        <translation>Gestell &amp;importieren …</translation>
     </message>
 </context>
 <context>
