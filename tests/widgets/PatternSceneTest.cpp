@@ -105,7 +105,7 @@ TEST(PatternScene, KeepsLabelsInside)
 {
     PatternScene scene;
     scene.reset(twoSquares());
-    const LabelPlace& label = scene.patch(firstSquare)->label;
+    const LabelPlace& label = scene.patch(firstSquare)->label();
     const auto place = label.place({90, 20});
     ASSERT_TRUE(place);
     EXPECT_EQ(place->angle, 0);

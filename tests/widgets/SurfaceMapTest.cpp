@@ -76,15 +76,38 @@ TEST(ScanPoints, ShowsWhatIsCutAwayOfASelectedScanOnly)
     points.update(design, files);
     EXPECT_TRUE(points.box(id).min().isApprox(Vec3(10, 0, 5)));
     const ViewColors colors = ViewColors::of(QPalette());
-    const auto plain = points.looks({}, colors, {});
+    const auto plain = points.looks({}, colors, {}, true);
     ASSERT_EQ(plain.size(), 1U);
     EXPECT_EQ(plain[0].points->size(), 2U);
-    const auto selected = points.looks({id}, colors, {});
+    const auto selected = points.looks({id}, colors, {}, true);
     ASSERT_EQ(selected.size(), 2U);
     EXPECT_EQ(selected[1].points->size(), 1U);
     EXPECT_LT(selected[1].color.alphaF(), 1);
+    EXPECT_FALSE(points.hasColors());
+    EXPECT_FALSE(plain[0].own) << "the file has none";
     points.update(Design(), files);
-    EXPECT_TRUE(points.looks({}, colors, {}).empty());
+    EXPECT_TRUE(points.looks({}, colors, {}, true).empty());
+}
+
+TEST(ScanPoints, HaveTheirOwnColoursIfTheyAreWanted)
+{
+    const ElementId id{7};
+    Scan scan;
+    scan.cuts = {{{{Vec3::UnitX(), 0.5}}, false}};
+    const Design design = Design().with({{}, {{id, nullptr, makeElement(scan)}}});
+    DesignFiles files;
+    files.clouds[id] = std::make_shared<const PointCloud>(
+        PointCloud{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {0x102030, 0x405060, 0x708090}});
+    ScanPoints points;
+    points.update(design, files);
+    EXPECT_TRUE(points.hasColors());
+    const ViewColors colors = ViewColors::of(QPalette());
+    for (const std::set<ElementId>& selected : {std::set<ElementId>{}, {id}}) {
+        const auto look = points.looks(selected, colors, {}, true).front();
+        ASSERT_TRUE(look.own);
+        EXPECT_EQ(*look.own, (std::vector<std::uint32_t>{0x405060, 0x708090})) << "of those that are there";
+        EXPECT_FALSE(points.looks(selected, colors, {}, false).front().own);
+    }
 }
 
 } // namespace
