@@ -2,12 +2,14 @@
 
 #include "PictureTones.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace bolster {
 
@@ -51,9 +53,45 @@ OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const Pi
     return spec;
 }
 
+/// A file with a name and without a disk: the library's own way to write to memory breaks TIFF.
+class MemoryFile {
+public:
+    MemoryFile()
+        : m_fd(::memfd_create("picture", MFD_CLOEXEC))
+    {}
+    ~MemoryFile()
+    {
+        if (m_fd >= 0)
+            ::close(m_fd);
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    std::string path() const { return "/proc/self/fd/" + std::to_string(m_fd); }
+
+    /// "" when they cannot be read.
+    std::string bytes() const
+    {
+        struct stat info = {};
+        if (::fstat(m_fd, &info) != 0)
+            return {};
+        std::string all(static_cast<std::size_t>(info.st_size), '\0');
+        for (std::size_t at = 0; at < all.size();) {
+            const ssize_t got = ::pread(m_fd, all.data() + at, all.size() - at, static_cast<off_t>(at));
+            if (got <= 0)
+                return {};
+            at += static_cast<std::size_t>(got);
+        }
+        return all;
+    }
+
+private:
+    int m_fd;
+};
+
 /// Returns what went wrong, or "".
-std::string encode(const PreviewImage& image, PictureFormat format, const PictureNotes& notes,
-                   std::vector<unsigned char>& bytes)
+std::string write(const PreviewImage& image, PictureFormat format, const std::string& path,
+                  const PictureNotes& notes)
 {
     const char* const plugin = format == PictureFormat::Exr    ? "openexr"
                                : format == PictureFormat::Tiff ? "tiff"
@@ -61,9 +99,7 @@ std::string encode(const PreviewImage& image, PictureFormat format, const Pictur
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
     if (!output)
         return OIIO::geterror();
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const bool opened = output->set_ioproxy(&memory) && output->open("picture", specOf(image, format, notes));
-    if (!opened)
+    if (!output->open(path, specOf(image, format, notes)))
         return output->geterror();
     const bool good =
         format == PictureFormat::Png
@@ -109,11 +145,12 @@ EncodedPicture encodePicture(const PreviewImage& image, PictureFormat format, co
 {
     if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
         return {{}, {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}}};
-    std::vector<unsigned char> bytes;
-    const std::string why = encode(image, format, notes, bytes);
-    if (!why.empty() || bytes.empty())
-        return {{}, {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}}};
-    return {std::string(bytes.begin(), bytes.end()), {}};
+    const MemoryFile file;
+    const std::string why = write(image, format, file.path(), notes);
+    EncodedPicture encoded{why.empty() ? file.bytes() : std::string(), {}};
+    if (encoded.bytes.empty())
+        encoded.problem = {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}};
+    return encoded;
 }
 
 } // namespace bolster
