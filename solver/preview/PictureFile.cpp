@@ -2,14 +2,12 @@
 
 #include "PictureTones.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace bolster {
 
@@ -34,7 +32,9 @@ OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const Pi
                       : format == PictureFormat::Tiff ? OIIO::TypeDesc::UINT16
                                                       : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(image.width, image.height, 4, type);
-    spec.attribute("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
+    // A TIFF would get it as an Exif directory, which the library cannot write to memory: it breaks the file.
+    if (format != PictureFormat::Tiff)
+        spec.attribute("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", format == PictureFormat::Exr ? 0 : 1);
     spec.attribute("Software", notes.program);
     spec.attribute("DateTime",
@@ -53,45 +53,9 @@ OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const Pi
     return spec;
 }
 
-/// A file with a name and without a disk: the library's own way to write to memory breaks TIFF.
-class MemoryFile {
-public:
-    MemoryFile()
-        : m_fd(::memfd_create("picture", MFD_CLOEXEC))
-    {}
-    ~MemoryFile()
-    {
-        if (m_fd >= 0)
-            ::close(m_fd);
-    }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    std::string path() const { return "/proc/self/fd/" + std::to_string(m_fd); }
-
-    /// "" when they cannot be read.
-    std::string bytes() const
-    {
-        struct stat info = {};
-        if (::fstat(m_fd, &info) != 0)
-            return {};
-        std::string all(static_cast<std::size_t>(info.st_size), '\0');
-        for (std::size_t at = 0; at < all.size();) {
-            const ssize_t got = ::pread(m_fd, all.data() + at, all.size() - at, static_cast<off_t>(at));
-            if (got <= 0)
-                return {};
-            at += static_cast<std::size_t>(got);
-        }
-        return all;
-    }
-
-private:
-    int m_fd;
-};
-
 /// Returns what went wrong, or "".
-std::string write(const PreviewImage& image, PictureFormat format, const std::string& path,
-                  const PictureNotes& notes)
+std::string encode(const PreviewImage& image, PictureFormat format, const PictureNotes& notes,
+                   OIIO::Filesystem::IOVecOutput& bytes)
 {
     const char* const plugin = format == PictureFormat::Exr    ? "openexr"
                                : format == PictureFormat::Tiff ? "tiff"
@@ -99,7 +63,7 @@ std::string write(const PreviewImage& image, PictureFormat format, const std::st
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
     if (!output)
         return OIIO::geterror();
-    if (!output->open(path, specOf(image, format, notes)))
+    if (!output->set_ioproxy(&bytes) || !output->open("picture", specOf(image, format, notes)))
         return output->geterror();
     const bool good =
         format == PictureFormat::Png
@@ -145,12 +109,11 @@ EncodedPicture encodePicture(const PreviewImage& image, PictureFormat format, co
 {
     if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
         return {{}, {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}}};
-    const MemoryFile file;
-    const std::string why = write(image, format, file.path(), notes);
-    EncodedPicture encoded{why.empty() ? file.bytes() : std::string(), {}};
-    if (encoded.bytes.empty())
-        encoded.problem = {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}};
-    return encoded;
+    OIIO::Filesystem::IOVecOutput bytes;
+    const std::string why = encode(image, format, notes, bytes);
+    if (!why.empty() || bytes.buffer().empty())
+        return {{}, {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}}};
+    return {std::string(bytes.buffer().begin(), bytes.buffer().end()), {}};
 }
 
 } // namespace bolster
