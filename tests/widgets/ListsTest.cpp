@@ -224,8 +224,8 @@ TEST(FieldText, SaysValuesInTheWordsOfTheDesign)
     EXPECT_EQ(text("rotation", "[0.7071067811865476, 0.7071067811865476, 0, 0]"), "turned by 90\u00b0");
     EXPECT_EQ(text("outline", R"({"degree": 1, "points": [[0, 0], [100, 0], [100, 50]]})"),
               "3 points, 100 \u00d7 50 mm");
-    EXPECT_EQ(text("outline", R"({"degree": 2, "closed": true, "points": [[0, 0], [80, 0], [80, 80], [0, 80]]})"),
-              "4 points, 60 \u00d7 60 mm")
+    EXPECT_EQ(text("outline", R"({"degree": 3, "closed": true, "points": [[0, 0], [80, 0], [80, 80], [0, 80]]})"),
+              "4 points, 73.3 \u00d7 73.3 mm")
         << "the size of the curve, not of its control points";
     EXPECT_EQ(text("colourway", ""), "as made");
     EXPECT_EQ(text("trim", R"({"stitch": "twin", "stitch_length_mm": 4})"), "Stitching: twin, Stitch length: 4 mm");
