@@ -84,7 +84,7 @@ Rows mouseInPattern()
         {HelpDialogs::tr("Attach to the selected fixation curve"),
          HelpDialogs::tr("click edges; Shift+click collects several; Esc ends")},
         {HelpDialogs::tr("Stitch or pipe a seam or an edge"),
-         HelpDialogs::tr("click it; stitches and piping are in the inspector")},
+         HelpDialogs::tr("click it; stitches and piping are in the properties")},
         {HelpDialogs::tr("Draw an outline"),
          HelpDialogs::tr(
              "click corners, drag smooth points, or type 500, 500<30 or 120, 40; Enter or a click on the "

@@ -34,6 +34,8 @@ void MainWindow::connectPattern()
     connect(&document(), &Document::changed, this, [this] {
         if (document().gestureRunning())
             m_status->flash({}); // what was said about the last drag would hide what this one says
+        else
+            m_status->forgetReason();
     });
 }
 

@@ -60,6 +60,7 @@ NextStep::NextStep(Document& document, PatternView& over)
     setMargin(8);
     setWordWrap(true);
     setFocusPolicy(Qt::NoFocus);
+    setAttribute(Qt::WA_NoMousePropagation); // a press on the link is none on the pattern behind it
     connect(this, &QLabel::linkActivated, this, &NextStep::follow);
     over.installEventFilter(this);
     connect(&document, &Document::historyChanged, this, &NextStep::refresh);

@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -31,6 +32,7 @@ StartHint::StartHint(Document& document, QWidget* over)
     , m_document(document)
     , m_over(over)
 {
+    setAttribute(Qt::WA_NoMousePropagation); // a press on a link is none on the pattern behind it
     build();
     over->installEventFilter(this);
     connect(&document, &Document::changed, this, &StartHint::place);
@@ -146,18 +148,18 @@ void StartHint::showEvent(QShowEvent* event)
 
 void StartHint::addBeginning(QBoxLayout& layout)
 {
-    auto* row = new QHBoxLayout;
+    auto* grid = new QGridLayout;
     const auto add = [&](const QString& name, const QString& text, void (StartHint::*wanted)()) {
         auto* button = new QPushButton(icon(name), text, this);
         connect(button, &QPushButton::clicked, this, wanted);
-        row->addWidget(button);
+        grid->addWidget(button, grid->count() / 2,
+                        grid->count() % 2); // four in a row are too wide for a narrow view
     };
     add(QStringLiteral("rectangle"), tr("Rectan&gle"), &StartHint::rectangleWanted);
     add(QStringLiteral("outline"), tr("Ou&tline"), &StartHint::outlineWanted);
     add(QStringLiteral("import-frame"), tr("&Import frame \u2026"), &StartHint::frameWanted);
     add(QStringLiteral("open"), tr("&Open \u2026"), &StartHint::openWanted);
-    row->addStretch();
-    layout.addLayout(row);
+    layout.addLayout(grid);
 }
 
 void StartHint::setDrawing(bool drawing)

@@ -160,6 +160,12 @@ void StatusLine::flashWithReason(const QString& message, const QString& why)
     showPrompt();
 }
 
+void StatusLine::forgetReason()
+{
+    if (!m_reasons.isEmpty())
+        flash({});
+}
+
 void StatusLine::showPrompt()
 {
     m_promptLabel->setFullText(m_flash.isEmpty() ? m_prompt : m_flash);

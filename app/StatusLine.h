@@ -27,6 +27,8 @@ public:
     void flash(const QString& message) { flashWithReason(message, {}); }
     /// The same with a button beside it that tells `why`.
     void flashWithReason(const QString& message, const QString& why);
+    /// It is not so any more.
+    void forgetReason();
     void setCoordinates(const QString& text);
     void setSolver(const SolverStatus& status, bool paused);
     /// What there is to worry about in the cover, the worst first. `known`: it is that of the cover that is shown.

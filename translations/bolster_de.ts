@@ -804,7 +804,7 @@
         <translation>Naht oder Kante absteppen oder mit Keder versehen</translation>
     </message>
     <message>
-        <source>click it; stitches and piping are in the inspector</source>
+        <source>click it; stitches and piping are in the properties</source>
         <translation>anklicken; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
     <message>
@@ -3566,6 +3566,10 @@
     <message>
         <source>&quot;%1&quot; is damaged: row %2 of the table &quot;%3&quot; contradicts others</source>
         <translation>„%1“ ist beschädigt: Zeile %2 der Tabelle „%3“ widerspricht anderen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged: parts of the file are not what was written</source>
+        <translation>„%1“ ist beschädigt: Teile der Datei sind nicht, was geschrieben wurde</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is damaged: rows are missing, or there are some too many</source>
@@ -6970,11 +6974,11 @@
         <translation>Eine Naht oder die Kante eines Umrisses anklicken.</translation>
     </message>
     <message>
-        <source>Click to stitch this seam; stitches and piping are in the inspector</source>
+        <source>Click to stitch this seam; stitches and piping are in the properties</source>
         <translation>Klick steppt diese Naht ab; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
     <message>
-        <source>Click to stitch this edge; stitches and piping are in the inspector</source>
+        <source>Click to stitch this edge; stitches and piping are in the properties</source>
         <translation>Klick steppt diese Kante ab; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
     <message>

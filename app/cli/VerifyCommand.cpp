@@ -33,7 +33,7 @@ int verify(std::span<const std::string> words)
     const OpenedProject project =
         openProject(path, arguments.has("--all") ? ProjectCheck::Everything : ProjectCheck::Thorough);
     if (!project.problem.empty()) {
-        printError("error: " + project.problem.english());
+        printError("error: " + damageAdvice(project, path).english());
         return badInput;
     }
     const std::string contents = counted(project.history.count() - 1, "edit") + ", " +

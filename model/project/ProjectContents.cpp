@@ -291,8 +291,9 @@ ProjectContents readContents(Database& database)
     checkTables(database);
     Query check(database, "PRAGMA quick_check(1)");
     if (!check.next() || check.text(0) != "ok")
-        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged (%2)"),
-                             {database.name().toStdString(), std::string(check.text(0))}});
+        throw DatabaseError({QT_TRANSLATE_NOOP("Message", "\"%1\" is damaged: parts of the file are not what was "
+                                                          "written"),
+                             {database.name().toStdString()}});
     ProjectContents contents;
     readProject(database, contents);
     PlainSum plain(database);

@@ -145,6 +145,10 @@ TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
     QWhatsThis::hideText();
     line.flash(QStringLiteral("Something else"));
     EXPECT_FALSE(why->isVisible());
+    emit window.solver().sprang(217);
+    ASSERT_TRUE(why->isVisible());
+    emit window.document().changed({});
+    EXPECT_FALSE(why->isVisible()) << "it was another design's";
 }
 
 TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)

@@ -74,9 +74,9 @@ void TrimTool::leave()
 QString TrimTool::prompt() const
 {
     if (m_hover.element != settingsId)
-        return tr("Click to stitch this seam; stitches and piping are in the inspector");
+        return tr("Click to stitch this seam; stitches and piping are in the properties");
     if (m_hover.stretch)
-        return tr("Click to stitch this edge; stitches and piping are in the inspector");
+        return tr("Click to stitch this edge; stitches and piping are in the properties");
     return tr("Click a seam or an edge of an outline to stitch it \u2013 Esc ends the tool");
 }
 
