@@ -348,6 +348,8 @@ Vec3 SurfaceView::middleOf(ElementId id) const
             const SurfaceScene::FrameLook& look = m_scene.frames[i];
             return look.placement.placed(look.mesh->boundingBox().center());
         }
+    if (const Box3 scan = m_scanPoints.box(id); !scan.isEmpty() && layerVisible(Layer::Scans))
+        return scan.center(); // where a scanner stood says nothing
     const ElementPtr element = m_document.design().element(id);
     const Placement* placement = element ? elementPlacement(*element) : nullptr;
     return placement ? placement->position : Vec3(Vec3::Zero());
