@@ -183,7 +183,7 @@ void Actions::addView()
     showLabels = addToggle(tr("&Labels"), QStringLiteral("labels"), true);
     showScans = addToggle(tr("Sca&ns"), QStringLiteral("scan"), true, QKeySequence(Qt::Key_A));
     showScanPairs = addToggle(tr("Pairs of co&ver and scan"), {}, false);
-    showScanColors = addToggle(tr("Own c&olours of scans"), {}, true);
+    showScanColors = addToggle(tr("Own &colours of scans"), {}, true);
     showDeviation =
         addToggle(tr("&Deviation from the scan"), QStringLiteral("deviation"), false, QKeySequence(Qt::Key_D));
     const struct {

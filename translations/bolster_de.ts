@@ -4846,7 +4846,7 @@
         <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste (%1)</translation>
     </message>
     <message>
-        <source>Own c&amp;olours of scans</source>
+        <source>Own &amp;colours of scans</source>
         <translation>Eigene &amp;Farben der Scans</translation>
     </message>
 </context>
