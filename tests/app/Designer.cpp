@@ -207,29 +207,37 @@ void Designer::pick(const QString& name, Qt::KeyboardModifiers modifiers)
     clickOn(*tree.viewport(), tree.visualRect(row).center(), modifiers);
 }
 
-void Designer::setField(const QString& label, const QString& text, int place)
+/// Labels stand beside their fields or above them.
+static QWidget* fieldOf(const Inspector& inspector, const QString& label)
 {
-    for (auto* form : m_window.inspector().findChildren<QFormLayout*>())
+    for (const QLabel* shown : inspector.findChildren<QLabel*>())
+        if (shown->buddy() && plain(shown->text()) == label)
+            return shown->buddy();
+    for (auto* form : inspector.findChildren<QFormLayout*>())
         for (int row = 0; row < form->rowCount(); ++row) {
             const QLayoutItem* item = form->itemAt(row, QFormLayout::LabelRole);
             const auto* shown = item ? qobject_cast<QLabel*>(item->widget()) : nullptr;
-            if (!shown || plain(shown->text()) != label)
-                continue;
-            QWidget* field = form->itemAt(row, QFormLayout::FieldRole)->widget();
-            QList<QLineEdit*> edits = field->findChildren<QLineEdit*>();
-            if (auto* self = qobject_cast<QLineEdit*>(field))
-                edits = {self};
-            ASSERT_GT(edits.size(), place) << label.toStdString();
-            QLineEdit* edit = edits[place];
-            for (QWidget* up = edit; up; up = up->parentWidget())
-                if (auto* area = qobject_cast<QScrollArea*>(up))
-                    area->ensureWidgetVisible(edit); // as the wheel does
-            clickOn(*edit, edit->rect().center());
-            key(Qt::Key_A, Qt::ControlModifier);
-            enter(text);
-            return;
+            if (shown && plain(shown->text()) == label)
+                return form->itemAt(row, QFormLayout::FieldRole)->widget();
         }
-    ADD_FAILURE() << "no field " << label.toStdString();
+    return nullptr;
+}
+
+void Designer::setField(const QString& label, const QString& text, int place)
+{
+    QWidget* field = fieldOf(m_window.inspector(), label);
+    ASSERT_TRUE(field) << "no field " << label.toStdString();
+    QList<QLineEdit*> edits = field->findChildren<QLineEdit*>();
+    if (auto* self = qobject_cast<QLineEdit*>(field))
+        edits = {self};
+    ASSERT_GT(edits.size(), place) << label.toStdString();
+    QLineEdit* edit = edits[place];
+    for (QWidget* up = edit; up; up = up->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(up))
+            area->ensureWidgetVisible(edit); // as the wheel does
+    clickOn(*edit, edit->rect().center());
+    key(Qt::Key_A, Qt::ControlModifier);
+    enter(text);
 }
 
 void Designer::rename(const QString& name)
