@@ -1,6 +1,7 @@
 // Opening, saving, closing: nothing is lost, nothing bad stops the rest.
 #include "WindowTest.h"
 
+#include "Background.h"
 #include "DesignFile.h"
 #include "ElementEdits.h"
 #include "FileFlow.h"
@@ -121,7 +122,7 @@ TEST_F(FilesTest, ChangesMadeWhileAnotherDesignIsReadAreAskedAbout)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     QSemaphore slowDisk;
-    QThreadPool& pool = *QThreadPool::globalInstance();
+    QThreadPool& pool = backgroundPool();
     for (int i = 0; i < pool.maxThreadCount(); ++i)
         pool.start([&] { slowDisk.acquire(); });
     window.open(sample("pillow"));
@@ -138,7 +139,7 @@ TEST_F(FilesTest, OpeningThatTakesLongSaysSoAndCanBeCancelled)
     ASSERT_TRUE(open(sample("box-cushion")));
     const Design before = window.document().design();
     QSemaphore slowDisk;
-    QThreadPool& pool = *QThreadPool::globalInstance();
+    QThreadPool& pool = backgroundPool();
     const auto reading = [&]() -> QProgressDialog* {
         auto* dialog = window.findChild<QProgressDialog*>();
         return dialog && dialog->isVisible() ? dialog : nullptr;
