@@ -125,7 +125,7 @@ int run(QApplication& application)
             action->trigger();
     if (parser.isSet(options.problems))
         Docks::reveal(window.docks().problems);
-    waitFor([] { return false; }, 2500); // the fine picture comes when nothing moves any more
+    waitFor([] { return false; }, 8000); // the fine picture comes when nothing moves any more
     const QRect place = window.geometry();
     const QPixmap picture = window.screen()->grabWindow(0, place.x(), place.y(), place.width(), place.height());
     window.document().markSaved();
