@@ -223,7 +223,8 @@ void ContextMenus::showForTool(QWidget& view, const QPoint& global, const ToolKe
 {
     QMenu* menu = begin();
     for (const ToolKey& key : keys) {
-        QAction* action = menu->addAction(key.text + u'\t' + QKeySequence(key.key).toString(QKeySequence::NativeText));
+        QAction* action =
+            menu->addAction(key.text + u'\t' + QKeySequence(key.key).toString(QKeySequence::NativeText));
         connect(action, &QAction::triggered, &view, [&view, code = key.key] {
             QKeyEvent press(QEvent::KeyPress, code, Qt::NoModifier);
             QCoreApplication::sendEvent(&view, &press);

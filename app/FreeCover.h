@@ -11,7 +11,8 @@ class Document;
 class SolverLink;
 class SurfaceView;
 
-/// Takes such a cover into the picture when it is not all in it, until somebody moves the view: it may have come to lie far away.
+/// Takes such a cover into the picture when it is not all in it, until somebody moves the view: it may have come to
+/// lie far away.
 class FreeCover : public QObject {
     Q_OBJECT
 

@@ -459,8 +459,8 @@ void PatternView::contextMenuEvent(QContextMenuEvent* event)
     if (const ToolKeys keys = m_tool->keys(); !keys.empty())
         emit toolMenuWanted(global, keys);
     else
-        emit contextMenuWanted(global, rightButtonSelects() && (byKey ? !m_selection.elements().empty()
-                                                                      : bool(hit(event->pos()))));
+        emit contextMenuWanted(global, rightButtonSelects() &&
+                                           (byKey ? !m_selection.elements().empty() : bool(hit(event->pos()))));
 }
 
 void PatternView::mouseMoveEvent(QMouseEvent* event)

@@ -42,7 +42,8 @@ PatternLocator::PatternLocator(const SurfaceTopology& topology, const SurfaceTop
 /// Rings of cells around the point, until one has a triangle and the next cannot have a nearer one.
 PatternPlace PatternLocator::locate(const Vec2& point) const
 {
-    const Vec2 p = point.cwiseMax(m_box.min()).cwiseMin(m_box.max()); // no search through all cells for what is far off
+    const Vec2 p =
+        point.cwiseMax(m_box.min()).cwiseMin(m_box.max()); // no search through all cells for what is far off
     PatternPlace best;
     double bestDistance = std::numeric_limits<double>::max();
     const auto [c, r] = cellOf(p);

@@ -138,8 +138,8 @@ void SurfaceRays::fitBoxes()
     }
 }
 
-/// Visits the triangles of all leaves that are less far than `reach`, the near ones first. `distance` of a node is to be
-/// infinite where nothing is wanted of it. Ends when a visit returns true.
+/// Visits the triangles of all leaves that are less far than `reach`, the near ones first. `distance` of a node is
+/// to be infinite where nothing is wanted of it. Ends when a visit returns true.
 template <class Distance, class Visit>
 void SurfaceRays::walk(const Distance& distance, const float& reach, const Visit& visit) const
 {

@@ -114,9 +114,12 @@ About readAbout(const QString& base)
 
 Message writeAboutFile(const QString& base, const About& about)
 {
-    const QStringList lines{about.place.original, about.place.files,
+    const QStringList lines{about.place.original,
+                            about.place.files,
                             about.kept ? QStringLiteral("kept") : QString(),
-                            about.held ? textOf(*about.held) : QString(), textOf(about.place.stamp), about.place.title.simplified()};
+                            about.held ? textOf(*about.held) : QString(),
+                            textOf(about.place.stamp),
+                            about.place.title.simplified()};
     return replaceWholeFile(base + aboutEnding, lines.join('\n').toStdString());
 }
 

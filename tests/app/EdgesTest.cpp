@@ -265,7 +265,6 @@ TEST_F(EdgesTest, TheRightButtonOffersWhatIsDoneWithWhatLiesThere)
     EXPECT_EQ(window.selection().points().size(), 1u) << "the selection is left alone";
     EXPECT_TRUE(menu->actions().contains(window.actions().selectAll));
     menu->close();
-
 }
 
 TEST_F(EdgesTest, TheRightButtonEndsWhatIsDrawn)
