@@ -1,4 +1,5 @@
 // What the inspector shows of selected edges, and the size of patches.
+#include "Document.h"
 #include "Gesture.h"
 #include "InspectorForms.h"
 #include "LengthEdits.h"
