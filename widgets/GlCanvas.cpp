@@ -78,9 +78,12 @@ void GlCanvas::schedule()
         QMetaObject::invokeMethod(this, &GlCanvas::send, Qt::QueuedConnection);
 }
 
+/// A cover that is not on the screen yet comes quickly, and finely after that: a fine picture can take seconds, in
+/// which the old cover would stand there as if it were the answer.
 GlPainter::Request GlCanvas::request() const
 {
-    return {m_scene, m_camera, pixelSize(), m_version, m_moving, nullptr};
+    const bool quickly = m_moving || m_picture.surface != m_scene.surface;
+    return {m_scene, m_camera, pixelSize(), m_version, quickly, nullptr};
 }
 
 void GlCanvas::send()
@@ -88,9 +91,10 @@ void GlCanvas::send()
     m_scheduled = false;
     if (!isVisible() || (m_asked && m_askedMoving))
         return; // a quick one is let end: stopping it again and again would show none
+    GlPainter::Request asked = request();
     m_asked = m_version;
-    m_askedMoving = m_moving;
-    m_job->request(request(), true);
+    m_askedMoving = asked.moving;
+    m_job->request(std::move(asked), true);
 }
 
 void GlCanvas::received(GlPainter::Picture picture)

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <random>
 
 namespace bolster {
 namespace {
@@ -122,6 +123,27 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
     window.document().jumpTo(1);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);
+}
+
+/// What is on the screen is the picture of the cover that is called solved, however the drag before the undo ended
+/// and whatever else the machine is doing.
+TEST_F(RestingTest, ThePictureFollowsUndo)
+{
+    SurfaceView& view = window.surfaceView();
+    std::mt19937 random(7);
+    const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    for (int round = 0; round < 2; ++round) {
+        SCOPED_TRACE(round);
+        before = window.solver().surface()->positions;
+        const QPoint at = dragCreaseFarAway();
+        QTest::qWait(upTo(300));
+        release(view, at);
+        QTest::qWait(upTo(900));
+        QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+        ASSERT_TRUE(waitUntilAtRest());
+        EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownSurface() == window.solver().surface(); }, 20000));
+    }
 }
 
 TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
