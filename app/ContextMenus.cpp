@@ -33,24 +33,21 @@ public:
         points();
         edges();
         sewing();
-        patches();
-        curves();
-        frames();
-        both();
+        if (m_selection.points().empty())
+            patches();
+        rest();
     }
 
     void selectionInSpace()
     {
         points();
-        if (has<Patch>())
-            group({m_actions.assignFabric, m_actions.editFabric});
         sewing();
-        curves();
-        frames();
-        group({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden});
-        if (has<Patch>())
+        if (has<Patch>()) {
+            fabric();
             group({m_actions.cut, m_actions.copy, m_actions.duplicate});
-        both();
+        }
+        hiding();
+        rest();
     }
 
     void pattern()
@@ -66,14 +63,14 @@ public:
 
     void space()
     {
-        submenu(tr("&Look from"), m_actions.standardViews);
-        group({m_actions.fitAll, m_actions.perspective, m_actions.section});
-        group({m_actions.showHidden});
-        group({m_actions.importFrame, m_actions.insertCushion});
         group(m_actions.surfaceTools);
+        group({m_actions.importFrame, m_actions.insertCushion});
+        group({m_actions.fitAll, m_actions.perspective, m_actions.section});
+        submenu(tr("&Look from"), m_actions.standardViews);
         submenu(tr("&Show"), {m_actions.showFrames, m_actions.showCurves, m_actions.showSeams, m_actions.showMesh,
                               m_actions.showChecker, m_actions.showScans, m_actions.showGround});
         submenu(tr("&Map"), m_actions.maps + QList{m_actions.showDeviation});
+        group({m_actions.showHidden});
     }
 
 private:
@@ -142,29 +139,28 @@ private:
 
     void patches()
     {
-        if (!has<Patch>() || !m_selection.points().empty())
+        if (!has<Patch>())
             return;
-        group({m_actions.assignFabric, m_actions.editFabric});
+        fabric();
         group({m_actions.cut, m_actions.copy, m_actions.paste, m_actions.duplicate});
         submenu(tr("&Arrange"), QList{m_actions.turnLeft, m_actions.turnRight, m_actions.mirrorHorizontally,
                                       m_actions.mirrorVertically} +
                                     m_actions.align + m_actions.distribute + QList{m_actions.arrange});
         group({m_actions.mergePatches});
-        group({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden});
+        hiding();
     }
 
-    void curves() { group({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins}); }
+    void fabric() { group({m_actions.assignFabric, m_actions.editFabric}); }
+    void hiding() { group({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden}); }
 
-    void frames()
+    /// What is no matter of patches, and what can be done with anything.
+    void rest()
     {
+        group({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins});
         if (has<Frame>())
             group({m_actions.insertCushion});
         if (has<Cushion>())
             group(m_actions.insertFoam);
-    }
-
-    void both()
-    {
         group({m_actions.rename, m_actions.fitSelection});
         const auto ofPatch = [](const Selection::Edge& edge) { return edge.owner == edge.stretch.patch; };
         if (std::ranges::none_of(m_selection.edges(), ofPatch))

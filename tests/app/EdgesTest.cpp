@@ -302,6 +302,36 @@ TEST_F(EdgesTest, TheRightButtonEndsWhatIsDrawn)
     EXPECT_EQ(design().find<Patch>(*window.selection().elements().begin())->outline.points().size(), 3u);
 }
 
+TEST_F(EdgesTest, TheMenusOfBothViewsHaveTheSameOrder)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    const auto offered = [&](QWidget& view) {
+        const QPoint middle = view.rect().center();
+        QContextMenuEvent wish(QContextMenuEvent::Keyboard, middle, view.mapToGlobal(middle));
+        QApplication::sendEvent(&view, &wish);
+        QMenu* menu = contextMenu();
+        QStringList texts = menu ? entries(*menu) : QStringList();
+        if (menu)
+            menu->close();
+        return texts;
+    };
+    const auto common = [](const QStringList& of, const QStringList& with) {
+        QStringList found;
+        std::ranges::copy_if(of, std::back_inserter(found),
+                             [&](const QString& text) { return with.contains(text); });
+        return found;
+    };
+    ElementId patch{}, seam{};
+    design().each<Patch>([&](ElementId id, const Patch&) { patch = id; });
+    design().each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+    for (const Selection::Elements& selected : {Selection::Elements{}, {patch}, {seam}, {patch, seam}}) {
+        window.selection().set(selected);
+        const QStringList pattern = offered(window.patternView()), cover = offered(window.surfaceView());
+        ASSERT_FALSE(common(pattern, cover).isEmpty());
+        EXPECT_EQ(common(pattern, cover).join(u'|').toStdString(), common(cover, pattern).join(u'|').toStdString());
+    }
+}
+
 TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)
 {
     ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
