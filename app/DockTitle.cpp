@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include <algorithm>
 #include <utility>
 
 namespace bolster {
@@ -38,9 +39,10 @@ DockTitle::DockTitle(QDockWidget* dock)
     connect(floating, &QToolButton::clicked, dock, [dock] { dock->setFloating(!dock->isFloating()); });
     connect(close, &QToolButton::clicked, dock, &QWidget::close);
     connect(dock, &QWidget::windowTitleChanged, m_label, &QLabel::setText);
-    connect(dock, &QDockWidget::visibilityChanged, this, &DockTitle::updateTabbed);
-    connect(dock, &QDockWidget::topLevelChanged, this, &DockTitle::updateTabbed);
-    connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitle::updateTabbed);
+    // When that is over: while docks are restored they are told before they have tabs.
+    connect(dock, &QDockWidget::visibilityChanged, this, &DockTitle::updateAll, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::topLevelChanged, this, &DockTitle::updateAll, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, this, &DockTitle::updateAll, Qt::QueuedConnection);
 
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
         if (now && std::exchange(m_active, m_dock->isAncestorOf(now)) != m_dock->isAncestorOf(now))
@@ -55,10 +57,26 @@ DockTitle::DockTitle(QDockWidget* dock)
     layout->addWidget(close);
 }
 
-void DockTitle::updateTabbed()
+/// Others get or lose their tab with this dock.
+void DockTitle::updateAll()
+{
+    for (DockTitle* title : m_dock->parentWidget()->findChildren<DockTitle*>())
+        title->updateTabbed();
+}
+
+/// A dock whose neighbours are all closed has no tab.
+bool DockTitle::hasTab() const
 {
     const auto* window = qobject_cast<QMainWindow*>(m_dock->parentWidget());
-    const bool tabbed = window && !m_dock->isFloating() && !window->tabifiedDockWidgets(m_dock).isEmpty();
+    if (!window || m_dock->isFloating())
+        return false;
+    const QList<QDockWidget*> others = window->tabifiedDockWidgets(m_dock);
+    return std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden(); });
+}
+
+void DockTitle::updateTabbed()
+{
+    const bool tabbed = hasTab();
     if (tabbed == m_tabbed)
         return;
     m_tabbed = tabbed;

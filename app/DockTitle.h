@@ -22,7 +22,9 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void updateAll();
     void updateTabbed();
+    bool hasTab() const;
 
     QDockWidget* m_dock;
     QLabel* m_label;

@@ -6,12 +6,60 @@
 #include "SurfaceView.h"
 #include "Theme.h"
 
+#include <QLabel>
 #include <QSettings>
+#include <QTabBar>
 #include <QToolBar>
 #include <QToolButton>
 
 namespace bolster {
 namespace {
+
+/// How often the title of a part is to be read: above it, and on its tab.
+qsizetype titlesOf(const MainWindow& window, const QDockWidget& dock)
+{
+    const QWidget* bar = dock.titleBarWidget();
+    qsizetype count = bar->findChild<QLabel*>()->isVisible() && bar->height() > 0 ? 1 : 0;
+    for (const QTabBar* tabs : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i)
+            count += tabs->tabText(i) == dock.windowTitle() ? 1 : 0;
+    return count;
+}
+
+void expectTitlesOnce(MainWindow& window, const char* when)
+{
+    for (const QDockWidget* dock : window.docks().all())
+        if (!dock->isHidden()) {
+            EXPECT_TRUE(QTest::qWaitFor([&] { return titlesOf(window, *dock) == 1; }))
+                << when << ": " << qPrintable(dock->windowTitle()) << ' ' << titlesOf(window, *dock);
+        }
+}
+
+TEST_F(WindowTest, EachPartSaysItsTitleOnce)
+{
+    window.actions().resetLayout->trigger();
+    const Docks& docks = window.docks();
+    expectTitlesOnce(window, "at first");
+    for (QDockWidget* dock : {docks.history, docks.seams, docks.fabrics})
+        dock->close();
+    expectTitlesOnce(window, "alone");
+    docks.seams->toggleViewAction()->trigger();
+    expectTitlesOnce(window, "with one more");
+    Docks::reveal(docks.spots);
+    window.tabifyDockWidget(docks.pattern, docks.cover);
+    window.tabifyDockWidget(docks.inspector, docks.spots);
+    expectTitlesOnce(window, "with tabs");
+    window.close();
+    for (int start = 0; start < 2; ++start) {
+        MainWindow again;
+        again.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
+        QTest::qWait(100);
+        expectTitlesOnce(again, "after a start");
+        again.close();
+    }
+    window.actions().resetLayout->trigger(); // kept for the next start
+}
 
 TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
 {
