@@ -3,13 +3,15 @@
 #include "Background.h"
 #include "DesignSession.h"
 #include "FabricShown.h"
-#include "RayRenderer.h"
+#include "PreviewRenderer.h"
 #include "SolverLink.h"
 #include "SurfaceView.h"
 
 #include <QBuffer>
+#include <QImage>
 
 #include <chrono>
+#include <utility>
 
 namespace bolster {
 
@@ -21,28 +23,31 @@ constexpr auto pause = 700ms; // without a change
 constexpr int pictureWidth = 192;
 constexpr int pictureHeight = 144;
 constexpr std::size_t mostInMemory = 500;
+constexpr std::size_t mostWaiting = 50;
 
-SoftwareRenderer::Request requestFor(const SurfaceMeshPtr& surface, const Design& design, const SurfaceView& view)
+PreviewScene sceneOf(const SurfaceMeshPtr& surface, const Design& design)
 {
-    SoftwareRenderer::Request request;
-    request.surface = surface;
+    PreviewScene scene;
+    scene.surface = surface;
     design.each<Patch>([&](ElementId id, const Patch&) {
         const Fabric* fabric = design.find<Fabric>(fabricShown(design, id));
-        request.looks.push_back({id, QColor(QString::fromStdString(fabric ? fabric->color : Fabric{}.color))});
+        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
     });
-    request.camera = view.camera();
-    request.camera.size = {pictureWidth, pictureHeight};
-    request.camera.fit(surface->boundingBox());
-    request.backgroundTop = QColor(0xd8, 0xdd, 0xe3);
-    request.backgroundBottom = QColor(0xf4, 0xf5, 0xf7);
-    return request;
+    return scene;
 }
 
-QByteArray pngOf(const QImage& image)
+/// Without a background: the list in which it is shown is light or dark.
+QByteArray pngOf(const PreviewScene& scene, const Camera& camera)
 {
+    PreviewOptions options;
+    options.width = pictureWidth;
+    options.height = pictureHeight;
+    options.transparent = true;
+    const PreviewImage drawn = renderPreview(scene, PreviewView(camera), options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
+    const QImage image(drawn.rgba.data(), drawn.width, drawn.height, 4 * drawn.width, QImage::Format_RGBA8888);
     return image.save(&buffer, "PNG") ? bytes : QByteArray();
 }
 
@@ -56,24 +61,50 @@ Thumbnails::Thumbnails(DesignSession& session, SolverLink& solver, SurfaceView& 
     m_pause.setSingleShot(true);
     m_pause.setInterval(pause);
     connect(&m_pause, &QTimer::timeout, this, &Thumbnails::make);
-    connect(&solver, &SolverLink::statusChanged, this, [this] { m_pause.start(); });
+    connect(&solver, &SolverLink::statusChanged, this, [this] {
+        note();
+        store();
+        m_pause.start();
+    });
     connect(&session, &DesignSession::opened, this, [this] {
         ++m_generation;
         m_pictures.clear();
+        m_waiting.clear();
+        m_unstored.clear();
     });
 }
 
-void Thumbnails::make()
+/// Drawn later: by then the next version may be there.
+void Thumbnails::note()
 {
     const Document& document = m_session.document();
     const NodeId node = document.history().current();
     if (!m_solver.atRest() || !picture(node).isEmpty())
         return;
-    inBackground<QByteArray>([request = requestFor(m_solver.surface(), document.committed(), m_view)] {
-        return pngOf(RayRenderer().render(request, {}).image);
-    }).then(this, [this, node, generation = m_generation](const QByteArray& png) {
+    if (m_waiting.size() >= mostWaiting)
+        m_waiting.erase(m_waiting.begin());
+    m_waiting[node] = {m_solver.surface(), document.committed()};
+}
+
+/// The newest first.
+void Thumbnails::make()
+{
+    if (m_drawing || m_waiting.empty())
+        return;
+    const auto [node, version] = *m_waiting.rbegin();
+    m_waiting.erase(node);
+    m_drawing = true;
+    Camera camera = m_view.camera();
+    camera.size = {pictureWidth, pictureHeight};
+    camera.fit(version.surface->boundingBox());
+    inBackground<QByteArray>([scene = sceneOf(version.surface, version.design), camera] {
+        return pngOf(scene, camera);
+    }).then(this, [this, node = node, generation = m_generation](const QByteArray& png) {
+        m_drawing = false;
         if (generation == m_generation && !png.isEmpty())
             keep(node, png);
+        if (!m_pause.isActive())
+            make();
     });
 }
 
@@ -82,9 +113,20 @@ void Thumbnails::keep(NodeId node, const QByteArray& png)
     if (m_pictures.size() >= mostInMemory)
         m_pictures.erase(m_pictures.begin());
     m_pictures[node] = png;
-    if (const auto& journal = m_session.journal().journal())
-        (void)journal->setThumbnail(node, png.toStdString()); // without it there is only a picture less
+    m_unstored.insert(node);
+    store();
     emit made(node);
+}
+
+/// There is no journal before the first edit.
+void Thumbnails::store()
+{
+    const auto& journal = m_session.journal().journal();
+    if (!journal)
+        return;
+    for (const NodeId node : std::exchange(m_unstored, {}))
+        (void)journal->setThumbnail(node,
+                                    m_pictures[node].toStdString()); // without it there is only a picture less
 }
 
 QByteArray Thumbnails::picture(NodeId node)

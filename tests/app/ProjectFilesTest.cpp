@@ -674,6 +674,41 @@ TEST_F(ProjectFilesTest, VersionsHavePicturesThatComeBack)
     EXPECT_TRUE(toolTip().contains("<img"));
 }
 
+TEST_F(ProjectFilesTest, PicturesOfVersionsSuitAnyTheme)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    auto* model = &window.findChild<HistoryView*>()->history();
+    const auto picture = [&] { return model->index(0).data(HistoryModel::PictureRole).value<QImage>(); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !picture().isNull(); }, 60000));
+    const QImage seen = picture();
+    EXPECT_EQ(seen.pixelColor(0, 0).alpha(), 0);
+    EXPECT_LT(seen.pixelColor(seen.rect().bottomRight()).alpha(), 20) << "a shadow at most";
+    EXPECT_EQ(seen.pixelColor(seen.rect().center()).alpha(), 255);
+}
+
+TEST_F(ProjectFilesTest, VersionsThatWereSeenForAMomentHavePictures)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    constexpr NodeId versions = 4;
+    for (NodeId version = 0; version < versions; ++version) {
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.solver().atRest(); }, 60000));
+        if (version + 1 < versions)
+            change();
+    }
+    auto* model = &window.findChild<HistoryView*>()->history();
+    const auto has = [&](NodeId node) {
+        return !model->indexOf(node).data(HistoryModel::PictureRole).value<QImage>().isNull();
+    };
+    for (NodeId node = 0; node < versions; ++node)
+        EXPECT_TRUE(QTest::qWaitFor([&] { return has(node); }, 60000)) << node;
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_TRUE(open(path));
+    for (NodeId node = 0; node < versions; ++node)
+        EXPECT_TRUE(has(node)) << node;
+}
+
 TEST_F(ProjectFilesTest, WhatCannotBeStoredIsNotDone)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
