@@ -61,7 +61,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
                          m_scene.occlusion = std::move(occlusion);
                          draw(false);
                      })
-    , m_skinJob(&SurfaceView::skinsOf, [this](Skins made) { takeSkins(std::move(made)); })
+    , m_skinJob(&SurfaceView::skinsOf, [this](const Skins& made) { takeSkins(made); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);

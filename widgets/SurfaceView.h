@@ -238,12 +238,19 @@ private:
     struct Skins {
         SurfaceMeshPtr surface; ///< may be null
         std::vector<SurfaceScene::FrameLook> frames;
+        std::vector<ElementId> ids; ///< of the frames
+    };
+    struct MadeSkin {
+        std::shared_ptr<const TriangleMesh> mesh;
+        SurfaceMeshPtr cover; ///< under which it is pressed; may be null
+        FrameSkinPtr skin;
     };
     static Skins skinsOf(const Skins& wanted, std::stop_token stop);
     void requestSkins();
-    void takeSkins(Skins made);
+    void takeSkins(const Skins& made);
+    const MadeSkin* skinOf(std::size_t frame) const;
+    void useSkins();
     void keepSkins();
-    bool skinsFit() const;
 
     void apply(const Camera& camera);
     void goTo(Camera camera);
@@ -279,8 +286,8 @@ private:
     int m_piece = -1;
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
-    std::vector<std::shared_ptr<const TriangleMesh>> m_skinnedMeshes; ///< of the scene's skins
-    bool m_skinsFit = true;                                           ///< they were made where the frames are now
+    std::map<ElementId, std::vector<MadeSkin>> m_skins; ///< of frames and foam, of hidden ones, too; newest first
+    bool m_skinsFit = true; ///< those shown were made where the frames are now, under what is shown of the cover
     ScanPoints m_scanPoints;
     std::vector<std::pair<Vec3, Vec3>> m_scanPairs; ///< on the cover, and of the scan
     SurfaceHitTest m_hitTest{m_frameShapes};

@@ -107,6 +107,7 @@ void SurfaceView::updateCover()
     m_scene.trims = m_scene.cover ? visibleTrims(m_trims, unseen()) : nullptr;
     m_hitTest.setSurface(m_scene.surface);
     m_places.setSurface(m_scene.surface);
+    useSkins();
 }
 
 SurfaceView::Skins SurfaceView::skinsOf(const Skins& wanted, std::stop_token stop)
@@ -121,49 +122,71 @@ SurfaceView::Skins SurfaceView::skinsOf(const Skins& wanted, std::stop_token sto
 
 void SurfaceView::requestSkins()
 {
-    const bool known = m_scene.skinned == m_scene.surface;
-    if (m_scene.frames.empty() || (known && m_skinsFit))
-        return;
-    m_skinJob.request({m_scene.surface, m_scene.frames}, true);
+    if (!m_skinsFit)
+        m_skinJob.request({m_scene.surface, m_scene.frames, m_frameIds}, true);
 }
 
-void SurfaceView::takeSkins(Skins made)
+/// Besides these, those under the whole cover are kept: it comes back when nothing of it is hidden any more.
+void SurfaceView::takeSkins(const Skins& made)
 {
-    m_scene.frameSkins.assign(m_scene.frames.size(), nullptr);
-    for (std::size_t f = 0; f < std::min(m_scene.frames.size(), made.frames.size()); ++f)
-        if (made.frames[f].mesh == m_scene.frames[f].mesh)
-            m_scene.frameSkins[f] = made.frames[f].skin;
-    m_scene.skinned = std::move(made.surface);
-    m_skinsFit = skinsFit();
+    for (std::size_t f = 0; f < made.frames.size(); ++f) {
+        const SurfaceScene::FrameLook& frame = made.frames[f];
+        std::vector<MadeSkin>& known = m_skins[made.ids[f]];
+        std::erase_if(known, [&](const MadeSkin& other) {
+            return other.mesh != frame.mesh || other.cover == made.surface || other.cover != m_surface;
+        });
+        if (frame.skin)
+            known.insert(known.begin(), {frame.mesh, made.surface, frame.skin});
+    }
+    useSkins();
     draw(false);
 }
 
-bool SurfaceView::skinsFit() const
+/// The one that was made under what is shown of the cover, with the frame where it is; else the newest.
+const SurfaceView::MadeSkin* SurfaceView::skinOf(std::size_t frame) const
 {
-    for (std::size_t f = 0; f < m_scene.frames.size(); ++f)
-        if (const FrameSkinPtr& skin = m_scene.frameSkins[f];
-            !skin || !(skin->placement == m_scene.frames[f].placement))
-            return false;
-    return true;
+    const auto found = m_skins.find(m_frameIds[frame]);
+    if (found == m_skins.end())
+        return nullptr;
+    const SurfaceScene::FrameLook& look = m_scene.frames[frame];
+    const MadeSkin* newest = nullptr;
+    for (const MadeSkin& made : found->second) {
+        if (made.mesh != look.mesh)
+            continue;
+        if (made.cover == m_scene.surface && made.skin->placement == look.placement)
+            return &made;
+        newest = newest ? newest : &made;
+    }
+    return newest;
 }
 
-/// Of frames that have moved or changed their colour the skin is kept until there is a better one.
+/// Of frames that were hidden, have moved or changed their colour the skin is kept until there is a better one.
+void SurfaceView::useSkins()
+{
+    m_scene.frameSkins.assign(m_scene.frames.size(), nullptr);
+    m_scene.skinned = m_scene.surface;
+    m_skinsFit = true;
+    bool any = false;
+    for (std::size_t f = 0; f < m_scene.frames.size(); ++f) {
+        const MadeSkin* made = skinOf(f);
+        m_skinsFit = m_skinsFit && made && made->cover == m_scene.surface &&
+                     made->skin->placement == m_scene.frames[f].placement;
+        if (!made)
+            continue;
+        any = true;
+        m_scene.frameSkins[f] = made->skin;
+        if (made->cover != m_scene.surface)
+            m_scene.skinned = made->cover;
+    }
+    if (!any)
+        m_scene.skinned = nullptr;
+}
+
 void SurfaceView::keepSkins()
 {
-    std::vector<FrameSkinPtr> skins(m_scene.frames.size());
-    bool allThere = true;
-    for (std::size_t f = 0; f < m_scene.frames.size(); ++f) {
-        const auto old = std::ranges::find(m_skinnedMeshes, m_scene.frames[f].mesh);
-        if (old != m_skinnedMeshes.end() && m_scene.frameSkins.size() == m_skinnedMeshes.size())
-            skins[f] = m_scene.frameSkins[static_cast<std::size_t>(old - m_skinnedMeshes.begin())];
-        allThere = allThere && skins[f];
-    }
-    m_skinnedMeshes.clear();
-    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
-        m_skinnedMeshes.push_back(frame.mesh);
-    m_scene.frameSkins = std::move(skins);
-    m_skinsFit = allThere && skinsFit();
-    if (!allThere)
+    std::erase_if(m_skins, [this](const auto& known) { return !m_document.design().element(known.first); });
+    useSkins();
+    if (std::ranges::find(m_scene.frameSkins, FrameSkinPtr()) != m_scene.frameSkins.end())
         requestSkins();
 }
 

@@ -24,6 +24,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace bolster::test {
 namespace {
 
@@ -336,6 +338,54 @@ TEST_F(SurfaceShown, TheFloorIsUnderTheFrame)
     EXPECT_TRUE(view.inPicture(seen));
     seen.extend(Vec3(5000, 0, 0));
     EXPECT_FALSE(view.inPicture(seen));
+}
+
+TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
+{
+    TriangleMesh mesh;
+    mesh.points = {{10, 10, 3}, {390, 10, 3}, {200, 190, 3}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.parts = {{"Seat", 0, 1}};
+    const ElementId id{60};
+    view.setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
+    document.reset(document.design().with({{}, {{id, nullptr, makeElement(Frame{})}}}));
+    /// The first picture after so many of that many patches and frames.
+    const auto picture = [&](int after, std::size_t patches, std::size_t frames) {
+        std::optional<SoftwareRenderer::Request> found;
+        (void)QTest::qWaitFor([&] {
+            const std::lock_guard lock(log->mutex);
+            for (auto i = static_cast<std::size_t>(after); i < log->requests.size() && !found; ++i)
+                if (const auto& request = log->requests[i]; request.surface &&
+                                                            request.surface->topology->patches.size() == patches &&
+                                                            request.frames.size() == frames)
+                    found = request;
+            return found.has_value();
+        });
+        return found;
+    };
+    const auto skinned = [&](const FrameSkinPtr& other) {
+        return QTest::qWaitFor([&] {
+            return log->count() > 0 && !log->last().frames.empty() && log->last().frames[0].skin &&
+                   log->last().frames[0].skin != other;
+        });
+    };
+    ASSERT_TRUE(skinned(nullptr));
+    const FrameSkinPtr whole = log->last().frames[0].skin;
+    view.setHidden({id});
+    ASSERT_TRUE(picture(0, 2, 0));
+    int before = log->count();
+    view.setHidden({});
+    auto again = picture(before, 2, 1);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->frames[0].skin, whole);
+
+    view.setHidden({leftPatch});
+    ASSERT_TRUE(skinned(whole)) << "what lies under the other one comes out";
+    before = log->count();
+    view.setHidden({});
+    again = picture(before, 2, 1);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->frames[0].skin, whole);
 }
 
 TEST_F(SurfaceShown, OpacityOfFramesReachesThePicture)
