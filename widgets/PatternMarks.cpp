@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace bolster {
 
@@ -49,24 +50,77 @@ private:
     QVector<double> m_lengths;
 };
 
-/// Letters on a ground of the seam's colour: coloured letters alone would be hard to read.
-void paintSeamLabel(QPainter& painter, QPointF centre, const QString& label, const QColor& color)
+QFont seamLabelFont(QFont font)
 {
-    painter.save();
-    QFont font = painter.font();
     font.setPointSizeF(0.85 * font.pointSizeF());
     font.setBold(true);
-    painter.setFont(font);
+    return font;
+}
+
+QRectF seamLabelBox(const QFont& font, QPointF centre, const QString& label)
+{
     const QFontMetricsF metrics(font);
     const double height = metrics.height();
     const double width = std::max(height, metrics.horizontalAdvance(label) + 6);
-    const QRectF box(centre - QPointF(width, height) / 2, QSizeF(width, height));
+    return {centre - QPointF(width, height) / 2, QSizeF(width, height)};
+}
+
+/// Letters on a ground of the seam's colour: coloured letters alone would be hard to read.
+void paintSeamLabel(QPainter& painter, const QRectF& box, const QString& label, const QColor& color)
+{
+    painter.save();
+    painter.setFont(seamLabelFont(painter.font()));
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
-    painter.drawRoundedRect(box, height / 2, height / 2);
+    painter.drawRoundedRect(box, box.height() / 2, box.height() / 2);
     painter.setPen(qGray(color.rgb()) > 120 ? Qt::black : Qt::white);
     painter.drawText(box, Qt::AlignCenter, label);
     painter.restore();
+}
+
+/// Where an arrow lies, and the letter behind it.
+struct ArrowPlace {
+    QPointF centre;
+    QPointF along; ///< unit
+    QPointF inward;
+    QRectF head;
+    QRectF letter; ///< empty: none
+};
+
+constexpr double arrowSize = 4.5, strongArrowSize = 6; // pixels
+
+/// The first that is free, if there is one.
+std::optional<ArrowPlace> arrowPlace(const SeamArrow& arrow, const QString& label, const QFont& font,
+                                     const std::vector<QRectF>& taken)
+{
+    const Walk walk(arrow.stretch);
+    const double size = arrow.strong ? strongArrowSize : arrowSize;
+    const QSizeF room = seamLabelBox(font, {}, label).size();
+    const auto isFree = [&](const QRectF& box) {
+        return std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(box); });
+    };
+    // Not in the middle: in narrow patches it would meet the arrow of the other side. Short ones keep off the
+    // corners.
+    const bool shortOne = walk.length() < 110;
+    for (const double share : {shortOne ? 0.6 : 0.33, 0.2, 0.8, 0.66, 0.45}) {
+        const Spot spot = walk.at(share * walk.length());
+        // Pixels run downwards: there the left of the layout is (y, -x).
+        const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (arrow.leftIsInside ? 1 : -1);
+        const QPointF centre = spot.at + inward * (arrow.strong ? 14 : 9.5);
+        ArrowPlace place{centre, spot.along, inward, QRectF(centre.x(), centre.y(), 0, 0), {}};
+        place.head.adjust(-size, -size, size, size);
+        if (!label.isEmpty()) {
+            const QPointF along = spot.along;
+            const double gap =
+                size + 3 + (std::abs(along.x()) * room.width() + std::abs(along.y()) * room.height()) / 2;
+            if (share * walk.length() <= gap + 6)
+                continue;
+            place.letter = seamLabelBox(font, centre - along * gap, label);
+        }
+        if (isFree(place.head) && (place.letter.isEmpty() || isFree(place.letter)))
+            return place;
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -94,34 +148,29 @@ void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool cou
     painter.strokePath(stretch, QPen(color, strong ? 3.4 : 2.4, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
 }
 
-void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written)
+void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken)
 {
-    const Walk walk(arrow.stretch);
-    if (walk.length() < 30)
+    if (Walk(arrow.stretch).length() < 30)
         return;
-    const double size = arrow.strong ? 6 : 4.5;
-    const QRectF taboo = written.adjusted(-size - 2, -size - 1, size + 2, size + 1);
-    // Not in the middle: in narrow patches it would meet the arrow of the other side. Short ones keep off the
-    // corners.
-    const bool shortOne = walk.length() < 110;
-    for (const double share : {shortOne ? 0.6 : 0.33, 0.2, 0.8, 0.66}) {
-        const Spot spot = walk.at(share * walk.length());
-        // Pixels run downwards: there the left of the layout is (y, -x).
-        const QPointF inward = QPointF(spot.along.y(), -spot.along.x()) * (arrow.leftIsInside ? 1 : -1);
-        const QPointF centre = spot.at + inward * (arrow.strong ? 14 : 9.5);
-        if (!written.isEmpty() && taboo.contains(centre))
-            continue;
-        QPainterPath head(centre + spot.along * size);
-        head.lineTo(centre - spot.along * size * 0.8 + inward * size * 0.8);
-        head.lineTo(centre - spot.along * size * 0.4);
-        head.lineTo(centre - spot.along * size * 0.8 - inward * size * 0.8);
-        head.closeSubpath();
-        painter.fillPath(head, color);
-        const double gap = size + 9;
-        if (!arrow.label.isEmpty() && share * walk.length() > gap + 6)
-            paintSeamLabel(painter, centre - spot.along * gap, arrow.label, color);
+    const QFont font = seamLabelFont(painter.font());
+    auto place = arrowPlace(arrow, arrow.label, font, taken);
+    if (!place)
+        place = arrowPlace(arrow, {}, font, taken);
+    if (!place)
         return;
-    }
+    const double size = arrow.strong ? strongArrowSize : arrowSize;
+    const auto& [centre, along, inward, headBox, letter] = *place;
+    QPainterPath head(centre + along * size);
+    head.lineTo(centre - along * size * 0.8 + inward * size * 0.8);
+    head.lineTo(centre - along * size * 0.4);
+    head.lineTo(centre - along * size * 0.8 - inward * size * 0.8);
+    head.closeSubpath();
+    painter.fillPath(head, color);
+    taken.push_back(headBox);
+    if (letter.isEmpty())
+        return;
+    paintSeamLabel(painter, letter, arrow.label, color);
+    taken.push_back(letter);
 }
 
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color)

@@ -3,6 +3,9 @@
 
 #include <QColor>
 #include <QPainterPath>
+#include <QRectF>
+
+#include <vector>
 
 class QPainter;
 
@@ -19,8 +22,9 @@ struct SeamArrow {
     bool strong = false;
     QString label = {}; ///< left out where the stretch is hardly longer
 };
-/// Keeps off `written`; short stretches have no arrow.
-void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, const QRectF& written);
+/// Keeps off what is `taken`, to which it is added; short stretches have no arrow. Where there is no room for the
+/// letter there is only the arrow.
+void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
 /// A fancy seam of this width: its outer lines, and stitches in the middle.

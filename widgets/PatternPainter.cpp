@@ -306,16 +306,22 @@ void PatternPainter::paintInside(const PatternPatch& patch)
 void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& written)
 {
     const bool counterClockwise = patch.patch().outline.signedArea() > 0;
+    const QRectF view(QPointF(0, 0), m_in.size);
+    std::vector<QRectF> taken;
+    if (!written.isEmpty())
+        taken.push_back(written.adjusted(-2, -1, 2, 1));
     for (const auto* entry : stretchesOf(patch)) {
         const auto& [owner, stretch] = *entry;
         const auto color = m_in.seamColors.find(owner);
         if (color == m_in.seamColors.end())
             continue;
-        SeamArrow arrow{inPixels(stretch.path), counterClockwise != stretch.backwards,
-                        selected(owner) || hovered(owner)};
+        const QPainterPath path = inPixels(stretch.path);
+        if (!view.intersects(path.boundingRect().adjusted(-20, -20, 20, 20)))
+            continue;
+        SeamArrow arrow{path, counterClockwise != stretch.backwards, selected(owner) || hovered(owner)};
         if (m_in.layers.labels)
             arrow.label = seamLabel(static_cast<std::size_t>(std::distance(m_in.seamColors.begin(), color)));
-        paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, written);
+        paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, taken);
     }
 }
 

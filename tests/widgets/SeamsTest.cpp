@@ -1,6 +1,7 @@
 // The list of seams.
 #include "Document.h"
 #include "PatchEdits.h"
+#include "PatternMarks.h"
 #include "Picture.h"
 #include "SeamColors.h"
 #include "SeamEdits.h"
@@ -12,6 +13,8 @@
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QImage>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -123,6 +126,34 @@ TEST_F(SeamsTest, ContinuityIsChangedInPlaceForAllSelected)
     for (const ElementId id : {squareSeam, added})
         EXPECT_EQ(document.design().find<Seam>(id)->continuity, Continuity::G1);
     EXPECT_EQ(cell.data().toString(), "G1");
+}
+
+TEST(SeamLabels, DoNotOverlapInANarrowPatch)
+{
+    QImage image(500, 80, QImage::Format_ARGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    const auto edge = [](const QPointF& from, const QPointF& to) {
+        QPainterPath path(from);
+        path.lineTo(to);
+        return path;
+    };
+    for (const double narrow : {8.0, 16.0, 24.0})
+        for (const double longs : {50.0, 90.0, 400.0}) {
+            std::vector<QRectF> taken{{30 + longs / 2, 30, 10, 10}};
+            const QRectF written = taken.front();
+            // Both run the same way, so their letters would lie beside each other.
+            paintSeamArrow(painter, {edge({20, 30}, {20 + longs, 30}), false, false, QStringLiteral("A")}, Qt::blue,
+                           taken);
+            EXPECT_GE(taken.size(), 2u) << narrow << ' ' << longs;
+            paintSeamArrow(painter, {edge({20, 30 + narrow}, {20 + longs, 30 + narrow}), true, true, "WW"}, Qt::red,
+                           taken);
+            for (std::size_t i = 0; i < taken.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_FALSE(taken[i].intersects(taken[j])) << narrow << ' ' << longs << ' ' << i << ' ' << j;
+            EXPECT_EQ(taken.front(), written);
+            EXPECT_TRUE(longs < 400 || taken.size() == 5) << "both have their letters where there is room";
+        }
 }
 
 TEST(SeamLabels, CountLikeColumnsOfATable)

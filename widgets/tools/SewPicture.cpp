@@ -79,7 +79,8 @@ void SewPicture::paintStretch(QPainter& painter, const Stretch& stretch, bool ba
     const QPainterPath line = path(stretch, backwards);
     painter.setBrush(Qt::NoBrush);
     painter.strokePath(line, QPen(color, lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    paintSeamArrow(painter, {line, leftIsInside(stretch, backwards), true}, color, {});
+    std::vector<QRectF> taken;
+    paintSeamArrow(painter, {line, leftIsInside(stretch, backwards), true}, color, taken);
 }
 
 void SewPicture::paintSeams(QPainter& painter, const ViewColors& colors) const
