@@ -9,6 +9,8 @@ namespace {
 constexpr float checkerSquare = 20; ///< mm
 constexpr float plainRoughness = 0.62F;
 constexpr float plainSheen = 0.12F;
+constexpr int places = 8;      ///< one behind the other, for patches that lie in the same place
+constexpr float placeStep = 4; ///< between two of them, in the smallest steps of depth: far less than a millimetre
 
 } // namespace
 
@@ -75,10 +77,14 @@ void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
     m_program.set("veil", veil);
 
     m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // behind the lines on it
-    m_gl.glPolygonOffset(1, 1);
+    int drawn = 0;
     mesh.draw(
         mesh.patches(*scene.surface->topology),
-        [&](const SurfaceTopology::PatchRange& range) { setCloth(scene, range.patch, quick); }, quick);
+        [&](const SurfaceTopology::PatchRange& range) {
+            m_gl.glPolygonOffset(1, 1 + placeStep * static_cast<float>(drawn++ % places));
+            setCloth(scene, range.patch, quick);
+        },
+        quick);
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -295,6 +295,42 @@ TEST_F(GlCover, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
     EXPECT_FALSE(filled());
 }
 
+TEST_F(GlCover, PatchesAtTheSamePlaceDoNotShowThroughEachOther)
+{
+    auto mesh = std::make_shared<SurfaceMesh>(*flatSquare());
+    auto topology = std::make_shared<SurfaceTopology>(*mesh->topology);
+    const ElementId other{3};
+    topology->patches.push_back({other, ElementId{1}, 4, 5, 2, 4, 0});
+    for (const std::uint32_t k : {0U, 1U, 2U, 3U})
+        topology->triangles.push_back({4 + k, 4 + (k + 1) % 4, 8});
+    for (const Vec2& p : {Vec2(0, 0), Vec2(200, 0), Vec2(200, 200), Vec2(0, 200), Vec2(67, 113)}) {
+        topology->pattern.push_back(p);
+        topology->unknown.push_back(topology->unknownCount++);
+        mesh->positions.push_back({p.x(), p.y(), 0});
+        mesh->normals.push_back(Eigen::Vector3f::UnitZ());
+    }
+    mesh->topology = topology;
+    request.scene.surface = mesh;
+    request.scene.patches[0].fabric = QColor(200, 30, 30);
+    request.scene.patches.push_back(request.scene.patches[0]);
+    request.scene.patches.back().patch = other;
+    request.scene.patches.back().fabric = QColor(30, 30, 200);
+    request.camera.perspective = true;
+    for (const double turn : {0.1, 0.7, 1.3}) {
+        request.camera.azimuth = turn;
+        request.camera.elevation = 1.2 - turn / 2;
+        const QImage drawn = picture();
+        int front = 0, behind = 0;
+        for (int y = 100; y < 300; ++y)
+            for (int x = 100; x < 300; ++x) {
+                front += qRed(drawn.pixel(x, y)) > qBlue(drawn.pixel(x, y)) + 40;
+                behind += qBlue(drawn.pixel(x, y)) > qRed(drawn.pixel(x, y)) + 40;
+            }
+        EXPECT_GT(front, 10000);
+        EXPECT_EQ(behind, 0) << turn;
+    }
+}
+
 TEST_F(GlCover, MapsOfTheSolversMeshLieOnTheRefinedCover)
 {
     auto map = std::make_shared<SurfaceMap>();
