@@ -14,7 +14,7 @@ namespace bolster {
 
 void MainWindow::connectFirstSteps()
 {
-    auto* hint = new StartHint(document(), m_pattern);
+    auto* hint = new StartHint(document(), *m_pattern);
     connect(hint, &StartHint::rectangleWanted, this, [this] { m_pattern->setTool(PatternToolKind::Rectangle); });
     connect(hint, &StartHint::outlineWanted, this, [this] { m_pattern->setTool(PatternToolKind::Outline); });
     connect(hint, &StartHint::frameWanted, m_actions->importFrame, &QAction::trigger);

@@ -11,7 +11,7 @@ namespace bolster {
 
 namespace {
 
-constexpr int distance = 10; // pixels, from the border
+constexpr int distance = 10; // pixels, from the sides
 
 template <class T, class Test>
 bool anyOf(const Design& design, Test test)
@@ -65,6 +65,7 @@ NextStep::NextStep(Document& document, PatternView& over)
     over.installEventFilter(this);
     connect(&document, &Document::historyChanged, this, &NextStep::refresh);
     connect(&over, &PatternView::toolChanged, this, &NextStep::refresh);
+    connect(&over, &PatternView::freeRoomChanged, this, &NextStep::place);
     refresh();
 }
 
@@ -103,9 +104,10 @@ void NextStep::refresh()
 
 void NextStep::place()
 {
-    const int width = std::min(m_over.width() - 2 * distance, 420);
+    const QRect room = m_over.freeRoom();
+    const int width = std::min(room.width() - 2 * distance, 420);
     resize(width, heightForWidth(width));
-    move((m_over.width() - width) / 2, m_over.height() - height() - distance);
+    move(room.left() + (room.width() - width) / 2, room.bottom() + 1 - height());
     raise();
 }
 

@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "Icons.h"
+#include "PatternView.h"
 #include "RecentFiles.h"
 #include "Samples.h"
 #include "ViewColors.h"
@@ -13,6 +14,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStyle>
 
 #include <algorithm>
 
@@ -27,14 +29,15 @@ constexpr int widestName = 220;
 
 } // namespace
 
-StartHint::StartHint(Document& document, QWidget* over)
-    : QWidget(over)
+StartHint::StartHint(Document& document, PatternView& over)
+    : QWidget(&over)
     , m_document(document)
     , m_over(over)
 {
     setAttribute(Qt::WA_NoMousePropagation); // a press on a link is none on the pattern behind it
     build();
-    over->installEventFilter(this);
+    over.installEventFilter(this);
+    connect(&over, &PatternView::freeRoomChanged, this, &StartHint::place);
     connect(&document, &Document::changed, this, &StartHint::place);
     connect(&document, &Document::historyChanged, this, &StartHint::place);
     place();
@@ -174,9 +177,9 @@ void StartHint::place()
     m_document.design().each<Patch>([&](ElementId, const Patch&) { begun = true; });
     m_document.design().each<Frame>([&](ElementId, const Frame&) { begun = true; });
     setVisible(!begun && !m_drawing);
-    const QSize room = m_over->size();
+    const QRect room = m_over.freeRoom();
     const QSize size(std::min(room.width(), widest), std::min(room.height(), sizeHint().height()));
-    setGeometry(QRect(QPoint((room.width() - size.width()) / 2, (room.height() - size.height()) / 2), size));
+    setGeometry(QStyle::alignedRect(Qt::LeftToRight, Qt::AlignCenter, size, room));
 }
 
 bool StartHint::eventFilter(QObject* watched, QEvent* event)

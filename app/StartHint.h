@@ -9,13 +9,14 @@ class QVBoxLayout;
 namespace bolster {
 
 class Document;
+class PatternView;
 
 /// Lies over the pattern view as long as there are no patches.
 class StartHint : public QWidget {
     Q_OBJECT
 
 public:
-    StartHint(Document& document, QWidget* over);
+    StartHint(Document& document, PatternView& over);
     /// Out of the way of who draws.
     void setDrawing(bool drawing);
 
@@ -41,7 +42,7 @@ private:
     void place();
 
     Document& m_document;
-    QWidget* m_over;
+    PatternView& m_over;
     QWidget* m_lists = nullptr; ///< made anew each time this is shown
     bool m_drawing = false;
 };

@@ -62,20 +62,25 @@ double scaleBarLength(double pixelsPerMillimetre, double mostPixels)
     return decade;
 }
 
+QRectF scaleBarPlace(const PatternTransform& transform, const QSize& size)
+{
+    const double width = std::round(scaleBarLength(transform.scale()) * transform.scale());
+    return {34.5, size.height() - 36.5, width, 22}; // clear of a ruler
+}
+
 void paintScaleBar(QPainter& painter, const PatternTransform& transform, const QSize& size,
                    const ViewColors& colors)
 {
     const double length = scaleBarLength(transform.scale());
-    const double width = std::round(length * transform.scale());
-    const double left = 34.5; // clear of a ruler
-    const double bottom = size.height() - 14.5;
+    const QRectF place = scaleBarPlace(transform, size);
+    const double left = place.left(), width = place.width(), bottom = place.bottom();
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colors.mutedLabel, 1));
     const QVector<QPointF> bar{
         {left, bottom - 5}, {left, bottom}, {left + width, bottom}, {left + width, bottom - 5}};
     painter.drawPolyline(bar.data(), static_cast<int>(bar.size()));
     painter.setRenderHint(QPainter::Antialiasing, true);
-    painter.drawText(QRectF(left, bottom - 22, width, 18), Qt::AlignCenter | Qt::TextDontClip, lengthText(length));
+    painter.drawText(place.adjusted(0, 0, 0, -4), Qt::AlignCenter | Qt::TextDontClip, lengthText(length));
 }
 
 } // namespace bolster

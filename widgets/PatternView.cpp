@@ -5,6 +5,7 @@
 #include "Document.h"
 #include "ElementText.h"
 #include "HitSelection.h"
+#include "PatternGrid.h"
 #include "PatternRulers.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
@@ -97,6 +98,7 @@ void PatternView::setMap(const SurfaceMapPtr& map)
 {
     m_map.setMap(map);
     m_legend->setMap(map);
+    m_legend->place(busyPlaces());
     if (!m_fitted.isEmpty())
         fit();
     update();
@@ -129,6 +131,13 @@ void PatternView::setRulersShown(bool shown)
 {
     for (PatternRuler* ruler : m_rulers)
         ruler->setVisible(shown);
+    emit freeRoomChanged();
+}
+
+QRect PatternView::freeRoom() const
+{
+    const int ruler = m_rulers.front()->isHidden() ? 0 : PatternRuler::thickness;
+    return rect().adjusted(ruler, ruler, 0, -scaleBarRoom);
 }
 
 void PatternView::setGuides(const PatternGuides& guides)
@@ -171,19 +180,22 @@ void PatternView::showBox(const Box2& box)
 void PatternView::fit()
 {
     apply(PatternTransform::fitting(m_fitted, size(), fitMargin));
-    if (m_legend->isHidden() || m_legend->place(placesOfPatches()))
+    if (m_legend->isHidden() || m_legend->place(busyPlaces()))
         return;
     const int strip = m_legend->height();
     if (height() < 3 * strip)
         return;
     apply(PatternTransform::fitting(m_fitted, size() - QSize(0, strip), fitMargin));
-    m_legend->place(placesOfPatches());
+    m_legend->place(busyPlaces());
 }
 
-/// Pixels.
-std::vector<QRectF> PatternView::placesOfPatches() const
+/// Where the legend would cover something: rulers, the scale bar, patches. Pixels.
+std::vector<QRectF> PatternView::busyPlaces() const
 {
-    std::vector<QRectF> places;
+    std::vector<QRectF> places{scaleBarPlace(m_transform, size())};
+    for (const PatternRuler* ruler : m_rulers)
+        if (!ruler->isHidden())
+            places.push_back(ruler->geometry());
     for (const auto& [id, patch] : m_scene.patches())
         places.push_back(
             QRectF(m_transform.toPixels(patch.box.min()), m_transform.toPixels(patch.box.max())).normalized());
@@ -403,9 +415,9 @@ void PatternView::paintEvent(QPaintEvent*)
 
 void PatternView::resizeEvent(QResizeEvent* event)
 {
-    m_legend->place();
     for (PatternRuler* ruler : m_rulers)
         ruler->place();
+    m_legend->place(busyPlaces());
     if (m_fitted.isEmpty() && event->oldSize().isValid())
         m_transform = m_transform.resized(event->oldSize(), size());
     else

@@ -69,6 +69,8 @@ public:
     /// Moves the picture if the point is not in it.
     void reveal(const bolster::CoverPoint& point);
 
+    /// Without rulers and the scale bar: here something may lie over the view. Pixels.
+    QRect freeRoom() const;
     QString prompt() const;
     PatternHit hit(QPointF pixel) const override;
     QSize sizeHint() const override { return {640, 640}; }
@@ -76,6 +78,8 @@ public:
 signals:
     void promptChanged(const QString& prompt);
     void toolChanged(bolster::PatternToolKind kind);
+    /// There is more or less of it in a view of the same size.
+    void freeRoomChanged();
     void pointerMoved(const std::optional<bolster::Vec2>& layout);
     /// Moved or zoomed.
     void transformChanged(const bolster::PatternTransform& transform);
@@ -123,7 +127,7 @@ private:
     void apply(const PatternTransform& transform);
     void showBox(const Box2& box);
     void fit();
-    std::vector<QRectF> placesOfPatches() const;
+    std::vector<QRectF> busyPlaces() const;
     QString toolTipAt(QPointF pixel) const;
     std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
     void placeCrosshair();

@@ -1,4 +1,8 @@
 // Drawing in the real window.
+#include "NextStep.h"
+#include "OutlineEdits.h"
+#include "PatternGrid.h"
+#include "PatternRulers.h"
 #include "StartHint.h"
 #include "WindowTest.h"
 
@@ -26,6 +30,38 @@ TEST_F(DrawingWindowTest, AnEmptyDesignLetsOneDraw)
     window.document().design().each<Patch>([&](ElementId, const Patch&) { ++patches; });
     EXPECT_EQ(patches, 1);
     EXPECT_FALSE(hint->isVisible());
+}
+
+TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
+{
+    PatternView& view = window.patternView();
+    const auto expectFree = [&](const QWidget& hint) {
+        ASSERT_TRUE(hint.isVisible());
+        EXPECT_FALSE(scaleBarPlace(view.transform(), view.size()).intersects(hint.geometry()));
+        for (const QWidget* ruler : view.findChildren<PatternRuler*>())
+            EXPECT_FALSE(ruler->isVisible() && ruler->geometry().intersects(hint.geometry()));
+    };
+    window.actions().resetLayout->trigger();
+    auto& hint = *window.findChild<StartHint*>();
+    auto& next = *window.findChild<NextStep*>();
+    for (const int width : {1400, 900}) {
+        window.resize(width, 640);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.width() == width; }));
+        for (const bool rulers : {true, false}) {
+            window.actions().showRulers->setChecked(rulers);
+            expectFree(hint);
+        }
+    }
+    const BSpline2 outline(1, true, {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
+    window.document().commit(edits::addPatch(window.document().design(), outline, "Seat"));
+    window.patternView().fitAll();
+    for (const bool rulers : {true, false}) {
+        window.actions().showRulers->setChecked(rulers);
+        expectFree(next);
+    }
+    window.resize(1400, 640);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.width() == 1400; }));
+    expectFree(next);
 }
 
 TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
