@@ -40,6 +40,8 @@ void MainWindow::connectMaps()
     connect(m_actions->showDeviation, &QAction::toggled, this, forgetPlace);
     connect(m_surface, &SurfaceView::coverPointed, this, &MainWindow::readMap);
     connect(m_pattern, &PatternView::patchPointed, this, &MainWindow::readMap);
+    connect(m_docks->cover, &QDockWidget::visibilityChanged, m_pattern,
+            [this](bool visible) { m_pattern->setLegendShown(!visible); });
     if (auto* spots = menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots")))
         connect(spots, &QMenu::aboutToShow, this, [this, spots] { fillWorstSpots(*spots); });
     connect(m_spots, &SpotsPanel::chosen, this, &MainWindow::showSpot);

@@ -4,6 +4,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <limits>
 
 namespace bolster {
@@ -13,7 +14,8 @@ namespace {
 // Pixels.
 constexpr int legendMargin = 12;
 constexpr int legendPadding = 10;
-constexpr int barWidth = 220;
+constexpr int leastBarWidth = 220;
+constexpr int readingCharacters = 16; // "Here: -12.3 1/m"
 constexpr int barHeight = 12;
 
 } // namespace
@@ -68,7 +70,14 @@ bool MapLegend::place(const std::vector<QRectF>& busy)
 QSize MapLegend::sizeHint() const
 {
     const int line = fontMetrics().height();
-    return {barWidth + 2 * legendPadding, (hasLimits() ? 4 : 3) * line + barHeight + 2 * legendPadding + 6};
+    return {barWidth() + 2 * legendPadding, (hasLimits() ? 3 : 2) * line + barHeight + 2 * legendPadding + 6};
+}
+
+/// There is room for what the map says under the pointer beside its title.
+int MapLegend::barWidth() const
+{
+    const int title = m_map ? fontMetrics().horizontalAdvance(m_map->title) : 0;
+    return std::max(leastBarWidth, title + readingCharacters * fontMetrics().averageCharWidth());
 }
 
 QString MapLegend::number(double value) const
@@ -91,17 +100,18 @@ void MapLegend::paintEvent(QPaintEvent*)
     const int line = fontMetrics().height();
     const QRect inside = rect().adjusted(legendPadding, legendPadding, -legendPadding, -legendPadding);
     painter.setPen(palette().color(QPalette::WindowText));
-    const QString title = fontMetrics().elidedText(m_map->title, Qt::ElideRight, inside.width());
-    painter.drawText(QRect(inside.topLeft(), QSize(inside.width(), line)), Qt::AlignLeft | Qt::AlignVCenter, title);
+    const QRect top(inside.topLeft(), QSize(inside.width(), line));
+    painter.drawText(top, Qt::AlignLeft | Qt::AlignVCenter, m_map->title);
+    painter.drawText(top, Qt::AlignRight | Qt::AlignVCenter, m_reading);
 
-    const QRect bar(inside.left(), inside.top() + line + 3, barWidth, barHeight);
+    const QRect bar(inside.left(), inside.top() + line + 3, inside.width(), barHeight);
     const bool both = m_map->kind == MapScale::Kind::Diverging;
-    for (int x = 0; x < barWidth; ++x) {
-        const float share = (static_cast<float>(x) + 0.5F) / static_cast<float>(barWidth);
+    for (int x = 0; x < bar.width(); ++x) {
+        const float share = (static_cast<float>(x) + 0.5F) / static_cast<float>(bar.width());
         const auto [r, g, b, a] = m_map->color(m_map->limit * (both ? 2 * share - 1 : share));
         painter.fillRect(bar.left() + x, bar.top(), 1, barHeight, QColor(r, g, b));
     }
-    QRect text(bar.left(), bar.bottom() + 3, barWidth, line);
+    QRect text(bar.left(), bar.bottom() + 3, bar.width(), line);
     const auto limit = static_cast<double>(m_map->limit);
     painter.drawText(text, Qt::AlignRight, number(limit) + (both ? QString() : m_map->unit) + u' ' + m_map->above);
     if (both) {
@@ -121,8 +131,6 @@ void MapLegend::paintEvent(QPaintEvent*)
         painter.drawText(text.adjusted(left - text.left() + 4, 0, 0, 0), Qt::AlignLeft,
                          tr("over the fabric's limit"));
     }
-    text.translate(0, line);
-    painter.drawText(text, Qt::AlignLeft, m_reading);
 }
 
 } // namespace bolster

@@ -29,7 +29,7 @@ protected:
 
 private:
     QString number(double value) const;
-
+    int barWidth() const;
     bool hasLimits() const { return m_map && !m_map->allowed.empty(); }
 
     SurfaceMapPtr m_map;

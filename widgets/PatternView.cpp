@@ -97,7 +97,19 @@ void PatternView::setFabricColors(std::map<ElementId, QColor> colors)
 void PatternView::setMap(const SurfaceMapPtr& map)
 {
     m_map.setMap(map);
-    m_legend->setMap(map);
+    m_mapShown = map;
+    placeLegend();
+}
+
+void PatternView::setLegendShown(bool shown)
+{
+    m_legendShown = shown;
+    placeLegend();
+}
+
+void PatternView::placeLegend()
+{
+    m_legend->setMap(m_legendShown ? m_mapShown : nullptr);
     m_legend->place(busyPlaces());
     if (!m_fitted.isEmpty())
         fit();

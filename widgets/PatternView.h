@@ -36,6 +36,8 @@ public:
     void setFabricColors(std::map<bolster::ElementId, QColor> colors);
     /// What the map says under the pointer.
     void setMapReading(const QString& reading);
+    /// Not beside another view that has one; shown at first.
+    void setLegendShown(bool shown);
     /// Elements that the 3D view does not show.
     void setHidden(std::set<bolster::ElementId> hidden);
     PatternLayers layers() const { return m_layers; }
@@ -127,6 +129,7 @@ private:
     void apply(const PatternTransform& transform);
     void showBox(const Box2& box);
     void fit();
+    void placeLegend();
     std::vector<QRectF> busyPlaces() const;
     QString toolTipAt(QPointF pixel) const;
     std::optional<CoverPoint> patchPointAt(QPointF pixel) const;
@@ -140,7 +143,9 @@ private:
     PatternScene m_scene;
     PatternMesh m_mesh;
     PatternMap m_map;
+    SurfaceMapPtr m_mapShown;
     MapLegend* m_legend;
+    bool m_legendShown = true;
     Crosshair* m_crosshair;
     std::optional<CoverPoint> m_place; ///< of the cross-hair
     QPointF m_pressedAt;               ///< the left button

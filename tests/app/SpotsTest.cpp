@@ -3,6 +3,7 @@
 
 #include "CoverPlaces.h"
 #include "Crosshair.h"
+#include "MapLegend.h"
 #include "MapLink.h"
 #include "SpotsPanel.h"
 
@@ -100,6 +101,21 @@ protected:
             60000));
     }
 };
+
+TEST_F(SpotsTest, AMapHasOneLegend)
+{
+    const auto* onCover = window.surfaceView().findChild<MapLegend*>();
+    const auto* onPattern = window.patternView().findChild<MapLegend*>();
+    map(CoverMap::Kind::Strain)->setChecked(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return onCover->isVisible(); }, 30000));
+    EXPECT_FALSE(onPattern->isVisible()) << "both views are seen";
+    window.docks().cover->close();
+    EXPECT_TRUE(onPattern->isVisible());
+    window.docks().cover->toggleViewAction()->trigger();
+    EXPECT_TRUE(onCover->isVisible());
+    EXPECT_FALSE(onPattern->isVisible());
+    window.actions().resetLayout->trigger();
+}
 
 TEST_F(SpotsTest, WithoutAMapItIsSaidHowToGetOne)
 {

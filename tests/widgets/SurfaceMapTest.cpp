@@ -1,3 +1,4 @@
+#include "MapLegend.h"
 #include "PatternMap.h"
 #include "ScanPoints.h"
 #include "SurfaceSetup.h"
@@ -60,6 +61,38 @@ TEST(PatternMap, PaintsEachPatchInItsOwnCoordinates)
     EXPECT_GT(middle(cover->topology->patches[1]).red(), middle(cover->topology->patches[1]).blue());
     pictures.setMap(nullptr);
     EXPECT_FALSE(pictures.picture(cover->topology->patches[0].patch));
+}
+
+TEST(MapLegendTest, HasNoEmptySpace)
+{
+    QWidget view;
+    view.resize(600, 400);
+    MapLegend legend(&view);
+    const SurfaceMeshPtr cover = twoSquaresCover();
+    auto map = std::make_shared<SurfaceMap>(*mapOf(cover, [](const Vec3&) { return 1.F; }));
+    map->title = QStringLiteral("Strain along the grain");
+    map->unit = QStringLiteral(" %");
+    const auto space = [&] { // below what is written
+        const QImage seen = legend.grab().toImage();
+        int last = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 10; x < seen.width() - 10; ++x)
+                if (seen.pixel(x, y) != seen.pixel(seen.width() / 2, 2))
+                    last = y;
+        return seen.height() - last;
+    };
+    for (const bool limits : {false, true}) {
+        map->allowed.assign(limits ? map->values.size() : 0, 1.F);
+        legend.setMap(std::make_shared<SurfaceMap>(*map));
+        EXPECT_LT(space(), 20) << limits;
+        const QSize before = legend.size();
+        const QImage silent = legend.grab().toImage();
+        legend.setReading(QStringLiteral("Here: -12.3 %"));
+        EXPECT_NE(legend.grab().toImage(), silent);
+        EXPECT_EQ(legend.size(), before) << "it does not jump with the pointer";
+        EXPECT_LT(space(), 20) << limits;
+        legend.setReading({});
+    }
 }
 
 TEST(ScanPoints, ShowsWhatIsCutAwayOfASelectedScanOnly)
