@@ -91,6 +91,8 @@ private:
     void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
     void saveBesideStranger(const QString& path, const Message& stranger, const Then& then);
+    void saveElsewhere(const Then& then);
+    void askOrSaveElsewhere(QMessageBox* box, const QString& text, const Then& act, const Then& elsewhere);
     void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;
