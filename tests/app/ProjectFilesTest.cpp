@@ -53,6 +53,16 @@ protected:
         return problem;
     }
 
+    /// The box cushion as a project of its own; "" when it could not be saved.
+    QString savedBox()
+    {
+        const QString path = folder.filePath("box.bolster");
+        EXPECT_TRUE(open(sample("box-cushion")));
+        const std::string problem = save(path).english();
+        EXPECT_EQ(problem, "");
+        return problem.empty() ? path : QString();
+    }
+
     void change(int times = 1)
     {
         for (int i = 0; i < times; ++i) {
@@ -309,9 +319,8 @@ TEST_F(DamagedWorkTest, AJournalThatDoesNotSayWhereItBelongsIsOfferedWithItsProj
 
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     change(2);
     const Design kept = window.document().design();
     window.session().journal().setFate(WorkJournal::Fate::KeepForLater);
@@ -358,9 +367,8 @@ TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
 
 TEST_F(ProjectFilesTest, AnOlderStateOfTheFileIsReplaced)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     ASSERT_TRUE(QFile::copy(path, folder.filePath("older.bolster")));
     change();
     ASSERT_EQ(save(path).english(), "");
@@ -373,9 +381,8 @@ TEST_F(ProjectFilesTest, AnOlderStateOfTheFileIsReplaced)
 
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     saveElsewhere(path);
     change();
     EXPECT_FALSE(save(path).empty());
@@ -420,9 +427,8 @@ protected:
 
 TEST_F(StrangerTest, IsNeverReplacedByAProject)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     for (const QByteArray& stranger : {QByteArray("my only copy"), QByteArray(), bytesOf(sample("pillow"))}) {
         QFile::remove(path);
         write(path, stranger);
@@ -441,9 +447,8 @@ TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
 {
     ASSERT_TRUE(open(sample("pillow")));
     ASSERT_EQ(save(folder.filePath("pillow.bolster")).english(), "");
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const QByteArray pillow = bytesOf(folder.filePath("pillow.bolster"));
     write(path, pillow);
     expectKept(path, pillow);
@@ -451,9 +456,8 @@ TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
 
 TEST_F(StrangerTest, ANewLinkIsNotFollowed)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const QString moved = folder.filePath("moved.bolster");
     ASSERT_TRUE(QFile::rename(path, moved));
     const QByteArray before = bytesOf(moved);
@@ -501,9 +505,8 @@ TEST_F(StrangerTest, IsNeverReplacedByADesignAsText)
 
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const Design theirs = saveElsewhere(path);
     change();
     const Design mine = window.document().design();
@@ -563,9 +566,8 @@ TEST_F(ProjectFilesTest, EditsMadeWhileSavingAreProtectedAndUnsaved)
 
 TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     MainWindow other;
     bool opened = false;
     QObject::connect(&other.session(), &DesignSession::opened, [&] { opened = true; });
@@ -777,9 +779,8 @@ TEST_F(ProjectFilesTest, ACopyWithoutHistoryHasTheDesignAlone)
 
 TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadWrite));
     file.seek(file.size() / 2);
