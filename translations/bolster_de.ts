@@ -6277,12 +6277,28 @@
 <context>
     <name>bolster::NumberBox</name>
     <message>
-        <source>&quot;%1&quot; is not taken: a number from %2 to %3 is needed</source>
-        <translation>„%1“ wird nicht übernommen: Es muss eine Zahl von %2 bis %3 sein</translation>
-    </message>
-    <message>
         <source>varies</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>Not taken: a number is needed</source>
+        <translation>Nicht übernommen: Es wird eine Zahl gebraucht</translation>
+    </message>
+    <message>
+        <source>Not taken: &quot;%1&quot; is not a length</source>
+        <translation>Nicht übernommen: „%1“ ist keine Länge</translation>
+    </message>
+    <message>
+        <source>Not taken: &quot;%1&quot; is not a number</source>
+        <translation>Nicht übernommen: „%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Not taken: %1 is too little, at least %2</source>
+        <translation>Nicht übernommen: %1 ist zu wenig, mindestens %2</translation>
+    </message>
+    <message>
+        <source>Not taken: %1 is too much, at most %2</source>
+        <translation>Nicht übernommen: %1 ist zu viel, höchstens %2</translation>
     </message>
 </context>
 <context>

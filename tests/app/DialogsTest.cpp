@@ -15,6 +15,7 @@
 #include <QLineEdit>
 #include <QProgressDialog>
 #include <QThread>
+#include <QToolTip>
 
 namespace bolster {
 namespace {
@@ -114,6 +115,33 @@ TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
     import->setUnit(FileUnit::Millimetre);
     QTest::keyClick(import, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+}
+
+TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.selection().set({window.document().design().elements().begin()->first});
+    window.selection().clear(); // the properties of the design
+    const auto boxes = [&] { return window.inspector().widget()->findChildren<NumberBox*>(); };
+    ASSERT_FALSE(boxes().empty());
+    const auto type = [&](const char* text) {
+        QToolTip::hideText();
+        NumberBox* box = boxes().front();
+        const double before = box->value();
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return); // the keyboard goes back to the view
+        EXPECT_EQ(box->value(), before) << text;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().hasFocus() && QToolTip::isVisible(); }))
+            << text;
+        return QToolTip::text();
+    };
+    EXPECT_TRUE(type("wide").contains(QStringLiteral("\"wide\" is not a")));
+    EXPECT_TRUE(type("-1").contains(QStringLiteral("at least")));
+    EXPECT_TRUE(type("1e9").contains(QStringLiteral("not a")));
+    EXPECT_TRUE(type("1000000000").contains(QStringLiteral("at most")));
+    EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
 }
 
 TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
