@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressDialog>
 #include <QThread>
@@ -115,6 +116,28 @@ TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
     import->setUnit(FileUnit::Millimetre);
     QTest::keyClick(import, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+}
+
+TEST_F(DialogsTest, TheSizeInTheImportDialogIsSeenWhateverItIs)
+{
+    window.files().importFrame(writeBox(3.4));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    const auto shows = [&](const QString& figure) {
+        const auto labels = import->findChildren<QLabel*>();
+        const auto size = std::ranges::find_if(
+            labels, [&](const QLabel* label) { return label->text().contains(QStringLiteral(" \u00d7 ")); });
+        return size != labels.end() && (*size)->text().startsWith(figure) &&
+               QTest::qWaitFor([&] { return (*size)->width() >= (*size)->sizeHint().width(); }, 3000);
+    };
+    for (const auto& [factor, figure] :
+         {std::pair(0.001, "0.0034 "), std::pair(1e-6, "0.0000034 "), std::pair(1.0, "3.4 "),
+          std::pair(100.0, "340 "), std::pair(1e6, "3400000 ")}) {
+        import->setUnit(FileUnit::Custom);
+        import->findChild<NumberBox*>()->setValue(factor);
+        EXPECT_TRUE(shows(QLatin1String(figure))) << figure;
+    }
+    import->close();
 }
 
 TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
