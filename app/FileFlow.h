@@ -49,6 +49,8 @@ public:
     void exportPicture(const QImage& picture);
 
     void fillRecent(QMenu& menu);
+    /// Named like the design and beside it.
+    QString proposedPicture() const { return proposed(QStringLiteral("png")); }
     void fillSamples(QMenu& menu);
     void fillUnsaved(QMenu& menu);
     /// Goes on where a crash has ended the last run, if it has.

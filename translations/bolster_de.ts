@@ -6445,10 +6445,6 @@
         <translation>Höchstens %1 Millionen Pixel werden gezeichnet; eine kleinere Größe wählen.</translation>
     </message>
     <message>
-        <source>The picture is written.</source>
-        <translation>Das Bild ist geschrieben.</translation>
-    </message>
-    <message>
         <source>The picture cannot be written: %1</source>
         <translation>Das Bild kann nicht geschrieben werden: %1</translation>
     </message>
@@ -6507,6 +6503,14 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>The picture is written: %1</source>
+        <translation>Das Bild ist geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Open its folder</source>
+        <translation>Seinen Ordner öffnen</translation>
     </message>
 </context>
 <context>

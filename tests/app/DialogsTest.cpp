@@ -17,6 +17,7 @@
 #include <QProgressDialog>
 #include <QThread>
 #include <QToolTip>
+#include <QUrl>
 
 namespace bolster {
 namespace {
@@ -165,6 +166,34 @@ TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
     EXPECT_TRUE(type("1e9").contains(QStringLiteral("not a")));
     EXPECT_TRUE(type("1000000000").contains(QStringLiteral("at most")));
     EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
+}
+
+TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    bool saved = false;
+    window.session().save(m_folder.filePath("my.sofa.bolster"), [&](const Message&) { saved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, 30000));
+    ASSERT_TRUE(waitUntilSolved());
+    window.actions().renderPicture->trigger();
+    auto* dialog = opened<RenderDialog>();
+    ASSERT_TRUE(dialog);
+    for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>()->buttons())
+        if (button->text().contains(QStringLiteral("Render")))
+            button->click();
+    auto* files = opened<QFileDialog>();
+    ASSERT_TRUE(files);
+    EXPECT_EQ(files->selectedFiles(), QStringList{m_folder.filePath("my.sofa.png")});
+    files->reject();
+    const QString path = m_folder.filePath(QStringLiteral("a & b.png"));
+    dialog->renderTo(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->rendering(); }, 60000));
+    const auto labels = dialog->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
+        return label->text().contains(path.toHtmlEscaped()) &&
+               label->text().contains(QUrl::fromLocalFile(m_folder.path()).toString());
+    }));
+    dialog->close();
 }
 
 TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
