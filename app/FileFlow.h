@@ -37,6 +37,8 @@ public:
     void saveCopy(const SaveOptions& options);
     /// To the version that was saved last; the way back is in the history.
     void revert();
+    /// There is such a version: the design is in a file of the user's.
+    bool hasSaved() const;
     /// Goes on when nothing unsaved is lost by it: saved, discarded on purpose, or nothing was unsaved.
     void keepWork(const Then& then);
 

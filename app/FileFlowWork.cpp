@@ -150,9 +150,10 @@ void FileFlow::announceRestored(int others)
         text << tr("Unsaved names of versions or branches restored.");
     if (others > 0)
         text << tr("%n more designs are under File > Unsaved work.", nullptr, others);
-    m_restored = m_banner->announce(
-        Banner::Kind::Information, text.join(QLatin1Char(' ')),
-        {{tr("Sh&ow"), [this] { emit historyWanted(); }}, {tr("Go &back to saved"), [this] { revert(); }}});
+    QList<Banner::Button> buttons{{tr("Sh&ow"), [this] { emit historyWanted(); }}};
+    if (hasSaved())
+        buttons.push_back({tr("Go &back to saved"), [this] { revert(); }});
+    m_restored = m_banner->announce(Banner::Kind::Information, text.join(QLatin1Char(' ')), buttons);
 }
 
 /// As long as it is so: whoever goes on working has to know.

@@ -152,6 +152,7 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
         m_surface->setFiles(m_session->files());
+    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateEditActions); // saved now
         m_solver->setFiles(m_session->files());
         m_inspector->setFiles(m_session->files());
         m_actions->showScanColors->setVisible(m_surface->hasScanColors());
@@ -290,6 +291,7 @@ void MainWindow::updateProblems()
     m_problems.set(std::move(all));
 }
 
+    m_actions->revert->setEnabled(m_files->hasSaved() && history.current() != document().saved());
 void MainWindow::updateSolverState()
 {
     const SolverStatus& status = m_solver->status();

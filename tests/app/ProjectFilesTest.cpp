@@ -353,6 +353,22 @@ TEST_F(ProjectFilesTest, KeptWorkOfASampleHasItsName)
     EXPECT_EQ(window.session().title(), title);
 }
 
+TEST_F(ProjectFilesTest, OnlyWhatIsInAFileCanBeRevertedToIt)
+{
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a new design";
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change();
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a sample is nobody's file";
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "nothing has changed since";
+    change();
+    EXPECT_TRUE(window.actions().revert->isEnabled());
+    window.actions().revert->trigger();
+    EXPECT_EQ(window.document().history().current(), 1);
+    EXPECT_FALSE(window.actions().revert->isEnabled());
+}
+
 TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
