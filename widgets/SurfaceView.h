@@ -123,6 +123,9 @@ public:
     void setCamera(const Camera& camera);
     /// Turns smoothly; the size of the picture stays.
     void flyTo(const Camera& camera);
+    /// The view of a design that is opened again: what appears in it by and by does not move it.
+    void returnTo(const Viewpoint& view);
+    bool hasReturned() const { return m_returned; }
 
     void setLayerVisible(bolster::SurfaceView::Layer layer, bool visible);
     bool layerVisible(bolster::SurfaceView::Layer layer) const { return m_layers.contains(layer); }
@@ -305,6 +308,7 @@ private:
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
     bool m_guided = false;    ///< the tool's guides are among the lines
     bool m_fitPending = true; ///< until there is something to see and a size
+    bool m_returned = false;  ///< the view was given, and no other was asked for since
 
     Navigation m_navigation = Navigation::None;
     Qt::MouseButton m_navigationButton = Qt::NoButton;

@@ -353,6 +353,42 @@ TEST_F(ProjectFilesTest, KeptWorkOfASampleHasItsName)
     EXPECT_EQ(window.session().title(), title);
 }
 
+TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
+{
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
+    ASSERT_TRUE(waitUntilAtRest());
+    const auto standing = [&] { return static_cast<const Viewpoint&>(window.surfaceView().camera()); };
+    Viewpoint own;
+    own.target = {12, 34, 56.7};
+    own.distance = 300;
+    own.azimuth = 2;
+    own.perspective = false;
+    window.surfaceView().setCamera(Camera{own, {1, 1}});
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_NE(standing().azimuth, own.azimuth) << "a sample is seen as it looks best";
+
+    const QString link = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(path, link));
+    for (const QString& file : {path, link}) {
+        ASSERT_TRUE(open(file));
+        ASSERT_TRUE(waitUntilAtRest());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().surface() == window.solver().surface(); }));
+        EXPECT_TRUE(standing() == own) << "also when the cover has come";
+        EXPECT_FALSE(window.isWindowModified());
+        EXPECT_FALSE(window.document().hasUnsavedWork());
+    }
+    change();
+    window.actions().revert->trigger();
+    EXPECT_EQ(window.document().history().current(), 0);
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_TRUE(standing() == own);
+    window.document().markSaved();
+    window.session().startNew();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return standing().distance != own.distance; }));
+}
+
 TEST_F(ProjectFilesTest, OnlyWhatIsInAFileCanBeRevertedToIt)
 {
     EXPECT_FALSE(window.actions().revert->isEnabled()) << "a new design";
