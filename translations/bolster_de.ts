@@ -6858,6 +6858,20 @@
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
+    <message>
+        <source>The cloth went on moving until the computation was ended. What usually causes that:
+• A piece that nothing holds: fix one of its edges, or sew it on.
+• A seam whose two sides differ much in length: make them more alike.
+• A very long or very narrow piece: divide it, or make it wider.
+• High pressure: lower it in the properties of the design.
+What you see is where the cloth was at the end.</source>
+        <translation>Der Stoff hat sich bis zum Ende der Berechnung bewegt. Das liegt meist an einem davon:
+• Ein Teil, das nichts hält: Befestigen Sie eine Kante, oder nähen Sie es an.
+• Eine Naht, deren Seiten sehr verschieden lang sind: Gleichen Sie sie an.
+• Ein sehr langes oder sehr schmales Teil: Teilen Sie es, oder machen Sie es breiter.
+• Hoher Druck: Senken Sie ihn in den Eigenschaften des Entwurfs.
+Sie sehen den Stoff, wie er am Ende lag.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::SurfaceSelectTool</name>
