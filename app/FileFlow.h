@@ -49,10 +49,10 @@ public:
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
-
-    void fillRecent(QMenu& menu);
     /// Named like the design and beside it.
     QString proposedPicture() const { return proposed(QStringLiteral("png")); }
+
+    void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
     void fillUnsaved(QMenu& menu);
     /// Goes on where a crash has ended the last run, if it has.

@@ -384,7 +384,7 @@ void SurfaceView::updateMarks()
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
     addScanPairs();
-    addFramePiece();
+    addFramePieces();
     if (const auto& symmetry = m_document.design().settings().symmetry; symmetry && layerVisible(Layer::Symmetry))
         addSymmetryPlane(*symmetry, m_scene);
     cutMarks();

@@ -99,8 +99,8 @@ public:
     /// Whether points of some scan have colours of their own.
     bool hasScanColors() const { return m_scanPoints.hasColors(); }
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
-    /// A box around a piece of a frame (FramePieces), hidden or not; -1: none.
-    void showFramePiece(bolster::ElementId frame, int piece);
+    /// A box around these pieces of a frame (FramePieces), hidden or not; without any: none.
+    void showFramePieces(bolster::ElementId frame, const std::vector<int>& pieces);
     void setTool(bolster::SurfaceToolKind kind);
     SurfaceToolKind tool() const { return m_toolKind; }
     /// The next drag cuts away, or keeps, a part of the scan.
@@ -217,7 +217,7 @@ private:
     Vec3 middleOf(ElementId id) const override;
     void updateScans();
     void addScanPairs();
-    void addFramePiece();
+    void addFramePieces();
     void updateLooks();
     void updateMarks();
     void updateMirrored();
@@ -278,8 +278,8 @@ private:
     FrameShapes m_frameShapes;
     Box3 m_frameBox;          ///< mm
     Box3 m_standing;          ///< the same while the frame is hidden, too
-    ElementId m_pieceFrame{}; ///< whose piece is marked
-    int m_piece = -1;
+    ElementId m_pieceFrame{}; ///< whose pieces are marked
+    std::vector<int> m_pieces;
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
     std::vector<std::shared_ptr<const TriangleMesh>> m_skinnedMeshes; ///< of the scene's skins
