@@ -60,6 +60,7 @@ void DesignSession::end()
 /// Whatever becomes of unsaved work, its files must be there as long.
 void DesignSession::leaveWork()
 {
+    emit leaving();
     if (m_document.hasUnsavedWork())
         m_folder.leave();
     m_journal.end();

@@ -88,6 +88,8 @@ public:
 
 signals:
     void saveEnded();
+    /// The design is left for another one, or for good: path() is still its own.
+    void leaving();
     /// Another design is there now.
     void opened();
     void titleChanged();

@@ -158,6 +158,11 @@ void FileFlow::revert()
     m_session.document().jumpTo(m_session.document().saved());
 }
 
+bool FileFlow::hasSaved() const
+{
+    return !m_session.path().isEmpty() || m_session.readOnly();
+}
+
 void FileFlow::remember(const QString& path)
 {
     recentFiles::add(path);

@@ -37,6 +37,8 @@ public:
     void saveCopy(const SaveOptions& options);
     /// To the version that was saved last; the way back is in the history.
     void revert();
+    /// There is such a version: the design is in a file of the user's.
+    bool hasSaved() const;
     /// Goes on when nothing unsaved is lost by it: saved, discarded on purpose, or nothing was unsaved.
     void keepWork(const Then& then);
 
@@ -47,6 +49,8 @@ public:
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
+    /// Named like the design and beside it.
+    QString proposedPicture() const { return proposed(QStringLiteral("png")); }
 
     void fillRecent(QMenu& menu);
     void fillSamples(QMenu& menu);
@@ -91,6 +95,8 @@ private:
     void offerAnotherTry(const QString& path, const Message& problem, const Then& again, const Then& elsewhere);
     void saveBesideOthers(const QString& path, const Then& then);
     void saveBesideStranger(const QString& path, const Message& stranger, const Then& then);
+    void saveElsewhere(const Then& then);
+    void askOrSaveElsewhere(QMessageBox* box, const QString& text, const Then& act, const Then& elsewhere);
     void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString proposed(const QString& ending, const QString& addition = {}) const;

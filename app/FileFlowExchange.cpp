@@ -160,7 +160,7 @@ Message writePng(const QImage& picture, const QString& path)
 
 void FileFlow::exportPicture(const QImage& picture)
 {
-    chooseTarget(tr("Export picture"), proposed(QStringLiteral("png")), tr("PNG (*.png)"), {QStringLiteral("png")},
+    chooseTarget(tr("Export picture"), proposedPicture(), tr("PNG (*.png)"), {QStringLiteral("png")},
                  [this, picture](const QString& path) {
                      if (const Message problem = writePng(picture, path); problem.empty())
                          emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));

@@ -188,8 +188,7 @@ void FileFlow::saveTo(const QString& path, const Then& then)
         }
         if (!problem.empty()) {
             offerAnotherTry(
-                path, problem, [this, path, then] { saveTo(path, then); },
-                [this, then] { chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); }); });
+                path, problem, [this, path, then] { saveTo(path, then); }, [this, then] { saveElsewhere(then); });
             return;
         }
         remember(path);
@@ -206,21 +205,32 @@ void FileFlow::saveBesideStranger(const QString& path, const Message& stranger, 
     QMessageBox* box =
         newBox(QMessageBox::Warning,
                tr("\"%1\" is not the file any more that was opened or saved here.").arg(QFileInfo(path).fileName()),
-               QMessageBox::Save | QMessageBox::Cancel);
+               QMessageBox::Cancel);
     QStringList text{translated(stranger)};
     text << tr("Save your design under another name, or let what is there now have another name beside it. If that "
                "is a damaged project, File > Open recovers what can be read of it.");
     box->setInformativeText(text.join(QStringLiteral("\n\n")));
-    const QAbstractButton* aside =
-        box->addButton(tr("&Keep the other file beside it, and save"), QMessageBox::AcceptRole);
-    const QAbstractButton* elsewhere = box->button(QMessageBox::Save);
-    box->button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
+    askOrSaveElsewhere(
+        box, tr("&Keep the other file beside it, and save"), [this, path, then] { keepAside(path, then); },
+        [this, then] { saveElsewhere(then); });
+}
+
+void FileFlow::saveElsewhere(const Then& then)
+{
+    chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); });
+}
+
+/// The box, which can be cancelled, gets a button of its own and "Save as".
+void FileFlow::askOrSaveElsewhere(QMessageBox* box, const QString& text, const Then& act, const Then& elsewhere)
+{
+    const QAbstractButton* own = box->addButton(text, QMessageBox::AcceptRole);
+    const QAbstractButton* other = box->addButton(tr("Save &as \u2026"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);
-    openQuestion(box, [this, aside, elsewhere, path, then](const QAbstractButton* pressed) {
-        if (pressed == aside)
-            keepAside(path, then);
-        else if (pressed == elsewhere)
-            chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); });
+    openQuestion(box, [own, other, act, elsewhere](const QAbstractButton* pressed) {
+        if (pressed == own)
+            act();
+        else if (pressed == other)
+            elsewhere();
     });
 }
 
@@ -245,15 +255,7 @@ void FileFlow::offerAnotherTry(const QString& path, const Message& problem, cons
         newBox(QMessageBox::Warning, tr("\"%1\" could not be saved.").arg(QFileInfo(path).fileName()),
                QMessageBox::Cancel);
     box->setInformativeText(translated(problem));
-    const QAbstractButton* retry = box->addButton(tr("&Try again"), QMessageBox::AcceptRole);
-    const QAbstractButton* other = box->addButton(tr("Save &as \u2026"), QMessageBox::AcceptRole);
-    box->setDefaultButton(QMessageBox::Cancel);
-    openQuestion(box, [retry, other, again, elsewhere](const QAbstractButton* pressed) {
-        if (pressed == retry)
-            again();
-        else if (pressed == other)
-            elsewhere();
-    });
+    askOrSaveElsewhere(box, tr("&Try again"), again, elsewhere);
 }
 
 } // namespace bolster

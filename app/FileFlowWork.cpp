@@ -150,9 +150,10 @@ void FileFlow::announceRestored(int others)
         text << tr("Unsaved names of versions or branches restored.");
     if (others > 0)
         text << tr("%n more designs are under File > Unsaved work.", nullptr, others);
-    m_restored = m_banner->announce(
-        Banner::Kind::Information, text.join(QLatin1Char(' ')),
-        {{tr("Sh&ow"), [this] { emit historyWanted(); }}, {tr("Go &back to saved"), [this] { revert(); }}});
+    QList<Banner::Button> buttons{{tr("Sh&ow"), [this] { emit historyWanted(); }}};
+    if (hasSaved())
+        buttons.push_back({tr("Go &back to saved"), [this] { revert(); }});
+    m_restored = m_banner->announce(Banner::Kind::Information, text.join(QLatin1Char(' ')), buttons);
 }
 
 /// As long as it is so: whoever goes on working has to know.
@@ -233,20 +234,13 @@ void FileFlow::saveBesideOthers(const QString& path, const Then& then)
     QMessageBox* box =
         newBox(QMessageBox::Question,
                tr("Somebody else has changed \"%1\" since it was opened here.").arg(QFileInfo(path).fileName()),
-               QMessageBox::Save | QMessageBox::Cancel);
+               QMessageBox::Cancel);
     box->setInformativeText(
         tr("Their changes can become a branch of the history here, then both are saved. Your design "
            "stays as it is, and you can go to theirs."));
-    const QAbstractButton* take = box->addButton(tr("&Take their changes in as a branch"), QMessageBox::AcceptRole);
-    const QAbstractButton* elsewhere = box->button(QMessageBox::Save);
-    box->button(QMessageBox::Save)->setText(tr("Save &as \u2026"));
-    box->setDefaultButton(QMessageBox::Cancel);
-    openQuestion(box, [this, take, elsewhere, path, then](const QAbstractButton* pressed) {
-        if (pressed == take)
-            takeTheirs(path, then);
-        else if (pressed == elsewhere)
-            chooseSaveTarget([this, then](const QString& other) { saveTo(other, then); });
-    });
+    askOrSaveElsewhere(
+        box, tr("&Take their changes in as a branch"), [this, path, then] { takeTheirs(path, then); },
+        [this, then] { saveElsewhere(then); });
 }
 
 void FileFlow::takeTheirs(const QString& path, const Then& then)

@@ -15,7 +15,24 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace bolster {
+
+namespace {
+
+/// Whole millimetres, of less the first two digits.
+QString figure(double millimetres)
+{
+    constexpr int most = 9;
+    if (millimetres <= 0 || millimetres >= 10)
+        return decimalText(millimetres, 0, false);
+    return decimalText(millimetres, std::clamp(1 - static_cast<int>(std::floor(std::log10(millimetres))), 0, most),
+                       false);
+}
+
+} // namespace
 
 FileImportDialog::FileImportDialog(const QString& file, FileContent content, std::optional<Placement> replaced,
                                    QWidget* parent)
@@ -78,7 +95,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     layout->addWidget(m_hint);
     layout->addStretch();
     layout->addWidget(buttons);
-    setMinimumWidth(420);
+    layout->addStrut(384); // with a minimum width of its own the dialog would not grow with its labels
 
     connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updateSize);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
@@ -164,10 +181,7 @@ void FileImportDialog::updateSize()
     if (unit != FileUnit::Custom)
         m_factor->display(millimetresPer(unit));
     const Vec3 size = placedBox(m_content.points(), placement()).sizes();
-    const int decimals = size.maxCoeff() < 1 ? 6 : 0;
-    m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm")
-                        .arg(decimalText(size.x(), decimals, false), decimalText(size.y(), decimals, false),
-                             decimalText(size.z(), decimals, false)));
+    m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm").arg(figure(size.x()), figure(size.y()), figure(size.z())));
     showThinning();
     const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();
     m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());

@@ -31,9 +31,9 @@ FreeCover::FreeCover(Document& document, SolverLink& solver, SurfaceView& view, 
     connect(&solver, &SolverLink::surfaceShown, this, &FreeCover::look);
 }
 
-void FreeCover::forget()
+void FreeCover::begin(bool placed)
 {
-    m_moved = false;
+    m_moved = placed;
     m_shown = 0;
 }
 

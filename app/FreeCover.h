@@ -19,8 +19,8 @@ class FreeCover : public QObject {
 public:
     FreeCover(Document& document, SolverLink& solver, SurfaceView& view, QObject* parent);
 
-    /// Another design was opened.
-    void forget();
+    /// Another design was opened. `placed`: the view was chosen before, as if it had been moved.
+    void begin(bool placed);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

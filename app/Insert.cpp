@@ -130,8 +130,9 @@ QString voxelNote(const Edit& inserted)
     if (!cushion || cushion->voxel == usual)
         return {};
     const QLocale locale;
-    return QCoreApplication::translate("Insert", "This frame is large: the cushion has voxels of %1 mm, because of "
-                                                 "%2 mm there would be too many.")
+    return QCoreApplication::translate("Insert",
+                                       "This frame is large: its smallest detail is set to %1 mm; the usual "
+                                       "%2 mm would need too much memory.")
         .arg(locale.toString(cushion->voxel), locale.toString(usual));
 }
 

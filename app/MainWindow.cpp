@@ -17,6 +17,7 @@
 #include "PatternView.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
+#include "SavedViews.h"
 #include "ScanLink.h"
 #include "SeamsView.h"
 #include "SelectionEdits.h"
@@ -149,7 +150,9 @@ void MainWindow::buildToolBars()
 void MainWindow::connectDocument()
 {
     connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
+    connect(m_session.get(), &DesignSession::leaving, this, &MainWindow::keepCamera);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
+    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateEditActions); // saved now
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
         m_surface->setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
@@ -242,13 +245,32 @@ void MainWindow::designOpened()
     m_selection.clear();
     m_elements->scrollToTop();
     m_solver->forget(m_session->files());
-    m_fitCover = true;
     m_surface->setFiles(m_session->files());
     m_actions->showScanColors->setVisible(m_surface->hasScanColors());
     m_pattern->fitAll();
-    m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+    lookAtOpened();
     updateTitle();
     updateEditActions();
+}
+
+/// From where it was looked at last; samples and new designs as they look best.
+void MainWindow::lookAtOpened()
+{
+    const std::optional<Viewpoint> last = SavedViews::lastOf(m_session->path());
+    m_fitCover = !last;
+    if (last)
+        m_surface->returnTo(*last);
+    else
+        m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+}
+
+/// Where the camera stands while the first cover is still to come nobody has chosen.
+void MainWindow::keepCamera()
+{
+    bool waits = false;
+    document().design().each<Patch>([&](ElementId, const Patch&) { waits = m_fitCover; });
+    if (!m_session->path().isEmpty() && !waits)
+        SavedViews::keepLast(m_session->path(), m_surface->camera());
 }
 
 void MainWindow::updateTitle()
@@ -269,6 +291,7 @@ void MainWindow::updateEditActions()
     m_actions->redo->setEnabled(history.canRedo());
     m_actions->redo->setText(history.canRedo() ? tr("&Redo: %1").arg(verb(history.node(current).lastVisitedChild))
                                                : tr("&Redo"));
+    m_actions->revert->setEnabled(m_files->hasSaved() && history.current() != document().saved());
     m_actions->nameBranch->setEnabled(history.branchOf(current).has_value());
 
     const bool any = !m_selection.elements().empty();

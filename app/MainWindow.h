@@ -90,6 +90,8 @@ private:
     void updateToolActions();
     void connectViewActions();
     void designOpened();
+    void keepCamera();
+    void lookAtOpened();
     void updateTitle();
     void updateEditActions();
     void updateProblems();

@@ -5,6 +5,7 @@
 #include "Ask.h"
 #include "Docks.h"
 #include "FabricLink.h"
+#include "FileFlow.h"
 #include "FindingsLink.h"
 #include "MapLink.h"
 #include "PatternView.h"
@@ -125,7 +126,8 @@ void MainWindow::renderPicture()
                                   m_fabricLink->baker(),
                                   m_fabricLink->bakedByNow(),
                                   m_session->title(),
-                                  m_surface->camera()};
+                                  m_surface->camera(),
+                                  m_files->proposedPicture()};
     openDialog(new RenderDialog(std::move(subject), this));
 }
 

@@ -21,7 +21,7 @@ namespace bolster {
 void MainWindow::connectScans()
 {
     connect(m_scans.get(), &ScanLink::measured, this, &MainWindow::showMeasured);
-    connect(m_inspector, &Inspector::framePiecePointedAt, m_surface, &SurfaceView::showFramePiece);
+    connect(m_inspector, &Inspector::framePiecesPointedAt, m_surface, &SurfaceView::showFramePieces);
     connect(m_inspector, &Inspector::scanWish, this, &MainWindow::workOnScan);
     for (const auto& [action, wish] :
          {std::pair(m_actions->placeScan, ScanWish::FitPlacement), std::pair(m_actions->cutScan, ScanWish::CutAway),

@@ -24,7 +24,8 @@ void MainWindow::connectFirstSteps()
             [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
 
     auto* freeCover = new FreeCover(document(), *m_solver, *m_surface, this);
-    connect(m_session.get(), &DesignSession::opened, freeCover, &FreeCover::forget);
+    connect(m_session.get(), &DesignSession::opened, freeCover,
+            [this, freeCover] { freeCover->begin(m_surface->hasReturned()); });
     connect(m_pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
         if (kind == PatternToolKind::Select)
             showDrawn();

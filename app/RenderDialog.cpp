@@ -16,8 +16,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSettings>
 #include <QSpinBox>
+#include <QUrl>
 
 #include <algorithm>
 #include <chrono>
@@ -32,7 +32,6 @@ using namespace std::chrono_literals;
 
 constexpr QSize roughPreview{320, 240}; // is there at once
 constexpr int longestSide = 16384;
-const QString renderFolderKey = QStringLiteral("pictures/folder");
 
 /// On a background of squares where it is transparent, as programs for pictures show it.
 QPixmap pixmapOf(const PreviewImage& image)
@@ -152,6 +151,8 @@ void RenderDialog::build()
     form->addRow(QString(), m_transparent);
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
+    m_message->setOpenExternalLinks(true);
+    m_message->setTextInteractionFlags(Qt::TextBrowserInteraction);
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 100);
     m_progress->setTextVisible(false);
@@ -303,19 +304,26 @@ void RenderDialog::receive(const Result& result)
     }
     setRendering(false);
     const QString problem = QString::fromStdString(result.problem);
-    m_message->setText(problem.isEmpty() ? tr("The picture is written.")
-                                         : tr("The picture cannot be written: %1").arg(problem));
+    m_message->setText(problem.isEmpty() ? whereItIs() : tr("The picture cannot be written: %1").arg(problem));
     emit rendered(problem);
+}
+
+QString RenderDialog::whereItIs() const
+{
+    const QString folder = QFileInfo(m_written).absolutePath();
+    return tr("The picture is written: %1").arg(QDir::toNativeSeparators(m_written).toHtmlEscaped()) +
+           QStringLiteral("<br><a href=\"%1\">%2</a>")
+               .arg(QString::fromUtf8(QUrl::fromLocalFile(folder).toEncoded()).toHtmlEscaped(),
+                    tr("Open its folder"));
 }
 
 void RenderDialog::choosePath()
 {
-    const QString folder = QSettings().value(renderFolderKey).toString();
-    askWhereToWrite(this, tr("Render to"), QDir(folder).filePath(m_subject.title + QStringLiteral(".png")),
+    askWhereToWrite(this, tr("Render to"), m_subject.proposal,
                     tr("PNG, 8 bits (*.png);;TIFF, 16 bits (*.tif *.tiff);;OpenEXR, linear light (*.exr)"),
                     {QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("exr")},
                     [this](const QString& path) {
-                        QSettings().setValue(renderFolderKey, QFileInfo(path).absolutePath());
+                        m_subject.proposal = path;
                         renderTo(path);
                     });
 }
@@ -334,6 +342,8 @@ void RenderDialog::renderTo(const QString& path)
     asked.format = *format;
     if (!asked.picture.look.sheet)
         asked.turntable = m_turntable->value();
+    m_written =
+        QFileInfo(asked.turntable > 1 ? QString::fromStdString(numberedPath(file, 1)) : path).absoluteFilePath();
     asked.picture.options.samples = m_samples->currentData().toInt();
     asked.picture.options.light = needsLight(*format);
     asked.picture.options.progress = [this](double share) {

@@ -29,7 +29,8 @@ public:
         FabricBaker bake;
         FabricBaker bakedByNow; ///< for the first, coarse preview
         QString title;
-        Camera view; ///< that of the window
+        Camera view;        ///< that of the window
+        QString proposal{}; ///< the file that is proposed
     };
 
     explicit RenderDialog(Subject subject, QWidget* parent = nullptr);
@@ -73,6 +74,7 @@ private:
     void requestPreview();
     void receive(const Result& result);
     void choosePath();
+    QString whereItIs() const;
     void setRendering(bool rendering);
 
     Subject m_subject;
@@ -91,6 +93,7 @@ private:
     QPushButton* m_close; ///< cancels the picture while one is drawn
     QTimer m_pause;       ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
+    QString m_written;                 ///< the file that is drawn, or was; of several the first
     std::vector<PictureLook> m_looks;  ///< in the order of the list
     std::vector<PictureLook> m_seen;   ///< as rough pictures
     SurfaceJob<Request, Result> m_job; ///< last: it uses the others

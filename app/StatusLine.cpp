@@ -76,6 +76,17 @@ QColor colorOf(StatusLine::Mood mood)
     return Qt::gray;
 }
 
+/// What a designer can do about a cover that does not come to rest.
+QString unrestText()
+{
+    return StatusLine::tr("The cloth went on moving until the computation was ended. What usually causes that:\n"
+                          "\u2022 A piece that nothing holds: fix one of its edges, or sew it on.\n"
+                          "\u2022 A seam whose two sides differ much in length: make them more alike.\n"
+                          "\u2022 A very long or very narrow piece: divide it, or make it wider.\n"
+                          "\u2022 High pressure: lower it in the properties of the design.\n"
+                          "What you see is where the cloth was at the end.");
+}
+
 bool hasWarnings(const Problems& problems)
 {
     return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::Warning; });
@@ -93,6 +104,7 @@ StatusLine::StatusLine(QWidget* parent)
     , m_dot(new StateDot(this))
     , m_solver(new ElidedLabel(this))
     , m_show(new QToolButton(this))
+    , m_unrest(new QToolButton(this))
 {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
@@ -123,6 +135,7 @@ StatusLine::StatusLine(QWidget* parent)
     row->setSpacing(6);
     row->addWidget(m_dot);
     row->addWidget(m_solver, 1);
+    row->addWidget(m_unrest);
     row->addWidget(m_show);
     solver->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Solved - 00000 iterations")) + 40);
     addPermanentWidget(solver);
@@ -132,6 +145,12 @@ StatusLine::StatusLine(QWidget* parent)
     m_show->setAutoRaise(true);
     m_show->setMenu(new QMenu(m_show));
     m_show->hide();
+    m_unrest->setObjectName(QStringLiteral("why-unrest"));
+    m_unrest->setText(tr("Why?"));
+    m_unrest->setAutoRaise(true);
+    m_unrest->hide();
+    connect(m_unrest, &QToolButton::clicked, this,
+            [this] { QWhatsThis::showText(m_unrest->mapToGlobal(QPoint()), unrestText(), m_unrest); });
     connect(m_show, &QToolButton::clicked, this, &StatusLine::goThere);
     connect(m_show->menu(), &QMenu::aboutToShow, this, &StatusLine::fillMenu);
     connect(m_problems, &QToolButton::clicked, this, &StatusLine::problemsWanted);
@@ -226,13 +245,20 @@ QString StatusLine::stateText() const
         return tr("Following the drag");
     if (hasErrors(m_status.problems))
         return tr("Solved in part");
-    if (!m_status.reason.empty())
+    if (restless())
         return translated(m_status.reason);
     if (m_findingsKnown && !m_findings.empty())
         return translated(m_findings.front().text);
     if (hasWarnings(m_status.problems))
         return tr("Solved, with warnings");
     return tr("Solved \u2013 %1 iterations").arg(QLocale().toString(m_status.iterations));
+}
+
+/// It has stopped without having come to rest.
+bool StatusLine::restless() const
+{
+    return !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting &&
+           !hasErrors(m_status.problems) && !m_status.reason.empty();
 }
 
 void StatusLine::showState()
@@ -245,6 +271,7 @@ void StatusLine::showState()
         !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != ElementId{};
     const auto count = static_cast<int>(m_findings.size());
     m_show->setVisible(finds || blames);
+    m_unrest->setVisible(restless());
     m_show->setText(finds && count > 1 ? tr("Show (%1)").arg(count) : tr("Show"));
     m_show->setPopupMode(finds && count > 1 ? QToolButton::InstantPopup : QToolButton::DelayedPopup);
     m_solver->setCursor(finds || blames ? Qt::PointingHandCursor : Qt::ArrowCursor);

@@ -61,6 +61,7 @@ private:
     void showPrompt();
     void showState();
     QString stateText() const;
+    bool restless() const;
     void goThere();
     void fillMenu();
 
@@ -71,7 +72,8 @@ private:
     QToolButton* m_problems;
     StateDot* m_dot;
     ElidedLabel* m_solver;
-    QToolButton* m_show; ///< where the finding is
+    QToolButton* m_show;   ///< where the finding is
+    QToolButton* m_unrest; ///< why the cover finds no rest
     SolverStatus m_status;
     bool m_paused = false;
     std::vector<CoverFinding> m_findings;

@@ -1,4 +1,4 @@
-// Views of the 3D window that the user has named, kept in the settings.
+// Views of the 3D window that the user has named, and the last ones of files, kept in the settings.
 #pragma once
 
 #include "Viewpoint.h"
@@ -18,6 +18,11 @@ public:
     /// Replaces one of the same name.
     static void save(const QString& name, const Viewpoint& view);
     static void remove(const QString& name);
+
+    /// Where one stood when the file was closed; nothing when that is not known (any more).
+    static std::optional<Viewpoint> lastOf(const QString& file);
+    /// Of some fifty files the latest is kept.
+    static void keepLast(const QString& file, const Viewpoint& view);
 };
 
 } // namespace bolster

@@ -851,8 +851,8 @@
         <translation>Schaum</translation>
     </message>
     <message>
-        <source>This frame is large: the cushion has voxels of %1 mm, because of %2 mm there would be too many.</source>
-        <translation>Dieses Gestell ist groß: Die Polsterung hat Voxel von %1 mm, denn solche von %2 mm wären zu viele.</translation>
+        <source>This frame is large: its smallest detail is set to %1 mm; the usual %2 mm would need too much memory.</source>
+        <translation>Dieses Gestell ist groß: Seine kleinste Einzelheit ist auf %1 mm gesetzt, denn die üblichen %2 mm brauchten zu viel Speicher.</translation>
     </message>
 </context>
 <context>
@@ -1053,32 +1053,12 @@
         <translation>Teile</translation>
     </message>
     <message>
-        <source>No part of the frame is named: those are taken that the cover is fixed to. Separate names by semicolons.</source>
-        <translation>Kein Teil des Gestells ist genannt: es gelten die, an denen der Bezug befestigt ist. Trennen Sie Namen durch Semikolons.</translation>
-    </message>
-    <message>
         <source>Padding</source>
         <translation>Polster</translation>
     </message>
     <message>
         <source>Strength</source>
         <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Abstand</translation>
-    </message>
-    <message>
-        <source>City block – along the axes</source>
-        <translation>City-Block – entlang der Achsen</translation>
-    </message>
-    <message>
-        <source>Euclidean – straight</source>
-        <translation>Euklidisch – geradlinig</translation>
-    </message>
-    <message>
-        <source>Voxels</source>
-        <translation>Voxel</translation>
     </message>
     <message>
         <source>Cushion</source>
@@ -1467,10 +1447,6 @@
         <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
     </message>
     <message>
-        <source>This frame is large: of voxels below %1 there would be too many.</source>
-        <translation>Dieses Gestell ist groß: Voxel unter %1 wären zu viele.</translation>
-    </message>
-    <message>
         <source>Place on &amp;the cover</source>
         <translation>Am Be&amp;zug ausrichten</translation>
     </message>
@@ -1525,6 +1501,74 @@
     <message>
         <source>Show a&amp;ll parts</source>
         <translation>A&amp;lle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>The frame that is padded</source>
+        <translation>Das Gestell, das gepolstert wird</translation>
+    </message>
+    <message>
+        <source>Which cover the padding presses outwards</source>
+        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
+    </message>
+    <message>
+        <source>How thick the padding around the frame is</source>
+        <translation>Wie dick das Gestell gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>Slanted faces</source>
+        <translation>Schräge Flächen</translation>
+    </message>
+    <message>
+        <source>Press harder</source>
+        <translation>Drücken stärker</translation>
+    </message>
+    <message>
+        <source>Press like straight ones</source>
+        <translation>Drücken wie gerade</translation>
+    </message>
+    <message>
+        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
+        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
+    </message>
+    <message>
+        <source>Smallest detail</source>
+        <translation>Kleinste Einzelheit</translation>
+    </message>
+    <message>
+        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
+        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
+    </message>
+    <message>
+        <source>Takes this shape out of the cushion instead of adding it</source>
+        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
+    </message>
+    <message>
+        <source>How thick the padding around this foam is</source>
+        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1: not in this frame</source>
+        <translation>%1: nicht in diesem Gestell</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Without a mark, those parts are padded that the cover is fixed to.</source>
+        <translation>Ohne Haken werden die Teile gepolstert, an denen der Bezug befestigt ist.</translation>
+    </message>
+    <message>
+        <source>This frame is large: the smallest detail can be %1 here.</source>
+        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit kann hier %1 sein.</translation>
     </message>
 </context>
 <context>
@@ -2500,10 +2544,6 @@
         <translation>das Gestell hat keinen Teil „%1“; es hat %2</translation>
     </message>
     <message>
-        <source>with voxels of %1 mm the cushion needs %2 million of them, and %3 are the limit, so it is left out; take at least %4 mm</source>
-        <translation>mit Voxeln von %1 mm braucht die Polsterung %2 Millionen davon, erlaubt sind %3; sie wird deshalb ausgelassen. Nehmen Sie mindestens %4 mm</translation>
-    </message>
-    <message>
         <source>it is only %1 mm long; draw it at least %2 mm long, or choose a smaller edge length</source>
         <translation>sie ist nur %1 mm lang; mindestens %2 mm lang zeichnen oder die Kantenlänge verringern</translation>
     </message>
@@ -3456,16 +3496,8 @@
         <translation>sie drückt nichts: kein Teil des Gestells liegt unter dem Bezug</translation>
     </message>
     <message>
-        <source>something of these parts of the frame is thinner than a voxel of %1 mm, so that the cushioning may have gaps there: %2; take smaller voxels</source>
-        <translation>an diesen Teilen des Gestells ist etwas dünner als ein Voxel von %1 mm, sodass die Polsterung dort Lücken haben kann: %2; nehmen Sie kleinere Voxel</translation>
-    </message>
-    <message>
         <source>contact looks at the frame in steps of %1 mm; something of these parts is thinner, so that the cover may pass through: %2; make it thicker</source>
         <translation>der Kontakt tastet das Gestell in Schritten von %1 mm ab; an diesen Teilen ist etwas dünner, sodass der Bezug hindurchgehen kann: %2; machen Sie es dicker</translation>
-    </message>
-    <message>
-        <source>it pushes nothing: voxels of %1 mm find no inside of the frame, which is thinner than that, or so open that it has none; take smaller voxels, or close the frame</source>
-        <translation>sie drückt nichts: Voxel von %1 mm finden kein Inneres des Gestells; es ist dünner oder so offen, dass es keines hat; nehmen Sie kleinere Voxel, oder schließen Sie das Gestell</translation>
     </message>
     <message>
         <source>contact does nothing: in steps of %1 mm it finds no inside of the frame, which is thinner than that, or so open that it has none; close the frame, or make it thicker</source>
@@ -3606,6 +3638,26 @@
     <message>
         <source>the picture cannot be encoded (%1)</source>
         <translation>das Bild kann nicht kodiert werden (%1)</translation>
+    </message>
+    <message>
+        <source>a smallest detail of %1 mm is too fine for a frame as large as this (%2 million cubes of it, and %3 are the limit), so the cushion is left out; take at least %4 mm</source>
+        <translation>eine kleinste Einzelheit von %1 mm ist zu fein für ein so großes Gestell (%2 Millionen Würfel davon, erlaubt sind %3), deshalb wird die Polsterung ausgelassen. Nehmen Sie mindestens %4 mm</translation>
+    </message>
+    <message>
+        <source>something of these parts of the frame is thinner than the smallest detail of the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail</source>
+        <translation>an diesen Teilen des Gestells ist etwas dünner als die kleinste Einzelheit der Polsterung, %1 mm, sodass sie dort Lücken haben kann: %2; nehmen Sie eine kleinere</translation>
+    </message>
+    <message>
+        <source>it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is thinner than that, or so open that it has none; take a smaller detail, or close the frame</source>
+        <translation>sie drückt nichts: Bei einer kleinsten Einzelheit von %1 mm hat das Gestell kein Inneres; es ist dünner oder so offen, dass es keines hat; nehmen Sie eine kleinere, oder schließen Sie das Gestell</translation>
+    </message>
+    <message>
+        <source>Change the slanted faces of %1</source>
+        <translation>Die schrägen Flächen von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the smallest detail of %1</source>
+        <translation>Die kleinste Einzelheit von %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -5204,10 +5256,6 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
-    </message>
-    <message>
         <source>Mesh edges</source>
         <translation>Netzkanten</translation>
     </message>
@@ -5440,6 +5488,30 @@
     <message>
         <source>none</source>
         <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Slanted faces</source>
+        <translation>Schräge Flächen</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Smallest detail</source>
+        <translation>Kleinste Einzelheit</translation>
+    </message>
+    <message>
+        <source>press like straight ones</source>
+        <translation>drücken wie gerade</translation>
+    </message>
+    <message>
+        <source>press harder</source>
+        <translation>drücken stärker</translation>
     </message>
 </context>
 <context>
@@ -6277,12 +6349,28 @@
 <context>
     <name>bolster::NumberBox</name>
     <message>
-        <source>&quot;%1&quot; is not taken: a number from %2 to %3 is needed</source>
-        <translation>„%1“ wird nicht übernommen: Es muss eine Zahl von %2 bis %3 sein</translation>
-    </message>
-    <message>
         <source>varies</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>Not taken: a number is needed</source>
+        <translation>Nicht übernommen: Es wird eine Zahl gebraucht</translation>
+    </message>
+    <message>
+        <source>Not taken: &quot;%1&quot; is not a length</source>
+        <translation>Nicht übernommen: „%1“ ist keine Länge</translation>
+    </message>
+    <message>
+        <source>Not taken: &quot;%1&quot; is not a number</source>
+        <translation>Nicht übernommen: „%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Not taken: %1 is too little, at least %2</source>
+        <translation>Nicht übernommen: %1 ist zu wenig, mindestens %2</translation>
+    </message>
+    <message>
+        <source>Not taken: %1 is too much, at most %2</source>
+        <translation>Nicht übernommen: %1 ist zu viel, höchstens %2</translation>
     </message>
 </context>
 <context>
@@ -6429,10 +6517,6 @@
         <translation>Höchstens %1 Millionen Pixel werden gezeichnet; eine kleinere Größe wählen.</translation>
     </message>
     <message>
-        <source>The picture is written.</source>
-        <translation>Das Bild ist geschrieben.</translation>
-    </message>
-    <message>
         <source>The picture cannot be written: %1</source>
         <translation>Das Bild kann nicht geschrieben werden: %1</translation>
     </message>
@@ -6491,6 +6575,14 @@
     <message>
         <source>&amp;Cancel</source>
         <translation>Abb&amp;rechen</translation>
+    </message>
+    <message>
+        <source>The picture is written: %1</source>
+        <translation>Das Bild ist geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Open its folder</source>
+        <translation>Seinen Ordner öffnen</translation>
     </message>
 </context>
 <context>
@@ -6837,6 +6929,20 @@
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>The cloth went on moving until the computation was ended. What usually causes that:
+• A piece that nothing holds: fix one of its edges, or sew it on.
+• A seam whose two sides differ much in length: make them more alike.
+• A very long or very narrow piece: divide it, or make it wider.
+• High pressure: lower it in the properties of the design.
+What you see is where the cloth was at the end.</source>
+        <translation>Der Stoff hat sich bis zum Ende der Berechnung bewegt. Das liegt meist an einem davon:
+• Ein Teil, das nichts hält: Befestigen Sie eine Kante, oder nähen Sie es an.
+• Eine Naht, deren Seiten sehr verschieden lang sind: Gleichen Sie sie an.
+• Ein sehr langes oder sehr schmales Teil: Teilen Sie es, oder machen Sie es breiter.
+• Hoher Druck: Senken Sie ihn in den Eigenschaften des Entwurfs.
+Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>

@@ -56,7 +56,8 @@ QString fieldText(const std::string& key)
         {"continuity", QT_TRANSLATE_NOOP("bolster::FieldText", "Continuity")},
         {"curve", QT_TRANSLATE_NOOP("bolster::FieldText", "Curve")},
         {"depth", QT_TRANSLATE_NOOP("bolster::FieldText", "Depth")},
-        {"dilation_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Thickness")},
+        {"dilation_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Padding")},
+        {"distance", QT_TRANSLATE_NOOP("bolster::FieldText", "Slanted faces")},
         {"edge_length", QT_TRANSLATE_NOOP("bolster::FieldText", "Mesh edges")},
         {"enabled", QT_TRANSLATE_NOOP("bolster::FieldText", "Switched on")},
         {"fabric", QT_TRANSLATE_NOOP("bolster::FieldText", "Fabric")},
@@ -70,6 +71,7 @@ QString fieldText(const std::string& key)
         {"match", QT_TRANSLATE_NOOP("bolster::FieldText", "Match")},
         {"name", QT_TRANSLATE_NOOP("bolster::FieldText", "Name")},
         {"outline", QT_TRANSLATE_NOOP("bolster::FieldText", "Outline")},
+        {"parts", QT_TRANSLATE_NOOP("bolster::FieldText", "Padded parts")},
         {"piping_fabric", QT_TRANSLATE_NOOP("bolster::FieldText", "Piping fabric")},
         {"piping_radius_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Piping radius")},
         {"poisson", QT_TRANSLATE_NOOP("bolster::FieldText", "Poisson parameter")},
@@ -98,6 +100,7 @@ QString fieldText(const std::string& key)
         {"trim", QT_TRANSLATE_NOOP("bolster::FieldText", "Trim")},
         {"twin", QT_TRANSLATE_NOOP("bolster::FieldText", "Mirror twin")},
         {"valley", QT_TRANSLATE_NOOP("bolster::FieldText", "Valley")},
+        {"voxel_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Smallest detail")},
         {"width", QT_TRANSLATE_NOOP("bolster::FieldText", "Width")},
         {"wrong_side_out", QT_TRANSLATE_NOOP("bolster::FieldText", "Wrong side out")},
     };
@@ -145,6 +148,9 @@ public:
     {
         if (value.isDouble())
             return numberText(value.toDouble());
+        if (value.isString() && m_key == "distance")
+            return value.toString() == QLatin1String("euclidean") ? FieldWords::tr("press like straight ones")
+                                                                  : FieldWords::tr("press harder");
         if (value.isString())
             return value.toString().replace(u'_', u' ');
         if (value.isBool())

@@ -17,7 +17,7 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     , m_forms(
           document, selection, problems, [this](ElementId id) { emit fileWanted(id); },
           [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); },
-          [this](ElementId id, int piece) { emit framePiecePointedAt(id, piece); })
+          [this](ElementId id, const std::vector<int>& pieces) { emit framePiecesPointedAt(id, pieces); })
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -25,10 +25,10 @@ Inspector::Inspector(Document& document, Selection& selection, ProblemSet& probl
     connect(&selection, &Selection::changed, this, &Inspector::rebuild);
     connect(&document, &Document::changed, this, &Inspector::refresh);
     connect(&problems, &ProblemSet::changed, this, &Inspector::refresh);
-    // What a form was made of (the list of fabrics) changes only with edits, not while something is dragged.
+    // What a form was made of (lists of fabrics, of parts) changes only with edits, not while something is dragged.
     connect(&document, &Document::historyChanged, this, [this] {
         const bool typing = isAncestorOf(QApplication::focusWidget());
-        if (typing && m_forms.fabricKinds() == m_fabricKinds)
+        if (typing && m_forms.basis() == m_basis)
             return;
         rebuild();
         if (typing)
@@ -74,7 +74,7 @@ void Inspector::setFiles(DesignFiles files)
 void Inspector::rebuild()
 {
     m_form = m_forms.make().release();
-    m_fabricKinds = m_forms.fabricKinds();
+    m_basis = m_forms.basis();
     // The form that is replaced may be the sender of what led here.
     if (QWidget* old = takeWidget())
         old->deleteLater();

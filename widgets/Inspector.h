@@ -27,8 +27,8 @@ signals:
     void scanWish(bolster::ElementId scan, bolster::ScanWish wish);
     /// What was typed is done, or given up: the keyboard may go elsewhere.
     void typed();
-    /// The pointer is over a piece of a frame in the list of its parts, or (-1) over none any more.
-    void framePiecePointedAt(bolster::ElementId frame, int piece);
+    /// The pointer is over these pieces of a frame in a list of its parts, or over none any more.
+    void framePiecesPointedAt(bolster::ElementId frame, const std::vector<int>& pieces);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -40,7 +40,7 @@ private:
     void refresh();
 
     InspectorForms m_forms;
-    std::vector<FabricLook::Kind> m_fabricKinds; ///< that the form was made for
+    InspectorForms::Basis m_basis; ///< that the form was made for
     PropertyForm* m_form = nullptr;
 };
 

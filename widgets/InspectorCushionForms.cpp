@@ -15,23 +15,9 @@ const NumberBox::Range strengthRange{{}, 3, 0, 10, 0.1};
 constexpr double thickestPadding = 100;
 constexpr double greatestForce = 2;
 
-/// "Seat; Back" and back: names may have commas.
-QString joined(const std::vector<std::string>& parts)
-{
-    QStringList names;
-    for (const std::string& part : parts)
-        names << QString::fromStdString(part);
-    return names.join(QStringLiteral("; "));
-}
-
-std::vector<std::string> split(const QString& text)
-{
-    std::vector<std::string> parts;
-    for (const QString& name : text.split(u';', Qt::SkipEmptyParts))
-        if (const QString trimmed = name.trimmed(); !trimmed.isEmpty())
-            parts.push_back(trimmed.toStdString());
-    return parts;
-}
+/// Verbs that are in the histories of projects, though no edit is called so any more.
+[[maybe_unused]] constexpr const char* earlierVerbs[] = {QT_TRANSLATE_NOOP("Message", "Change the distance of %1"),
+                                                         QT_TRANSLATE_NOOP("Message", "Change the voxels of %1")};
 
 /// The elements of a kind with their names, for a choice.
 template <class T>
@@ -98,27 +84,22 @@ void InspectorForms::addCushion(PropertyForm& form, const Ids& ids) const
     cushion.name(tr("Name"));
     cushion.check(tr("Pushes the cover"), &Cushion::enabled, QT_TRANSLATE_NOOP("Message", "Switch %1"));
     addFrameChoice(form, ids);
-    form.addText(
-        tr("Parts"), [cushion] { return cushion.shared([](const Cushion& c) { return joined(c.parts); }); },
-        [cushion](const QString& text) {
-            cushion.change(QT_TRANSLATE_NOOP("Message", "Change the parts of %1"),
-                           [&](Cushion& c) { c.parts = split(text); });
-        });
-    form.addNote([cushion] {
-        return cushion.shared([](const Cushion& c) { return c.parts.empty(); }) == true
-                   ? tr("No part of the frame is named: those are taken that the cover is "
-                        "fixed to. Separate names by semicolons.")
-                   : QString();
-    });
+    form.explain(tr("The frame that is padded"));
+    addCushionParts(form, ids);
     addCoverChoice(form, ids);
+    form.explain(tr("Which cover the padding presses outwards"));
     cushion.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Cushion::dilation,
                    QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    form.explain(tr("How thick the padding around the frame is"));
     cushion.slider(tr("Strength"), strengthRange, 0, greatestForce, &Cushion::strength,
                    QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
-    cushion.choice(tr("Distance"), {tr("City block \u2013 along the axes"), tr("Euclidean \u2013 straight")},
-                   &Cushion::distance, QT_TRANSLATE_NOOP("Message", "Change the distance of %1"));
-    cushion.number(tr("Voxels"), {QStringLiteral(" mm"), 2, 0.5, 100, 1}, &Cushion::voxel,
-                   QT_TRANSLATE_NOOP("Message", "Change the voxels of %1"));
+    form.explain(tr("How hard the padding presses the cover outwards; from about 2 on it gives no more"));
+    cushion.choice(tr("Slanted faces"), {tr("Press harder"), tr("Press like straight ones")}, &Cushion::distance,
+                   QT_TRANSLATE_NOOP("Message", "Change the slanted faces of %1"));
+    form.explain(tr("How padding presses that is aslant to width, depth and height: harder fills the cover more"));
+    cushion.number(tr("Smallest detail"), {QStringLiteral(" mm"), 2, 0.5, 100, 1}, &Cushion::voxel,
+                   QT_TRANSLATE_NOOP("Message", "Change the smallest detail of %1"));
+    form.explain(tr("How finely the frame is looked at: what is thinner may stay without padding"));
     if (!cushion.several())
         addVoxelNote(form, ids.front());
 }
@@ -149,10 +130,13 @@ void InspectorForms::addFoam(PropertyForm& form, const Ids& ids) const
     }
     addPlacementFields(form, foam, {});
     foam.check(tr("Cut away"), &Foam::cut, QT_TRANSLATE_NOOP("Message", "Add or cut %1"));
+    form.explain(tr("Takes this shape out of the cushion instead of adding it"));
     foam.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Foam::dilation,
                 QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    form.explain(tr("How thick the padding around this foam is"));
     foam.slider(tr("Strength"), strengthRange, 0, greatestForce, &Foam::strength,
                 QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+    form.explain(tr("How hard this foam presses the cover outwards; from about 2 on it gives no more"));
 }
 
 } // namespace bolster

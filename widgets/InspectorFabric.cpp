@@ -53,14 +53,6 @@ QString scaleLabel(const std::optional<Kind>& kind)
 
 } // namespace
 
-std::vector<FabricLook::Kind> InspectorForms::fabricKinds() const
-{
-    std::vector<Kind> kinds;
-    for (const ElementId id : selectedOf<Fabric>(m_document.design(), m_selection.elements()))
-        kinds.push_back(m_document.design().find<Fabric>(id)->look.kind);
-    return kinds;
-}
-
 void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Fabric> fabric(m_document, ids, form);

@@ -22,14 +22,13 @@ constexpr double highestPressure = 1;
 
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
                                std::function<void(ElementId)> chooseFile,
-                               std::function<void(ElementId, ScanWish)> scanWish,
-                               std::function<void(ElementId, int)> pointAtPiece)
+                               std::function<void(ElementId, ScanWish)> scanWish, PointAtPieces pointAtPieces)
     : m_document(document)
     , m_selection(selection)
     , m_problems(problems)
     , m_chooseFile(std::move(chooseFile))
     , m_scanWish(std::move(scanWish))
-    , m_pointAtPiece(std::move(pointAtPiece))
+    , m_pointAtPieces(std::move(pointAtPieces))
 {}
 
 std::unique_ptr<PropertyForm> InspectorForms::make() const
@@ -44,6 +43,18 @@ std::unique_ptr<PropertyForm> InspectorForms::make() const
         addSeveral(*form);
     form->addRoomBelow();
     return form;
+}
+
+InspectorForms::Basis InspectorForms::basis() const
+{
+    Basis basis;
+    const Design& design = m_document.design();
+    for (const ElementId id : m_selection.elements())
+        if (const Fabric* fabric = design.find<Fabric>(id))
+            basis.fabricKinds.push_back(fabric->look.kind);
+        else if (const Cushion* cushion = design.find<Cushion>(id))
+            basis.frames.push_back(cushion->frame);
+    return basis;
 }
 
 void InspectorForms::addSeveral(PropertyForm& form) const

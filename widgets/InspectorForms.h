@@ -27,9 +27,12 @@ class InspectorForms {
     Q_DECLARE_TR_FUNCTIONS(InspectorForms)
 
 public:
+    /// None of them: nothing is pointed at any more.
+    using PointAtPieces = std::function<void(ElementId frame, const std::vector<int>& pieces)>;
+
     InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
                    std::function<void(ElementId)> chooseFile, std::function<void(ElementId, ScanWish)> scanWish,
-                   std::function<void(ElementId, int)> pointAtPiece);
+                   PointAtPieces pointAtPieces);
 
     /// As measured last.
     void setScanFigures(std::map<ElementId, ScanFigures> figures) { m_scanFigures = std::move(figures); }
@@ -39,8 +42,13 @@ public:
     const DesignFiles& files() const { return m_files; }
 
     std::unique_ptr<PropertyForm> make() const;
-    /// Of the selected fabrics: their forms differ.
-    std::vector<FabricLook::Kind> fabricKinds() const;
+    /// What decides which rows the form has, beside the selection and the files.
+    struct Basis {
+        std::vector<FabricLook::Kind> fabricKinds; ///< of the selected fabrics
+        std::vector<ElementId> frames;             ///< of the selected cushions
+        friend bool operator==(const Basis&, const Basis&) = default;
+    };
+    Basis basis() const;
 
 private:
     using Ids = std::vector<ElementId>; ///< of one kind, at least one
@@ -72,6 +80,8 @@ private:
     void addFoam(PropertyForm& form, const Ids& ids) const;
     /// What its file consists of, each part with a mark that shows it.
     void addFrameParts(PropertyForm& form, ElementId id) const;
+    /// Those that a cushion may take, each with a mark if it does.
+    void addCushionParts(PropertyForm& form, const Ids& ids) const;
     void addVoxelNote(PropertyForm& form, ElementId id) const;
     void addFrameChoice(PropertyForm& form, const Ids& cushions) const;
     void addCoverChoice(PropertyForm& form, const Ids& cushions) const;
@@ -99,7 +109,7 @@ private:
     ProblemSet& m_problems;
     std::function<void(ElementId)> m_chooseFile;
     std::function<void(ElementId, ScanWish)> m_scanWish;
-    std::function<void(ElementId, int)> m_pointAtPiece;
+    PointAtPieces m_pointAtPieces;
     std::map<ElementId, ScanFigures> m_scanFigures;
     std::map<ElementId, FabricPictures> m_fabricPictures;
     DesignFiles m_files;

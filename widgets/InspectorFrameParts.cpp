@@ -1,4 +1,4 @@
-// What the inspector says of a frame's mesh: its parts, and how fine voxels can be.
+// What the inspector says of a frame's mesh: its parts, those that a cushion takes, and how fine voxels can be.
 #include "CushionVoxels.h"
 #include "FramePieces.h"
 #include "InspectorForms.h"
@@ -19,23 +19,90 @@ FrameMeshPtr fileOf(const DesignFiles& files, ElementId frame)
 
 /// The lines of the list: a part alone, or a part and the pieces of it.
 struct PartLine {
-    std::vector<std::size_t> pieces; ///< that the line stands for
+    std::vector<int> pieces; ///< that the line stands for
     bool below = false;
 };
+
+const FramePiece& pieceOf(const FramePieces& pieces, int piece)
+{
+    return pieces.pieces[static_cast<std::size_t>(piece)];
+}
+
+QString partTitle(const std::string& name)
+{
+    return name.empty() ? InspectorForms::tr("Mesh") : QString::fromStdString(name);
+}
+
+/// Width, depth and height of these pieces in the room.
+QString placedSize(const Frame& frame, const FramePieces& pieces, const std::vector<int>& chosen)
+{
+    Box3 placed;
+    for (const int piece : chosen)
+        for (int corner = 0; corner < 8; ++corner)
+            placed.extend(frame.placed(pieceOf(pieces, piece).box.corner(static_cast<Box3::CornerType>(corner))));
+    const Vec3 sizes = placed.sizes();
+    return InspectorForms::tr("%1 \u00d7 %2 \u00d7 %3 mm")
+        .arg(decimalText(sizes.x(), 0, false), decimalText(sizes.y(), 0, false), decimalText(sizes.z(), 0, false));
+}
 
 std::vector<PartLine> linesOf(const FramePieces& pieces)
 {
     std::vector<PartLine> lines;
-    for (std::size_t i = 0, end = 0; i < pieces.pieces.size(); i = end) {
+    const auto count = static_cast<int>(pieces.pieces.size());
+    for (int i = 0, end = 0; i < count; i = end) {
         PartLine whole;
-        for (; end < pieces.pieces.size() && pieces.pieces[end].part == pieces.pieces[i].part; ++end)
+        for (; end < count && pieceOf(pieces, end).part == pieceOf(pieces, i).part; ++end)
             whole.pieces.push_back(end);
         lines.push_back(whole);
         if (whole.pieces.size() > 1)
-            for (const std::size_t piece : whole.pieces)
+            for (const int piece : whole.pieces)
                 lines.push_back({{piece}, true});
     }
     return lines;
+}
+
+/// A part that a cushion may take, by its name.
+struct CushionPart {
+    std::string name;
+    std::vector<int> pieces; ///< that the frame shows of it; none: it has no such part
+};
+
+/// What the solver sees of the frame. Parts of the same name are one to it.
+std::vector<CushionPart> shownParts(const Frame& frame, const TriangleMesh& mesh, const FramePieces& pieces)
+{
+    std::vector<CushionPart> parts;
+    const std::vector<bool> gone = pieces.hiddenBy(mesh, frame.hiddenParts);
+    for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
+        const std::string& name = mesh.parts[pieces.pieces[i].part].name;
+        if (gone[i])
+            continue;
+        if (const auto same = std::ranges::find(parts, name, &CushionPart::name); same != parts.end())
+            same->pieces.push_back(static_cast<int>(i));
+        else
+            parts.push_back({name, {static_cast<int>(i)}});
+    }
+    return parts;
+}
+
+/// Those, and names that cushions have and the frame has not, so that they can be given up; none when there is
+/// nothing to choose from.
+std::vector<CushionPart> partsToTake(const Design& design, const std::vector<ElementId>& cushions,
+                                     const Frame& frame, const TriangleMesh& mesh, const FramePieces& pieces)
+{
+    std::vector<CushionPart> parts = shownParts(frame, mesh, pieces);
+    bool chosen = parts.size() > 1;
+    for (const ElementId id : cushions)
+        for (const std::string& name : design.find<Cushion>(id)->parts) {
+            chosen = true;
+            if (std::ranges::find(parts, name, &CushionPart::name) == parts.end())
+                parts.push_back({name, {}});
+        }
+    return chosen ? parts : std::vector<CushionPart>();
+}
+
+bool takes(const Cushion& cushion, const std::string& part)
+{
+    return std::ranges::find(cushion.parts, part) != cushion.parts.end();
 }
 
 } // namespace
@@ -50,28 +117,18 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
     if (pieces->pieces.size() < 2)
         return; // to hide it all is what hiding the frame is for
     const std::vector<PartLine> lines = linesOf(*pieces);
-    const auto size = [&](const FramePiece& piece) {
-        Box3 placed; // width, depth and height are those of the room
-        for (int corner = 0; corner < 8; ++corner)
-            placed.extend(frame->placed(piece.box.corner(static_cast<Box3::CornerType>(corner))));
-        const Vec3 sizes = placed.sizes();
-        return tr("%1 \u00d7 %2 \u00d7 %3 mm")
-            .arg(decimalText(sizes.x(), 0, false), decimalText(sizes.y(), 0, false),
-                 decimalText(sizes.z(), 0, false));
-    };
     std::vector<PropertyForm::Check> checks;
     int below = 0;
     for (const PartLine& line : lines) {
         below = line.below ? below : 0;
-        const FramePiece& first = pieces->pieces[line.pieces.front()];
-        const std::string& name = mesh->parts[first.part].name;
-        const QString part = name.empty() ? tr("Mesh") : QString::fromStdString(name);
+        const QString part = partTitle(mesh->parts[pieceOf(*pieces, line.pieces.front()).part].name);
+        const QString size = placedSize(*frame, *pieces, line.pieces);
         if (line.below)
-            checks.push_back({tr("Piece %1: %2").arg(++below).arg(size(first)), true});
+            checks.push_back({tr("Piece %1: %2").arg(++below).arg(size), true});
         else if (line.pieces.size() > 1)
             checks.push_back({tr("%1: %n piece(s)", nullptr, static_cast<int>(line.pieces.size())).arg(part)});
         else
-            checks.push_back({tr("%1: %2").arg(part, size(first))});
+            checks.push_back({tr("%1: %2").arg(part, size)});
     }
     const InspectorSubject<Frame> subject(m_document, {id}, form);
     const auto hidden = [subject, mesh, pieces] { return pieces->hiddenBy(*mesh, subject.now().hiddenParts); };
@@ -79,7 +136,8 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
         const std::vector<bool> gone = hidden();
         std::vector<Qt::CheckState> states;
         for (const PartLine& line : lines) {
-            const auto shown = std::ranges::count_if(line.pieces, [&](std::size_t piece) { return !gone[piece]; });
+            const auto shown = std::ranges::count_if(
+                line.pieces, [&](int piece) { return !gone[static_cast<std::size_t>(piece)]; });
             states.push_back(shown == 0                         ? Qt::Unchecked
                              : shown == std::ssize(line.pieces) ? Qt::Checked
                                                                 : Qt::PartiallyChecked);
@@ -88,15 +146,14 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
     };
     const auto write = [subject, hidden, mesh, pieces, lines](int at, bool shown) {
         std::vector<bool> gone = hidden();
-        for (const std::size_t piece : lines[static_cast<std::size_t>(at)].pieces)
-            gone[piece] = !shown;
+        for (const int piece : lines[static_cast<std::size_t>(at)].pieces)
+            gone[static_cast<std::size_t>(piece)] = !shown;
         subject.change(shown ? QT_TRANSLATE_NOOP("Message", "Show a part of %1")
                              : QT_TRANSLATE_NOOP("Message", "Hide a part of %1"),
                        [&](Frame& f) { f.hiddenParts = pieces->namesFor(*mesh, gone, f.hiddenParts); });
     };
     const auto pointed = [this, id, lines](int at) {
-        const bool one = at >= 0 && lines[static_cast<std::size_t>(at)].pieces.size() == 1;
-        m_pointAtPiece(id, one ? static_cast<int>(lines[static_cast<std::size_t>(at)].pieces.front()) : -1);
+        m_pointAtPieces(id, at < 0 ? std::vector<int>() : lines[static_cast<std::size_t>(at)].pieces);
     };
     form.addChecks(tr("Parts"), checks, read, write, pointed);
     form.addButton(tr("Show a&ll parts"), [subject] {
@@ -107,6 +164,49 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
     form.addNote([] {
         return tr("Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor "
                   "cushioning nor contact knows them.");
+    });
+}
+
+void InspectorForms::addCushionParts(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Cushion> cushion(m_document, ids, form);
+    const Design& design = m_document.design();
+    const std::optional<ElementId> id = cushion.shared([](const Cushion& c) { return c.frame; });
+    const Frame* frame = id ? design.find<Frame>(*id) : nullptr;
+    const FrameMeshPtr mesh = frame ? fileOf(m_files, *id) : nullptr;
+    if (!mesh)
+        return;
+    const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh);
+    const std::vector<CushionPart> parts = partsToTake(design, ids, *frame, *mesh, *pieces);
+    if (parts.empty())
+        return;
+    std::vector<PropertyForm::Check> checks;
+    for (const auto& [name, of] : parts)
+        checks.push_back({of.empty() ? tr("%1: not in this frame").arg(partTitle(name))
+                                     : tr("%1: %2").arg(partTitle(name), placedSize(*frame, *pieces, of))});
+    const auto read = [cushion, parts] {
+        std::vector<Qt::CheckState> states;
+        for (const CushionPart& part : parts) {
+            const std::optional<bool> taken = cushion.shared([&](const Cushion& c) { return takes(c, part.name); });
+            states.push_back(!taken ? Qt::PartiallyChecked : *taken ? Qt::Checked : Qt::Unchecked);
+        }
+        return states;
+    };
+    const auto write = [cushion, parts](int at, bool taken) {
+        const std::string& name = parts[static_cast<std::size_t>(at)].name;
+        cushion.change(QT_TRANSLATE_NOOP("Message", "Change the parts of %1"), [&](Cushion& c) {
+            std::erase(c.parts, name);
+            if (taken)
+                c.parts.push_back(name);
+        });
+    };
+    form.addChecks(tr("Padded parts"), checks, read, write, [this, frame = *id, parts](int at) {
+        m_pointAtPieces(frame, at < 0 ? std::vector<int>() : parts[static_cast<std::size_t>(at)].pieces);
+    });
+    form.addNote([cushion] {
+        return cushion.shared([](const Cushion& c) { return c.parts.empty(); }) == true
+                   ? tr("Without a mark, those parts are padded that the cover is fixed to.")
+                   : QString();
     });
 }
 
@@ -121,9 +221,9 @@ void InspectorForms::addVoxelNote(PropertyForm& form, ElementId id) const
     form.addNote(
         [finest] {
             const double least = finest();
-            return least > Cushion().voxel ? tr("This frame is large: of voxels below %1 there would be too many.")
-                                                 .arg(lengthText(least))
-                                           : QString();
+            return least > Cushion().voxel
+                       ? tr("This frame is large: the smallest detail can be %1 here.").arg(lengthText(least))
+                       : QString();
         },
         [this, id, finest] {
             const Cushion* cushion = m_document.design().find<Cushion>(id);

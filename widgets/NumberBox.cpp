@@ -3,16 +3,22 @@
 #include "LengthExpression.h"
 #include "Units.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPointer>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace bolster {
+
+using namespace std::chrono_literals;
 
 bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event)
 {
@@ -122,21 +128,45 @@ void NumberBox::fixup(QString& text) const
     m_refused = true;
     if (text.trimmed().isEmpty() && (m_varies || m_typedOver))
         return; // left as it was
-    const QString least = decimalText(m_least, decimals(), false), most = decimalText(m_most, decimals(), false);
-    QToolTip::showText(mapToGlobal(QPoint(0, height())),
-                       tr("\"%1\" is not taken: a number from %2 to %3 is needed").arg(text.trimmed(), least, most),
-                       const_cast<NumberBox*>(this));
+    // Once the keyboard is where it goes from here: a tip that is shown before goes with the focus.
+    constexpr auto moment = 50ms;
+    QTimer::singleShot(moment, qApp,
+                       [why = refusal(text), at = mapToGlobal(QPoint(0, height())), in = QPointer(window())] {
+                           if (in)
+                               QToolTip::showText(at, why, in);
+                       });
     QDoubleSpinBox::fixup(text);
+}
+
+QString NumberBox::refusal(const QString& text) const
+{
+    const QString written = withoutUnit(text);
+    const std::optional<double> number = numberIn(text);
+    if (written.isEmpty())
+        return tr("Not taken: a number is needed");
+    if (!number)
+        return (m_lengths ? tr("Not taken: \"%1\" is not a length") : tr("Not taken: \"%1\" is not a number"))
+            .arg(written);
+    const bool low = *number < minimum();
+    const QString limit = decimalText(low ? minimum() : maximum(), decimals(), false);
+    return (low ? tr("Not taken: %1 is too little, at least %2") : tr("Not taken: %1 is too much, at most %2"))
+        .arg(written, limit + (m_lengths ? QStringLiteral(" mm") : m_unit));
+}
+
+QString NumberBox::withoutUnit(const QString& text) const
+{
+    QString written = text.trimmed();
+    if (const QString unit = m_unit.trimmed(); !unit.isEmpty() && written.endsWith(unit))
+        written.chop(unit.size());
+    return written.trimmed();
 }
 
 std::optional<double> NumberBox::numberIn(const QString& text) const
 {
-    QString written = text.trimmed();
     if (m_lengths)
-        if (const std::optional<double> length = parseLength(written, locale()))
+        if (const std::optional<double> length = parseLength(text.trimmed(), locale()))
             return length;
-    if (const QString unit = m_unit.trimmed(); !unit.isEmpty() && written.endsWith(unit))
-        written.chop(unit.size()); // also of "2 cm mm": typed before the unit that stands there
+    const QString written = withoutUnit(text); // also of "2 cm mm": typed before the unit that stands there
     return m_lengths ? parseLength(written, locale()) : parseNumber(written, locale());
 }
 

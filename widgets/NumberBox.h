@@ -54,6 +54,9 @@ protected:
 
 private:
     void finishVarying();
+    /// Why what was typed is not taken.
+    QString refusal(const QString& text) const;
+    QString withoutUnit(const QString& text) const;
     /// The number that is meant, or nothing.
     std::optional<double> numberIn(const QString& text) const;
 

@@ -385,4 +385,11 @@ void PropertyForm::addButton(const QString& text, const std::function<void()>& p
     m_layout->addRow(button);
 }
 
+void PropertyForm::explain(const QString& tip)
+{
+    for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole, QFormLayout::SpanningRole})
+        if (const QLayoutItem* item = m_layout->itemAt(m_layout->rowCount() - 1, role); item && item->widget())
+            item->widget()->setToolTip(tip);
+}
+
 } // namespace bolster

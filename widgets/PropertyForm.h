@@ -64,6 +64,8 @@ public:
     void addColor(const QString& label, const QString& title, const std::function<std::optional<QColor>()>& read,
                   const std::function<void(const QColor&)>& write);
     void addButton(const QString& text, const std::function<void()>& pressed);
+    /// What the row that was added last does, for who waits with the pointer over it.
+    void explain(const QString& tip);
 
     void refresh();
     /// The keyboard goes to the first field that takes it, its text selected.

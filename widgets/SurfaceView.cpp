@@ -384,7 +384,7 @@ void SurfaceView::updateMarks()
     if (m_field && layerVisible(Layer::Field))
         addFieldLines(*m_field, m_scene);
     addScanPairs();
-    addFramePiece();
+    addFramePieces();
     if (const auto& symmetry = m_document.design().settings().symmetry; symmetry && layerVisible(Layer::Symmetry))
         addSymmetryPlane(*symmetry, m_scene);
     cutMarks();
@@ -440,7 +440,7 @@ void SurfaceView::updateBox()
         m_camera.azimuth += frontSide();
         m_camera.fit(box);
     } else if (box.isEmpty()) {
-        m_fitPending = true;
+        m_fitPending = !m_returned;
         m_scene.box = Box3(Vec3(-500, -500, 0), Vec3(500, 500, 0)); // ground to draw on
     }
 }
@@ -513,6 +513,12 @@ void SurfaceView::setCamera(const Camera& camera)
         emit perspectiveChanged(m_camera.perspective);
 }
 
+void SurfaceView::returnTo(const Viewpoint& view)
+{
+    m_returned = true;
+    setCamera(Camera{view, m_camera.size});
+}
+
 void SurfaceView::goTo(Camera camera)
 {
     m_flight.stop();
@@ -541,6 +547,7 @@ double SurfaceView::frontSide() const
 
 void SurfaceView::setStandardView(StandardView view)
 {
+    m_returned = false;
     Camera camera = destination();
     camera.look(view);
     if (view == StandardView::ThreeQuarter)
@@ -561,6 +568,7 @@ bool SurfaceView::inPicture(const Box3& box) const
 
 void SurfaceView::fitAll()
 {
+    m_returned = false;
     if (!isVisible() || m_scene.box.isEmpty()) {
         m_fitPending = true;
         updateBox();

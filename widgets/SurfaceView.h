@@ -99,8 +99,8 @@ public:
     /// Whether points of some scan have colours of their own.
     bool hasScanColors() const { return m_scanPoints.hasColors(); }
     void setScanPairs(std::vector<std::pair<Vec3, Vec3>> pairs);
-    /// A box around a piece of a frame (FramePieces), hidden or not; -1: none.
-    void showFramePiece(bolster::ElementId frame, int piece);
+    /// A box around these pieces of a frame (FramePieces), hidden or not; without any: none.
+    void showFramePieces(bolster::ElementId frame, const std::vector<int>& pieces);
     void setTool(bolster::SurfaceToolKind kind);
     SurfaceToolKind tool() const { return m_toolKind; }
     /// The next drag cuts away, or keeps, a part of the scan.
@@ -123,6 +123,9 @@ public:
     void setCamera(const Camera& camera);
     /// Turns smoothly; the size of the picture stays.
     void flyTo(const Camera& camera);
+    /// The view of a design that is opened again: what appears in it by and by does not move it.
+    void returnTo(const Viewpoint& view);
+    bool hasReturned() const { return m_returned; }
 
     void setLayerVisible(bolster::SurfaceView::Layer layer, bool visible);
     bool layerVisible(bolster::SurfaceView::Layer layer) const { return m_layers.contains(layer); }
@@ -214,7 +217,7 @@ private:
     Vec3 middleOf(ElementId id) const override;
     void updateScans();
     void addScanPairs();
-    void addFramePiece();
+    void addFramePieces();
     void updateLooks();
     void updateMarks();
     void updateMirrored();
@@ -282,8 +285,8 @@ private:
     FrameShapes m_frameShapes;
     Box3 m_frameBox;          ///< mm
     Box3 m_standing;          ///< the same while the frame is hidden, too
-    ElementId m_pieceFrame{}; ///< whose piece is marked
-    int m_piece = -1;
+    ElementId m_pieceFrame{}; ///< whose pieces are marked
+    std::vector<int> m_pieces;
     std::vector<ElementId> m_frameIds; ///< of the scene's frames: frames, then foam
     FoamMeshes m_foamMeshes;
     std::map<ElementId, std::vector<MadeSkin>> m_skins; ///< of frames and foam, of hidden ones, too; newest first
@@ -312,6 +315,7 @@ private:
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
     bool m_guided = false;    ///< the tool's guides are among the lines
     bool m_fitPending = true; ///< until there is something to see and a size
+    bool m_returned = false;  ///< the view was given, and no other was asked for since
 
     Navigation m_navigation = Navigation::None;
     Qt::MouseButton m_navigationButton = Qt::NoButton;

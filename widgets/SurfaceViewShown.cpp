@@ -29,25 +29,28 @@ void cutLook(SurfaceScene::PointsLook& look, const SectionPlane& section)
 
 } // namespace
 
-void SurfaceView::showFramePiece(ElementId frame, int piece)
+void SurfaceView::showFramePieces(ElementId frame, const std::vector<int>& pieces)
 {
-    if (std::pair(m_pieceFrame, m_piece) == std::pair(frame, piece))
+    if (m_pieceFrame == frame && m_pieces == pieces)
         return;
     m_pieceFrame = frame;
-    m_piece = piece;
+    m_pieces = pieces;
     refresh();
 }
 
-void SurfaceView::addFramePiece()
+void SurfaceView::addFramePieces()
 {
     const auto* frame = m_document.design().find<Frame>(m_pieceFrame);
     const auto file = m_files.meshes.find(m_pieceFrame);
-    if (m_piece < 0 || !frame || file == m_files.meshes.end() || !file->second)
+    if (!frame || file == m_files.meshes.end() || !file->second)
         return;
     const std::vector<FramePiece>& pieces = piecesOf(file->second)->pieces;
-    if (m_piece >= std::ssize(pieces))
+    Box3 box;
+    for (const int piece : m_pieces)
+        if (piece >= 0 && piece < std::ssize(pieces))
+            box.extend(pieces[static_cast<std::size_t>(piece)].box);
+    if (box.isEmpty())
         return;
-    const Box3& box = pieces[static_cast<std::size_t>(m_piece)].box;
     for (int corner = 0; corner < 8; ++corner)
         for (int axis = 0; axis < 3; ++axis) {
             const int other = corner | 1 << axis;

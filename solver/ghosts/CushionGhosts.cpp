@@ -251,8 +251,9 @@ private:
         const double enough = key.frame.edge * std::cbrt(count / mostVoxels);
         warn(id, "voxel_mm",
              {QT_TRANSLATE_NOOP("Message",
-                                "with voxels of %1 mm the cushion needs %2 million of them, and %3 are the "
-                                "limit, so it is left out; take at least %4 mm"),
+                                "a smallest detail of %1 mm is too fine for a frame as large as this (%2 million "
+                                "cubes of it, and %3 are the limit), so the cushion is left out; take at least "
+                                "%4 mm"),
               {numberText(key.frame.edge), numberText(count / 1e6, 3), numberText(mostVoxels / 1e6, 3),
                numberText(std::ceil(enough * 10) / 10)}});
         return true;

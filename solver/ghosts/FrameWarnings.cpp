@@ -116,8 +116,8 @@ Message thinPartsMessage(VoxelUser user, const TriangleMesh& mesh, const std::ve
 {
     return {user == VoxelUser::Cushion
                 ? QT_TRANSLATE_NOOP("Message",
-                                    "something of these parts of the frame is thinner than a voxel of %1 mm, "
-                                    "so that the cushioning may have gaps there: %2; take smaller voxels")
+                                    "something of these parts of the frame is thinner than the smallest detail of "
+                                    "the padding, %1 mm, so that it may have gaps there: %2; take a smaller detail")
                 : QT_TRANSLATE_NOOP(
                       "Message",
                       "contact looks at the frame in steps of %1 mm; something of these parts is thinner, "
@@ -129,10 +129,11 @@ Message noVoxelsMessage(VoxelUser user, double edge)
 {
     return {
         user == VoxelUser::Cushion
-            ? QT_TRANSLATE_NOOP("Message",
-                                "it pushes nothing: voxels of %1 mm find no inside of the frame, which is "
-                                "thinner than that, or so open that it has none; take smaller voxels, "
-                                "or close the frame")
+            ? QT_TRANSLATE_NOOP(
+                  "Message",
+                  "it pushes nothing: with a smallest detail of %1 mm there is no inside of the frame, which is "
+                  "thinner than that, or so open that it has none; take a smaller detail, "
+                  "or close the frame")
             : QT_TRANSLATE_NOOP("Message",
                                 "contact does nothing: in steps of %1 mm it finds no inside of the frame, which is "
                                 "thinner than that, or so open that it has none; close the frame, or make it "

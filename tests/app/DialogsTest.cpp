@@ -12,9 +12,12 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressDialog>
 #include <QThread>
+#include <QToolTip>
+#include <QUrl>
 
 namespace bolster {
 namespace {
@@ -114,6 +117,83 @@ TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
     import->setUnit(FileUnit::Millimetre);
     QTest::keyClick(import, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+}
+
+TEST_F(DialogsTest, TheSizeInTheImportDialogIsSeenWhateverItIs)
+{
+    window.files().importFrame(writeBox(3.4));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    const auto shows = [&](const QString& figure) {
+        const auto labels = import->findChildren<QLabel*>();
+        const auto size = std::ranges::find_if(
+            labels, [&](const QLabel* label) { return label->text().contains(QStringLiteral(" \u00d7 ")); });
+        return size != labels.end() && (*size)->text().startsWith(figure) &&
+               QTest::qWaitFor([&] { return (*size)->width() >= (*size)->sizeHint().width(); }, 3000);
+    };
+    for (const auto& [factor, figure] :
+         {std::pair(0.001, "0.0034 "), std::pair(1e-6, "0.0000034 "), std::pair(1.0, "3.4 "),
+          std::pair(100.0, "340 "), std::pair(1e6, "3400000 ")}) {
+        import->setUnit(FileUnit::Custom);
+        import->findChild<NumberBox*>()->setValue(factor);
+        EXPECT_TRUE(shows(QLatin1String(figure))) << figure;
+    }
+    import->close();
+}
+
+TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.selection().set({window.document().design().elements().begin()->first});
+    window.selection().clear(); // the properties of the design
+    const auto boxes = [&] { return window.inspector().widget()->findChildren<NumberBox*>(); };
+    ASSERT_FALSE(boxes().empty());
+    const auto type = [&](const char* text) {
+        QToolTip::hideText();
+        NumberBox* box = boxes().front();
+        const double before = box->value();
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return); // the keyboard goes back to the view
+        EXPECT_EQ(box->value(), before) << text;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().hasFocus() && QToolTip::isVisible(); }))
+            << text;
+        return QToolTip::text();
+    };
+    EXPECT_TRUE(type("wide").contains(QStringLiteral("\"wide\" is not a")));
+    EXPECT_TRUE(type("-1").contains(QStringLiteral("at least")));
+    EXPECT_TRUE(type("1e9").contains(QStringLiteral("not a")));
+    EXPECT_TRUE(type("1000000000").contains(QStringLiteral("at most")));
+    EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
+}
+
+TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
+{
+    ASSERT_TRUE(open(sample("trapezoid")));
+    bool saved = false;
+    window.session().save(m_folder.filePath("my.sofa.bolster"), [&](const Message&) { saved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, 30000));
+    ASSERT_TRUE(waitUntilSolved());
+    window.actions().renderPicture->trigger();
+    auto* dialog = opened<RenderDialog>();
+    ASSERT_TRUE(dialog);
+    for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>()->buttons())
+        if (button->text().contains(QStringLiteral("Render")))
+            button->click();
+    auto* files = opened<QFileDialog>();
+    ASSERT_TRUE(files);
+    EXPECT_EQ(files->selectedFiles(), QStringList{m_folder.filePath("my.sofa.png")});
+    files->reject();
+    const QString path = m_folder.filePath(QStringLiteral("a & b.png"));
+    dialog->renderTo(path);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->rendering(); }, 60000));
+    const auto labels = dialog->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
+        return label->text().contains(path.toHtmlEscaped()) &&
+               label->text().contains(QUrl::fromLocalFile(m_folder.path()).toString());
+    }));
+    dialog->close();
 }
 
 TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)

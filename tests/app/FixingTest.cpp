@@ -107,6 +107,26 @@ TEST_F(FixingTest, ViewsAreSavedByName)
     EXPECT_FALSE(SavedViews::find(name));
 }
 
+TEST_F(FixingTest, LastViewsAreKeptOfTheLatestFiles)
+{
+    const QTemporaryDir folder;
+    const auto file = [&](int i) { return folder.filePath(QStringLiteral("a b %1.bolster").arg(i)); };
+    constexpr int count = 60;
+    for (int i = 0; i < count; ++i) {
+        QFile made(file(i));
+        ASSERT_TRUE(made.open(QFile::WriteOnly));
+        Viewpoint view;
+        view.distance = 100 + i;
+        SavedViews::keepLast(file(i), view);
+        ASSERT_TRUE(SavedViews::lastOf(file(i)));
+        EXPECT_EQ(SavedViews::lastOf(file(i))->distance, 100 + i);
+    }
+    EXPECT_FALSE(SavedViews::lastOf(file(0))) << "long ago";
+    EXPECT_TRUE(SavedViews::lastOf(file(count - 50)));
+    EXPECT_FALSE(SavedViews::lastOf(folder.filePath("missing"))) << "never seen";
+    EXPECT_FALSE(SavedViews::lastOf({}));
+}
+
 TEST_F(FixingTest, TheSectionIsSwitchedInTheMenuAndInItsPanel)
 {
     window.actions().section->trigger();

@@ -62,7 +62,7 @@ TEST_F(FrameTest, TheCushionOfALargeFrameHasVoxelsThatFitAndSaysSo)
     QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(cushion());
     EXPECT_GT(cushion()->voxel, 5);
-    EXPECT_TRUE(says(QStringLiteral("the cushion has voxels of"))) << "in the status line";
+    EXPECT_TRUE(says(QStringLiteral("smallest detail is set to"))) << "in the status line";
     EXPECT_TRUE(says(QStringLiteral("This frame is large"))) << "in the inspector";
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_FALSE(cushion()) << "one edit";
@@ -74,7 +74,7 @@ TEST_F(FrameTest, TheCushionOfAChairHasTheUsualVoxels)
     QTest::keyClick(&window, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(cushion());
     EXPECT_EQ(cushion()->voxel, 5);
-    EXPECT_FALSE(says(QStringLiteral("voxels of")));
+    EXPECT_FALSE(says(QStringLiteral("smallest detail is set to")));
     EXPECT_FALSE(says(QStringLiteral("This frame is large")));
 }
 

@@ -53,6 +53,16 @@ protected:
         return problem;
     }
 
+    /// The box cushion as a project of its own; "" when it could not be saved.
+    QString savedBox()
+    {
+        const QString path = folder.filePath("box.bolster");
+        EXPECT_TRUE(open(sample("box-cushion")));
+        const std::string problem = save(path).english();
+        EXPECT_EQ(problem, "");
+        return problem.empty() ? path : QString();
+    }
+
     void change(int times = 1)
     {
         for (int i = 0; i < times; ++i) {
@@ -309,9 +319,8 @@ TEST_F(DamagedWorkTest, AJournalThatDoesNotSayWhereItBelongsIsOfferedWithItsProj
 
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     change(2);
     const Design kept = window.document().design();
     window.session().journal().setFate(WorkJournal::Fate::KeepForLater);
@@ -344,6 +353,58 @@ TEST_F(ProjectFilesTest, KeptWorkOfASampleHasItsName)
     EXPECT_EQ(window.session().title(), title);
 }
 
+TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
+{
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
+    ASSERT_TRUE(waitUntilAtRest());
+    const auto standing = [&] { return static_cast<const Viewpoint&>(window.surfaceView().camera()); };
+    Viewpoint own;
+    own.target = {12, 34, 56.7};
+    own.distance = 300;
+    own.azimuth = 2;
+    own.perspective = false;
+    window.surfaceView().setCamera(Camera{own, {1, 1}});
+    ASSERT_TRUE(open(sample("pillow")));
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_NE(standing().azimuth, own.azimuth) << "a sample is seen as it looks best";
+
+    const QString link = folder.filePath("link.bolster");
+    ASSERT_TRUE(QFile::link(path, link));
+    for (const QString& file : {path, link}) {
+        ASSERT_TRUE(open(file));
+        ASSERT_TRUE(waitUntilAtRest());
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().surface() == window.solver().surface(); }));
+        EXPECT_TRUE(standing() == own) << "also when the cover has come";
+        EXPECT_FALSE(window.isWindowModified());
+        EXPECT_FALSE(window.document().hasUnsavedWork());
+    }
+    change();
+    window.actions().revert->trigger();
+    EXPECT_EQ(window.document().history().current(), 0);
+    ASSERT_TRUE(waitUntilAtRest());
+    EXPECT_TRUE(standing() == own);
+    window.document().markSaved();
+    window.session().startNew();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return standing().distance != own.distance; }));
+}
+
+TEST_F(ProjectFilesTest, OnlyWhatIsInAFileCanBeRevertedToIt)
+{
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a new design";
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change();
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a sample is nobody's file";
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    EXPECT_FALSE(window.actions().revert->isEnabled()) << "nothing has changed since";
+    change();
+    EXPECT_TRUE(window.actions().revert->isEnabled());
+    window.actions().revert->trigger();
+    EXPECT_EQ(window.document().history().current(), 1);
+    EXPECT_FALSE(window.actions().revert->isEnabled());
+}
+
 TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -358,9 +419,8 @@ TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
 
 TEST_F(ProjectFilesTest, AnOlderStateOfTheFileIsReplaced)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     ASSERT_TRUE(QFile::copy(path, folder.filePath("older.bolster")));
     change();
     ASSERT_EQ(save(path).english(), "");
@@ -373,9 +433,8 @@ TEST_F(ProjectFilesTest, AnOlderStateOfTheFileIsReplaced)
 
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedIsNotReplaced)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     saveElsewhere(path);
     change();
     EXPECT_FALSE(save(path).empty());
@@ -420,9 +479,8 @@ protected:
 
 TEST_F(StrangerTest, IsNeverReplacedByAProject)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     for (const QByteArray& stranger : {QByteArray("my only copy"), QByteArray(), bytesOf(sample("pillow"))}) {
         QFile::remove(path);
         write(path, stranger);
@@ -430,8 +488,8 @@ TEST_F(StrangerTest, IsNeverReplacedByAProject)
     }
     saveElsewhere(path); // newer, and damaged then
     QByteArray damaged = bytesOf(path);
-    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 4);
-    damaged[damaged.size() - 100] = static_cast<char>(damaged[damaged.size() - 100] ^ 4);
+    for (qsizetype i = damaged.size() / 2; i < damaged.size(); i += 100) // single ones may lie where nothing is
+        damaged[i] = static_cast<char>(damaged[i] ^ 4);
     write(path, damaged);
     ASSERT_NE(openProject(path).problem.english(), "");
     expectKept(path, damaged);
@@ -441,9 +499,8 @@ TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
 {
     ASSERT_TRUE(open(sample("pillow")));
     ASSERT_EQ(save(folder.filePath("pillow.bolster")).english(), "");
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const QByteArray pillow = bytesOf(folder.filePath("pillow.bolster"));
     write(path, pillow);
     expectKept(path, pillow);
@@ -451,9 +508,8 @@ TEST_F(StrangerTest, AnotherProjectIsAskedAboutToo)
 
 TEST_F(StrangerTest, ANewLinkIsNotFollowed)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const QString moved = folder.filePath("moved.bolster");
     ASSERT_TRUE(QFile::rename(path, moved));
     const QByteArray before = bytesOf(moved);
@@ -501,9 +557,8 @@ TEST_F(StrangerTest, IsNeverReplacedByADesignAsText)
 
 TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     const Design theirs = saveElsewhere(path);
     change();
     const Design mine = window.document().design();
@@ -563,9 +618,8 @@ TEST_F(ProjectFilesTest, EditsMadeWhileSavingAreProtectedAndUnsaved)
 
 TEST_F(ProjectFilesTest, WhatAnotherWindowHasOpenIsShownWithoutItsPlace)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     MainWindow other;
     bool opened = false;
     QObject::connect(&other.session(), &DesignSession::opened, [&] { opened = true; });
@@ -812,9 +866,8 @@ TEST_F(ProjectFilesTest, ACopyWithoutHistoryHasTheDesignAlone)
 
 TEST_F(ProjectFilesTest, ADamagedProjectChangesNothing)
 {
-    ASSERT_TRUE(open(sample("box-cushion")));
-    const QString path = folder.filePath("box.bolster");
-    ASSERT_EQ(save(path).english(), "");
+    const QString path = savedBox();
+    ASSERT_FALSE(path.isEmpty());
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadWrite));
     file.seek(file.size() / 2);

@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QWhatsThis>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -24,6 +25,14 @@ namespace bolster {
 namespace {
 
 constexpr ElementId crease{43}; // "Back insert crease" of the car seat
+
+bool explained()
+{
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    return QApplication::activePopupWidget() || std::ranges::any_of(windows, [](const QWidget* window) {
+               return window->isVisible() && window->inherits("QWhatsThat");
+           });
+}
 
 double largestDifference(const std::vector<Vec3>& a, const std::vector<Vec3>& b)
 {
@@ -156,14 +165,7 @@ TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
     EXPECT_TRUE(line.findChild<ElidedLabel*>()->fullText().contains(QStringLiteral("217")));
     ASSERT_TRUE(why->isVisible());
     why->click();
-    EXPECT_TRUE(QTest::qWaitFor([] {
-        return QApplication::activePopupWidget() != nullptr || [] {
-            for (const QWidget* top : QApplication::topLevelWidgets())
-                if (top->isVisible() && top->inherits("QWhatsThat"))
-                    return true;
-            return false;
-        }();
-    }));
+    EXPECT_TRUE(QTest::qWaitFor(explained));
     QWhatsThis::hideText();
     line.flash(QStringLiteral("Something else"));
     EXPECT_FALSE(why->isVisible());
@@ -171,6 +173,26 @@ TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
     ASSERT_TRUE(why->isVisible());
     emit window.document().changed({});
     EXPECT_FALSE(why->isVisible()) << "it was another design's";
+}
+
+TEST_F(RestingTest, ACoverThatFindsNoRestSaysWhatCanBeDone)
+{
+    StatusLine& line = window.statusLine();
+    auto* why = line.findChild<QToolButton*>(QStringLiteral("why-unrest"));
+    ASSERT_TRUE(why);
+    SolverStatus status = window.solver().status();
+    line.setSolver(status, false);
+    EXPECT_FALSE(why->isVisible());
+    status.reason = {"The surface still moves after %1 iterations.", {"5000"}};
+    line.setSolver(status, false);
+    EXPECT_TRUE(line.solverText().contains(QStringLiteral("5000")));
+    ASSERT_TRUE(why->isVisible());
+    why->click();
+    EXPECT_TRUE(QTest::qWaitFor(explained));
+    QWhatsThis::hideText();
+    status.reason = {};
+    line.setSolver(status, false);
+    EXPECT_FALSE(why->isVisible());
 }
 
 TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)

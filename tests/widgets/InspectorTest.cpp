@@ -426,13 +426,90 @@ TEST_F(InspectorTest, APieceThatIsPointedAtInTheListIsTold)
     inspector.setFiles({{{id, mesh}}, {}});
     auto* list = inspector.widget()->findChild<QTreeWidget*>();
     ASSERT_TRUE(list);
-    std::vector<int> told;
+    std::vector<std::vector<int>> told;
     const QObject here; // the list tells once more when it goes
-    QObject::connect(&inspector, &Inspector::framePiecePointedAt, &here,
-                     [&](ElementId, int piece) { told.push_back(piece); });
+    QObject::connect(&inspector, &Inspector::framePiecesPointedAt, &here,
+                     [&](ElementId, const std::vector<int>& pieces) { told.push_back(pieces); });
     list->setCurrentItem(list->topLevelItem(0)->child(1));
     list->setCurrentItem(list->topLevelItem(0));
-    EXPECT_EQ(told, (std::vector<int>{1, -1})) << "a part of several pieces is none of them";
+    EXPECT_EQ(told, (std::vector<std::vector<int>>{{1}, {0, 1}}));
+}
+
+TEST_F(InspectorTest, PartsOfACushionAreChosenAmongThoseOfItsFrame)
+{
+    const auto add = [&](const Element& element) {
+        const ElementId id = document.design().nextId();
+        document.commit(edits::addElement(document.design(), makeElement(element)));
+        return id;
+    };
+    Frame frame;
+    frame.hiddenParts = {"Legs"};
+    const ElementId chair = add(frame), stool = add(Frame{});
+    Cushion cushion;
+    cushion.frame = chair;
+    cushion.parts = {"Arm"};
+    const ElementId id = add(cushion);
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (const double x : {0.0, 100.0, 200.0, 300.0}) {
+        mesh->points.insert(mesh->points.end(), {{x, 0, 0}, {x + 50, 0, 0}, {x, 50, 20}});
+        const auto last = static_cast<std::uint32_t>(mesh->points.size());
+        mesh->triangles.push_back({last - 3, last - 2, last - 1});
+    }
+    mesh->parts = {{"Seat", 0, 1}, {"Back", 1, 2}, {"Legs", 3, 1}};
+    auto plain = std::make_shared<TriangleMesh>(*mesh);
+    plain->parts = {{"Stool", 0, 4}};
+    inspector.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&inspector));
+    selection.set({id});
+    inspector.setFiles({{{chair, mesh}, {stool, plain}}, {}});
+    const auto list = [&] { return inspector.widget()->findChild<QTreeWidget*>(); };
+    const auto parts = [&] { return document.design().find<Cushion>(id)->parts; };
+    const auto click = [&](int row) {
+        list()->setFocus();
+        list()->setCurrentItem(list()->topLevelItem(row));
+        QTest::keyClick(list(), Qt::Key_Space);
+    };
+    ASSERT_TRUE(list());
+    ASSERT_EQ(list()->topLevelItemCount(), 3) << "what the frame hides nobody pads";
+    EXPECT_EQ(list()->topLevelItem(1)->text(0), QStringLiteral("Back: 150 \u00d7 50 \u00d7 20 mm"));
+    EXPECT_TRUE(list()->topLevelItem(2)->text(0).contains("not in this frame"));
+    EXPECT_EQ(list()->topLevelItem(2)->checkState(0), Qt::Checked);
+
+    std::vector<int> told;
+    QObject::connect(&inspector, &Inspector::framePiecesPointedAt, list(),
+                     [&](ElementId of, const std::vector<int>& pieces) {
+                         EXPECT_EQ(of, chair);
+                         told = pieces;
+                     });
+    click(1);
+    EXPECT_EQ(told, (std::vector<int>{1, 2})) << "all of it is marked";
+    EXPECT_EQ(parts(), (std::vector<std::string>{"Arm", "Back"}));
+    click(2);
+    EXPECT_EQ(parts(), std::vector<std::string>{"Back"});
+    click(1);
+    EXPECT_TRUE(parts().empty()) << "those that the cover is fixed to";
+    document.undo();
+    EXPECT_EQ(parts(), std::vector<std::string>{"Back"});
+
+    cushion.frame = stool; // chosen while the keyboard is in the form
+    inspector.focusFirst();
+    document.commit(edits::replaceElement(document.design(), id, makeElement(cushion), {}));
+    ASSERT_TRUE(list());
+    EXPECT_EQ(list()->topLevelItem(0)->text(0), QStringLiteral("Stool: 350 \u00d7 50 \u00d7 20 mm"));
+}
+
+TEST_F(InspectorTest, TheFormOfACushionSaysWhatItsFieldsDo)
+{
+    Cushion cushion;
+    const ElementId id = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(cushion)));
+    selection.set({id});
+    for (const QString label : {"Pushes", "Padding", "Strength", "Slanted faces", "Smallest detail"}) {
+        const auto labels = inspector.widget()->findChildren<QLabel*>();
+        const auto found = std::ranges::find(labels, label, &QLabel::text);
+        ASSERT_NE(found, labels.end()) << label.toStdString();
+        EXPECT_GT((*found)->toolTip().size(), 20) << label.toStdString();
+    }
 }
 
 TEST_F(InspectorTest, OfAScanItIsSaidHowManyPointsAreThereAndWhenItWasThinned)

@@ -1,0 +1,25 @@
+# Whether what the installed documents link to is installed, too: cmake -D BUILD=... -D PREFIX=... -P InstalledLinks.cmake
+cmake_minimum_required(VERSION 3.25)
+file(REMOVE_RECURSE "${PREFIX}")
+foreach(component IN ITEMS documents samples)
+    execute_process(
+        COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${PREFIX}" --component ${component}
+        OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+file(GLOB_RECURSE documents "${PREFIX}/share/doc/bolster/*.md")
+if(NOT documents MATCHES "README.md")
+    message(FATAL_ERROR "the documents are not installed")
+endif()
+foreach(document IN LISTS documents)
+    cmake_path(GET document PARENT_PATH folder)
+    file(READ "${document}" text)
+    string(REPLACE "](" "@link:" text "${text}") # brackets would spoil the list
+    string(REGEX MATCHALL "@link:[^)#]+" links "${text}")
+    foreach(link IN LISTS links)
+        string(REPLACE "@link:" "" link "${link}")
+        if(NOT link MATCHES "^[a-z]+:" AND NOT EXISTS "${folder}/${link}")
+            message(SEND_ERROR "${document} links to ${link}, which is not installed")
+        endif()
+    endforeach()
+endforeach()
+file(REMOVE_RECURSE "${PREFIX}")
