@@ -85,8 +85,14 @@ void MainWindow::showSpot(const CoverPoint& place)
 
 void MainWindow::connectFindings()
 {
-    connect(m_findings.get(), &FindingsLink::changed, this,
-            [this] { m_status->setFindings(m_findings->findings(), m_findings->known()); });
+    // What is not on the screen yet is not called good.
+    const auto update = [this] {
+        const bool seen = m_surface->pictures(m_solver->surface());
+        m_status->setFindings(m_findings->findings(), seen && m_findings->known());
+    };
+    connect(m_findings.get(), &FindingsLink::changed, this, update);
+    connect(m_surface, &SurfaceView::pictured, this, update);
+    connect(m_docks->cover, &QDockWidget::visibilityChanged, this, update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
     connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {
         if (!document().design().element(finding.element))

@@ -105,8 +105,11 @@ void GlCanvas::received(GlPainter::Picture picture)
     }
     if (picture.version == m_asked)
         m_asked.reset();
+    const bool other = picture.surface != m_picture.surface;
     m_picture = std::move(picture);
     update();
+    if (other)
+        tellShown();
     if (m_picture.version != m_version || (!m_moving && !m_picture.finest))
         schedule();
 }

@@ -108,8 +108,11 @@ void SoftwareCanvas::received(Picture picture)
         return; // a picture was grabbed meanwhile
     m_asked.reset();
     if (!picture.result.image.isNull()) {
+        const bool other = picture.request.surface != m_picture.request.surface;
         m_picture = std::move(picture);
         update();
+        if (other)
+            tellShown();
     }
     if (m_again)
         send(true);
@@ -151,6 +154,7 @@ QImage SoftwareCanvas::grab()
         const SoftwareRenderer::Request asked = request(false);
         const std::lock_guard lock(m_rendering);
         m_picture = {asked, m_renderer->render(asked, {})};
+        tellShown();
     }
     return QWidget::grab().toImage();
 }

@@ -5,6 +5,9 @@
 
 #include <QImage>
 
+#include <functional>
+#include <utility>
+
 class QWidget;
 
 namespace bolster {
@@ -25,12 +28,23 @@ public:
     virtual bool drawsOcclusion() const = 0;
     /// The cover in the picture that is on the screen, or null: pictures come later than what they show.
     virtual SurfaceMeshPtr shown() const = 0;
+    /// To be called when that is another one than before.
+    void whenShownChanges(std::function<void()> tell) { m_tell = std::move(tell); }
     /// The finest picture, now.
     virtual QImage grab() = 0;
 
 protected:
+    void tellShown() const
+    {
+        if (m_tell)
+            m_tell();
+    }
+
     const SurfaceScene& m_scene;
     const Camera& m_camera;
+
+private:
+    std::function<void()> m_tell;
 };
 
 } // namespace bolster

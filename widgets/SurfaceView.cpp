@@ -137,6 +137,7 @@ void SurfaceView::makeCanvas()
     auto canvas = std::make_unique<GlCanvas>(m_scene, m_camera, this);
     connect(canvas.get(), &GlCanvas::failed, this, &SurfaceView::useSoftware, Qt::QueuedConnection);
     m_canvas = std::move(canvas);
+    m_canvas->whenShownChanges([this] { emit pictured(); });
     emit rendererNote({});
 }
 
@@ -144,6 +145,7 @@ void SurfaceView::useSoftware(const QString& note)
 {
     m_canvas.reset();
     m_canvas = std::make_unique<SoftwareCanvas>(m_scene, m_camera, m_softwareRenderer, this);
+    m_canvas->whenShownChanges([this] { emit pictured(); });
     m_canvas->widget().setGeometry(rect());
     m_canvas->widget().lower();
     m_canvas->widget().show();

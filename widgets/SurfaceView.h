@@ -89,6 +89,11 @@ public:
     void setFabricMaps(std::map<bolster::ElementId, bolster::FabricMapsPtr> maps);
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
     SurfaceMeshPtr shownSurface() const { return m_canvas ? m_canvas->shown() : nullptr; }
+    /// Whether the picture on the screen, if there is one, is of this surface.
+    bool pictures(const SurfaceMeshPtr& surface) const
+    {
+        return !isVisible() || !m_canvas || (m_surface == surface && m_canvas->shown() == m_scene.surface);
+    }
     /// What the design's files hold: frames, foam and scans; their placement is taken from the design.
     void setFiles(const DesignFiles& files);
     /// Colours on the cover; null for none.
@@ -162,6 +167,8 @@ signals:
     /// Clicked with the tool that selects.
     void coverClicked(const bolster::CoverPoint& point);
     void hiddenChanged();
+    /// Another cover is in the picture on the screen.
+    void pictured();
     void sectionClosed();
     /// "No OpenGL: drawn in software", or "".
     void rendererNote(const QString& note);

@@ -17,8 +17,9 @@ protected:
     StatusLine::Mood mood() { return window.statusLine().mood(); }
     bool waitUntilKnown()
     {
-        return waitUntilAtRest() && QTest::qWaitFor([&] { return window.findings().known(); }, 60000);
+        return waitUntilAtRest() && QTest::qWaitFor([&] { return window.findings().known() && isSeen(); }, 60000);
     }
+    bool isSeen() { return window.surfaceView().pictures(window.solver().surface()); }
     QToolButton* button() { return window.statusLine().findChild<QToolButton*>(QStringLiteral("show-finding")); }
     bool crossShown() { return window.patternView().findChild<Crosshair*>()->isVisible(); }
 

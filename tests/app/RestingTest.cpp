@@ -148,10 +148,18 @@ TEST_F(RestingTest, ThePictureFollowsUndo)
         QTest::qWait(upTo(300));
         release(view, at);
         QTest::qWait(upTo(900));
+        bool green = false, seen = false;
         QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
         ASSERT_TRUE(waitUntilAtRest());
         EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return view.shownSurface() == window.solver().surface(); }, 20000));
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                green = window.statusLine().mood() == StatusLine::Mood::Good;
+                seen = view.shownSurface() == window.solver().surface();
+                EXPECT_TRUE(seen || !green) << "what is not seen is not called good";
+                return green && seen;
+            },
+            60000));
     }
 }
 
