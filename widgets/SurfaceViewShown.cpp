@@ -35,7 +35,8 @@ void SurfaceView::showFramePieces(ElementId frame, const std::vector<int>& piece
         return;
     m_pieceFrame = frame;
     m_pieces = pieces;
-    refresh();
+    updateMarks();
+    draw(false);
 }
 
 void SurfaceView::addFramePieces()

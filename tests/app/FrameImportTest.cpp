@@ -91,9 +91,9 @@ TEST(FileImport, SaysThatAScanWasThinnedOutAndHowMuch)
     large->spacing = 0.0025;
     FileImportDialog dialog(QStringLiteral("room.ply"), {nullptr, large});
     EXPECT_TRUE(about(dialog).contains(QLocale().toString(12'000'000)));
-    EXPECT_TRUE(about(dialog).contains(QStringLiteral("2.5 mm"))) << about(dialog).toStdString();
+    EXPECT_TRUE(about(dialog).contains(QStringLiteral("every 2.5 mm"))) << about(dialog).toStdString();
     dialog.setUnit(FileUnit::Millimetre);
-    EXPECT_FALSE(about(dialog).contains(QStringLiteral("2.5 mm"))) << "the unit is another one";
+    EXPECT_FALSE(about(dialog).contains(QStringLiteral("every 2.5 mm"))) << "the unit is another one";
 }
 
 } // namespace

@@ -81,6 +81,7 @@ TEST_F(FrameTest, TheCushionOfAChairHasTheUsualVoxels)
 TEST_F(FrameTest, ACushionWithoutVoxelsIsAProblemAndOneOfADoubleSidedFrameIsNot)
 {
     ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window)) << "what says that it is read may have had the keyboard";
     const auto problems = [&] {
         QStringList found;
         for (const Problem& problem : window.solver().status().problems)

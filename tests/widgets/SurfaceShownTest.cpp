@@ -14,6 +14,7 @@
 #include "TwinEdits.h"
 #include "Twins.h"
 #include "Units.h"
+#include "ViewColors.h"
 #include "VisibleCover.h"
 
 #include <QLabel>
@@ -319,6 +320,32 @@ TEST_F(SurfaceShown, HandlesAndFancySeamsHaveLayers)
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Curve);
     view.setLayerVisible(SurfaceView::Layer::HandleCurves, false);
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Cover);
+}
+
+TEST_F(SurfaceShown, PiecesOfAFrameAreMarkedAtOnce)
+{
+    const ElementId id = document.design().nextId();
+    document.commit(edits::addElement(document.design(), makeElement(Frame{})));
+    auto mesh = std::make_shared<TriangleMesh>();
+    mesh->points = {{0, 0, 0}, {90, 0, 0}, {0, 50, 30}, {200, 0, 0}, {250, 0, 0}, {200, 50, 30}};
+    mesh->triangles = {{0, 1, 2}, {3, 4, 5}};
+    mesh->parts = {{"Frame", 0, 2}};
+    view.setFiles({{{id, mesh}}, {}});
+    const auto marks = [&](const std::vector<int>& pieces) {
+        view.showFramePieces(id, pieces);
+        const QImage picture = view.grab().toImage();
+        const QRgb accent = ViewColors::of(view.palette()).accent.rgb();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                count += picture.pixel(x, y) == accent;
+        return count;
+    };
+    const int none = marks({});
+    const int one = marks({0});
+    EXPECT_GT(one, none);
+    EXPECT_GT(marks({0, 1}), one) << "a box around both";
+    EXPECT_EQ(marks({}), none);
 }
 
 TEST_F(SurfaceShown, TheFloorIsUnderTheFrame)
