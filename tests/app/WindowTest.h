@@ -111,7 +111,7 @@ protected:
 
     void whenABoxHas(const std::function<QAbstractButton*(QMessageBox&)>& find)
     {
-        auto* timer = new QTimer(qApp);
+        auto* timer = new QTimer(&window); // not longer than what it uses
         QObject::connect(timer, &QTimer::timeout, timer, [this, timer, find] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             QAbstractButton* button = box ? find(*box) : nullptr;
