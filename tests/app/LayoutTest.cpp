@@ -56,9 +56,10 @@ TEST_F(WindowTest, EachPartSaysItsTitleOnce)
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
         QTest::qWait(100);
         expectTitlesOnce(again, "after a start");
+        if (start > 0)
+            again.actions().resetLayout->trigger(); // kept for other tests
         again.close();
     }
-    window.actions().resetLayout->trigger(); // kept for the next start
 }
 
 TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
