@@ -4,6 +4,7 @@
 #include "OutlineSampling.h"
 #include "PatchLines.h"
 #include "PreparedSheet.h"
+#include "StartPlacement.h"
 #include "Voxelise.h"
 
 #include "Growth.h"
@@ -102,6 +103,19 @@ TEST(Growth, FancySeamsArePrepared)
 TEST(Growth, PatchesArePrepared)
 {
     EXPECT_LT(growth(500, patches, prepare), nearlyLinear);
+}
+
+/// What nothing holds lies side by side.
+TEST(Growth, FreePatchesFindTheirPlaces)
+{
+    const auto make = [](int count) {
+        TriangulationCache cache;
+        return std::make_shared<const PreparedSheet>(prepareSheet(patches(count), cache).value());
+    };
+    const auto place = [](const std::shared_ptr<const PreparedSheet>& sheet) {
+        EXPECT_EQ(startPlacement(sheet->mesh).positions.cols(), sheet->mesh.unknownCount());
+    };
+    EXPECT_LT(growth(1000, make, place), nearlyLinear);
 }
 
 /// Many small bodies in a large frame: what one costs must not depend on the frame.
