@@ -3659,6 +3659,10 @@
         <source>Change the smallest detail of %1</source>
         <translation>Die kleinste Einzelheit von %1 ändern</translation>
     </message>
+    <message>
+        <source>the log of &quot;%1&quot; is damaged: the last edits cannot be read</source>
+        <translation>das Protokoll von „%1“ ist beschädigt: die letzten Bearbeitungen lassen sich nicht lesen</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
