@@ -5882,6 +5882,18 @@
         <source>Not saved yet: %1.</source>
         <translation>Noch nicht gespeichert: %1.</translation>
     </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Die Arbeit an „%1“ wird wiederhergestellt …</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Die Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
