@@ -54,8 +54,10 @@ public:
     /// is asked about by `replace`. When stopped, nothing happens, and `done` is not called.
     void open(const QString& path, Opening opening, const Replace& replace, const Done& done,
               const std::stop_token& stop = {});
-    /// Goes on with what a crash has left, or what was kept for later.
-    void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done);
+    /// Goes on with what a crash has left, or what was kept for later. When stopped, it is left as it was, and
+    /// `done` is not called.
+    void restore(const WorkJournal::Left& left, const Replace& replace, const Done& done,
+                 const std::stop_token& stop = {});
     /// As a project, with its whole history, or as a text (".json"): the design alone, with its files beside it.
     void save(const QString& path, const Done& done);
     /// The last save has written nothing, because somebody else has changed the file since it was opened.
@@ -121,7 +123,10 @@ private:
 
     static Opened readProject(WorkJournal::Taken taken, std::shared_ptr<OwnFolder> own,
                               const std::stop_token& stop = {});
-    static Opened readLeft(const WorkJournal::Left& left);
+    static Opened readDesign(const QString& file, const std::stop_token& stop);
+    static Opened readLeft(const WorkJournal::Left& left, const std::stop_token& stop);
+    void readNewest(const std::function<Opened(const std::stop_token&)>& read, const Replace& replace,
+                    const Done& done, const std::stop_token& stop, const std::function<void(const Opened&)>& take);
     Moment now() const;
     void takeUnlessChanged(const Moment& before, const Replace& replace, const std::function<void()>& take);
     void goToLastPlace();

@@ -76,10 +76,23 @@ DesignSession::Opened DesignSession::readProject(WorkJournal::Taken taken, std::
     return opened;
 }
 
+DesignSession::Opened DesignSession::readDesign(const QString& file, const std::stop_token& stop)
+{
+    const bool project = looksLikeProject(file);
+    const FileStamp stamp = stampOf(file, !project);
+    if (!project)
+        return {openDesign(file, {}, stop), {}, {}, stamp};
+    Opened opened = readProject(WorkJournal::takeProject(file), OwnFolder::make(), stop);
+    opened.stamp = stamp;
+    return opened;
+}
+
 /// In the folder that it had, if that was one of ours; what lies elsewhere belongs to the user, and is copied.
-DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
+DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left, const std::stop_token& stop)
 {
     WorkJournal::Taken taken = WorkJournal::takeLeft(left);
+    if (stop.stop_requested())
+        return {};
     auto own = taken.journal ? OwnFolder::takeOver(left.place.files) : nullptr;
     if (own) {
         own->keep(); // for the work, whatever comes of this
@@ -91,68 +104,62 @@ DesignSession::Opened DesignSession::readLeft(const WorkJournal::Left& left)
         if (own)
             (void)elsewhere.copyTo(own->path(), taken.project.design, &copied); // what is missing is reported
     }
-    Opened opened = readProject(std::move(taken), std::move(own));
+    Opened opened = readProject(std::move(taken), std::move(own), stop);
     opened.stamp = left.place.stamp;
     return opened;
 }
 
-void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done,
-                         const std::stop_token& stop)
+/// In the background. Takes it unless it was stopped, or something else was asked for meanwhile.
+void DesignSession::readNewest(const std::function<Opened(const std::stop_token&)>& read, const Replace& replace,
+                               const Done& done, const std::stop_token& stop,
+                               const std::function<void(const Opened&)>& take)
 {
-    const QString file = QFileInfo(path).absoluteFilePath();
     const int generation = ++m_generation;
     m_opening.request_stop(); // only the newest is wanted
     m_opening = {};
     using Cancelled = std::stop_callback<std::function<void()>>;
     const auto cancelled =
         std::make_shared<Cancelled>(stop, [source = m_opening]() mutable { source.request_stop(); });
-    inBackground<Opened>([file, reading = m_opening.get_token()] {
-        const bool project = looksLikeProject(file);
-        const FileStamp stamp = stampOf(file, !project);
-        if (!project)
-            return Opened{openDesign(file, {}, reading), {}, {}, stamp};
-        Opened opened = readProject(WorkJournal::takeProject(file), OwnFolder::make(), reading);
-        opened.stamp = stamp;
-        return opened;
-    })
-        .then(this, [this, file, opening, generation, before = now(), replace, done, cancelled,
+    inBackground<Opened>([read, reading = m_opening.get_token()] { return read(reading); })
+        .then(this, [this, generation, before = now(), replace, done, take, cancelled,
                      reading = m_opening.get_token()](const Opened& opened) {
             if (generation != m_generation || reading.stop_requested())
-                return; // something else was opened meanwhile, or this is not wanted any more
-            if (!opened.design.readable) {
+                return;
+            if (opened.design.readable)
+                takeUnlessChanged(before, replace, [take, opened] { take(opened); });
+            else
                 done(opened.design.problems.empty()
                          ? Message{QT_TRANSLATE_NOOP("Message", "the file is not a design"), {}}
                          : opened.design.problems.front().message);
-                return;
-            }
-            takeUnlessChanged(before, replace, [this, file, opening, opened, done] {
-                const bool look = opening == Opening::ToLook || isSample(file);
-                take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
-                m_onlyToLook = opening == Opening::ToLook;
-                if (m_onlyToLook)
-                    emit titleChanged();
-                if (opened.journal.journal)
-                    goToLastPlace();
-                done({});
-            });
         });
 }
 
-void DesignSession::restore(const WorkJournal::Left& left, const Replace& replace, const Done& done)
+void DesignSession::open(const QString& path, Opening opening, const Replace& replace, const Done& done,
+                         const std::stop_token& stop)
 {
-    inBackground<Opened>([left] {
-        return readLeft(left);
-    }).then(this, [this, left, before = now(), replace, done](const Opened& opened) {
-        if (!opened.design.readable) {
-            done(opened.design.problems.front().message);
-            return;
-        }
-        takeUnlessChanged(before, replace, [this, left, opened, done] {
-            const QString& original = left.place.original;
-            take(opened, isSample(original) ? QString() : original, left.place.files,
-                 left.place.title.isEmpty() ? tr("Restored design") : left.place.title);
-            done({});
-        });
+    const QString file = QFileInfo(path).absoluteFilePath();
+    const auto read = [file](const std::stop_token& reading) { return readDesign(file, reading); };
+    readNewest(read, replace, done, stop, [this, file, opening, done](const Opened& opened) {
+        const bool look = opening == Opening::ToLook || isSample(file);
+        take(opened, look ? QString() : file, QFileInfo(file).absolutePath(), titleOf(file));
+        m_onlyToLook = opening == Opening::ToLook;
+        if (m_onlyToLook)
+            emit titleChanged();
+        if (opened.journal.journal)
+            goToLastPlace();
+        done({});
+    });
+}
+
+void DesignSession::restore(const WorkJournal::Left& left, const Replace& replace, const Done& done,
+                            const std::stop_token& stop)
+{
+    const auto read = [left](const std::stop_token& reading) { return readLeft(left, reading); };
+    readNewest(read, replace, done, stop, [this, left, done](const Opened& opened) {
+        const QString& original = left.place.original;
+        take(opened, isSample(original) ? QString() : original, left.place.files,
+             left.place.title.isEmpty() ? tr("Restored design") : left.place.title);
+        done({});
     });
 }
 

@@ -6,6 +6,7 @@
 #include "FabricCommands.h"
 #include "ImageImport.h"
 #include "Project.h"
+#include "TemporaryFile.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -27,9 +28,11 @@ Message writeFabric(const Fabric& fabric, const QString& picture, const QString&
         const QString name = target.completeBaseName() + u'.' + QFileInfo(picture).suffix().toLower();
         const QString copy = target.dir().filePath(name);
         if (QFileInfo(copy).canonicalFilePath() != QFileInfo(picture).canonicalFilePath()) {
-            QFile::remove(copy);
-            if (!QFile::copy(picture, copy))
-                return {QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be written"), {copy.toStdString()}};
+            TemporaryFile temporary(copy); // an older one stays until this one is whole
+            if (Message problem = temporary.copyFrom(picture); !problem.empty())
+                return problem;
+            if (Message problem = temporary.moveIntoPlace(); !problem.empty())
+                return problem;
         }
         written.look.file = name.toStdString();
     }

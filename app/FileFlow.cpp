@@ -102,15 +102,22 @@ void FileFlow::openNow(const QString& path, const Then& opened)
     });
 }
 
+/// Who cancels it stops what it is about.
+QPointer<QProgressDialog> FileFlow::showProgress(const QString& text, std::stop_source stop)
+{
+    QPointer<QProgressDialog> dialog = openProgress(m_window, text).dialog;
+    connect(dialog, &QProgressDialog::canceled, this, [dialog, stop]() mutable {
+        stop.request_stop();
+        closeProgress(dialog);
+    });
+    return dialog;
+}
+
 /// Until the design is there, whoever opens it.
-QPointer<QProgressDialog> FileFlow::showReading(const QString& path, std::stop_source stop)
+QPointer<QProgressDialog> FileFlow::showReading(const QString& text, const std::stop_source& stop)
 {
     closeProgress(m_reading);
-    m_reading = openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(path).fileName())).dialog;
-    connect(m_reading, &QProgressDialog::canceled, this, [this, stop]() mutable {
-        stop.request_stop();
-        closeProgress(m_reading);
-    });
+    m_reading = showProgress(text, stop);
     connect(&m_session, &DesignSession::opened, m_reading,
             [reading = m_reading.data()] { closeProgress(reading); });
     return m_reading;
@@ -119,7 +126,7 @@ QPointer<QProgressDialog> FileFlow::showReading(const QString& path, std::stop_s
 void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const Then& opened)
 {
     const std::stop_source stop;
-    const auto reading = showReading(path, stop);
+    const auto reading = showReading(tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), stop);
     const auto replace = [this, reading](const Then& then) {
         closeProgress(reading);
         keepWork(then);
@@ -127,7 +134,7 @@ void FileFlow::openAs(const QString& path, DesignSession::Opening opening, const
     const auto done = [this, path, opened, reading](const Message& problem) {
         closeProgress(reading);
         if (!problem.empty()) {
-            offerSalvage(path, problem);
+            failToOpen(path, problem);
             return;
         }
         if (!isSample(path))

@@ -75,6 +75,7 @@ private:
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
     void setAside(const WorkJournal::Left& left, const Message& problem);
+    void goOnWithout(const WorkJournal::Left& damaged, const Message& problem);
     void salvageWork(const WorkJournal::Left& damaged, const QString& why);
     void sayWhatBecameOf(const QString& work, const QString& why, const QString& recovered,
                          const Salvaged& salvaged);
@@ -85,10 +86,12 @@ private:
     void saveForGood(bool asProject, const Then& then);
     void chooseSaveTarget(const Answer& chosen);
     void openNow(const QString& path, const Then& opened = {});
-    void offerSalvage(const QString& path, const Message& problem);
+    void failToOpen(const QString& path, const Message& problem);
+    void offerSalvage(const QString& path, const Message& problem, bool damaged);
     void salvage(const QString& path);
     void sayWhatIsLeft(const QString& path, const std::vector<Message>& notes);
-    QPointer<QProgressDialog> showReading(const QString& path, std::stop_source stop);
+    QPointer<QProgressDialog> showProgress(const QString& text, std::stop_source stop);
+    QPointer<QProgressDialog> showReading(const QString& text, const std::stop_source& stop);
     void openAs(const QString& path, DesignSession::Opening opening, const Then& opened);
     void saveTo(const QString& path, const Then& then);
     void saveCopyTo(const QString& path, const SaveOptions& options);

@@ -47,36 +47,63 @@ QString freePathBeside(const QString& path)
 /// The next start after a crash is where the work was.
 void FileFlow::recover()
 {
-    const QList<WorkJournal::Left> all = WorkJournal::left();
-    WorkJournal::emptyBin();
-    OwnFolder::removeForgotten(WorkJournal::filesInUse());
-    const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
-    if (crashed != all.end())
-        restore(*crashed, static_cast<int>(all.size()) - 1);
+    inBackground<QList<WorkJournal::Left>>([] {
+        const QList<WorkJournal::Left> all = WorkJournal::left();
+        WorkJournal::emptyBin();
+        OwnFolder::removeForgotten(WorkJournal::filesInUse());
+        return all;
+    }).then(this, [this, before = m_session.document().revision()](const QList<WorkJournal::Left>& all) {
+        const bool untouched = m_session.document().revision() == before && !m_reading;
+        const auto crashed = std::ranges::find(all, false, &WorkJournal::Left::kept);
+        if (crashed != all.end() && untouched)
+            restore(*crashed, static_cast<int>(all.size()) - 1);
+        else if (crashed != all.end())
+            m_banner->announce(
+                Banner::Kind::Information,
+                tr("%n more designs are under File > Unsaved work.", nullptr, static_cast<int>(all.size())), {});
+    });
 }
 
 void FileFlow::restore(const WorkJournal::Left& left, int others)
 {
-    const auto replace = [this](const Then& then) { keepWork(then); };
-    m_session.restore(left, replace, [this, left, others](const Message& problem) {
+    const std::stop_source stop;
+    const auto reading = showReading(tr("Restoring the work on \"%1\" \u2026").arg(nameOf(left)), stop);
+    connect(reading, &QProgressDialog::canceled, this,
+            [this] { emit done(tr("The work stays under File > Unsaved work")); });
+    const auto replace = [this, reading](const Then& then) {
+        closeProgress(reading);
+        keepWork(then);
+    };
+    const auto restored = [this, left, others, reading](const Message& problem) {
+        closeProgress(reading);
         if (!problem.empty())
             setAside(left, problem);
         else
             announceRestored(others);
+    };
+    m_session.restore(left, replace, restored, stop.get_token());
+}
+
+/// Damaged work must not stand before its sound project.
+void FileFlow::setAside(const WorkJournal::Left& left, const Message& problem)
+{
+    using Aside = std::optional<WorkJournal::Left>;
+    inBackground<Aside>([left] {
+        return WorkJournal::setAside(left);
+    }).then(this, [this, left, problem](const Aside& damaged) {
+        if (damaged)
+            goOnWithout(*damaged, problem);
+        else
+            fail(tr("The unsaved work on \"%1\" could not be restored.").arg(nameOf(left)), problem);
     });
 }
 
-/// Damaged work must not stand before its sound project: that is opened as it was saved.
-void FileFlow::setAside(const WorkJournal::Left& left, const Message& problem)
+/// The project is opened as it was saved.
+void FileFlow::goOnWithout(const WorkJournal::Left& damaged, const Message& problem)
 {
-    const auto damaged = WorkJournal::setAside(left);
-    if (!damaged) {
-        fail(tr("The unsaved work on \"%1\" could not be restored.").arg(nameOf(left)), problem);
-        return;
-    }
-    if (QFileInfo(left.place.original).isFile())
-        openNow(left.place.original);
-    salvageWork(*damaged, translated(problem));
+    if (QFileInfo(damaged.place.original).isFile())
+        openNow(damaged.place.original);
+    salvageWork(damaged, translated(problem));
 }
 
 void FileFlow::salvageWork(const WorkJournal::Left& damaged, const QString& why)
@@ -86,10 +113,16 @@ void FileFlow::salvageWork(const WorkJournal::Left& damaged, const QString& why)
         original.isEmpty()
             ? QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).filePath(nameOf(damaged))
             : original);
-    inBackground<Salvaged>([journal = damaged.journal, to] {
-        return salvageJournal(journal, to);
-    }).then(this, [this, work = nameOf(damaged), why, to](const Salvaged& salvaged) {
-        sayWhatBecameOf(work, why, to, salvaged);
+    const std::stop_source stop;
+    const auto progress = showProgress(tr("Recovering \"%1\" \u2026").arg(nameOf(damaged)), stop);
+    inBackground<Salvaged>([journal = damaged.journal, to, token = stop.get_token()] {
+        return salvageJournal(journal, to, token);
+    }).then(this, [this, work = nameOf(damaged), why, to, stop, progress](const Salvaged& salvaged) {
+        closeProgress(progress);
+        if (stop.stop_requested() && !salvaged.problem.empty())
+            emit done(tr("The damaged work is kept under File > Unsaved work"));
+        else
+            sayWhatBecameOf(work, why, to, salvaged);
     });
 }
 
@@ -173,17 +206,27 @@ void FileFlow::warnOfCrashes(const Message& why)
                      }}});
 }
 
-/// Where a project could not be opened. Designs as text say where they are wrong; there is nothing to salvage.
-void FileFlow::offerSalvage(const QString& path, const Message& problem)
+/// Designs as text say where they are wrong; there is nothing to salvage. Nor is there in a sound project, which
+/// cannot be opened where the disk of the journals is full.
+void FileFlow::failToOpen(const QString& path, const Message& problem)
 {
-    const QFileInfo file(path);
-    // A sound one cannot be opened where the disk of the journals is full.
-    const bool project = file.exists() && DesignSession::isProject(path) && !openProject(path).problem.empty();
-    QMessageBox* box = newBox(QMessageBox::Warning, tr("\"%1\" could not be opened.").arg(file.fileName()),
-                              project ? QMessageBox::Close : QMessageBox::Ok);
+    if (!DesignSession::isProject(path) || !QFileInfo::exists(path)) {
+        offerSalvage(path, problem, false);
+        return;
+    }
+    inBackground<bool>([path] {
+        return !openProject(path).problem.empty();
+    }).then(this, [this, path, problem](bool damaged) { offerSalvage(path, problem, damaged); });
+}
+
+void FileFlow::offerSalvage(const QString& path, const Message& problem, bool damaged)
+{
+    QMessageBox* box =
+        newBox(QMessageBox::Warning, tr("\"%1\" could not be opened.").arg(QFileInfo(path).fileName()),
+               damaged ? QMessageBox::Close : QMessageBox::Ok);
     box->setInformativeText(translated(problem));
     QPushButton* rescue = nullptr;
-    if (project) {
+    if (damaged) {
         box->setInformativeText(
             translated(problem) + QStringLiteral("\n\n") +
             tr("What can be read goes into a new project beside it. This file stays as it is."));
@@ -200,10 +243,14 @@ void FileFlow::offerSalvage(const QString& path, const Message& problem)
 void FileFlow::salvage(const QString& path)
 {
     const QString to = freePathBeside(path);
-    emit done(tr("Recovering \"%1\" \u2026").arg(QFileInfo(path).fileName()));
-    inBackground<Salvaged>([path, to] {
-        return salvageProject(path, to);
-    }).then(this, [this, to](const Salvaged& salvaged) {
+    const std::stop_source stop;
+    const auto progress = showProgress(tr("Recovering \"%1\" \u2026").arg(QFileInfo(path).fileName()), stop);
+    inBackground<Salvaged>([path, to, token = stop.get_token()] {
+        return salvageProject(path, to, token);
+    }).then(this, [this, to, stop, progress](const Salvaged& salvaged) {
+        closeProgress(progress);
+        if (stop.stop_requested() && !salvaged.problem.empty())
+            return;
         if (!salvaged.problem.empty())
             fail(tr("Nothing could be recovered."), salvaged.problem);
         else

@@ -2,6 +2,7 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "Background.h"
 #include "CommandPalette.h"
 #include "CompareWindow.h"
 #include "Docks.h"
@@ -19,7 +20,23 @@
 #include <QApplication>
 #include <QMenuBar>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace bolster {
+
+namespace {
+
+/// What large objects have left lies between smaller ones that stay: the system gets it only when it is asked to.
+void giveMemoryBack()
+{
+#ifdef __GLIBC__
+    backgroundPool().start([] { malloc_trim(0); });
+#endif
+}
+
+} // namespace
 
 void MainWindow::connectPanels()
 {
@@ -69,6 +86,7 @@ void MainWindow::compareWith(NodeId node)
         window = new CompareWindow(document(), filesOf, *m_fabricLink, *m_solver, this);
         connect(m_session.get(), &DesignSession::fileRead, window, &CompareWindow::updateFiles);
         connect(m_session.get(), &DesignSession::opened, window, &QWidget::close);
+        connect(window, &QObject::destroyed, this, &giveMemoryBack);
     }
     if (window->compareWith(node)) {
         window->show();

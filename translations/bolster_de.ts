@@ -3659,6 +3659,10 @@
         <source>Change the smallest detail of %1</source>
         <translation>Die kleinste Einzelheit von %1 ändern</translation>
     </message>
+    <message>
+        <source>the log of &quot;%1&quot; is damaged: the last edits cannot be read</source>
+        <translation>das Protokoll von „%1“ ist beschädigt: die letzten Bearbeitungen lassen sich nicht lesen</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -5877,6 +5881,18 @@
     <message>
         <source>Not saved yet: %1.</source>
         <translation>Noch nicht gespeichert: %1.</translation>
+    </message>
+    <message>
+        <source>Restoring the work on &quot;%1&quot; …</source>
+        <translation>Die Arbeit an „%1“ wird wiederhergestellt …</translation>
+    </message>
+    <message>
+        <source>The work stays under File &gt; Unsaved work</source>
+        <translation>Die Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>The damaged work is kept under File &gt; Unsaved work</source>
+        <translation>Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "FrameWarnings.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "ProgressLine.h"
 #include "Project.h"
 #include "RestingSolve.h"
 #include "Solving.h"
@@ -27,8 +28,9 @@ int check(std::span<const std::string> words)
 {
     const QString path = Arguments(words, {}).onlyFile("DESIGN");
     const Interrupt interrupt;
-    OpenedDesign opened = openDesignOrProject(path);
+    OpenedDesign opened = openedShown(path);
     if (opened.readable) {
+        const ProgressLine line("checking");
         addNew(opened.problems, checkSolvable(opened.design));
         addNew(opened.problems, checkFrames({opened.design, opened.files}));
         addNew(opened.problems, pictureProblems(path, opened.design, interrupt.token()));

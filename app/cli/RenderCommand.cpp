@@ -205,7 +205,7 @@ int render(std::span<const std::string> words)
 {
     const RenderOrder order = RenderOrder::from(words);
     Interrupt interrupt;
-    const OpenedDesign opened = openDesignOrProject(order.design);
+    const OpenedDesign opened = openedShown(order.design);
     if (QFileInfo::exists(order.image) && QFileInfo(order.image) == QFileInfo(order.design))
         throw UsageError("--image would overwrite the design");
     SolveOptions options;

@@ -1,6 +1,7 @@
 #include "Commands.h"
 #include "Interrupt.h"
 #include "Output.h"
+#include "ProgressLine.h"
 #include "Salvage.h"
 
 namespace bolster::cli {
@@ -21,7 +22,10 @@ int salvage(std::span<const std::string> words)
 {
     const std::vector<QString> files = Arguments(words, {}).files({"FILE", "OUT"});
     const Interrupt interrupt;
-    const Salvaged salvaged = salvageProject(files[0], files[1], interrupt.token());
+    const Salvaged salvaged = [&] {
+        const ProgressLine line("recovering what can be read");
+        return salvageProject(files[0], files[1], interrupt.token());
+    }();
     if (!salvaged.problem.empty()) {
         printError("error: " + salvaged.problem.english());
         return salvaged.readable ? otherFailure : badInput;

@@ -85,7 +85,7 @@ int solve(std::span<const std::string> words)
     const SolveOutputs outputs(arguments, options.threads);
 
     Interrupt interrupt;
-    const OpenedDesign opened = openDesignOrProject(path);
+    const OpenedDesign opened = openedShown(path);
     outputs.protectInputs(path, opened.design);
     interrupt.whenEnded([&] { outputs.write(interruptedResult(), {}, {}); });
     const SolveResult result = solveOpened(opened, options, interrupt.token());

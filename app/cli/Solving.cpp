@@ -1,6 +1,8 @@
 #include "Solving.h"
 
 #include "Output.h"
+#include "ProgressLine.h"
+#include "Project.h"
 
 #include <algorithm>
 #include <new>
@@ -46,10 +48,21 @@ Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
     return all;
 }
 
+/// With a word on the terminal about how far it is.
+SolveResult solveShown(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
+{
+    ProgressLine line("preparing");
+    return solveResting({opened.design, opened.files}, options, std::move(stop),
+                        [&](int iteration, double movement) {
+                            line.say("iteration " + std::to_string(iteration) + ", the cover moves by " +
+                                     numberText(movement, 2) + " of its size");
+                        });
+}
+
 SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const SolveOptions& options,
                            std::stop_token stop)
 {
-    SolveResult result = solveResting({opened.design, opened.files}, options, std::move(stop));
+    SolveResult result = solveShown(opened, options, std::move(stop));
     addNew(errors, result.errors);
     result.leftOut = leftOut(errors, result.leftOut);
     result.errors = result.surface ? Problems() : errors;
@@ -57,6 +70,12 @@ SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const So
 }
 
 } // namespace
+
+OpenedDesign openedShown(const QString& path)
+{
+    const ProgressLine line("reading");
+    return openDesignOrProject(path);
+}
 
 void addMissingPatch(Problems& problems, const Design& design)
 {
@@ -79,7 +98,7 @@ SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options,
         if (opened.readable && options.lenient)
             result = solveLeniently(opened, errors, options, std::move(stop));
         else if (errors.empty())
-            result = solveResting({opened.design, opened.files}, options, std::move(stop));
+            result = solveShown(opened, options, std::move(stop));
         else
             result.errors = errors;
     } catch (const std::bad_alloc&) {

@@ -6,6 +6,9 @@
 
 namespace bolster::cli {
 
+/// openDesignOrProject() with a word on the terminal.
+OpenedDesign openedShown(const QString& path);
+
 /// Adds the error of a design that has nothing wrong and nothing to solve, which every command sees as one.
 void addMissingPatch(Problems& problems, const Design& design);
 

@@ -2,6 +2,7 @@
 
 #include "BlobStore.h"
 #include "DiskFile.h"
+#include "JournalLog.h"
 #include "JournalStep.h"
 #include "ProjectContents.h"
 #include "ProjectRows.h"
@@ -194,6 +195,9 @@ Journal::Opened Journal::open(const QString& path, const char* vfs)
 {
     if (!vfs && !QFileInfo(path).isFile())
         return failed(path, QT_TRANSLATE_NOOP("Message", "there is no file \"%1\""));
+    if (!vfs && logBreaksOff(path + "-wal"))
+        return failed(path,
+                      QT_TRANSLATE_NOOP("Message", "the log of \"%1\" is damaged: the last edits cannot be read"));
     return guardedOpen([&] {
         auto database = std::make_shared<Database>(path, Database::Access::Working, vfs);
         prepareForWork(*database);

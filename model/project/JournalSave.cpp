@@ -6,8 +6,6 @@
 #include "ProjectWriter.h"
 #include "Schema.h"
 
-#include <QTemporaryFile>
-
 namespace bolster {
 namespace {
 

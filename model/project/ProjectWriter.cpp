@@ -52,6 +52,7 @@ void copyAsset(Database& from, std::int64_t blob, const std::string& name, Datab
     if (!content.open())
         throw DatabaseError({QT_TRANSLATE_NOOP("Message", "a temporary file cannot be made (%1)"),
                              {content.errorString().toStdString()}});
+    QFile::remove(content.fileName()); // it needs no name: so nothing is left, whatever ends the program
     readBlob(from, blob, &content);
     content.seek(0);
     putAsset(to, rows, name, NewBlob(to, content).finish(rows));

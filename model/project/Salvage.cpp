@@ -141,9 +141,9 @@ Salvaged salvageProject(const QString& damaged, const QString& out, const std::s
     return salvageFile(damaged, out, {}, stop);
 }
 
-Salvaged salvageJournal(const QString& damaged, const QString& out)
+Salvaged salvageJournal(const QString& damaged, const QString& out, const std::stop_token& stop)
 {
-    return salvageFile(damaged, out, damaged + "-wal", {});
+    return salvageFile(damaged, out, damaged + "-wal", stop);
 }
 
 } // namespace bolster

@@ -24,6 +24,6 @@ struct Salvaged {
 Salvaged salvageProject(const QString& damaged, const QString& out, const std::stop_token& stop = {});
 
 /// The same of a journal, with what is whole of its log ("-wal").
-Salvaged salvageJournal(const QString& damaged, const QString& out);
+Salvaged salvageJournal(const QString& damaged, const QString& out, const std::stop_token& stop = {});
 
 } // namespace bolster

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <map>
+#include <mutex>
 
 namespace bolster {
 namespace {
@@ -185,6 +187,48 @@ bool hasUnsavedWork(const QString& base)
     return false;
 }
 
+/// Changes when the journal or what it belongs to does.
+QString stampOfWork(const QString& base, const About& about)
+{
+    QStringList stamps;
+    for (const QString& path :
+         {base + journalEnding, base + journalEnding + logEnding, base + aboutEnding, about.place.original}) {
+        const QFileInfo file(path);
+        stamps << QStringLiteral("%1 %2").arg(file.size()).arg(file.lastModified().toMSecsSinceEpoch());
+    }
+    return stamps.join(u',');
+}
+
+/// Looks into journals one after another: who looks has their locks, and would seem to be a running program.
+class JournalScan {
+public:
+    JournalScan()
+        : m_alone(mutex())
+    {}
+
+    /// Reads the history of a journal only when it has changed since: a long one takes a while.
+    bool hasUnsavedWork(const QString& base, const About& about) const
+    {
+        static std::map<QString, QString> known; // stamps of those that have some
+        if (const auto found = known.find(base); found != known.end() && found->second == stampOfWork(base, about))
+            return true;
+        known.erase(base);
+        if (!bolster::hasUnsavedWork(base))
+            return false;
+        known.emplace(base, stampOfWork(base, about));
+        return true;
+    }
+
+private:
+    static std::mutex& mutex()
+    {
+        static std::mutex only;
+        return only;
+    }
+
+    std::scoped_lock<std::mutex> m_alone;
+};
+
 bool isOfProject(const QString& journal, const QString& project)
 {
     const std::string uuid = projectUuid(journal);
@@ -195,6 +239,7 @@ bool isOfProject(const QString& journal, const QString& project)
 template <class Wanted>
 QList<WorkJournal::Left> leftWhere(Wanted wanted)
 {
+    const JournalScan scan;
     QList<WorkJournal::Left> found;
     for (const QFileInfo& file : QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files, QDir::Time)) {
         WorkJournal::Left left{{}, file.lastModified(), file.absoluteFilePath()};
@@ -203,7 +248,7 @@ QList<WorkJournal::Left> leftWhere(Wanted wanted)
         const auto lock = wanted(about, left.journal) ? lockOf(base) : nullptr;
         if (!lock)
             continue;
-        if (!hasUnsavedWork(base)) {
+        if (!scan.hasUnsavedWork(base, about)) {
             removeJournal(base);
             continue;
         }
@@ -268,6 +313,7 @@ QList<WorkJournal::Left> WorkJournal::damaged()
 
 bool WorkJournal::isWorkedOn(const QString& original)
 {
+    const JournalScan scan;
     const QFileInfoList files = QDir(journals()).entryInfoList({"*.bolster"}, QDir::Files);
     return std::ranges::any_of(files, [&](const QFileInfo& file) {
         const QString base = file.absoluteFilePath().chopped(journalEnding.size());

@@ -50,7 +50,8 @@ public:
         HeldHistory held; ///< what the file holds of the project's history
     };
 
-    /// Of no running program, newest first; those without unsaved work are removed.
+    /// Of no running program, newest first; those without unsaved work are removed. Long histories take a while
+    /// when they are looked at for the first time. May be called on any thread.
     static QList<Left> left();
     /// The same of one project or design: no others are opened. A journal that does not say where it belongs is
     /// known by the name that all copies of a project share.

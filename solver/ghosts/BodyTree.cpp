@@ -4,15 +4,15 @@
 
 namespace bolster {
 
-BodyTree::BodyTree(std::vector<const FrameBody*> bodies)
+BodyTree::BodyTree(std::vector<const FrameBody*> bodies, const std::stop_token& stop)
 {
     std::erase_if(bodies, [](const FrameBody* body) { return body->tree.box().isEmpty(); });
     m_nodes.reserve(2 * bodies.size());
     if (!bodies.empty())
-        build(bodies);
+        build(bodies, stop);
 }
 
-void BodyTree::build(std::span<const FrameBody*> bodies)
+void BodyTree::build(std::span<const FrameBody*> bodies, const std::stop_token& stop)
 {
     const std::size_t self = m_nodes.size();
     m_nodes.emplace_back();
@@ -20,15 +20,15 @@ void BodyTree::build(std::span<const FrameBody*> bodies)
         m_nodes[self].box.extend(body->tree.box());
     if (bodies.size() == 1) {
         m_nodes[self].body = bodies.front();
-    } else {
+    } else if (!stop.stop_requested()) {
         int axis = 0;
         m_nodes[self].box.sizes().maxCoeff(&axis);
         const auto place = [axis](const FrameBody* body) { return body->tree.box().center()[axis]; };
         const std::size_t half = bodies.size() / 2;
         std::nth_element(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(half), bodies.end(),
                          [&](const FrameBody* a, const FrameBody* b) { return place(a) < place(b); });
-        build(bodies.first(half));
-        build(bodies.subspan(half));
+        build(bodies.first(half), stop);
+        build(bodies.subspan(half), stop);
     }
     m_nodes[self].next = static_cast<int>(m_nodes.size());
 }

@@ -4,6 +4,7 @@
 #include "FrameBodies.h"
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace bolster {
@@ -11,7 +12,8 @@ namespace bolster {
 /// Refers to the bodies, which must live longer.
 class BodyTree {
 public:
-    explicit BodyTree(std::vector<const FrameBody*> bodies);
+    /// When stopped, bodies are missing.
+    explicit BodyTree(std::vector<const FrameBody*> bodies, const std::stop_token& stop = {});
 
     /// To the nearest point of a body's surface, mm; `within` if none is nearer than that.
     double distance(const Vec3& point, double within) const;
@@ -26,7 +28,7 @@ private:
         int next = 0;
     };
 
-    void build(std::span<const FrameBody*> bodies);
+    void build(std::span<const FrameBody*> bodies, const std::stop_token& stop);
 
     std::vector<Node> m_nodes;
 };

@@ -216,7 +216,7 @@ private:
                                           const TriangleMeshPtr& mesh)
     {
         if (cushion.parts.empty())
-            return guessParts(*m_fields.parts({mesh, frame.scale}), frame, m_mesh);
+            return guessParts(*m_fields.parts({mesh, frame.scale}, m_stop), frame, m_mesh, m_stop);
         std::vector<int> parts;
         for (const std::string& name : cushion.parts) {
             const std::size_t before = parts.size();
@@ -245,7 +245,7 @@ private:
 
     bool isTooLarge(ElementId id, const FrameFields::CushionKey& key)
     {
-        const double count = m_fields.voxelCount(key);
+        const double count = m_fields.voxelCount(key, m_stop);
         if (count <= mostVoxels)
             return false;
         const double enough = key.frame.edge * std::cbrt(count / mostVoxels);
@@ -299,12 +299,12 @@ void addContactGhosts(const SolveInput& input, const SewnMesh& mesh, FrameFields
         CushionGhosts::Fields ofComponents;
         FieldWarnings warnings;
         double edge = 0;
-        for (const std::vector<int>& parts : guessParts(*fields.parts(shape), frame, mesh)) {
+        for (const std::vector<int>& parts : guessParts(*fields.parts(shape, stop), frame, mesh, stop)) {
             const FrameFields::ContactKey key{shape, parts, frame.contactGap};
             ofComponents.push_back(parts.empty() ? nullptr : fields.contact(key, pool, stop));
             if (!ofComponents.back())
                 continue;
-            edge = std::max(edge, fields.edgeOf(key));
+            edge = std::max(edge, fields.edgeOf(key, stop));
             warnings.met(*ofComponents.back(), fields.thinParts(key, pool, stop));
         }
         if (stop.stop_requested())

@@ -26,11 +26,11 @@ bool contains(const FrameFields::FoamKey& foam, const Vec3& p)
 
 } // namespace
 
-FrameParts foamParts(const FrameFields::FoamKey& foam)
+FrameParts foamParts(const FrameFields::FoamKey& foam, const std::stop_token& stop)
 {
     if (foam.shape != Foam::Shape::Mesh || !foam.mesh)
         return {};
-    return frameParts(*foam.mesh, foam.placement);
+    return frameParts(*foam.mesh, foam.placement, stop);
 }
 
 Box3 foamBox(const FrameFields::FoamKey& foam)
@@ -55,14 +55,14 @@ std::shared_ptr<const Voxels> foamVoxels(const FrameFields::FoamKey& foam, doubl
     auto voxels = std::make_shared<Voxels>();
     voxels->grid = VoxelGrid::around(foamBox(foam), edge, 1);
     voxels->inside.assign(voxels->grid.voxelCount(), 0);
-    for (const auto& bodies : foamParts(foam))
+    for (const auto& bodies : foamParts(foam, stop))
         for (const FrameBody& body : bodies)
             fillInside(body, *voxels, pool, stop);
     if (foam.shape == Foam::Shape::Mesh)
         return voxels;
     const VoxelGrid& grid = voxels->grid;
     pool.forTasks(grid.size[2], [&](int z) {
-        for (int y = 0; y < grid.size[1]; ++y)
+        for (int y = 0; y < grid.size[1] && !stop.stop_requested(); ++y)
             for (int x = 0; x < grid.size[0]; ++x)
                 voxels->inside[grid.index(x, y, z)] =
                     contains(foam, foam.placement.filePoint(grid.centre(x, y, z)));

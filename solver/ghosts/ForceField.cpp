@@ -6,7 +6,7 @@
 namespace bolster {
 
 ForceField::ForceField(const VoxelGrid& grid, const std::vector<float>& depths, std::vector<std::uint8_t> owners,
-                       WorkerPool& pool)
+                       WorkerPool& pool, const std::stop_token& stop)
     : m_grid(grid)
     , m_cells(depths.size())
     , m_owners(std::move(owners))
@@ -16,7 +16,7 @@ ForceField::ForceField(const VoxelGrid& grid, const std::vector<float>& depths, 
     const float outermost = -1.5F * edge;
     const std::array<std::size_t, 3> strides = {1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
     pool.forTasks(std::max(0, grid.size[2] - 2), [&](int layer) {
-        for (int y = 1; y < grid.size[1] - 1; ++y)
+        for (int y = 1; y < grid.size[1] - 1 && !stop.stop_requested(); ++y)
             for (int x = 1; x < grid.size[0] - 1; ++x) {
                 const std::size_t i = grid.index(x, y, layer + 1);
                 if (depths[i] <= outermost)
@@ -108,11 +108,11 @@ void extend(VoxelGrid& grid, const VoxelGrid& other)
 }
 
 /// The voxels that touch the surface from outside belong to what they touch.
-void ownOutside(const Voxels& voxels, std::vector<std::uint8_t>& owners)
+void ownOutside(const Voxels& voxels, std::vector<std::uint8_t>& owners, const std::stop_token& stop)
 {
     const VoxelGrid& grid = voxels.grid;
     const std::array<std::size_t, 3> strides = {1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
-    for (int z = 1; z < grid.size[2] - 1; ++z)
+    for (int z = 1; z < grid.size[2] - 1 && !stop.stop_requested(); ++z)
         for (int y = 1; y < grid.size[1] - 1; ++y)
             for (int x = 1; x < grid.size[0] - 1; ++x) {
                 const std::size_t i = grid.index(x, y, z);
@@ -156,6 +156,8 @@ std::shared_ptr<const ForceField> cushionField(std::span<const CushionBody> bodi
     std::vector<Voxels> thick;
     Voxels all;
     for (const CushionBody& body : bodies) {
+        if (stop.stop_requested())
+            return nullptr;
         thick.push_back(dilated(*body.voxels, body.dilation, pool, stop));
         if (thick.size() == 1)
             all.grid = thick.back().grid;
@@ -177,11 +179,12 @@ std::shared_ptr<const ForceField> cushionField(std::span<const CushionBody> bodi
                 });
     thick.clear();
     if (!owners.empty())
-        ownOutside(all, owners);
+        ownOutside(all, owners, stop);
     const std::vector<float> depths = depthsOf(all, metric, pool, stop);
     if (stop.stop_requested())
         return nullptr;
-    return std::make_shared<const ForceField>(all.grid, depths, std::move(owners), pool);
+    auto field = std::make_shared<const ForceField>(all.grid, depths, std::move(owners), pool, stop);
+    return stop.stop_requested() ? nullptr : field;
 }
 
 } // namespace bolster

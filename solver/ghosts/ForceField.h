@@ -15,9 +15,9 @@ namespace bolster {
 class ForceField {
 public:
     /// Of depths in mm, positive inside; beyond 1.5 voxels outside they are not looked at. `owners`, one per voxel
-    /// or empty, says whose strength counts there.
+    /// or empty, says whose strength counts there. When stopped it means nothing.
     ForceField(const VoxelGrid& grid, const std::vector<float>& depths, std::vector<std::uint8_t> owners,
-               WorkerPool& pool);
+               WorkerPool& pool, const std::stop_token& stop = {});
 
     struct Push {
         Vec3 force = Vec3::Zero(); ///< f, mm: each voxel's times its owner's strength

@@ -4,6 +4,7 @@
 #include "WeldedFrame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,13 +15,17 @@ namespace {
 /// Triangles that hang together across edges of exactly two.
 class Shells {
 public:
-    explicit Shells(WeldedFrame& welded)
+    Shells(WeldedFrame& welded, const std::stop_token& stop)
         : m_welded(welded)
+        , m_stop(stop)
         , m_neighbours(welded.triangles.size())
     {
         UnionFind joined(static_cast<int>(welded.triangles.size()));
         std::vector<int> open;
-        eachEdge(halfEdges(welded.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        const std::vector<HalfEdge> halves = halfEdges(welded.triangles, stop);
+        if (stop.stop_requested())
+            return;
+        eachEdge(halves, [&](const HalfEdge* first, const HalfEdge* last) {
             if ((last - first) % 2 == 1)
                 for (const HalfEdge* half = first; half != last; ++half)
                     open.push_back(half->triangle);
@@ -28,8 +33,8 @@ public:
                 return;
             const HalfEdge &a = first[0], &b = first[1];
             joined.join(a.triangle, b.triangle);
-            m_neighbours[a.triangle].push_back({b.triangle, a.forward == b.forward});
-            m_neighbours[b.triangle].push_back({a.triangle, a.forward == b.forward});
+            m_neighbours[a.triangle].add({b.triangle, a.forward == b.forward});
+            m_neighbours[b.triangle].add({a.triangle, a.forward == b.forward});
         });
         int count = 0;
         const std::vector<int> label = joined.labels(&count);
@@ -62,6 +67,15 @@ private:
         int triangle = 0;
         bool opposed = false; ///< its orientation differs
     };
+    /// Across each edge of a triangle one at most.
+    struct Neighbours {
+        std::array<Neighbour, 3> list;
+        int count = 0;
+
+        void add(Neighbour neighbour) { list[count++] = neighbour; }
+        auto begin() const { return list.begin(); }
+        auto end() const { return list.begin() + count; }
+    };
 
     /// Gives all of a shell the orientation of its first triangle.
     void orient(int first)
@@ -69,7 +83,7 @@ private:
         m_seen.resize(m_neighbours.size(), 0);
         std::vector<std::pair<int, bool>> waiting = {{first, false}};
         m_seen[first] = 1;
-        while (!waiting.empty()) {
+        while (!waiting.empty() && !m_stop.stop_requested()) {
             const auto [t, turned] = waiting.back();
             waiting.pop_back();
             if (turned)
@@ -81,7 +95,8 @@ private:
     }
 
     WeldedFrame& m_welded;
-    std::vector<std::vector<Neighbour>> m_neighbours;
+    const std::stop_token& m_stop;
+    std::vector<Neighbours> m_neighbours;
     std::vector<char> m_seen;
 };
 
@@ -108,50 +123,54 @@ double thickness(const WeldedFrame& welded, const std::vector<int>& triangles)
     return doubleArea > 0 ? 2.0 / 3 * std::abs(sixVolumes) / doubleArea : 0;
 }
 
-FrameBody body(const WeldedFrame& welded, const std::vector<int>& triangles, bool closed)
+FrameBody body(const WeldedFrame& welded, const std::vector<int>& triangles, bool closed,
+               const std::stop_token& stop)
 {
     std::vector<TriangleTree::Triangle> list;
+    list.reserve(triangles.size());
     for (int t : triangles) {
         const auto& [a, b, c] = welded.triangles[t];
         list.push_back({welded.points[a], welded.points[b], welded.points[c]});
     }
-    return {TriangleTree(std::move(list)), closed,
+    return {TriangleTree(std::move(list), stop), closed,
             closed ? std::optional(thickness(welded, triangles)) : std::nullopt};
 }
 
-} // namespace
-
-std::vector<FrameBody> frameBodies(const TriangleMesh& mesh, const TriangleMesh::Part& part,
-                                   const Placement& placement)
+/// Of one part.
+std::vector<FrameBody> bodiesOf(WeldedFrame welded, const std::stop_token& stop)
 {
-    WeldedFrame welded = weldFrame(mesh, part, placement);
-    Shells shells(welded);
+    Shells shells(welded, stop);
     std::vector<FrameBody> bodies;
     std::vector<int> open;
-    for (std::size_t s = 0; s < shells.triangles.size(); ++s) {
+    for (std::size_t s = 0; s < shells.triangles.size() && !stop.stop_requested(); ++s) {
         if (shells.closed[s]) {
             // Turned away from its middle by its volume, which does not depend on the point it is measured from.
             shells.turnAwayFrom(middleOf(welded, shells.triangles[s]), shells.triangles[s]);
-            bodies.push_back(body(welded, shells.triangles[s], true));
+            bodies.push_back(body(welded, shells.triangles[s], true, stop));
         } else {
             open.insert(open.end(), shells.triangles[s].begin(), shells.triangles[s].end());
         }
     }
-    if (open.empty())
+    if (open.empty() || stop.stop_requested())
         return bodies;
     const Vec3 middle = middleOf(welded, open);
     for (std::size_t s = 0; s < shells.triangles.size(); ++s)
         if (!shells.closed[s])
             shells.turnAwayFrom(middle, shells.triangles[s]);
-    bodies.push_back(body(welded, open, false));
+    bodies.push_back(body(welded, open, false, stop));
     return bodies;
 }
 
-FrameParts frameParts(const TriangleMesh& mesh, const Placement& placement)
+} // namespace
+
+FrameParts frameParts(const TriangleMesh& mesh, const Placement& placement, const std::stop_token& stop)
 {
-    FrameParts parts;
-    for (const TriangleMesh::Part& part : mesh.parts)
-        parts.push_back(frameBodies(mesh, part, placement));
+    FrameParts parts(mesh.parts.size());
+    if (stop.stop_requested())
+        return parts;
+    FrameWelder welder(mesh, placement, stop);
+    for (std::size_t p = 0; p < parts.size() && !stop.stop_requested(); ++p)
+        parts[p] = bodiesOf(welder.weld(mesh.parts[p]), stop);
     return parts;
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 namespace bolster {
 
@@ -18,15 +19,13 @@ struct FrameBody {
     std::optional<double> thickness;
 };
 
-/// The bodies of one part of a mesh, each point p as placement.placed(p). Corners in the same place are one; what
-/// hangs together gets one orientation. Each closed shell is a body, so that shells that overlap or lie inside of
-/// each other make no holes. All open shells together are another body, each turned away from their middle: walls
-/// modelled one by one close it together. Open walls that reach into a body stay wrong where they do.
-std::vector<FrameBody> frameBodies(const TriangleMesh& mesh, const TriangleMesh::Part& part,
-                                   const Placement& placement);
-
-/// The same for all parts.
+/// The bodies of each part of a mesh.
 using FrameParts = std::vector<std::vector<FrameBody>>;
-FrameParts frameParts(const TriangleMesh& mesh, const Placement& placement);
+
+/// Each point p as placement.placed(p). Corners of a part in the same place are one; what hangs together gets one
+/// orientation. Each closed shell is a body, so that shells that overlap or lie inside of each other make no holes.
+/// All open shells together are another body, each turned away from their middle: walls modelled one by one close
+/// it together. Open walls that reach into a body stay wrong where they do. When stopped, bodies are missing.
+FrameParts frameParts(const TriangleMesh& mesh, const Placement& placement, const std::stop_token& stop = {});
 
 } // namespace bolster

@@ -40,19 +40,21 @@ void refine(const BodyTree& bodies, const VoxelGrid& grid, double reach, std::ve
 
 } // namespace
 
-std::shared_ptr<const FrameParts> FrameFields::parts(const Shape& shape)
+std::shared_ptr<const FrameParts> FrameFields::parts(const Shape& shape, const std::stop_token& stop)
 {
-    return m_parts.get(shape, [](const Shape& s) {
+    auto made = m_parts.get(shape, [&](const Shape& s) {
         Placement placement;
         placement.scale = s.scale;
-        return std::make_shared<const FrameParts>(frameParts(*s.mesh, placement));
+        auto parts = std::make_shared<const FrameParts>(frameParts(*s.mesh, placement, stop));
+        return stop.stop_requested() ? nullptr : parts;
     });
+    return made ? made : std::make_shared<const FrameParts>(shape.mesh->parts.size());
 }
 
-Box3 FrameFields::boxOf(const SolidKey& key)
+Box3 FrameFields::boxOf(const SolidKey& key, const std::stop_token& stop)
 {
     Box3 box;
-    const auto all = parts(key.shape);
+    const auto all = parts(key.shape, stop);
     for (const int part : key.parts)
         for (const FrameBody& body : (*all)[part])
             box.extend(body.tree.box());
@@ -72,9 +74,11 @@ std::vector<int> FrameFields::fill(const SolidKey& key, Voxels& voxels, WorkerPo
                                    const std::stop_token& stop)
 {
     std::vector<int> thin;
-    const auto all = parts(key.shape);
+    const auto all = parts(key.shape, stop);
     for (const int part : key.parts)
         for (const FrameBody& body : (*all)[part]) {
+            if (stop.stop_requested())
+                return thin;
             const bool found = fillInside(body, voxels, pool, stop);
             if (isThin(body, voxels.grid.edge, found) && (thin.empty() || thin.back() != part))
                 thin.push_back(part);
@@ -87,7 +91,7 @@ std::shared_ptr<const FrameFields::Solid> FrameFields::solid(const SolidKey& key
 {
     return m_solids.get(key, [&](const SolidKey& k) -> std::shared_ptr<const Solid> {
         auto solid = std::make_shared<Solid>();
-        solid->voxels.grid = VoxelGrid::around(boxOf(k), k.edge, 1);
+        solid->voxels.grid = VoxelGrid::around(boxOf(k, stop), k.edge, 1);
         solid->voxels.inside.assign(solid->voxels.grid.voxelCount(), 0);
         solid->thin = fill(k, solid->voxels, pool, stop);
         return stop.stop_requested() ? nullptr : solid;
@@ -100,9 +104,9 @@ std::vector<int> FrameFields::thinParts(const SolidKey& key, WorkerPool& pool, c
     return made ? made->thin : std::vector<int>();
 }
 
-double FrameFields::voxelCount(const CushionKey& key)
+double FrameFields::voxelCount(const CushionKey& key, const std::stop_token& stop)
 {
-    Box3 box = grown(boxOf(key.frame), key.dilation);
+    Box3 box = grown(boxOf(key.frame, stop), key.dilation);
     for (const FoamKey& foam : key.foams)
         box.extend(grown(foamBox(foam), foam.dilation)); // cutting ones too: their own grids need room
     return bolster::voxelCount(box, key.frame.edge, cushionMargin);
@@ -124,9 +128,9 @@ std::shared_ptr<const ForceField> FrameFields::cushion(const CushionKey& key, Wo
     });
 }
 
-double FrameFields::edgeOf(const ContactKey& key)
+double FrameFields::edgeOf(const ContactKey& key, const std::stop_token& stop)
 {
-    const Box3 box = grown(boxOf({key.shape, key.parts, 0}), key.gap);
+    const Box3 box = grown(boxOf({key.shape, key.parts, 0}, stop), key.gap);
     constexpr double resolution = 150; // voxels along the longest side
     return std::max(box.isEmpty() ? 1.0 : box.sizes().maxCoeff() / resolution, 1.0);
 }
@@ -135,24 +139,24 @@ std::shared_ptr<const FrameFields::Contact> FrameFields::contactField(const Cont
                                                                       const std::stop_token& stop)
 {
     return m_contacts.get(key, [&](const ContactKey& k) -> std::shared_ptr<const Contact> {
-        const double edge = edgeOf(k);
+        const double edge = edgeOf(k, stop);
         const SolidKey solid{k.shape, k.parts, edge};
-        Voxels voxels{VoxelGrid::around(grown(boxOf(solid), k.gap), edge, 3), {}};
+        Voxels voxels{VoxelGrid::around(grown(boxOf(solid, stop), k.gap), edge, 3), {}};
         voxels.inside.assign(voxels.grid.voxelCount(), 0);
         std::vector<int> thin = fill(solid, voxels, pool, stop);
         std::vector<const FrameBody*> bodies;
-        const auto all = parts(k.shape);
+        const auto all = parts(k.shape, stop);
         for (const int part : k.parts)
             for (const FrameBody& body : (*all)[part])
                 bodies.push_back(&body);
         std::vector<float> depths = depthsOf(voxels, VoxelMetric::Euclidean, pool, stop);
-        refine(BodyTree(bodies), voxels.grid, k.gap + 2 * edge, depths, pool, stop);
-        if (stop.stop_requested())
-            return nullptr;
+        refine(BodyTree(bodies, stop), voxels.grid, k.gap + 2 * edge, depths, pool, stop);
         for (float& depth : depths)
             depth += static_cast<float>(k.gap);
-        return std::make_shared<const Contact>(
-            Contact{ForceField(voxels.grid, depths, std::vector<std::uint8_t>{}, pool), std::move(thin)});
+        ForceField field(voxels.grid, depths, std::vector<std::uint8_t>{}, pool, stop);
+        if (stop.stop_requested())
+            return nullptr;
+        return std::make_shared<const Contact>(Contact{std::move(field), std::move(thin)});
     });
 }
 

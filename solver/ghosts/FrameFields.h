@@ -50,8 +50,8 @@ public:
         friend bool operator==(const ContactKey&, const ContactKey&) = default;
     };
 
-    /// The bodies of every part.
-    std::shared_ptr<const FrameParts> parts(const Shape& shape);
+    /// The bodies of every part, or of none when stopped.
+    std::shared_ptr<const FrameParts> parts(const Shape& shape, const std::stop_token& stop = {});
     /// Of those of the key that have a body which is thinner than a voxel: cushioning is likely to have gaps there.
     std::vector<int> thinParts(const SolidKey& key, WorkerPool& pool, const std::stop_token& stop);
     /// Null when stopped.
@@ -61,10 +61,10 @@ public:
     /// Likewise, of the voxels of the contact.
     std::vector<int> thinParts(const ContactKey& key, WorkerPool& pool, const std::stop_token& stop);
     /// Of its voxels, mm.
-    double edgeOf(const ContactKey& key);
+    double edgeOf(const ContactKey& key, const std::stop_token& stop = {});
 
     /// Of the grid that a cushion needs, without making it.
-    double voxelCount(const CushionKey& key);
+    double voxelCount(const CushionKey& key, const std::stop_token& stop);
     void endRound();
 
 private:
@@ -81,7 +81,7 @@ private:
     std::shared_ptr<const Contact> contactField(const ContactKey& key, WorkerPool& pool,
                                                 const std::stop_token& stop);
     std::vector<int> fill(const SolidKey& key, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop);
-    Box3 boxOf(const SolidKey& key);
+    Box3 boxOf(const SolidKey& key, const std::stop_token& stop);
 
     Kept<Shape, FrameParts> m_parts;
     Kept<SolidKey, Solid> m_solids;

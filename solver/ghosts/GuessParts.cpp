@@ -28,14 +28,14 @@ std::vector<std::vector<Vec3>> fixedPlaces(const Placement& frame, const SewnMes
     return places;
 }
 
-std::vector<BodyTree> treesOf(const FrameParts& parts)
+std::vector<BodyTree> treesOf(const FrameParts& parts, const std::stop_token& stop)
 {
     std::vector<BodyTree> trees;
     for (const std::vector<FrameBody>& part : parts) {
         std::vector<const FrameBody*> bodies;
         for (const FrameBody& body : part)
             bodies.push_back(&body);
-        trees.emplace_back(bodies);
+        trees.emplace_back(bodies, stop);
     }
     return trees;
 }
@@ -57,13 +57,16 @@ struct Claim {
     }
 };
 
-std::vector<Claim> claims(const std::vector<BodyTree>& parts, const std::vector<Vec3>& places)
+std::vector<Claim> claims(const std::vector<BodyTree>& parts, const std::vector<Vec3>& places,
+                          const std::stop_token& stop)
 {
     std::vector<Claim> claims(parts.size());
     if (places.empty() || parts.empty())
         return claims;
     std::vector<double> sums(parts.size(), 0);
     for (const Vec3& place : places) {
+        if (stop.stop_requested())
+            break;
         std::vector<double> distances;
         for (const BodyTree& bodies : parts)
             distances.push_back(distanceTo(bodies, place));
@@ -80,14 +83,15 @@ std::vector<Claim> claims(const std::vector<BodyTree>& parts, const std::vector<
 
 } // namespace
 
-std::vector<std::vector<int>> guessParts(const FrameParts& parts, const Placement& frame, const SewnMesh& mesh)
+std::vector<std::vector<int>> guessParts(const FrameParts& parts, const Placement& frame, const SewnMesh& mesh,
+                                         const std::stop_token& stop)
 {
     Placement unscaled = frame;
     unscaled.scale = 1;
-    const std::vector<BodyTree> trees = treesOf(parts);
+    const std::vector<BodyTree> trees = treesOf(parts, stop);
     std::vector<std::vector<Claim>> all;
     for (const std::vector<Vec3>& places : fixedPlaces(unscaled, mesh))
-        all.push_back(claims(trees, places));
+        all.push_back(claims(trees, places, stop));
     std::vector<std::vector<int>> guess(all.size());
     std::vector<int> left;
     for (int p = 0; p < std::ssize(parts); ++p) {

@@ -6,14 +6,19 @@
 
 namespace bolster {
 
-std::shared_ptr<const ScanIndex> ScanIndexCache::index(ElementId id, const Scan& scan, const DesignFiles& files)
+std::shared_ptr<const ScanIndex> ScanIndexCache::index(ElementId id, const Scan& scan, const DesignFiles& files,
+                                                       const std::stop_token& stop)
 {
     const auto cloud = files.clouds.find(id);
     if (cloud == files.clouds.end())
         return nullptr;
     Entry& entry = m_entries[id];
-    if (entry.cloud != cloud->second || entry.cuts != scan.cuts)
-        entry = {cloud->second, scan.cuts, std::make_shared<const ScanIndex>(*cloud->second, scan.cuts)};
+    if (entry.cloud != cloud->second || entry.cuts != scan.cuts) {
+        auto made = std::make_shared<const ScanIndex>(*cloud->second, scan.cuts, stop);
+        if (stop.stop_requested())
+            return nullptr;
+        entry = {cloud->second, scan.cuts, std::move(made)};
+    }
     return entry.index;
 }
 
@@ -31,7 +36,7 @@ void addScans(const SolveInput& input, const SewnMesh& mesh, GhostCache& cache, 
     input.design.each<Scan>([&](ElementId id, const Scan& scan) {
         if (!scan.enabled || stop.stop_requested())
             return;
-        auto index = cache.scans.index(id, scan, input.files);
+        auto index = cache.scans.index(id, scan, input.files, stop);
         if (!index)
             return;
         if (!index->empty())

@@ -15,8 +15,9 @@ namespace bolster {
 /// Scans ready to be searched, by element, each kept while its points and cuts stay as they are.
 class ScanIndexCache {
 public:
-    /// Null when the scan's file is not there.
-    std::shared_ptr<const ScanIndex> index(ElementId id, const Scan& scan, const DesignFiles& files);
+    /// Null when the scan's file is not there, or when stopped.
+    std::shared_ptr<const ScanIndex> index(ElementId id, const Scan& scan, const DesignFiles& files,
+                                           const std::stop_token& stop = {});
     void forgetOthers(const Design& design);
 
 private:

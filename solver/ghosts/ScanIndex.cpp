@@ -80,7 +80,7 @@ struct ScanIndex::Tree {
     flann::KDTreeSingleIndex<Distance> kdTree;
 };
 
-ScanIndex::ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts)
+ScanIndex::ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts, const std::stop_token& stop)
 {
     m_points.reserve(cloud.points.size());
     std::copy_if(cloud.points.begin(), cloud.points.end(), std::back_inserter(m_points), [&](const Vec3& point) {
@@ -94,7 +94,7 @@ ScanIndex::ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts)
     std::vector<float> distances(m_points.size());
     WorkerPool pool(0);
     pool.forChunks(size(), [&](int, int begin, int end) {
-        for (int i = begin; i < end; ++i)
+        for (int i = begin; i < end && !stop.stop_requested(); ++i)
             distances[i] = lookAround(static_cast<std::size_t>(i));
     });
     // Scanners see what is far less densely, so the median.

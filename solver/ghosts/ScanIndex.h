@@ -6,14 +6,15 @@
 
 #include <limits>
 #include <memory>
+#include <stop_token>
 
 namespace bolster {
 
 /// Immutable; may be searched by several threads.
 class ScanIndex {
 public:
-    /// Without the points that the cuts remove.
-    ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts);
+    /// Without the points that the cuts remove. When stopped, its normals and its spacing mean nothing.
+    ScanIndex(const PointCloud& cloud, const std::vector<ScanCut>& cuts, const std::stop_token& stop = {});
     ~ScanIndex();
 
     bool empty() const { return m_points.empty(); }

@@ -11,6 +11,15 @@ namespace {
 constexpr int leafSize = 3;
 constexpr double farAway = 2; // radii: from there on a node counts as a dipole
 
+/// Of a tree that is halved until the leaves are small.
+std::size_t mostNodes(std::size_t triangles)
+{
+    std::size_t leaves = 1;
+    while (leaves * leafSize < triangles)
+        leaves *= 2;
+    return 2 * leaves - 1;
+}
+
 /// A sum of solid angles. Each is twice the angle of a vector in the plane (Van Oosterom and Strackee, 1983); these
 /// are multiplied as complex numbers, full turns counted, so that one arc tangent does for all.
 class AngleSum {
@@ -70,18 +79,22 @@ Vec3 nearestPoint(const TriangleTree::Triangle& triangle, const Vec3& point)
     return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
-TriangleTree::TriangleTree(std::vector<Triangle> triangles)
+TriangleTree::TriangleTree(std::vector<Triangle> triangles, const std::stop_token& stop)
     : m_triangles(std::move(triangles))
 {
     for (const Triangle& triangle : m_triangles)
         for (const Vec3& corner : triangle)
             m_box.extend(corner);
-    if (!m_triangles.empty())
-        build(0, static_cast<int>(m_triangles.size()));
+    if (m_triangles.empty())
+        return;
+    m_nodes.reserve(mostNodes(m_triangles.size()));
+    build(0, static_cast<int>(m_triangles.size()), stop);
 }
 
-void TriangleTree::build(int begin, int end)
+void TriangleTree::build(int begin, int end, const std::stop_token& stop)
 {
+    if (stop.stop_requested())
+        return;
     const auto self = m_nodes.size();
     m_nodes.push_back(summary(begin, end));
     if (end - begin <= leafSize) {
@@ -93,8 +106,8 @@ void TriangleTree::build(int begin, int end)
         const int middle = begin + (end - begin) / 2;
         std::nth_element(m_triangles.begin() + begin, m_triangles.begin() + middle, m_triangles.begin() + end,
                          [&](const Triangle& a, const Triangle& b) { return place(a) < place(b); });
-        build(begin, middle);
-        build(middle, end);
+        build(begin, middle, stop);
+        build(middle, end, stop);
     }
     m_nodes[self].next = static_cast<int>(m_nodes.size());
 }

@@ -4,6 +4,7 @@
 #include "Geometry.h"
 
 #include <array>
+#include <stop_token>
 #include <vector>
 
 namespace bolster {
@@ -12,7 +13,8 @@ class TriangleTree {
 public:
     using Triangle = std::array<Vec3, 3>;
 
-    explicit TriangleTree(std::vector<Triangle> triangles);
+    /// When stopped it means nothing.
+    explicit TriangleTree(std::vector<Triangle> triangles, const std::stop_token& stop = {});
 
     /// The generalised winding number: the solid angle of all triangles seen from `point`, over 4 pi. 1 inside of a
     /// closed surface that is oriented outwards, 0 outside, and something between near an opening. Far triangles
@@ -37,7 +39,7 @@ private:
         int next = 0;
     };
 
-    void build(int begin, int end);
+    void build(int begin, int end, const std::stop_token& stop);
     Node summary(int begin, int end) const;
 
     std::vector<Triangle> m_triangles;

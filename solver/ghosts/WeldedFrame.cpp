@@ -1,8 +1,10 @@
 #include "WeldedFrame.h"
 
+#include "SortUnlessStopped.h"
 #include "UnionFind.h"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -12,44 +14,31 @@ namespace {
 
 using Corners = WeldedFrame::Corners;
 
-/// Numbers for the points of a mesh that some triangles use, the same for points in the same place.
-class Places {
-public:
-    explicit Places(const TriangleMesh& mesh, const TriangleMesh::Part& part)
-    {
-        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
-            m_used.insert(m_used.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-        std::ranges::sort(m_used);
-        m_used.erase(std::unique(m_used.begin(), m_used.end()), m_used.end());
-        // The places lie beside their numbers: to look each up in the mesh would take most of the time.
-        std::vector<std::pair<std::array<double, 3>, std::uint32_t>> order;
-        order.reserve(m_used.size());
-        for (std::uint32_t i = 0; i < m_used.size(); ++i) {
-            const Vec3& p = mesh.points[m_used[i]];
-            order.push_back({{p.x(), p.y(), p.z()}, i});
-        }
-        std::ranges::sort(order, [](const auto& x, const auto& y) { return x.first < y.first; });
-        m_place.resize(m_used.size());
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            m_count += k == 0 || order[k - 1].first != order[k].first ? 1 : 0;
-            m_place[order[k].second] = m_count - 1;
-        }
+/// Numbers for the points of a mesh, the same for points in the same place.
+std::vector<int> placesOf(const std::vector<Vec3>& points, const std::stop_token& stop)
+{
+    // The places lie beside their numbers: to look each up in the mesh would take most of the time.
+    std::vector<std::pair<std::array<double, 3>, std::uint32_t>> order;
+    order.reserve(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        order.push_back({{points[i].x(), points[i].y(), points[i].z()}, i});
+    sortUnlessStopped(
+        order, [](const auto& x, const auto& y) { return x.first < y.first; }, stop);
+    std::vector<int> places(points.size());
+    int count = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        count += k > 0 && order[k - 1].first != order[k].first ? 1 : 0;
+        places[order[k].second] = count;
     }
-
-    int count() const { return m_count; }
-    int of(std::uint32_t point) const { return m_place[std::ranges::lower_bound(m_used, point) - m_used.begin()]; }
-
-private:
-    std::vector<std::uint32_t> m_used; // increasing
-    std::vector<int> m_place;          // of each
-    int m_count = 0;
-};
+    return places;
+}
 
 /// Faces that are there more than once, whichever way round.
 class DoubleFaces {
 public:
-    explicit DoubleFaces(std::vector<Corners>& triangles)
-        : m_triangles(triangles)
+    DoubleFaces(std::vector<Corners>& triangles, const std::stop_token& stop)
+        : m_stop(stop)
+        , m_triangles(triangles)
     {
         std::vector<std::pair<Corners, int>> faces;
         faces.reserve(triangles.size());
@@ -57,7 +46,9 @@ public:
             faces.emplace_back(triangles[t], t);
             std::ranges::sort(faces.back().first);
         }
-        std::ranges::sort(faces);
+        sortUnlessStopped(faces, std::less<>(), stop);
+        if (stop.stop_requested())
+            return;
         for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
             while (end < faces.size() && faces[end].first == faces[i].first)
                 ++end;
@@ -98,7 +89,7 @@ private:
             number[m_copies[i].triangle] = i;
         UnionFind joined(static_cast<int>(m_copies.size()));
         std::vector<std::pair<int, int>> votes; // of a double face; positive: it is needed
-        eachEdge(halfEdges(m_triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        eachEdge(halfEdges(m_triangles, m_stop), [&](const HalfEdge* first, const HalfEdge* last) {
             int any = -1, others = 0;
             for (const HalfEdge* half = first; half != last; ++half) {
                 const int copies = half->low < 0 ? -1 : number[half->triangle];
@@ -120,6 +111,7 @@ private:
         drop(walls);
     }
 
+    const std::stop_token& m_stop;
     std::vector<Corners>& m_triangles; // those that are dropped have corners of -1 for a while
     std::vector<Copies> m_copies;
     std::vector<int> m_again; // all but the first of each
@@ -127,7 +119,7 @@ private:
 
 } // namespace
 
-std::vector<HalfEdge> halfEdges(const std::vector<Corners>& triangles)
+std::vector<HalfEdge> halfEdges(const std::vector<Corners>& triangles, const std::stop_token& stop)
 {
     std::vector<HalfEdge> halves;
     halves.reserve(3 * triangles.size());
@@ -136,32 +128,45 @@ std::vector<HalfEdge> halfEdges(const std::vector<Corners>& triangles)
             const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
             halves.push_back({std::min(a, b), std::max(a, b), t, a < b});
         }
-    std::ranges::sort(halves, [](const HalfEdge& a, const HalfEdge& b) {
+    const auto less = [](const HalfEdge& a, const HalfEdge& b) {
         return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
+    };
+    sortUnlessStopped(halves, less, stop);
     return halves;
 }
 
-WeldedFrame weldFrame(const TriangleMesh& mesh, const TriangleMesh::Part& part, const Placement& placement)
+FrameWelder::FrameWelder(const TriangleMesh& mesh, const Placement& placement, const std::stop_token& stop)
+    : m_mesh(mesh)
+    , m_placement(placement)
+    , m_stop(stop)
+    , m_places(placesOf(mesh.points, stop))
+    , m_numbers(mesh.points.size(), -1)
+{}
+
+WeldedFrame FrameWelder::weld(const TriangleMesh::Part& part)
 {
     WeldedFrame welded;
-    const Places places(mesh, part);
-    std::vector<int> numbers(static_cast<std::size_t>(places.count()), -1);
-    for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
+    std::vector<int> used; // places
+    welded.triangles.reserve(part.triangleCount);
+    const std::uint32_t end = part.firstTriangle + part.triangleCount;
+    for (std::uint32_t t = part.firstTriangle; t < end && !m_stop.stop_requested(); ++t) {
         Corners corners;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t point = mesh.triangles[t][k];
-            int& number = numbers[places.of(point)];
+            const std::uint32_t point = m_mesh.triangles[t][k];
+            int& number = m_numbers[m_places[point]];
             if (number < 0) {
                 number = static_cast<int>(welded.points.size());
-                welded.points.push_back(placement.placed(mesh.points[point]));
+                used.push_back(m_places[point]);
+                welded.points.push_back(m_placement.placed(m_mesh.points[point]));
             }
             corners[k] = number;
         }
         if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
             welded.triangles.push_back(corners);
     }
-    DoubleFaces(welded.triangles).remove();
+    for (const int place : used)
+        m_numbers[place] = -1;
+    DoubleFaces(welded.triangles, m_stop).remove();
     return welded;
 }
 

@@ -5,6 +5,7 @@
 #include "TriangleMesh.h"
 
 #include <array>
+#include <stop_token>
 #include <vector>
 
 namespace bolster {
@@ -27,10 +28,24 @@ struct WeldedFrame {
     }
 };
 
-/// Each point p as placement.placed(p); without triangles that name a place twice. Programs that know no inside
-/// (SketchUp) write every face twice, once for each side, which winds around nothing: of these one is kept. A face
-/// that two bodies have in common, each its own, is a wall inside of both together and goes.
-WeldedFrame weldFrame(const TriangleMesh& mesh, const TriangleMesh::Part& part, const Placement& placement);
+/// Welds the parts of a mesh, each point p as placement.placed(p); without triangles that name a place twice.
+/// Programs that know no inside (SketchUp) write every face twice, once for each side, which winds around nothing:
+/// of these one is kept. A face that two bodies have in common, each its own, is a wall inside of both together and
+/// goes.
+class FrameWelder {
+public:
+    FrameWelder(const TriangleMesh& mesh, const Placement& placement, const std::stop_token& stop);
+
+    /// When stopped it means nothing.
+    WeldedFrame weld(const TriangleMesh::Part& part);
+
+private:
+    const TriangleMesh& m_mesh;
+    Placement m_placement;
+    std::stop_token m_stop;
+    std::vector<int> m_places;  // of each point of the mesh, the same for those in the same place
+    std::vector<int> m_numbers; // of each place in what is being welded; -1 elsewhere
+};
 
 /// A side of a triangle.
 struct HalfEdge {
@@ -42,8 +57,9 @@ struct HalfEdge {
     bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// Sorted, so that those of one edge follow each other.
-std::vector<HalfEdge> halfEdges(const std::vector<WeldedFrame::Corners>& triangles);
+/// Sorted, so that those of one edge follow each other. When stopped the order means nothing.
+std::vector<HalfEdge> halfEdges(const std::vector<WeldedFrame::Corners>& triangles,
+                                const std::stop_token& stop = {});
 
 /// Calls visit(first, last) for the half edges of each edge: pointers to the first and behind the last.
 template <class Visit>

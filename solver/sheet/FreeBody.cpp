@@ -6,12 +6,11 @@
 
 namespace bolster {
 
-FreeBody::FreeBody(const SewnMesh& mesh, int component)
+FreeBody::FreeBody(const SewnMesh& mesh, std::span<const int> parts)
 {
     std::map<int, double> area;
-    for (const SewnMesh::Part& part : mesh.parts) {
-        if (part.component != component)
-            continue;
+    for (const int p : parts) {
+        const SewnMesh::Part& part = mesh.parts[p];
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
             area[static_cast<int>(mesh.topology->unknown[v])] += mesh.area[v];
     }

@@ -5,13 +5,16 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 namespace bolster {
 
 /// One sewn component without fixations. Pressure on rest areas leaves a small net force and torque, which only the
 /// proximal term would resist; a free body would sail away.
 class FreeBody {
 public:
-    FreeBody(const SewnMesh& mesh, int component);
+    /// `parts` of the component.
+    FreeBody(const SewnMesh& mesh, std::span<const int> parts);
 
     /// Takes net force and net torque out of `residual` (x y z 0, one column per free unknown, where `slots`
     /// says), in proportion to area.

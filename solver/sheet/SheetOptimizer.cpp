@@ -174,9 +174,12 @@ void SheetOptimizer::measureRings()
             m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
     m_smoothSeams.emplace(m_mesh, m_rest);
     m_freeBodies.clear();
-    for (int c = 0; c < std::ssize(m_mesh.anchored); ++c)
+    std::vector<std::vector<int>> parts(m_mesh.anchored.size()); // of each component
+    for (int p = 0; p < std::ssize(m_mesh.parts); ++p)
+        parts[m_mesh.parts[p].component].push_back(p);
+    for (std::size_t c = 0; c < parts.size(); ++c)
         if (!m_mesh.anchored[c])
-            m_freeBodies.emplace_back(m_mesh, c);
+            m_freeBodies.emplace_back(m_mesh, parts[c]);
     m_scale.resize(m_mesh.freeCount);
     for (int v = 0; v < m_mesh.vertexCount(); ++v)
         if (const auto u = static_cast<int>(m_mesh.topology->unknown[v]); u < m_mesh.freeCount)

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <queue>
+#include <utility>
 
 namespace bolster {
 
@@ -40,6 +43,7 @@ public:
 
     SheetState run()
     {
+        sortByArea();
         for (std::size_t p = 0; p < m_mesh.parts.size(); ++p)
             if (!m_held[p].empty())
                 place(static_cast<int>(p), m_held[p]);
@@ -75,8 +79,12 @@ private:
     {
         m_sharing.resize(m_mesh.unknownCount());
         m_partOf.resize(m_mesh.vertexCount());
+        m_ofComponent.resize(m_mesh.diameter.size());
+        m_isSewn.assign(m_mesh.vertexCount(), 0);
+        m_sewnCount.assign(m_mesh.parts.size(), 0);
         for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
             const SewnMesh::Part& part = m_mesh.parts[p];
+            m_ofComponent[part.component].push_back(static_cast<int>(p));
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
                 m_partOf[v] = static_cast<int>(p);
                 m_sharing[m_mesh.topology->unknown[v]].push_back(v);
@@ -114,7 +122,18 @@ private:
             rigid.rotation = turnedOutwards(svd.matrixV().col(0), along, outwards, part.outward);
         }
         rigid.shift = placeCentre - rigid.rotation.leftCols<2>() * restCentre;
+        settle(p, rigid);
+    }
+
+    /// What is sewn to it waits for its turn.
+    void settle(int p, const Rigid& rigid)
+    {
         m_placed[p] = rigid;
+        const SewnMesh::Part& part = m_mesh.parts[p];
+        for (int v = part.firstVertex; v < part.firstVertex + part.boundaryCount; ++v)
+            for (const int other : m_sharing[m_mesh.topology->unknown[v]])
+                if (!m_placed[m_partOf[other]] && !std::exchange(m_isSewn[other], 1))
+                    m_waiting.emplace(++m_sewnCount[m_partOf[other]], -m_partOf[other]);
     }
 
     static Vec3 across(const Vec3& along, const Vec3& v) { return v - along.dot(v) * along; }
@@ -164,22 +183,14 @@ private:
 
     bool placeNextThroughSeams()
     {
-        int best = -1;
-        std::vector<Correspondence> bestPoints;
-        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
-            if (m_placed[p])
-                continue;
-            std::vector<Correspondence> points = sewnPoints(static_cast<int>(p));
-            if (points.size() > bestPoints.size()) {
-                best = static_cast<int>(p);
-                bestPoints = std::move(points);
-            }
-        }
-        if (best < 0)
+        while (!m_waiting.empty() && m_placed[-m_waiting.top().second])
+            m_waiting.pop();
+        if (m_waiting.empty())
             return false;
+        const int best = -m_waiting.top().second;
         if (!m_mesh.anchored[m_mesh.parts[best].component])
             m_centre[m_mesh.parts[best].component] = centreOfPlaced(m_mesh.parts[best].component);
-        place(best, bestPoints);
+        place(best, sewnPoints(best));
         return true;
     }
 
@@ -187,9 +198,9 @@ private:
     {
         Vec3 sum = Vec3::Zero();
         double area = 0;
-        for (std::size_t p = 0; p < m_mesh.parts.size(); ++p) {
+        for (const int p : m_ofComponent[component]) {
             const SewnMesh::Part& part = m_mesh.parts[p];
-            if (part.component != component || !m_placed[p])
+            if (!m_placed[p])
                 continue;
             for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
                 sum += m_mesh.area[v] * (*m_placed[p])(m_mesh.rest()[v]);
@@ -201,12 +212,11 @@ private:
     /// A component that nothing holds begins with its largest patch, lying flat; several lie side by side.
     bool placeFirstOfFreeComponent()
     {
-        int best = -1;
-        for (int p = 0; p < std::ssize(m_mesh.parts); ++p)
-            if (!m_placed[p] && (best < 0 || m_mesh.parts[p].area > m_mesh.parts[best].area))
-                best = p;
-        if (best < 0)
+        while (m_nextLargest < m_byArea.size() && m_placed[m_byArea[m_nextLargest]])
+            ++m_nextLargest;
+        if (m_nextLargest == m_byArea.size())
             return false;
+        const int best = m_byArea[m_nextLargest];
         const SewnMesh::Part& part = m_mesh.parts[best];
         Box2 box;
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v)
@@ -216,7 +226,7 @@ private:
             rigid.rotation = Eigen::AngleAxisd(EIGEN_PI, Vec3::UnitX()).toRotationMatrix();
         rigid.shift = Vec3(m_freeX, 0, 0) - rigid.rotation.leftCols<2>() * box.center();
         m_freeX += m_mesh.diameter[part.component];
-        m_placed[best] = rigid;
+        settle(best, rigid);
         return true;
     }
 
@@ -239,12 +249,27 @@ private:
         return state;
     }
 
+    void sortByArea()
+    {
+        m_byArea.resize(m_mesh.parts.size());
+        std::iota(m_byArea.begin(), m_byArea.end(), 0);
+        std::ranges::stable_sort(m_byArea,
+                                 [this](int a, int b) { return m_mesh.parts[a].area > m_mesh.parts[b].area; });
+    }
+
     const SewnMesh& m_mesh;
     std::vector<std::optional<Rigid>> m_placed;
     std::vector<std::vector<Correspondence>> m_held;
     std::vector<Vec3> m_centre; // of the fixations, per component
     std::vector<std::vector<int>> m_sharing;
     std::vector<int> m_partOf;
+    std::vector<std::vector<int>> m_ofComponent; // parts
+    std::vector<int> m_byArea;                   // parts, the largest first
+    std::size_t m_nextLargest = 0;
+    std::vector<char> m_isSewn;   // to a placed part, of each vertex
+    std::vector<int> m_sewnCount; // of them, of each part
+    /// Parts with the number of their points that are sewn to placed ones; of equal ones the first comes first.
+    std::priority_queue<std::pair<int, int>> m_waiting;
     double m_freeX = 0;
 };
 

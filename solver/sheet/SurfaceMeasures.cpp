@@ -36,9 +36,8 @@ void measureTriangles(const SewnMesh& mesh, const SheetState& state, const std::
     const SurfaceTopology& topology = *mesh.topology;
     std::vector<Weighted> strains;
     double squares = 0;
-    for (const SurfaceTopology::PatchRange& range : topology.patches) {
-        const auto part = std::find_if(mesh.parts.begin(), mesh.parts.end(),
-                                       [&](const SewnMesh::Part& p) { return p.patch == range.patch; });
+    for (std::size_t p = 0; p < topology.patches.size(); ++p) {
+        const SurfaceTopology::PatchRange& range = topology.patches[p];
         for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
             std::array<Vec2, 3> rest;
             std::array<Vec3, 3> place;
@@ -47,7 +46,7 @@ void measureTriangles(const SewnMesh& mesh, const SheetState& state, const std::
                 const std::uint32_t v = topology.triangles[t][k];
                 rest[k] = topology.pattern[v];
                 place[k] = positions[v];
-                frameNormal += part->outward * rotationOf(state.frames.col(v)).col(2);
+                frameNormal += mesh.parts[p].outward * rotationOf(state.frames.col(v)).col(2);
             }
             const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
             const double restArea = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());

@@ -2,6 +2,7 @@
 #include "WindowTest.h"
 
 #include "ElementEdits.h"
+#include "FabricCommands.h"
 #include "FabricLink.h"
 #include "Project.h"
 #include "RenderDialog.h"
@@ -106,6 +107,36 @@ TEST_F(FullDiskTest, SavingSaysSoAndNothingIsLost)
     const OpenedProject there = openProject(path, ProjectCheck::Everything);
     EXPECT_TRUE(there.design == window.document().design());
     EXPECT_EQ(there.history.count(), 4);
+}
+
+TEST_F(FullDiskTest, AFabricThatDoesNotFitLeavesTheOlderPicture)
+{
+    SmallDisk disk(1024);
+    if (!disk.mounted())
+        GTEST_SKIP() << "making a file system is not allowed here";
+    QTemporaryDir folder;
+    QImage picture(100, 100, QImage::Format_RGB32);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x)
+            picture.setPixel(x, y, static_cast<QRgb>(2654435761U * static_cast<unsigned>(100 * y + x)));
+    ASSERT_TRUE(picture.save(folder.filePath("noise.png")));
+    const ElementId id = window.document().design().nextId();
+    window.fabricCommands().choosePicture(settingsId, folder.filePath("noise.png"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().design().find<Fabric>(id) != nullptr; }, 60000));
+    window.selection().set({id});
+    const auto older = [&] {
+        QFile file(disk.filePath("noise.png"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const QByteArray bytes("the older picture");
+    QFile file(disk.filePath("noise.png"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    file.close();
+    disk.fill(4096);
+    answer(QMessageBox::Ok);
+    window.fabricCommands().exportFabric(disk.filePath("noise.json"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
+    EXPECT_EQ(older(), bytes);
 }
 
 TEST_F(FullDiskTest, OneTriesAgainOrSavesElsewhereWithoutBeginningAnew)

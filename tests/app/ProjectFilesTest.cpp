@@ -2,6 +2,7 @@
 #include "ProgramThatDies.h"
 #include "WindowTest.h"
 
+#include "Background.h"
 #include "CompareWindow.h"
 #include "ElementEdits.h"
 #include "FileFlow.h"
@@ -18,8 +19,11 @@
 #include <QFile>
 #include <QImage>
 #include <QMenu>
+#include <QProgressDialog>
 #include <QPushButton>
+#include <QSemaphore>
 #include <QStandardPaths>
+#include <QThreadPool>
 #include <QTreeWidget>
 
 #include <limits>
@@ -88,6 +92,40 @@ protected:
         return document.design();
     }
 
+    /// What begins now waits for `then`, as if the disk were slow. Presses Cancel, or not, in the progress that
+    /// comes up, which speaks of the box.
+    void whileTheDiskIsSlow(const std::function<void()>& begin, bool cancel)
+    {
+        QSemaphore slowDisk;
+        QThreadPool& pool = backgroundPool();
+        for (int i = 0; i < pool.maxThreadCount(); ++i)
+            pool.start([&] { slowDisk.acquire(); });
+        const auto progress = [&]() -> QProgressDialog* {
+            for (auto* dialog : window.findChildren<QProgressDialog*>())
+                if (dialog->isVisible())
+                    return dialog;
+            return nullptr;
+        };
+        begin();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return progress() != nullptr; }, 20000));
+        if (auto* dialog = progress()) {
+            EXPECT_TRUE(dialog->labelText().contains("box")) << qPrintable(dialog->labelText());
+            if (cancel)
+                QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
+        }
+        slowDisk.release(pool.maxThreadCount());
+        EXPECT_TRUE(pool.waitForDone(60000));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChildren<QProgressDialog*>().isEmpty(); }, 20000));
+    }
+
+    void triggerUnsaved()
+    {
+        QMenu menu;
+        window.files().fillUnsaved(menu);
+        ASSERT_FALSE(menu.isEmpty());
+        menu.actions().front()->trigger();
+    }
+
     QTemporaryDir folder;
 };
 
@@ -146,6 +184,34 @@ TEST_F(ProjectFilesTest, TheWorkOfAKilledProgramIsThereAtTheNextStart)
     EXPECT_EQ(window.document().design().settings().edgeLength, edge);
     EXPECT_TRUE(window.document().dirty()) << "what was left is a branch, and in no file";
     EXPECT_EQ(window.document().history().count(), 6);
+}
+
+TEST_F(ProjectFilesTest, RestoringThatTakesLongSaysSoAndCanBeCancelled)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const QString path = folder.filePath("box.bolster");
+    ASSERT_EQ(save(path).english(), "");
+    window.actions().newDesign->trigger();
+    const Design before = window.document().design();
+    ASSERT_TRUE(ProgramThatDies::run(path, 5, 0));
+    whileTheDiskIsSlow([&] { triggerUnsaved(); }, true);
+    EXPECT_TRUE(window.document().design() == before);
+    EXPECT_EQ(WorkJournal::left().size(), 1) << "it stays";
+    whileTheDiskIsSlow([&] { triggerUnsaved(); }, false);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_EQ(window.session().path(), path);
+    EXPECT_EQ(window.document().history().count(), 6);
+}
+
+TEST_F(ProjectFilesTest, WhatIsDoneWhileUnsavedWorkIsLookedForStays)
+{
+    ASSERT_TRUE(ProgramThatDies::run(sample("pillow"), 2, 0));
+    window.recover();
+    change();
+    const Design changed = window.document().design();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
+    EXPECT_TRUE(window.banner().text().contains("Unsaved work")) << qPrintable(window.banner().text());
+    EXPECT_TRUE(window.document().design() == changed);
 }
 
 TEST_F(ProjectFilesTest, TheBannerCountsWhatIsNotInTheFileAndGoesWithIt)
@@ -315,6 +381,31 @@ TEST_F(DamagedWorkTest, AJournalThatDoesNotSayWhereItBelongsIsOfferedWithItsProj
     EXPECT_TRUE(window.banner().text().startsWith("5 unsaved edits")) << qPrintable(window.banner().text());
     EXPECT_EQ(window.session().path(), path);
     EXPECT_EQ(window.document().history().count(), edits + 6);
+}
+
+TEST_F(DamagedWorkTest, RecoveringThatTakesLongSaysSoAndCanBeCancelled)
+{
+    rewrite(journal, [](QByteArray& bytes) {
+        const qsizetype place = bytes.indexOf("Change the settings");
+        ASSERT_GT(place, 0);
+        bytes[place] = static_cast<char>(bytes[place] ^ 4);
+    });
+    const auto left = WorkJournal::left();
+    ASSERT_EQ(left.size(), 1);
+    ASSERT_TRUE(WorkJournal::setAside(left[0]));
+    const auto recover = [&] {
+        triggerUnsaved();
+        pressInBox("Recover");
+    };
+    whileTheDiskIsSlow(recover, true);
+    EXPECT_EQ(answered, 1) << "nobody needs to be told what he has done";
+    EXPECT_EQ(recovered(), 0);
+    EXPECT_EQ(WorkJournal::damaged().size(), 1);
+    answered = 0;
+    whileTheDiskIsSlow(recover, false);
+    answer(QMessageBox::Ok);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 2; }, 30000));
+    EXPECT_GT(recovered(), 0);
 }
 
 TEST_F(ProjectFilesTest, KeptForLaterItWaitsForItsProject)

@@ -47,6 +47,41 @@ protected:
     }
 };
 
+/// SQLite would take it for the end of the log.
+TEST_F(JournalTest, AFlippedByteOfItsLogIsNoticedOrCostsTheLastEditAlone)
+{
+    Document document;
+    document.reset(smallDesign());
+    const auto opened = Journal::create(path("journal"), document.committed());
+    for (int i = 0; i < 10; ++i) {
+        const std::string name = "Name " + std::to_string(i);
+        document.commit(edits::renameElement(document.design(), ElementId{2}, name));
+        expectFine(opened.journal->record(document.history(), document.committed()));
+    }
+    const std::string bytes = read("journal"), log = read("journal-wal"); // as a killed program leaves them
+    ASSERT_GT(log.size(), 20 * 8192U);
+    std::mt19937 random(3);
+    int noticed = 0;
+    for (int round = 0; round < 200; ++round) {
+        std::string damaged = log;
+        const std::size_t place = round < 32 ? static_cast<std::size_t>(round) : random() % log.size();
+        damaged[place] = static_cast<char>(damaged[place] ^ (1 << random() % 8));
+        for (const char* name : {"copy", "copy-wal"})
+            QFile::remove(path(name));
+        write("copy", bytes);
+        write("copy-wal", damaged);
+        const auto again = Journal::open(path("copy"));
+        noticed += again.journal ? 0 : 1;
+        if (!again.journal)
+            continue;
+        EXPECT_GE(again.project.history.count(), document.history().count() - 1) << "byte " << place;
+    }
+    EXPECT_GT(noticed, 100);
+    write("cut", bytes);
+    write("cut-wal", log.substr(0, log.size() - 3 * 8192));
+    EXPECT_TRUE(Journal::open(path("cut")).journal) << "a power cut is no damage";
+}
+
 TEST_F(JournalTest, EverythingComesBackWhenItIsOpenedAgain)
 {
     Document document;

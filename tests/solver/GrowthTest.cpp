@@ -1,8 +1,10 @@
 // Work that must not grow with the square of what there is to do.
 #include "BodyTree.h"
+#include "FrameFields.h"
 #include "OutlineSampling.h"
 #include "PatchLines.h"
 #include "PreparedSheet.h"
+#include "StartPlacement.h"
 #include "Voxelise.h"
 
 #include "Growth.h"
@@ -11,8 +13,13 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <pthread.h>
+#include <thread>
 
 namespace bolster::test {
 namespace {
@@ -98,6 +105,19 @@ TEST(Growth, PatchesArePrepared)
     EXPECT_LT(growth(500, patches, prepare), nearlyLinear);
 }
 
+/// What nothing holds lies side by side.
+TEST(Growth, FreePatchesFindTheirPlaces)
+{
+    const auto make = [](int count) {
+        TriangulationCache cache;
+        return std::make_shared<const PreparedSheet>(prepareSheet(patches(count), cache).value());
+    };
+    const auto place = [](const std::shared_ptr<const PreparedSheet>& sheet) {
+        EXPECT_EQ(startPlacement(sheet->mesh).positions.cols(), sheet->mesh.unknownCount());
+    };
+    EXPECT_LT(growth(1000, make, place), nearlyLinear);
+}
+
 /// Many small bodies in a large frame: what one costs must not depend on the frame.
 TEST(Growth, ASmallBodyIsFilledInALargeGridAsFastAsInASmallOne)
 {
@@ -156,6 +176,82 @@ TEST(Growth, TheNearestOfManyBodiesIsFoundAsFastAsOfAFew)
         }
     };
     EXPECT_LT(growth(500, make, ask), 4);
+}
+
+using Stoppable = std::function<void(const std::stop_token&)>;
+
+/// Seconds that this thread still works when it is asked to stop after so many.
+double workedAfterStop(double seconds, const Stoppable& work)
+{
+    clockid_t clock{};
+    pthread_getcpuclockid(pthread_self(), &clock);
+    const auto worked = [clock] {
+        timespec time{};
+        clock_gettime(clock, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    std::stop_source stop;
+    std::atomic<bool> over = false;
+    double asked = 0;
+    std::thread asker([&, until = worked() + seconds] {
+        while (worked() < until && !over)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        asked = worked();
+        stop.request_stop();
+    });
+    work(stop.get_token());
+    const double end = worked();
+    over = true;
+    asker.join();
+    return std::max(0.0, end - asked);
+}
+
+/// Whenever that is.
+void expectStopsSoon(const Stoppable& work)
+{
+    const double before = workedSeconds();
+    work({});
+    const double whole = workedSeconds() - before;
+    constexpr double soon = 0.2; // of the whole
+    for (const double share : {0.02, 0.2, 0.4, 0.6, 0.8})
+        EXPECT_LT(workedAfterStop(share * whole, work), soon * whole) << "at " << share << " of " << whole << " s";
+}
+
+/// Whoever closes the window or changes the design must not wait for the bodies of a frame of millions of
+/// triangles.
+TEST(Stopping, TheBodiesOfAFrameAreGivenUpSoon)
+{
+    const TriangleMesh sphere = sphereMesh(100, 150);
+    expectStopsSoon([&](const std::stop_token& stop) { frameParts(sphere, {}, stop); });
+    std::stop_source stop;
+    stop.request_stop();
+    const auto parts = frameParts(sphere, {}, stop.get_token());
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_TRUE(parts[0].empty());
+}
+
+TEST(Stopping, TheFieldsOfAFrameAreGivenUpSoon)
+{
+    const auto sphere = std::make_shared<const TriangleMesh>(sphereMesh(100, 60));
+    FrameFields::ContactKey contact;
+    contact.shape.mesh = sphere;
+    contact.parts = {0};
+    FrameFields::CushionKey cushion;
+    cushion.frame.shape.mesh = sphere;
+    cushion.frame.parts = {0};
+    cushion.frame.edge = 2;
+    cushion.dilation = 10;
+    WorkerPool pool(1);
+    expectStopsSoon([&](const std::stop_token& stop) {
+        FrameFields fields; // made anew each time
+        const auto field = fields.contact(contact, pool, stop);
+        EXPECT_TRUE(field || stop.stop_requested());
+    });
+    expectStopsSoon([&](const std::stop_token& stop) {
+        FrameFields fields;
+        const auto field = fields.cushion(cushion, pool, stop);
+        EXPECT_TRUE(field || stop.stop_requested());
+    });
 }
 
 } // namespace
