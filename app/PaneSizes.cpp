@@ -111,12 +111,29 @@ void PaneSizes::apply()
             1, static_cast<int>(std::lround(wanted->height() * double(m_window.height()) / m_room.height()))));
         asWanted = asWanted && placeOf(dock).size() == QSize(widths.back(), heights.back());
     }
+    m_least = leastSizes();
     if (asWanted)
         return;
     m_applying = true;
     m_window.resizeDocks(docks, widths, Qt::Horizontal);
     m_window.resizeDocks(docks, heights, Qt::Vertical);
     m_applying = false;
+}
+
+QList<QSize> PaneSizes::leastSizes() const
+{
+    QList<QSize> least;
+    for (const QDockWidget* dock : m_docks)
+        least.append(dock->minimumSizeHint().expandedTo(dock->minimumSize()));
+    return least;
+}
+
+/// Not whenever the docks are laid out: that happens when they get sizes, too, and where there is no room for what
+/// is wanted it would never end.
+void PaneSizes::applyIfLeastSizesChanged()
+{
+    if (leastSizes() != m_least)
+        apply();
 }
 
 QByteArray PaneSizes::save() const
@@ -152,9 +169,8 @@ bool PaneSizes::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == &m_window && event->type() == QEvent::Resize)
         apply();
-    else if (watched == &m_window &&
-             event->type() == QEvent::LayoutRequest) // what a part needs at least has changed
-        QMetaObject::invokeMethod(this, &PaneSizes::apply, Qt::QueuedConnection);
+    else if (watched == &m_window && event->type() == QEvent::LayoutRequest)
+        QMetaObject::invokeMethod(this, &PaneSizes::applyIfLeastSizesChanged, Qt::QueuedConnection);
     else if (watched == &m_window && event->type() == QEvent::MouseButtonRelease) // of a border between docks
         QMetaObject::invokeMethod(this, &PaneSizes::take, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);

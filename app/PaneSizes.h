@@ -39,6 +39,8 @@ private:
     QRect placeOf(QDockWidget* dock) const;
     int wantedWidth(QDockWidget* dock) const;
     void takeIfOthersAreShown();
+    QList<QSize> leastSizes() const;
+    void applyIfLeastSizesChanged();
 
     QMainWindow& m_window;
     QList<QDockWidget*> m_docks;
@@ -46,6 +48,7 @@ private:
     QHash<QDockWidget*, QRect> m_wanted; ///< where each was when it had its size
     QSize m_room;                        ///< that the window had then
     QSet<QDockWidget*> m_shown;          ///< at that time, or when they were restored
+    QList<QSize> m_least;                ///< that they needed when they got their sizes last
     bool m_applying = false;
 };
 

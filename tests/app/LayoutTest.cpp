@@ -130,6 +130,33 @@ TEST_F(WindowTest, AWindowMadeSmallAndLargeAgainIsAsItWas)
     }
 }
 
+/// How often the parts of a window are laid out.
+class Layouts : public QObject {
+public:
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        count += event->type() == QEvent::LayoutRequest ? 1 : 0;
+        return false;
+    }
+};
+
+/// What the docks get is never quite what their share of a larger window would be.
+TEST_F(WindowTest, ALargerWindowIsLaidOutOnce)
+{
+    window.actions().resetLayout->trigger();
+    QTest::qWait(100);
+    window.resize(1500, 960);
+    QTest::qWait(300);
+    Layouts layouts;
+    window.installEventFilter(&layouts);
+    QTest::qWait(300);
+    EXPECT_LE(layouts.count, 2);
+    window.removeEventFilter(&layouts);
+}
+
 TEST_F(WindowTest, ImportantCommandsAreSeenInASmallWindowAndTheOthersHaveAButton)
 {
     applyTheme(*qApp, Theme::Light);
