@@ -8,6 +8,7 @@ namespace {
 
 /// mm by which frames are drawn farther away while it is not known how the cover lies on them now, or at all.
 constexpr float whileCoverMoves = 30, beforeFirstSkin = 120;
+constexpr float stepsBehindCover = 40; ///< of depth; more than the patches of a cover have between them
 
 /// From where the skin was made to where the frame is now.
 Eigen::Matrix4f movedSince(const Placement& then, const Placement& now)
@@ -89,6 +90,9 @@ void GlFrames::draw(const SurfaceScene& scene, const GlView& view, Part part)
     view.setLights(m_program);
     const bool known = !scene.surface || scene.skinned == scene.surface;
     m_program.set("push", known ? 0.F : scene.skinned ? whileCoverMoves : beforeFirstSkin);
+    // The cover lies some pixels' slope behind its lines, which from far away is more than it lies above the frame.
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glPolygonOffset(2, stepsBehindCover);
     if (part == Part::SeeThrough) { // first how near it is, then its looks there
         m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         drawAll(scene, part);
@@ -97,6 +101,7 @@ void GlFrames::draw(const SurfaceScene& scene, const GlView& view, Part part)
     }
     drawAll(scene, part);
     m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 } // namespace bolster

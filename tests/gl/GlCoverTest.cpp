@@ -469,6 +469,31 @@ TEST_F(GlCover, SolidFramesHideWhatIsBehindThemWhicheverWayTheirTrianglesRun)
     EXPECT_LT(qRed(ghost), qRed(cloth) - 20);
 }
 
+TEST_F(GlCover, WhatLiesUnderTheCoverIsNotSeenFromFarAway)
+{
+    request.scene.patches[0].fabric = QColor(200, 40, 40);
+    const auto mesh = plate(-4);
+    request.scene.frames = {{mesh, {}, {FrameMaterial::Kind::Plastic, "#2040c0"}}};
+    request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+    request.scene.skinned = request.scene.surface;
+    request.camera.elevation = 0.2;
+    const double near = request.camera.distance;
+    for (const bool perspective : {false, true})
+        for (const double farther : {1, 5, 20}) {
+            request.camera.perspective = perspective;
+            request.camera.distance = farther * near;
+            const QImage drawn = picture();
+            int cloth = 0, plastic = 0;
+            for (int y = 0; y < 400; ++y)
+                for (int x = 0; x < 400; ++x) {
+                    cloth += qRed(drawn.pixel(x, y)) > qBlue(drawn.pixel(x, y)) + 40;
+                    plastic += qBlue(drawn.pixel(x, y)) > qRed(drawn.pixel(x, y)) + 40;
+                }
+            EXPECT_GT(cloth, 15) << farther;
+            EXPECT_EQ(plastic, 0) << farther;
+        }
+}
+
 TEST_F(GlCover, FramesInAMaterialLookAsInPictures)
 {
     const auto mesh = plate(20);
