@@ -13,6 +13,7 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 
 constexpr float foamGives = 120;      ///< mm: how far a cover presses a frame down at most
+constexpr float steepest = 1.2F;     ///< how fast that grows from where the cover ends
 constexpr float straightAbove = 0.8F; ///< cosine between the cover and the way to what it presses
 constexpr float notOpposite = -0.8F;  ///< the same beside a ridge, where a frame's lip may look down on the cover
 constexpr float onEdge = 0.01F;       ///< mm: what is nearer to an edge lies on it
@@ -226,12 +227,33 @@ FrameSkins::FrameSkins(const SurfaceMesh* cover)
         normal.normalize();
     m_depth = std::min(4.F, 0.01F * m_box.diagonal().norm());
     m_rims = rimsOf(m_triangles);
+    std::vector<SurfaceRays::Triangle> edges; // nearest points need no area
+    for (std::size_t t = 0; t < m_triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            if (const std::uint32_t from = m_triangles[t][i], to = m_triangles[t][(i + 1) % 3]; m_rims[t][i])
+                edges.push_back({from, to, to});
+    m_rim.build(m_points, std::move(edges));
     m_rays.build(m_points, m_triangles);
     m_box.extend(Vec3f(m_box.min() - Vec3f::Constant(foamGives)));
     m_box.extend(Vec3f(m_box.max() + Vec3f::Constant(foamGives)));
 }
 
+/// Where the cover ends it lies on the frame or in it, and foam is pressed more and more from there on. Whatever
+/// else stands out of the cover is no foam, or the cover does lie in it.
 FrameSkins::Vec3f FrameSkins::pressed(const Vec3f& point, const Vec3f& outward) const
+{
+    const std::optional<Foot> foot = footOf(point, outward);
+    if (!foot)
+        return point;
+    const Vec3f way = foot->at - m_depth * foot->normal - point;
+    const auto rim = m_rim.nearest(foot->at, foamGives);
+    const float most = rim ? 2 * m_depth + steepest * (rim->point - foot->at).norm() : foamGives + m_depth;
+    const float length = way.norm();
+    return length <= most ? Vec3f(point + way) : Vec3f(point + most / length * way);
+}
+
+/// What of the cover lies under a point of the frame.
+std::optional<FrameSkins::Foot> FrameSkins::footOf(const Vec3f& point, const Vec3f& outward) const
 {
     constexpr int mostLayers = 4; // of cover that a ray crosses before the one that lies here
     float gone = -m_depth;
@@ -241,17 +263,19 @@ FrameSkins::Vec3f FrameSkins::pressed(const Vec3f& point, const Vec3f& outward) 
             break;
         gone += hit->distance;
         if (m_faces[hit->triangle].dot(outward) > facesAlike)
-            return point - gone * outward - m_depth * m_faces[hit->triangle];
+            return Foot{point - gone * outward, m_faces[hit->triangle]};
         gone += 0.01F;
     }
     // Beside a ridge no ray along the normal meets the cover.
     const auto near = m_rays.nearest(point, foamGives);
     if (!near)
-        return point;
+        return std::nullopt;
     const Vec3f& face = m_faces[near->triangle];
     const Vec3f away = point - near->point, normal = normalAt(*near);
     const bool above = onRim(*near) ? face.dot(away) > straightAbove * away.norm() : normal.dot(away) > 0;
-    return above && normal.dot(outward) > notOpposite ? Vec3f(near->point - m_depth * normal) : point;
+    if (!above || normal.dot(outward) <= notOpposite)
+        return std::nullopt;
+    return Foot{near->point, normal};
 }
 
 /// On a ridge between the normals of both sides.

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -39,7 +40,13 @@ public:
 private:
     using Vec3f = Eigen::Vector3f;
 
+    struct Foot {
+        Vec3f at;     ///< on the cover
+        Vec3f normal; ///< of the cover there
+    };
+
     Vec3f pressed(const Vec3f& point, const Vec3f& outward) const;
+    std::optional<Foot> footOf(const Vec3f& point, const Vec3f& outward) const;
     Vec3f normalAt(const SurfaceRays::Nearest& near) const;
     bool onRim(const SurfaceRays::Nearest& near) const;
     std::array<Vec3f, 3> cornersOf(std::uint32_t triangle) const;
@@ -51,6 +58,7 @@ private:
     std::vector<Vec3f> m_faces;                     ///< unit normals of the triangles
     std::vector<Vec3f> m_normals;                   ///< and of the points
     std::vector<std::array<bool, 3>> m_rims;        ///< where the cover ends
+    SurfaceRays m_rim;                              ///< the same edges
     float m_depth = 0;                              ///< mm below the cover
 };
 

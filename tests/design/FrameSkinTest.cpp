@@ -82,6 +82,22 @@ TEST(FrameSkin, PartOfAFrameIsCoveredWithoutAGap)
         EXPECT_TRUE(edges.contains({to, from})) << "an edge with a triangle on one side only";
 }
 
+TEST(FrameSkin, WhereTheCoverEndsInAFrameThatIsNotTorn)
+{
+    const SurfaceMesh cover = coverAtHeightZero(400);
+    const TriangleMesh block = solidBox({300, 100, -50}, {900, 200, 100}); // far too high for foam near the border
+    const FrameSkinPtr skin = FrameSkins(&cover).skin(block, {});
+    EXPECT_GT(highestWithin(*skin, Box3(Vec3(385, 110, -1), Vec3(399, 190, 1))), 65);
+    double steepest = 0; // of the top
+    for (std::size_t i = 0; i < skin->corners.size(); ++i) {
+        const auto& a = skin->corners[i].position;
+        const auto& b = skin->corners[i - i % 3 + (i + 1) % 3].position;
+        if (a.z() > 60 && b.z() > 60 && (a - b).head<2>().norm() > 1)
+            steepest = std::max(steepest, static_cast<double>(std::abs(a.z() - b.z()) / (a - b).head<2>().norm()));
+    }
+    EXPECT_LT(steepest, 3);
+}
+
 TEST(FrameSkin, FilesThatAreInsideOutAreTheSame)
 {
     const SurfaceMesh cover = coverAtHeightZero(400);
