@@ -39,6 +39,10 @@ void MainWindow::connectMaps()
     for (QAction* action : m_actions->maps)
         connect(action, &QAction::toggled, this, forgetPlace);
     connect(m_actions->showDeviation, &QAction::toggled, this, forgetPlace);
+    connect(m_docks->spots, &QDockWidget::visibilityChanged, this, [forgetPlace](bool visible) {
+        if (!visible)
+            forgetPlace();
+    });
     connect(m_surface, &SurfaceView::coverPointed, this, &MainWindow::readMap);
     connect(m_pattern, &PatternView::patchPointed, this, &MainWindow::readMap);
     connect(m_docks->cover, &QDockWidget::visibilityChanged, m_pattern,

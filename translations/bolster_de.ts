@@ -3935,11 +3935,11 @@
     <name>SectionHandle</name>
     <message>
         <source>Section at %1 – Ctrl turns it by 15°, Escape puts it back</source>
-        <translation>Schnitt bei %1 – Strg dreht ihn um 15°, Escape setzt ihn zurück</translation>
+        <translation>Schnittebene bei %1 – Strg dreht sie um 15°, Escape setzt sie zurück</translation>
     </message>
     <message>
         <source>Drag to move the section, with Ctrl to turn it</source>
-        <translation>Ziehen verschiebt den Schnitt, mit Strg wird er gedreht</translation>
+        <translation>Ziehen verschiebt die Schnittebene, mit Strg wird sie gedreht</translation>
     </message>
 </context>
 <context>
@@ -4623,7 +4623,7 @@
     </message>
     <message>
         <source>Sec&amp;tion</source>
-        <translation>Schni&amp;tt</translation>
+        <translation>Schni&amp;ttebene</translation>
     </message>
     <message>
         <source>Sho&amp;w</source>
@@ -6702,7 +6702,7 @@
     <name>bolster::SectionPanel</name>
     <message>
         <source>Section</source>
-        <translation>Schnitt</translation>
+        <translation>Schnittebene</translation>
     </message>
     <message>
         <source>Cut across the x axis</source>
@@ -6734,7 +6734,7 @@
     </message>
     <message>
         <source>Close the section</source>
-        <translation>Schnitt schließen</translation>
+        <translation>Schnittebene schließen</translation>
     </message>
 </context>
 <context>

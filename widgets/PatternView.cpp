@@ -370,8 +370,11 @@ bool PatternView::handle(QEvent* event)
         if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || m_tool->wants(key))
             event->accept();
     }
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab)
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {
         m_document.finishGesture();
+        if (m_tool->wants(Qt::Key_Tab))
+            return m_tool->keyPress(*static_cast<QKeyEvent*>(event));
+    }
     // Tab walks through the pattern while patches are selected; F6 leads out of the view.
     if (event->type() == QEvent::KeyPress && m_toolKind == PatternToolKind::Select &&
         !m_document.gestureRunning()) {

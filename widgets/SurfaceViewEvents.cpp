@@ -190,6 +190,9 @@ bool SurfaceView::handle(QEvent* event)
             return true;
         }
     }
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab &&
+        m_tool->wants(Qt::Key_Tab))
+        return m_tool->keyPress(*static_cast<QKeyEvent*>(event));
     return QWidget::event(event);
 }
 

@@ -253,6 +253,21 @@ TEST_F(DrawingTest, RectanglesByDragClicksAndNumbers)
     EXPECT_EQ(view.tool(), PatternToolKind::Select);
 }
 
+TEST_F(DrawingTest, AClickTakesTheSizeThatIsShownAndTabSeparatesItsNumbers)
+{
+    view.setTool(PatternToolKind::Rectangle);
+    click({400, 0});
+    move({450, 30});
+    for (const char key : std::string("300"))
+        QTest::keyClick(&view, key);
+    QTest::keyClick(&view, Qt::Key_Tab);
+    for (const char key : std::string("200"))
+        QTest::keyClick(&view, key);
+    click({470, 60});
+    ASSERT_TRUE(drawn());
+    EXPECT_TRUE(drawn()->outline.boundingBox().sizes().isApprox(Vec2(300, 200), 1e-9));
+}
+
 TEST_F(DrawingTest, EllipsesAndCircles)
 {
     view.setTool(PatternToolKind::Ellipse);

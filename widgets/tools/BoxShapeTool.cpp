@@ -13,16 +13,12 @@
 
 namespace bolster {
 
-namespace {} // namespace
-
 void BoxShapeTool::press(const PatternPointer& pointer)
 {
     m_pointer = pointer;
     pointerMoved();
     if (m_first) {
-        m_typed.clear();
-        pointerMoved();
-        add();
+        enter(); // what is shown
     } else {
         m_first = m_next->point;
         m_pressed = pointer.pixel;

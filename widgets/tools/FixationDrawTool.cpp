@@ -89,8 +89,10 @@ bool FixationDrawTool::closes(QPointF pixel) const
 
 void FixationDrawTool::press(const SurfacePointer& pointer)
 {
-    m_typed.clear();
-    m_pressed = pointer.pixel;
+    if (m_typed.open())
+        enter(); // the place that is shown
+    else
+        m_pressed = pointer.pixel;
 }
 
 bool FixationDrawTool::move(const SurfacePointer& pointer)

@@ -117,7 +117,7 @@ bool TypedEntry::keyPress(const QKeyEvent& event)
         m_text.chop(1);
         return true;
     }
-    const QString typed = event.text();
+    const QString typed = event.key() == Qt::Key_Tab && open() ? QStringLiteral(";") : event.text();
     if (typed.isEmpty() || !typed[0].isPrint() || (event.modifiers() & (Qt::ControlModifier | Qt::MetaModifier)) ||
         !(open() || opens(typed)))
         return false;
@@ -128,7 +128,7 @@ bool TypedEntry::keyPress(const QKeyEvent& event)
 
 bool TypedEntry::wants(int key) const
 {
-    if (key == Qt::Key_Backspace)
+    if (key == Qt::Key_Backspace || key == Qt::Key_Tab)
         return open();
     if (key >= Qt::Key_Space && key <= Qt::Key_ydiaeresis)
         return open() || opens(QString(QChar(static_cast<char16_t>(key))));

@@ -33,7 +33,7 @@ public:
     const QString& text() const { return m_text; }
     void clear() { m_text.clear(); }
 
-    /// True: used. Backspace takes back a character.
+    /// True: used. Backspace takes back a character, Tab separates two numbers.
     bool keyPress(const QKeyEvent& event);
     /// The key would be used.
     bool wants(int key) const;
