@@ -2,7 +2,10 @@
 #include "MainWindow.h"
 
 #include "Actions.h"
+#include "Docks.h"
 #include "PatternView.h"
+
+#include <QShortcut>
 
 namespace bolster {
 
@@ -34,6 +37,14 @@ void MainWindow::connectTools()
             m_pattern->setTool(PatternToolKind::Select);
         updateToolActions();
     });
+    // Escape ends it from a list, too: what has the keyboard is easily overlooked.
+    for (QDockWidget* list :
+         {m_docks->elements, m_docks->history, m_docks->seams, m_docks->fabrics, m_docks->spots})
+        connect(new QShortcut(QKeySequence(Qt::Key_Escape), list, nullptr, nullptr, Qt::WidgetWithChildrenShortcut),
+                &QShortcut::activated, this, [this] {
+                    m_pattern->setTool(PatternToolKind::Select);
+                    m_surface->setTool(SurfaceToolKind::Select);
+                });
 }
 
 void MainWindow::updateToolActions()

@@ -13,7 +13,7 @@ namespace {
 using Vec3f = Eigen::Vector3f;
 
 constexpr float foamGives = 120;      ///< mm: how far a cover presses a frame down at most
-constexpr float steepest = 1.2F;     ///< how fast that grows from where the cover ends
+constexpr float steepest = 1.2F;      ///< how fast that grows from where the cover ends
 constexpr float straightAbove = 0.8F; ///< cosine between the cover and the way to what it presses
 constexpr float notOpposite = -0.8F;  ///< the same beside a ridge, where a frame's lip may look down on the cover
 constexpr float onEdge = 0.01F;       ///< mm: what is nearer to an edge lies on it

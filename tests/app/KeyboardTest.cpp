@@ -151,6 +151,19 @@ TEST_F(KeyboardTest, EnterAfterANameStaysInTheList)
     EXPECT_EQ(window.document().design().find<Patch>(ElementId{2})->name, "Seat");
 }
 
+TEST_F(KeyboardTest, EscapeEndsATool)
+{
+    for (QWidget* place : {static_cast<QWidget*>(&window.patternView()),
+                           static_cast<QWidget*>(window.docks().history->findChild<HistoryView*>())}) {
+        window.patternView().setTool(PatternToolKind::FancySeam);
+        Docks::reveal(window.docks().history);
+        place->setFocus();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return place->hasFocus(); }));
+        QTest::keyClick(place, Qt::Key_Escape);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().tool() == PatternToolKind::Select; }));
+    }
+}
+
 TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
