@@ -79,8 +79,8 @@ void SewPicture::paintStretch(QPainter& painter, const Stretch& stretch, bool ba
     const QPainterPath line = path(stretch, backwards);
     painter.setBrush(Qt::NoBrush);
     painter.strokePath(line, QPen(color, lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    std::vector<QRectF> taken;
-    paintSeamArrow(painter, {line, leftIsInside(stretch, backwards), true}, color, taken);
+    std::vector<QRectF> written;
+    paintSeamArrow(painter, {line, leftIsInside(stretch, backwards), true}, color, written);
 }
 
 void SewPicture::paintSeams(QPainter& painter, const ViewColors& colors) const
