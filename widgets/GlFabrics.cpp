@@ -3,6 +3,10 @@
 #include "LinearLight.h"
 #include "MipTaps.h"
 
+#include <QByteArrayView>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +15,23 @@ namespace bolster {
 
 namespace {
 
-constexpr float fineAnisotropy = 8;
+/// How much is seen of a fabric where nothing moves.
+struct Sharpness {
+    float anisotropy;
+    float bias; ///< levels of detail
+};
+
+/// Mesa's drivers that do without a graphics card walk over all texels that an anisotropic footprint spans: some
+/// hundred million where the pixels beside a triangle seen from its edge lie behind the eye, for minutes. There the
+/// many places within a pixel, which a picture at rest is the mean of, must do.
+Sharpness finest()
+{
+    const auto* name =
+        reinterpret_cast<const char*>(QOpenGLContext::currentContext()->functions()->glGetString(GL_RENDERER));
+    const QByteArrayView renderer(name);
+    const bool software = renderer.contains("llvmpipe") || renderer.contains("softpipe");
+    return software ? Sharpness{1, -1} : Sharpness{8, 0};
+}
 
 /// Colours are averaged as light.
 struct MipLevel {
@@ -103,7 +123,7 @@ std::vector<std::uint8_t> reliefOf(const FabricMaps& maps)
 
 } // namespace
 
-const GlFabrics::Textures* GlFabrics::textures(const FabricMapsPtr& maps, float anisotropy)
+const GlFabrics::Textures* GlFabrics::textures(const FabricMapsPtr& maps, bool quick)
 {
     if (!maps || !maps->complete())
         return nullptr;
@@ -112,15 +132,18 @@ const GlFabrics::Textures* GlFabrics::textures(const FabricMapsPtr& maps, float 
         found.color = tiled(*maps, QOpenGLTexture::SRGB8_Alpha8, maps->albedo);
         found.relief = tiled(*maps, QOpenGLTexture::RGBA8_UNorm, reliefOf(*maps));
     }
-    for (QOpenGLTexture* texture : {found.color.get(), found.relief.get()})
+    const Sharpness sharpness = quick ? Sharpness{1, 0} : finest();
+    for (QOpenGLTexture* texture : {found.color.get(), found.relief.get()}) {
+        texture->setLevelofDetailBias(sharpness.bias);
         if (texture->hasFeature(QOpenGLTexture::AnisotropicFiltering))
-            texture->setMaximumAnisotropy(anisotropy);
+            texture->setMaximumAnisotropy(sharpness.anisotropy);
+    }
     return &found;
 }
 
 void GlFabrics::wear(GlProgram& program, const FabricMapsPtr& maps, double turn, bool quick)
 {
-    const Textures* found = textures(maps, quick ? 1 : fineAnisotropy);
+    const Textures* found = textures(maps, quick);
     program.set("textured", found != nullptr);
     if (!found)
         return;

@@ -28,8 +28,8 @@ private:
         std::unique_ptr<QOpenGLTexture> relief;
     };
 
-    /// Null when the maps are not whole. `anisotropy`: sharper where they are seen from the side, and slower.
-    const Textures* textures(const FabricMapsPtr& maps, float anisotropy);
+    /// Null when the maps are not whole. Not `quick`: sharper where they are seen from the side, and slower.
+    const Textures* textures(const FabricMapsPtr& maps, bool quick);
     std::map<FabricMapsPtr, Textures> m_textures;
 };
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <numbers>
 
 namespace bolster::test {
@@ -364,6 +365,46 @@ TEST_F(GlCover, WhatIsOverItsLimitIsAsDarkAsTheLegendSays)
         EXPECT_GT(allowed, 120) << refined;
         EXPECT_LT(over, 0.6 * allowed) << refined;
     }
+}
+
+/// Mesa's llvmpipe took a hundred times as long, for a cover whose rim was seen from its edge 20 to 100 s.
+TEST_F(GlCover, AFabricSeenFromItsEdgeTakesNoLongerThanAnyOther)
+{
+    auto topology = std::make_shared<SurfaceTopology>(*flatSquare()->topology);
+    auto mesh = std::make_shared<SurfaceMesh>();
+    topology->pattern.clear();
+    topology->unknown.clear();
+    topology->triangles.clear();
+    request.camera.perspective = true;
+    request.camera.elevation = 0;
+    const Vec3 eye = request.camera.eye();
+    for (std::uint32_t i = 0; i < 600; ++i) { // of planes that nearly go through the eye
+        const double turn = 0.01 * i, off = 1e-3 * ((i * 37) % 101 - 50.0);
+        const Vec3 across(std::cos(turn), 0, std::sin(turn)), aside(-std::sin(turn), 0, std::cos(turn));
+        const Vec3 near = eye + 20 * Vec3::UnitY() + 4 * across + off * aside, far = near + 900 * Vec3::UnitY();
+        for (const Vec3& p : {near, Vec3(far + 40 * across), Vec3(far + off * aside)}) {
+            mesh->positions.push_back(p);
+            topology->pattern.emplace_back(p.y(), p.x());
+            topology->unknown.push_back(static_cast<std::uint32_t>(topology->unknown.size()));
+        }
+        topology->triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    topology->unknownCount = topology->vertexCount();
+    topology->patches = {{patchId, ElementId{1}, 0, 1800, 0, 600, 0}};
+    mesh->normals.assign(1800, Eigen::Vector3f::UnitZ());
+    mesh->topology = std::move(topology);
+    request.scene.surface = mesh;
+    request.scene.box = Box3(Vec3(-500, -500, -500), Vec3(500, 1500, 500));
+    const auto took = [&] {
+        const std::clock_t before = std::clock();
+        EXPECT_FALSE(picture().isNull());
+        return static_cast<double>(std::clock() - before);
+    };
+    took(); // compiles the shaders
+    const double plain = took();
+    setMaps(wovenFabric());
+    took();
+    EXPECT_LT(took(), 20 * plain);
 }
 
 TEST_F(GlCover, AWovenFabricIsNeitherBlackNorWhite)
