@@ -6,6 +6,9 @@
 #include "FabricShown.h"
 #include "ImageImport.h"
 
+#include <QGuiApplication>
+#include <QtMath>
+
 #include <numbers>
 
 namespace bolster {
@@ -14,7 +17,7 @@ namespace {
 
 using Shape = FabricPreviewOptions::Shape;
 
-constexpr int previewPixels = 240;   ///< as sharp as the finest screen wants it in the properties
+constexpr double previewSide = 120;  ///< of the picture in the properties
 constexpr double previewWidth = 110; ///< mm
 
 QImage drawn(const Fabric& fabric, const FabricMaps& maps, Shape shape, int pixels)
@@ -109,8 +112,13 @@ void FabricLink::bakeNext()
     for (const auto& [other, baked] : m_baked)
         if (!path.isEmpty() && baked.path == path)
             image = baked.image;
-    inBackground<Baked>([fabric, path, image, cache = m_cache, stop = m_stop.get_token()] {
-        return bake(fabric, path, image, *cache, stop);
+    const int pixels = qCeil(previewSide * qGuiApp->devicePixelRatio()); // of the finest screen
+    inBackground<Baked>([fabric, path, image, pixels, cache = m_cache, stop = m_stop.get_token()] {
+        Baked baked = bake(fabric, path, image, *cache, stop);
+        if (baked.maps)
+            baked.pictures = {drawn(fabric, *baked.maps, Shape::Cushion, pixels),
+                              drawn(fabric, *baked.maps, Shape::Ball, pixels)};
+        return baked;
     }).then(this, [this, id = *id, stop = m_stop.get_token()](const Baked& baked) {
         m_busy = false;
         if (!stop.stop_requested() && m_session.document().design().find<Fabric>(id)) {
@@ -133,8 +141,6 @@ FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, Im
     try {
         baked.maps = cache.get(fabric, baked.image);
         baked.color = QColor(QString::fromStdString(meanColor(*baked.maps)));
-        baked.pictures.cushion = drawn(fabric, *baked.maps, Shape::Cushion, previewPixels);
-        baked.pictures.ball = drawn(fabric, *baked.maps, Shape::Ball, previewPixels);
     } catch (const std::bad_alloc&) {
         baked.problem = {QT_TRANSLATE_NOOP("Message", "there is not enough memory to show this fabric"), {}};
     }

@@ -775,7 +775,7 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
 
 TEST_F(ProjectFilesTest, AComparedVersionSaysThatItIsBeingComputed)
 {
-    ASSERT_TRUE(open(sample("armchair")));
+    ASSERT_TRUE(open(sample("box-cushion")));
     ASSERT_TRUE(waitUntilSolved());
     change();
     const NodeId neverShown = window.document().history().current();

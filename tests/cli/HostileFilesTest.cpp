@@ -78,14 +78,24 @@ protected:
     /// No command may need more for it than its size allows.
     void expectCheap(const QString& file) const
     {
+        expectCheap(file, {{"check", file},
+                           {"dump", file},
+                           {"dump", file, "--history"},
+                           {"history", file},
+                           {"verify", file},
+                           {"salvage", file, path("out.bolster")}});
+    }
+
+    /// Where all commands would take a minute together.
+    void expectCheapToReadAndSalvage(const QString& file) const
+    {
+        expectCheap(file, {{"dump", file}, {"salvage", file, path("out.bolster")}});
+    }
+
+    void expectCheap(const QString& file, const std::vector<QStringList>& commands) const
+    {
         const double size = static_cast<double>(QFileInfo(file).size()) / 1e6;
-        for (const QStringList& command :
-             std::initializer_list<QStringList>{{"check", file},
-                                                {"dump", file},
-                                                {"dump", file, "--history"},
-                                                {"history", file},
-                                                {"verify", file},
-                                                {"salvage", file, path("out.bolster")}}) {
+        for (const QStringList& command : commands) {
             QFile::remove(path("out.bolster"));
             const Cost cost = costOf(command);
             const std::string what = command.join(' ').toStdString();
@@ -148,7 +158,7 @@ TEST_F(HostileFiles, AnEditThatUnpacksToMuchIsRefusedByItsFirstBytes)
 TEST_F(HostileFiles, ManySmallChangesInOrderAreLimitedToo)
 {
     for (const std::uint32_t count : {999'000U, 3'000'000U}) {
-        const std::string bytes = packed(cborOfNewElements(count, "1"));
+        const std::string bytes = packed(cborOfNewElements(count, "1"), 1);
         expectCheap(project("many.bolster", [&](CraftedProject& crafted) { crafted.node(-1, bytes, {}); }));
     }
     const std::string large = packed(cborOfNewElements(1'000, std::string(60'000, 'x')));
@@ -203,6 +213,9 @@ TEST_F(HostileFiles, ManySmallEditsOfAHugeElementAreNotReplayedForEver)
     };
     constexpr int edits = 1'000; // about twice what is looked at
     DesignHash hash;
+    std::vector<Hash> hashes;
+    for (int i = 0; i < edits; ++i)
+        hashes.push_back(hash.follow(renamed(design, i)));
     const auto write = [&](const QString& name, int most, bool lastIsWrong) {
         return project(name, [&](CraftedProject& crafted) {
             crafted.node(-1, Design(), design);
@@ -211,12 +224,12 @@ TEST_F(HostileFiles, ManySmallEditsOfAHugeElementAreNotReplayedForEver)
                 const FieldChanges change = {
                     {ElementId{2}, "name", '"' + std::to_string(i - 1) + '"', '"' + std::to_string(i) + '"'}};
                 const bool wrong = lastIsWrong && i == most - 2;
-                crafted.node(i, packChanges(change), wrong ? Hash{} : hash.follow(renamed(design, i)));
+                crafted.node(i, packChanges(change), wrong ? Hash{} : hashes[static_cast<std::size_t>(i)]);
             }
         });
     };
     const QString huge = write("huge.bolster", edits, false);
-    expectCheap(huge);
+    expectCheapToReadAndSalvage(huge);
     ProgramRun run = callCommandLine({"verify", huge});
     EXPECT_EQ(run.exitCode, 3) << run.err;
     EXPECT_TRUE(run.out.starts_with("sound as far as was looked: 1000 edits")) << run.out;

@@ -54,7 +54,7 @@ protected:
 
 TEST_F(Render, WritesTheSameBytesOnAnyNumberOfThreads)
 {
-    for (const QString& name : {QStringLiteral("a.png"), QStringLiteral("a.tif"), QStringLiteral("a.exr")}) {
+    for (const QString& name : {QStringLiteral("a.png"), QStringLiteral("a.exr")}) {
         const ProgramRun one = run(name, {"--threads", "1"});
         ASSERT_EQ(one.exitCode, 0) << one.err;
         const std::string first = bytes(name);

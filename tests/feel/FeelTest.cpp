@@ -15,7 +15,7 @@ TEST(Feel, AfterAnyGesturesTheDesignEqualsItsReplay)
     ASSERT_TRUE(window);
     FeelPlayer player(*static_cast<FeelApplication*>(qApp), *window);
     FeelRecorder recorder(*window, player, 1);
-    recorder.makeGestures(20);
+    recorder.makeGestures(12);
     EXPECT_GT(window->document().history().count(), 5);
     EXPECT_TRUE(equalsItsReplay(window->document()));
     for (const FeelEvent& event : recorder.script()) {

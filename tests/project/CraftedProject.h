@@ -61,10 +61,10 @@ private:
     NodeId m_current = 0;
 };
 
-/// As edits are packed.
-inline std::string packed(const std::string& bytes)
+/// As edits are packed; `level` 9 for what shall be as small as can be, which takes its time.
+inline std::string packed(const std::string& bytes, int level = 9)
 {
-    return qCompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()), 9)
+    return qCompress(reinterpret_cast<const uchar*>(bytes.data()), static_cast<qsizetype>(bytes.size()), level)
         .toStdString();
 }
 
