@@ -38,8 +38,11 @@ std::set<ElementId> neededBy(const Element& element)
                                     : std::set{fixation->stretch.patch};
     if (const PatchCurve* drawn = patchCurve(element))
         return {drawn->patch};
-    if (const auto* cushion = std::get_if<Cushion>(&element))
-        return {cushion->frame};
+    if (const auto* cushion = std::get_if<Cushion>(&element)) {
+        std::set<ElementId> needed(cushion->patches.begin(), cushion->patches.end()); // none would mean all
+        needed.insert(cushion->frame);
+        return needed;
+    }
     if (const auto* foam = std::get_if<Foam>(&element))
         return {foam->cushion};
     if (const auto* trimmed = std::get_if<OutlineTrim>(&element))

@@ -84,6 +84,25 @@ TEST(VersionEdits, WhatIsNeededComesAlong)
     EXPECT_TRUE(checkDesign(now).empty());
 }
 
+TEST(VersionEdits, ACushionBringsThePatchesThatItPushes)
+{
+    constexpr ElementId frame{7}, cushion{8};
+    Frame chair;
+    chair.file = "chair.obj";
+    Cushion padding;
+    padding.frame = frame;
+    padding.patches = {seat, side};
+    const Design other =
+        twoPatches().with({{}, {{frame, nullptr, makeElement(chair)}, {cushion, nullptr, makeElement(padding)}}});
+    const Design design = other.with(edits::removeElements(other, std::array{side, frame, cushion}));
+    const Design now = design.with(edits::takeFrom(design, other, {cushion}));
+    EXPECT_TRUE(now.element(side) && now.element(frame));
+    ASSERT_TRUE(now.element(cushion));
+    EXPECT_EQ(now.find<Cushion>(cushion)->patches, padding.patches);
+    for (const Problem& problem : checkDesign(now))
+        EXPECT_NE(problem.severity, Severity::Error) << problem.english();
+}
+
 TEST(VersionEdits, SeamsFitTheOutlineThatIsTaken)
 {
     const Design design = twoPatches();
