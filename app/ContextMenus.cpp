@@ -2,6 +2,7 @@
 
 #include "Actions.h"
 #include "Document.h"
+#include "FrameEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 
@@ -207,9 +208,24 @@ void ContextMenus::showInPattern(const QPoint& global, bool onSomething)
     finish(*menu, global);
 }
 
-void ContextMenus::showInSurface(const QPoint& global, bool onSomething)
+void ContextMenus::addHiding(QMenu& menu, const PieceOfFrame& piece)
+{
+    QAction* hide = menu.addAction(tr("Leave this &piece out"));
+    hide->setObjectName(QStringLiteral("hide-frame-piece"));
+    hide->setToolTip(tr("Hides this piece of the frame from the view, drawing, cushioning and contact; the frame's "
+                        "properties bring it back"));
+    connect(hide, &QAction::triggered, this, [this, piece] {
+        m_document.commit(
+            edits::showFramePieces(m_document.design(), piece.frame, piece.mesh, {piece.piece}, false));
+    });
+    menu.addSeparator();
+}
+
+void ContextMenus::showInSurface(const QPoint& global, bool onSomething, const std::optional<PieceOfFrame>& piece)
 {
     QMenu* menu = begin();
+    if (piece)
+        addHiding(*menu, *piece);
     ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_actions);
     onSomething ? filler.selectionInSpace() : filler.space();
     finish(*menu, global);

@@ -4995,6 +4995,17 @@
     </message>
 </context>
 <context>
+    <name>bolster::ContextMenus</name>
+    <message>
+        <source>Leave this &amp;piece out</source>
+        <translation>Dieses &amp;Stück weglassen</translation>
+    </message>
+    <message>
+        <source>Hides this piece of the frame from the view, drawing, cushioning and contact; the frame&apos;s properties bring it back</source>
+        <translation>Blendet dieses Stück des Gestells aus: für die Ansicht, beim Zeichnen, Polstern und Anliegen; in den Eigenschaften des Gestells kommt es zurück</translation>
+    </message>
+</context>
+<context>
     <name>bolster::DesignSession</name>
     <message>
         <source>New design</source>

@@ -76,7 +76,7 @@ std::optional<FrameShapes::Hit> FrameShapes::first(const Camera::Ray& ray) const
         if (!hit || (nearest && hit->distance >= distance))
             continue;
         distance = hit->distance;
-        nearest = {id, ray.origin + distance * ray.direction};
+        nearest = {id, ray.origin + distance * ray.direction, hit->triangle};
     }
     return nearest;
 }

@@ -26,6 +26,7 @@ public:
     struct Hit {
         ElementId frame{};
         Vec3 position = Vec3::Zero(); ///< mm
+        std::uint32_t triangle = 0;   ///< of its mesh
     };
 
     struct Foot {

@@ -1,5 +1,6 @@
 // What the inspector says of a frame's mesh: its parts, those that a cushion takes, and how fine voxels can be.
 #include "CushionVoxels.h"
+#include "FrameEdits.h"
 #include "FramePieces.h"
 #include "InspectorForms.h"
 #include "InspectorSubject.h"
@@ -144,13 +145,9 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
         }
         return states;
     };
-    const auto write = [subject, hidden, mesh, pieces, lines](int at, bool shown) {
-        std::vector<bool> gone = hidden();
-        for (const int piece : lines[static_cast<std::size_t>(at)].pieces)
-            gone[static_cast<std::size_t>(piece)] = !shown;
-        subject.change(shown ? QT_TRANSLATE_NOOP("Message", "Show a part of %1")
-                             : QT_TRANSLATE_NOOP("Message", "Hide a part of %1"),
-                       [&](Frame& f) { f.hiddenParts = pieces->namesFor(*mesh, gone, f.hiddenParts); });
+    const auto write = [this, id, mesh, lines](int at, bool shown) {
+        m_document.commit(edits::showFramePieces(m_document.design(), id, mesh,
+                                                 lines[static_cast<std::size_t>(at)].pieces, shown));
     };
     const auto pointed = [this, id, lines](int at) {
         m_pointAtPieces(id, at < 0 ? std::vector<int>() : lines[static_cast<std::size_t>(at)].pieces);

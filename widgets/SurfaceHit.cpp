@@ -99,6 +99,7 @@ SurfaceHit SurfaceHitTest::hitFrame(const Camera::Ray& ray) const
     result.kind = SurfaceHit::Kind::Frame;
     result.position = hit->position;
     result.element = hit->frame;
+    result.triangle = hit->triangle;
     return result;
 }
 

@@ -21,7 +21,7 @@ struct SurfaceHit {
     int point = -1;                 ///< Kind::Point: the control point
     double parameter = 0;           ///< Kind::Curve
     Vec3 position = Vec3::Zero();   ///< mm
-    std::uint32_t triangle = 0;     ///< Kind::Cover: of what is shown
+    std::uint32_t triangle = 0;     ///< Kind::Cover, Kind::Frame: of what is shown
 
     explicit operator bool() const { return kind != Kind::Nothing; }
 };

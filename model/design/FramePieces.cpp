@@ -276,6 +276,16 @@ std::shared_ptr<const FramePieces> piecesOf(const FrameMeshPtr& mesh)
     return found().pieces(mesh);
 }
 
+std::optional<int> FramePieces::ofShown(const TriangleMesh& mesh, const std::vector<bool>& hidden,
+                                        std::uint32_t triangle) const
+{
+    for (const TriangleMesh::Part& part : mesh.parts)
+        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
+            if (!hidden[ofTriangle[t]] && triangle-- == 0)
+                return static_cast<int>(ofTriangle[t]);
+    return std::nullopt;
+}
+
 FrameMeshPtr shownMesh(const FrameMeshPtr& mesh, const std::vector<std::string>& hidden)
 {
     return mesh && !hidden.empty() ? found().shown(mesh, hidden) : mesh;

@@ -5,6 +5,7 @@
 #include "TriangleMesh.h"
 
 #include <memory>
+#include <optional>
 
 namespace bolster {
 
@@ -26,6 +27,9 @@ struct FramePieces {
     /// The names that hide just these pieces, and those that name nothing here and stay as they are.
     std::vector<std::string> namesFor(const TriangleMesh& mesh, const std::vector<bool>& hidden,
                                       const std::vector<std::string>& before) const;
+    /// The piece that a triangle of shownMesh() belongs to; none when there is no such triangle.
+    std::optional<int> ofShown(const TriangleMesh& mesh, const std::vector<bool>& hidden,
+                               std::uint32_t triangle) const;
     /// Those of the names that name nothing.
     std::vector<std::string> unknown(const TriangleMesh& mesh, const std::vector<std::string>& names) const;
 };

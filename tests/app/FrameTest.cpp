@@ -1,9 +1,12 @@
 // Frames in the window: cushions that fit them, and parts of them that are left out.
+#include "Actions.h"
 #include "MeshImport.h"
 #include "StatusLine.h"
 #include "WindowTest.h"
 
+#include <QApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QTreeWidget>
 
 namespace bolster {
@@ -125,6 +128,43 @@ TEST_F(FrameTest, APartIsHiddenInTheListAndComesBackWithUndo)
     EXPECT_EQ(hidden(), std::vector<std::string>{"Pillow"});
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(hidden().empty());
+}
+
+TEST_F(FrameTest, APieceIsLeftOutWhereItIsClicked)
+{
+    const ElementId id =
+        addFrame("o Seat\n" + box(500, false) + "o Pillow\nv 0 0 600\nv 500 0 600\nv 0 500 900\nf 9 10 11\n", 1);
+    SurfaceView& view = window.surfaceView();
+    window.actions().fitAll->trigger();
+    const auto pixelOf = [&](const Vec3& place) {
+        const auto pixel = view.camera().pixel(place);
+        return pixel ? QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())) : QPoint();
+    };
+    const auto menuAt = [&](const Vec3& place) {
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view.hit(pixelOf(place)).kind == SurfaceHit::Kind::Frame; }));
+        QTest::mouseClick(&view, Qt::RightButton, {}, pixelOf(place));
+        QMenu* menu = nullptr;
+        (void)QTest::qWaitFor([&] { return (menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())); });
+        return menu;
+    };
+    QMenu* menu = menuAt({150, 150, 690});
+    ASSERT_TRUE(menu);
+    auto* hide = menu->findChild<QAction*>(QStringLiteral("hide-frame-piece"));
+    ASSERT_TRUE(hide);
+    hide->trigger();
+    menu->close();
+    const auto hidden = [&] { return window.document().design().find<Frame>(id)->hiddenParts; };
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Pillow"});
+
+    menu = menuAt({250, 0, 250}); // now the seat, the first of what is shown
+    ASSERT_TRUE(menu);
+    hide = menu->findChild<QAction*>(QStringLiteral("hide-frame-piece"));
+    ASSERT_TRUE(hide);
+    hide->trigger();
+    menu->close();
+    EXPECT_EQ(hidden(), (std::vector<std::string>{"Seat", "Pillow"}));
+    QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(hidden(), std::vector<std::string>{"Pillow"});
 }
 
 } // namespace

@@ -90,6 +90,19 @@ TEST(FramePieces, NamesSayWhatIsHidden)
     EXPECT_EQ(pieces->unknown(*mesh, {"Cushions", "Leg", "Cushions#4"}), (Names{"Leg", "Cushions#4"}));
 }
 
+TEST(FramePieces, AreFoundFromWhatIsShown)
+{
+    const FrameMeshPtr mesh = sofa();
+    const auto pieces = piecesOf(mesh);
+    const std::vector<bool> hidden = pieces->hiddenBy(*mesh, {"Base", "Cushions#2"});
+    const FrameMeshPtr shown = shownMesh(mesh, {"Base", "Cushions#2"});
+    ASSERT_EQ(shown->triangles.size(), 3U);
+    EXPECT_EQ(pieces->ofShown(*mesh, hidden, 0), 3);
+    EXPECT_EQ(pieces->ofShown(*mesh, hidden, 1), 1);
+    EXPECT_EQ(pieces->ofShown(*mesh, hidden, 2), 1);
+    EXPECT_EQ(pieces->ofShown(*mesh, hidden, 3), std::nullopt);
+}
+
 TEST(FramePieces, OfCrumbsMostAreTold)
 {
     TriangleMesh crumbs;
