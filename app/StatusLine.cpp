@@ -123,8 +123,8 @@ StatusLine::StatusLine(QWidget* parent)
     auto* words = new QHBoxLayout(prompt);
     words->setContentsMargins(0, 0, 0, 0);
     words->setSpacing(6);
+    words->addWidget(m_why); // first, where nothing beside it can move it
     words->addWidget(m_promptLabel, 1);
-    words->addWidget(m_why);
     addWidget(prompt, 1);
     addPermanentWidget(m_note);
     addPermanentWidget(m_coordinates);
@@ -249,6 +249,8 @@ QString StatusLine::stateText() const
         return translated(m_status.reason);
     if (m_findingsKnown && !m_findings.empty())
         return translated(m_findings.front().text);
+    if (mood() == Mood::Busy)
+        return tr("Drawing and checking \u2026");
     if (hasWarnings(m_status.problems))
         return tr("Solved, with warnings");
     return tr("Solved \u2013 %1 iterations").arg(QLocale().toString(m_status.iterations));

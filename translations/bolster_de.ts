@@ -6971,6 +6971,10 @@ What you see is where the cloth was at the end.</source>
 • Hoher Druck: Senken Sie ihn in den Eigenschaften des Entwurfs.
 Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
+    <message>
+        <source>Drawing and checking …</source>
+        <translation>Zeichnet und prüft …</translation>
+    </message>
 </context>
 <context>
     <name>bolster::SurfaceSelectTool</name>

@@ -65,9 +65,9 @@ void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
                   QT_TRANSLATE_NOOP("Message", "Change the stiffness of %1"));
     fabric.number(tr("Poisson"), {{}, 3, -0.5, 0.5, 0.05}, &Fabric::poisson,
                   QT_TRANSLATE_NOOP("Message", "Change the Poisson parameter of %1"));
-    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1000, 1}, &Fabric::bendingLength,
+    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1e7, 1}, &Fabric::bendingLength,
                   QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
-    const NumberBox::Range percent{QStringLiteral(" %"), 1, 0.1, 1000, 1};
+    const NumberBox::Range percent{QStringLiteral(" %"), 1, 0.1, 200, 1};
     const auto limit = [&](const QString& label, double StretchLimits::*member) {
         form.addNumber(
             label, percent,

@@ -205,7 +205,7 @@ void InspectorForms::addPatch(PropertyForm& form, const Ids& ids) const
     patch.name(tr("Name"));
     addFabricChoice(form, ids);
     patch.number(tr("Grain"), angleRange, &Patch::grain, QT_TRANSLATE_NOOP("Message", "Change the grain of %1"));
-    patch.slider(tr("Pressure"), {{}, 4, -1e6, 1e6, 0.05}, 0, highestPressure, &Patch::pressure,
+    patch.slider(tr("Pressure"), {{}, 4, -1000, 1000, 0.05}, 0, highestPressure, &Patch::pressure,
                  QT_TRANSLATE_NOOP("Message", "Change the pressure of %1"));
     patch.check(tr("Wrong side out"), &Patch::wrongSideOut,
                 QT_TRANSLATE_NOOP("Message", "Change the right side of %1"));

@@ -41,6 +41,27 @@ protected:
     }
 };
 
+/// Scrolling through the panel must not change on the way what has no keyboard.
+class WheelGuard : public QObject {
+public:
+    explicit WheelGuard(QWidget* guarded)
+        : QObject(guarded)
+        , m_guarded(guarded)
+    {}
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() != QEvent::Wheel || m_guarded->hasFocus())
+            return false;
+        event->ignore(); // for whoever scrolls
+        return true;
+    }
+
+private:
+    QWidget* m_guarded;
+};
+
 /// As high as its rows, up to a limit; says which row is pointed at.
 class CheckList : public QTreeWidget {
 public:
@@ -273,6 +294,8 @@ void PropertyForm::addSlider(const QString& label, const NumberBox::Range& range
     slider->setPageStep(steps / 10);
     slider->setMinimumWidth(60);
     slider->setAccessibleName(label);
+    slider->setFocusPolicy(Qt::StrongFocus);
+    slider->installEventFilter(new WheelGuard(slider));
     auto* box = new NumberBox(range, row);
     layout->addWidget(slider, 1);
     layout->addWidget(box);
@@ -349,6 +372,7 @@ void PropertyForm::addChoice(const QString& label, const QStringList& choices, c
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setFocusPolicy(Qt::StrongFocus);
     box->setPlaceholderText(variesText());
+    box->installEventFilter(new WheelGuard(box));
     connect(box, &QComboBox::activated, this, write);
     addField(label, box, [box, read] {
         const QSignalBlocker quiet(box);

@@ -184,7 +184,9 @@ bool SurfaceView::handle(QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride && m_document.gestureRunning()) {
         // During a drag these belong to the tool, whatever the menus say.
-        const int key = static_cast<const QKeyEvent&>(*event).key();
+        const auto& press = static_cast<const QKeyEvent&>(*event);
+        const bool command = press.modifiers() & (Qt::ControlModifier | Qt::MetaModifier | Qt::AltModifier);
+        const int key = command ? 0 : press.key();
         if (key == Qt::Key_Escape || key == Qt::Key_S || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z) {
             event->accept();
             return true;

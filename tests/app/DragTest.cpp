@@ -136,6 +136,16 @@ TEST_F(DragTest, MovesAControlPointOfAFixationCurve)
 
     window.actions().undo->trigger();
     EXPECT_TRUE(window.document().design() == before);
+
+    // Undo by its keys, in the middle of a drag: Z alone would keep it to an axis.
+    press(view, from);
+    move(view, from + by, Qt::LeftButton);
+    EXPECT_FALSE(window.document().design() == before);
+    QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(window.document().gestureRunning());
+    EXPECT_TRUE(window.document().design() == before);
+    release(view, from + by);
+    EXPECT_TRUE(window.document().design() == before);
 }
 
 TEST_F(DragTest, EscapeTakesItBack)

@@ -21,6 +21,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,27 @@ protected:
     ProblemSet problems;
     Inspector inspector{document, selection, problems};
 };
+
+TEST_F(InspectorTest, ScrollingThroughItChangesNothing)
+{
+    const Design before = document.design();
+    selection.set({firstSquare});
+    QList<QWidget*> fields;
+    for (QComboBox* box : inspector.widget()->findChildren<QComboBox*>())
+        fields << box;
+    for (QSlider* slider : inspector.widget()->findChildren<QSlider*>())
+        fields << slider;
+    ASSERT_GE(fields.size(), 2);
+    const QPointF at(5, 5);
+    for (QWidget* field : fields)
+        for (const int notches : {1, -1}) {
+            QWheelEvent wheel(at, field->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                              Qt::NoScrollPhase, false);
+            QApplication::sendEvent(field, &wheel);
+            EXPECT_FALSE(wheel.isAccepted()) << "it is the panel's";
+        }
+    EXPECT_TRUE(document.design() == before);
+}
 
 TEST_F(InspectorTest, TheColourDialogSaysWhatItColours)
 {
