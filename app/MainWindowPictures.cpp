@@ -95,8 +95,9 @@ void MainWindow::connectFindings()
         m_status->setFindings(m_findings->findings(), seen && m_findings->known());
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
-    connect(m_surface, &SurfaceView::pictured, this, update);
-    connect(m_docks->cover, &QDockWidget::visibilityChanged, this, update);
+    // A window that is destroyed hides its docks, when the findings are gone.
+    connect(m_surface, &SurfaceView::pictured, m_findings.get(), update);
+    connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
     connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {
         if (!document().design().element(finding.element))

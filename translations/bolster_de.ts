@@ -123,8 +123,8 @@
         <translation>„%1“ ist keine Größe: zum Beispiel 300 x 200</translation>
     </message>
     <message>
-        <source>Enter makes it this wide and high: 300 x 200</source>
-        <translation>Enter macht es so breit und hoch: 300 x 200</translation>
+        <source>Enter makes it as wide and high as typed, for example 300 x 200</source>
+        <translation>Enter macht es so breit und hoch wie getippt, zum Beispiel 300 x 200</translation>
     </message>
     <message>
         <source>Drag a rectangle, or click two opposite corners – Esc ends the tool</source>

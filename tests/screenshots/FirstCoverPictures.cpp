@@ -3,6 +3,7 @@
 #include "FirstCover.h"
 #include "MainWindow.h"
 #include "Theme.h"
+#include "Translations.h"
 
 #include <QApplication>
 #include <QDir>
@@ -89,6 +90,7 @@ int main(int argc, char* argv[])
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName("BolsterScreenshots");
     QCoreApplication::setApplicationName("Bolster");
+    bolster::installTranslations(application, QLocale(QLocale::English)); // "1 warning"
     if (application.arguments().size() != 2) {
         std::fputs("usage: bolster_first_cover FOLDER\n", stderr);
         return 2;

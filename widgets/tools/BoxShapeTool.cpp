@@ -137,7 +137,7 @@ std::optional<BSpline2> BoxShapeTool::outline() const
 QString BoxShapeTool::prompt() const
 {
     if (m_typed.open())
-        return tr("Enter makes it this wide and high: 300 x 200");
+        return tr("Enter makes it as wide and high as typed, for example 300 x 200");
     if (!m_first)
         return m_shape == BoxShape::Rectangle
                    ? tr("Drag a rectangle, or click two opposite corners \u2013 Esc ends the tool")
