@@ -9,6 +9,7 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "TestDesigns.h"
+#include "Translated.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -81,6 +82,17 @@ protected:
     ProblemSet problems;
     Inspector inspector{document, selection, problems};
 };
+
+TEST(Translated, NumbersAreWrittenAsTheLocaleHasThem)
+{
+    const Message message{"%1 mm of \"%2\" and %3", {"5.25", "Seat 1.5", "-0.5"}};
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    EXPECT_EQ(translated(message), "5,25 mm of \"Seat 1.5\" and -0,5");
+    QLocale::setDefault(QLocale::c());
+    EXPECT_EQ(translated(message), "5.25 mm of \"Seat 1.5\" and -0.5");
+    QLocale::setDefault(before);
+}
 
 TEST_F(InspectorTest, ScrollingThroughItChangesNothing)
 {
