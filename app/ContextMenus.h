@@ -19,6 +19,7 @@ class Actions;
 class Document;
 class Selection;
 
+/// What a click on a frame has met.
 struct PieceOfFrame {
     ElementId frame{};
     FrameMeshPtr mesh; ///< the whole

@@ -114,11 +114,7 @@ void FabricLink::bakeNext()
             image = baked.image;
     const int pixels = qCeil(previewSide * qGuiApp->devicePixelRatio()); // of the finest screen
     inBackground<Baked>([fabric, path, image, pixels, cache = m_cache, stop = m_stop.get_token()] {
-        Baked baked = bake(fabric, path, image, *cache, stop);
-        if (baked.maps)
-            baked.pictures = {drawn(fabric, *baked.maps, Shape::Cushion, pixels),
-                              drawn(fabric, *baked.maps, Shape::Ball, pixels)};
-        return baked;
+        return bake(fabric, path, image, *cache, stop, pixels);
     }).then(this, [this, id = *id, stop = m_stop.get_token()](const Baked& baked) {
         m_busy = false;
         if (!stop.stop_requested() && m_session.document().design().find<Fabric>(id)) {
@@ -130,7 +126,7 @@ void FabricLink::bakeNext()
 }
 
 FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, ImagePixelsPtr image,
-                                   FabricCache& cache, const std::stop_token& stop)
+                                   FabricCache& cache, const std::stop_token& stop, int pixels)
 {
     Baked baked{fabric, path, std::move(image), {}, nullptr, {}, {}};
     if (!path.isEmpty() && !baked.image) {
@@ -141,6 +137,9 @@ FabricLink::Baked FabricLink::bake(const Fabric& fabric, const QString& path, Im
     try {
         baked.maps = cache.get(fabric, baked.image);
         baked.color = QColor(QString::fromStdString(meanColor(*baked.maps)));
+        if (pixels > 0)
+            baked.pictures = {drawn(fabric, *baked.maps, Shape::Cushion, pixels),
+                              drawn(fabric, *baked.maps, Shape::Ball, pixels)};
     } catch (const std::bad_alloc&) {
         baked.problem = {QT_TRANSLATE_NOOP("Message", "there is not enough memory to show this fabric"), {}};
     }

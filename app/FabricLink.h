@@ -65,8 +65,9 @@ private:
     bool stale(ElementId id) const;
     std::optional<ElementId> nextStale() const;
     QString picturePath(const Fabric& fabric) const;
+    /// With pictures of so many pixels a side, or without any.
     static Baked bake(const Fabric& fabric, const QString& path, ImagePixelsPtr image, FabricCache& cache,
-                      const std::stop_token& stop);
+                      const std::stop_token& stop, int pixels = 0);
 
     DesignSession& m_session;
     std::shared_ptr<FabricCache> m_cache = std::make_shared<FabricCache>(); ///< a running job has it, too

@@ -201,7 +201,9 @@ TEST_F(NothingLostTest, NamesGivenWhileAnotherDesignIsReadAreAskedAbout)
     ASSERT_TRUE(open(sample("box-cushion")));
     saveAs(path);
     answerAndRead(QMessageBox::Cancel);
-    window.open(sample("pillow"));
+    window.open(sample("armchair"));
+    if (window.session().path() != path)
+        GTEST_SKIP() << "it was read before anything could be named";
     document().nameVersion(0, "As sold"); // changes nothing that is seen
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 30000));
     EXPECT_EQ(document().history().node(0).name, "As sold");
