@@ -61,6 +61,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
                   .arg(name, points, locale.toString(static_cast<qulonglong>(m_content.mesh->triangles.size())))
             : tr("<b>%1</b><br>%2 points").arg(name, points),
         this);
+    about->setTextFormat(Qt::RichText);
     QFont large = m_size->font();
     large.setPointSizeF(large.pointSizeF() * 1.25);
     large.setWeight(QFont::DemiBold);

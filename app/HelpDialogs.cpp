@@ -43,6 +43,7 @@ void showText(QWidget* parent, const QString& title, const QString& html, const 
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(title);
     auto* label = new QLabel(html, dialog);
+    label->setTextFormat(Qt::RichText);
     label->setWordWrap(true);
     label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     label->setContentsMargins(16, 6, 16, 12);

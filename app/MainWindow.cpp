@@ -15,6 +15,7 @@
 #include "MainMenu.h"
 #include "MapLink.h"
 #include "PatternView.h"
+#include "PlainLabels.h"
 #include "ProblemsView.h"
 #include "RayRenderer.h"
 #include "SavedViews.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
 {
+    keepLabelsPlain(*qApp);
     setAcceptDrops(true);
     setStatusBar(m_status);
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());

@@ -58,6 +58,7 @@ NextStep::NextStep(Document& document, PatternView& over)
     setBackgroundRole(QPalette::Window);
     setFrameShape(QFrame::StyledPanel);
     setMargin(8);
+    setTextFormat(Qt::RichText);
     setWordWrap(true);
     setFocusPolicy(Qt::NoFocus);
     setAttribute(Qt::WA_NoMousePropagation); // a press on the link is none on the pattern behind it

@@ -150,6 +150,7 @@ void RenderDialog::build()
     form->addRow(QString(), m_frames);
     form->addRow(QString(), m_transparent);
     m_message = new QLabel(this);
+    m_message->setTextFormat(Qt::RichText);
     m_message->setWordWrap(true);
     m_message->setOpenExternalLinks(true);
     m_message->setTextInteractionFlags(Qt::TextBrowserInteraction);
@@ -304,7 +305,8 @@ void RenderDialog::receive(const Result& result)
     }
     setRendering(false);
     const QString problem = QString::fromStdString(result.problem);
-    m_message->setText(problem.isEmpty() ? whereItIs() : tr("The picture cannot be written: %1").arg(problem));
+    m_message->setText(problem.isEmpty() ? whereItIs()
+                                         : tr("The picture cannot be written: %1").arg(problem.toHtmlEscaped()));
     emit rendered(problem);
 }
 

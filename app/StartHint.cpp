@@ -97,6 +97,7 @@ void StartHint::addRecent(QVBoxLayout& layout, const QStringList& files)
     auto* clear = new QLabel(QStringLiteral("<a href=\"clear\" style=\"text-decoration: none; color: %1\">%2</a>")
                                  .arg(muted(), tr("Clear this list").toHtmlEscaped()),
                              m_lists);
+    clear->setTextFormat(Qt::RichText);
     clear->setObjectName(QStringLiteral("clear-recent"));
     connect(clear, &QLabel::linkActivated, this, [this] {
         recentFiles::clear();
@@ -114,6 +115,7 @@ void StartHint::addRecent(QVBoxLayout& layout, const QStringList& files)
                                                         widest - 56 - fontMetrics().horizontalAdvance(name))
                                     .toHtmlEscaped()),
                        m_lists);
+        link->setTextFormat(Qt::RichText);
         link->setToolTip(QDir::toNativeSeparators(file));
         link->setObjectName(QStringLiteral("recent"));
         connect(link, &QLabel::linkActivated, this, &StartHint::fileWanted);
@@ -132,6 +134,7 @@ void StartHint::addSamples(QVBoxLayout& layout, qsizetype most)
                                     .arg(sample.path.toHtmlEscaped(), sample.title.toHtmlEscaped(), muted(),
                                          sample.description.toHtmlEscaped()),
                                 m_lists);
+        link->setTextFormat(Qt::RichText);
         link->setWordWrap(true);
         connect(link, &QLabel::linkActivated, this, &StartHint::fileWanted);
         layout.addWidget(link);

@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "HistoryModel.h"
+#include "PictureTip.h"
 #include "ViewColors.h"
 
 #include <QContextMenuEvent>
@@ -230,6 +231,7 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
     : QListView(parent)
     , m_document(document)
     , m_model(new HistoryModel(document, this))
+    , m_tip(new PictureTip(this))
 {
     setModel(m_model);
     setItemDelegate(new HistoryDelegate(this));
@@ -280,6 +282,16 @@ void HistoryView::applyFilter(int first, int last)
             m_filter, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
         setRowHidden(row, !found);
     }
+}
+
+/// A tool tip of Qt would show no picture: these are plain.
+bool HistoryView::viewportEvent(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QListView::viewportEvent(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    m_tip->showAt(help->globalPos(), indexAt(help->pos()).data(Qt::ToolTipRole).toString());
+    return true;
 }
 
 bool HistoryView::event(QEvent* event)

@@ -11,6 +11,7 @@ namespace bolster {
 using NodeId = std::int32_t;
 class Document;
 class HistoryModel;
+class PictureTip;
 
 class HistoryView : public QListView {
     Q_OBJECT
@@ -31,6 +32,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
@@ -39,6 +41,7 @@ private:
 
     Document& m_document;
     HistoryModel* m_model;
+    PictureTip* m_tip;
     QStringList m_filter;
 };
 

@@ -149,11 +149,21 @@ Journal::Opened Journal::createIn(std::shared_ptr<Database> database, const Desi
 
 Journal::Opened Journal::standIn(const QString& path)
 {
+    return copyTo(path, prepareUnshared);
+}
+
+Journal::Opened Journal::successor(const QString& path)
+{
+    return copyTo(path, prepareForWork);
+}
+
+Journal::Opened Journal::copyTo(const QString& path, void (*prepare)(Database&))
+{
     return guardedOpen([&] {
         const std::scoped_lock turn(*m_database);
         m_database->vacuumInto(path);
         auto database = std::make_shared<Database>(path, Database::Access::Working);
-        prepareUnshared(*database);
+        prepare(*database);
         Opened result = opened(std::move(database), m_identity);
         result.journal->m_base = m_base;
         result.journal->m_run = m_run;

@@ -46,6 +46,9 @@ public:
     /// When the disk of this one takes nothing more: another one with all that is in it, to save from. `path` is an
     /// empty file that is gone afterwards: nothing in it is durable.
     Opened standIn(const QString& path);
+    /// Takes the place of this one, whose file somebody has removed: it holds the same. This one stays open for
+    /// edits that are not read yet.
+    Opened successor(const QString& path);
     /// The file is free then; edits that a history has not loaded yet cannot be read any more.
     ~Journal();
 
@@ -107,6 +110,7 @@ private:
     static Opened opened(std::shared_ptr<Database> database, std::shared_ptr<Identity> identity = {});
     static Opened createIn(std::shared_ptr<Database> database, const Design& design,
                            std::shared_ptr<Identity> identity);
+    Opened copyTo(const QString& path, void (*prepare)(Database&));
     Message guarded(const std::function<void()>& work);
     static Message caught(const std::function<void()>& work);
     void store(Step& step, const History& history, NodeId id, const Design& design);

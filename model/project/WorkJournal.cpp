@@ -398,6 +398,7 @@ void WorkJournal::start(const Place& place, const Taken& taken)
     m_base = taken.base;
     m_lock = taken.lock;
     m_journal = taken.journal;
+    m_gone.clear();
     m_renamed.clear();
     m_identity.reset();
     m_savedSeal.reset();
@@ -436,6 +437,7 @@ void WorkJournal::end()
     if (!unsaved)
         keepPlace(*m_journal, m_document.held(), m_document.history().current());
     m_journal.reset();
+    m_gone.clear();
     if (!unsaved)
         removeJournal(m_base);
     else if (m_fate == Fate::Bin)
@@ -451,6 +453,16 @@ std::optional<NodeId> WorkJournal::lastPlace() const
     return seal ? lastPlaces::find(m_journal->uuid(), *seal) : std::nullopt;
 }
 
+namespace {
+
+Message cannotBeProtected()
+{
+    return {QT_TRANSLATE_NOOP("Message", "unsaved work cannot be protected: \"%1\" cannot be written"),
+            {journals().toStdString()}};
+}
+
+} // namespace
+
 Message WorkJournal::prepare()
 {
     if (m_journal)
@@ -458,8 +470,7 @@ Message WorkJournal::prepare()
     m_base = newBase();
     m_lock = lockOf(m_base);
     if (!m_lock)
-        return {QT_TRANSLATE_NOOP("Message", "unsaved work cannot be protected: \"%1\" cannot be written"),
-                {journals().toStdString()}};
+        return cannotBeProtected();
     if (Message problem = writeAbout(); !problem.empty())
         return problem;
     const QString path = m_base + journalEnding;
@@ -502,9 +513,32 @@ Message WorkJournal::catchUp()
     return problem;
 }
 
+/// What is written to a file that nobody can open any more is not protected: somebody tidied up, or a disk went.
+Message WorkJournal::bringBack()
+{
+    if (!m_journal || QFileInfo::exists(m_base + journalEnding))
+        return {};
+    const QString base = newBase();
+    auto lock = lockOf(base);
+    if (!lock)
+        return cannotBeProtected();
+    Journal::Opened opened = m_journal->successor(base + journalEnding);
+    if (!opened.journal) {
+        removeJournal(base);
+        return opened.project.problem;
+    }
+    m_base = base;
+    m_lock = std::move(lock);
+    m_gone.push_back(std::exchange(m_journal, std::move(opened.journal)));
+    m_aboutBehind = true;
+    return {};
+}
+
 Message WorkJournal::store()
 {
     if (Message problem = prepare(); !problem.empty())
+        return problem;
+    if (Message problem = bringBack(); !problem.empty())
         return problem;
     if (m_aboutBehind)
         if (Message problem = writeAbout(); !problem.empty())

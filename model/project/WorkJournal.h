@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <set>
+#include <vector>
 
 namespace bolster {
 
@@ -127,6 +128,7 @@ private:
     void follow();
     Message store();
     Message prepare();
+    Message bringBack();
     Message writeAbout() const;
     void setFailing(const Message& problem);
 
@@ -137,7 +139,8 @@ private:
     QString m_base;
     std::shared_ptr<QLockFile> m_lock;
     std::shared_ptr<Journal> m_journal;
-    std::set<NodeId> m_renamed;                    ///< these names are not in the journal yet
+    std::vector<std::shared_ptr<Journal>> m_gone; ///< their files were removed, but the history may still read them
+    std::set<NodeId> m_renamed;                   ///< these names are not in the journal yet
     std::shared_ptr<Journal::Identity> m_identity; ///< while there is no journal, but a stand-in has saved
     std::optional<Hash> m_savedSeal;               ///< the same: of the file
     QTimer m_again;                                ///< runs while it is failing

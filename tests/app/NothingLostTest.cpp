@@ -5,7 +5,9 @@
 #include "ElementEdits.h"
 #include "HistoryModel.h"
 #include "HistoryView.h"
+#include "Journal.h"
 #include "Project.h"
+#include "WorkJournal.h"
 
 #include <QDir>
 #include <QLineEdit>
@@ -162,6 +164,31 @@ TEST_F(NothingLostTest, WhereOneStandsIsRememberedWithoutAQuestion)
     closeWindow();
     openAgain(path);
     EXPECT_EQ(document().history().current(), 2);
+}
+
+TEST_F(NothingLostTest, AJournalThatIsRemovedWhileOneWorksIsMadeAnew)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    change();
+    saveAs(path);
+    openAgain(path); // what was done before is read from the journal when it is needed
+    change();
+    ASSERT_TRUE(QDir(WorkJournal::folder()).removeRecursively());
+    change();
+    const auto journals = QDir(WorkJournal::folder()).entryInfoList({"*.bolster"}, QDir::Files);
+    ASSERT_EQ(journals.size(), 1);
+    const QString copy = folder.filePath("copy.bolster"); // what a crash would leave now
+    for (const char* ending : {"", "-wal"})
+        (void)QFile::copy(journals[0].filePath() + ending, copy + ending);
+    const auto opened = Journal::open(copy);
+    ASSERT_TRUE(opened.journal) << opened.project.problem.english();
+    EXPECT_EQ(knownOf(opened.project).versions, knownOf(document().history(), document().design()).versions);
+    EXPECT_EQ(opened.project.history.count(), 4);
+    document().jumpTo(0);
+    saveAs(path);
+    EXPECT_FALSE(document().hasUnsavedWork());
+    EXPECT_EQ(openProject(path, ProjectCheck::Everything).history.count(), 4);
+    EXPECT_FALSE(window.banner().shown()) << qPrintable(window.banner().text());
 }
 
 TEST_F(NothingLostTest, TheNameOfAVersionOfADesignThatNothingWasDoneToIsSaved)
