@@ -483,6 +483,429 @@
     </message>
 </context>
 <context>
+    <name>Field</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Press harder</source>
+        <translation>Drücken stärker</translation>
+    </message>
+    <message>
+        <source>Press like straight ones</source>
+        <translation>Drücken wie gerade</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Drückt</translation>
+    </message>
+    <message>
+        <source>Smallest detail</source>
+        <translation>Kleinste Einzelheit</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Polster</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Slanted faces</source>
+        <translation>Schräge Flächen</translation>
+    </message>
+    <message>
+        <source>Pushes the cover</source>
+        <translation>Drückt den Bezug</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Smooth leather</source>
+        <translation>Glattleder</translation>
+    </message>
+    <message>
+        <source>Grained leather</source>
+        <translation>Genarbtes Leder</translation>
+    </message>
+    <message>
+        <source>Woven</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Velvet</source>
+        <translation>Samt</translation>
+    </message>
+    <message>
+        <source>Picture …</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Turned from the grain</source>
+        <translation>Zum Fadenlauf gedreht</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Most along the grain</source>
+        <translation>Höchstens in Fadenrichtung</translation>
+    </message>
+    <message>
+        <source>Most across</source>
+        <translation>Höchstens quer dazu</translation>
+    </message>
+    <message>
+        <source>Most shear</source>
+        <translation>Höchste Scherung</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Querkontraktion</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Bending length</source>
+        <translation>Biegelänge</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Strain limits</source>
+        <translation>Dehnungsgrenzen</translation>
+    </message>
+    <message>
+        <source>Mirror twin</source>
+        <translation>Spiegelzwilling</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>On the curve</source>
+        <translation>Auf der Kurve</translation>
+    </message>
+    <message>
+        <source>Curve runs backwards</source>
+        <translation>Kurve läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Curve in space</source>
+        <translation>Kurve im Raum</translation>
+    </message>
+    <message>
+        <source>Round – a soft groove</source>
+        <translation>Rund – eine weiche Rinne</translation>
+    </message>
+    <message>
+        <source>Sharp – a crease</source>
+        <translation>Scharf – ein Falz</translation>
+    </message>
+    <message>
+        <source>Welt – between creases</source>
+        <translation>Wulst – zwischen Falzen</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Wrong side out</source>
+        <translation>Linke Seite außen</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <translation>Schaum</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Keeps the cover outside</source>
+        <translation>Hält den Bezug außerhalb</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Hidden parts</source>
+        <translation>Ausgeblendete Teile</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Cushion</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Herausgeschnitten</translation>
+    </message>
+    <message>
+        <source>Along the normal</source>
+        <translation>Entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>To the point itself</source>
+        <translation>Zum Punkt selbst</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Fit the cover to it</source>
+        <translation>Bezug daran anpassen</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>C0 – an edge</source>
+        <translation>C0 – mit Kante</translation>
+    </message>
+    <message>
+        <source>C1 – smooth, texture too</source>
+        <translation>C1 – glatt, auch das Muster</translation>
+    </message>
+    <message>
+        <source>G1 – rounded</source>
+        <translation>G1 – gerundet</translation>
+    </message>
+    <message>
+        <source>First stretch</source>
+        <translation>Erster Abschnitt</translation>
+    </message>
+    <message>
+        <source>Second stretch</source>
+        <translation>Zweiter Abschnitt</translation>
+    </message>
+    <message>
+        <source>Second side runs backwards</source>
+        <translation>Zweite Seite läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Mesh edges</source>
+        <translation>Netzkanten</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Colourway shown</source>
+        <translation>Gezeigte Farbvariante</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Beginnt bei</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Endet bei</translation>
+    </message>
+    <message>
+        <source>By length</source>
+        <translation>Nach Länge</translation>
+    </message>
+    <message>
+        <source>By parameter</source>
+        <translation>Nach Parameter</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Single row</source>
+        <translation>Eine Reihe</translation>
+    </message>
+    <message>
+        <source>Twin rows</source>
+        <translation>Zwei Reihen</translation>
+    </message>
+    <message>
+        <source>Stitches</source>
+        <translation>Stiche</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Garn</translation>
+    </message>
+    <message>
+        <source>Stitch length</source>
+        <translation>Stichlänge</translation>
+    </message>
+    <message>
+        <source>Distance from the seam</source>
+        <translation>Abstand von der Naht</translation>
+    </message>
+    <message>
+        <source>Thread width</source>
+        <translation>Garnstärke</translation>
+    </message>
+    <message>
+        <source>Radius (0: none)</source>
+        <translation>Radius (0: keiner)</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>The cover dips into the seam</source>
+        <translation>Der Bezug senkt sich in die Naht</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <translation>Verzierung</translation>
+    </message>
+</context>
+<context>
     <name>FixationDrawTool</name>
     <message>
         <source>A curve needs two points, a closed one three.</source>
@@ -3232,10 +3655,6 @@
         <translation>muss ein Paar in geschweiften Klammern sein, mit patch und fabric</translation>
     </message>
     <message>
-        <source>the kind %1 is unknown; there are fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam, scan, colourway and outline_trim</source>
-        <translation>die Art %1 ist unbekannt; es gibt fabric, patch, seam, fixation_curve, fixation_seam, frame, handle_curve, fancy_seam, cushion, foam, scan, colourway und outline_trim</translation>
-    </message>
-    <message>
         <source>there is no colourway %1; the patches show their own fabrics</source>
         <translation>es gibt keine Farbvariante %1; die Schnittteile zeigen ihre eigenen Stoffe</translation>
     </message>
@@ -3662,6 +4081,10 @@
     <message>
         <source>the log of &quot;%1&quot; is damaged: the last edits cannot be read</source>
         <translation>das Protokoll von „%1“ ist beschädigt: die letzten Bearbeitungen lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the kind %1 is unknown; there are %2 and %3</source>
+        <translation>die Art %1 ist unbekannt; es gibt %2 und %3</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "DesignJson.h"
 
 #include "JsonText.h"
+#include "Kinds.h"
 
 #include <array>
 #include <bit>
@@ -38,7 +39,7 @@ std::string listOf(const Values& values, const ToText& toText)
 }
 
 template <class Vector>
-std::string list(const Vector& values)
+std::string listText(const Vector& values)
 {
     return listOf(values, text);
 }
@@ -60,27 +61,6 @@ public:
         m_text.append(m_text.empty() ? "" : ", ").append("\"").append(key).append("\": ").append(value);
         return *this;
     }
-    Line& add(std::string_view key, double value) { return raw(key, text(value)); }
-    Line& add(std::string_view key, ElementId id) { return raw(key, std::to_string(number(id))); }
-    Line& quoted(std::string_view key, std::string_view value) { return raw(key, json::quoted(value)); }
-    Line& unless(const std::string& fallback, std::string_view key, const std::string& value)
-    {
-        return value == fallback ? *this : quoted(key, value);
-    }
-    Line& flag(std::string_view key, bool value) { return raw(key, value ? "true" : "false"); }
-    Line& unless(double fallback, std::string_view key, double value)
-    {
-        return same(value, fallback) ? *this : add(key, value);
-    }
-    Line& unless(bool fallback, std::string_view key, bool value)
-    {
-        return value == fallback ? *this : flag(key, value);
-    }
-    template <class Vector>
-    Line& unlessVector(const Vector& fallback, std::string_view key, const Vector& value)
-    {
-        return sameVector(value, fallback) ? *this : raw(key, list(value));
-    }
     bool empty() const { return m_text.empty(); }
     std::string done() const { return "{" + m_text + "}"; }
 
@@ -93,316 +73,163 @@ std::string curveText(const BSpline<Dim>& curve)
 {
     std::string points;
     for (const auto& point : curve.points())
-        points.append(points.empty() ? "" : ", ").append(list(point));
+        points.append(points.empty() ? "" : ", ").append(listText(point));
     Line line;
-    line.add("degree", curve.degree()).flag("closed", curve.closed()).raw("points", "[" + points + "]");
+    line.raw("degree", std::to_string(curve.degree()))
+        .raw("closed", curve.closed() ? "true" : "false")
+        .raw("points", "[" + points + "]");
     if (curve.hasDefaultKnots())
         return line.done();
     if (const auto corners = curve.cornerIndices())
-        return line.raw("corners", list(*corners)).done();
-    return line.raw("knots", list(curve.knots())).done();
+        return line.raw("corners", listText(*corners)).done();
+    return line.raw("knots", listText(curve.knots())).done();
 }
 
-void addMatch(Line& line, Match match)
-{
-    if (match == Match::Parameter)
-        line.quoted("match", "parameter");
-}
+/// Writes the fields of a value, beside it the usual one.
+class FieldWriter {
+public:
+    explicit FieldWriter(Line& line)
+        : m_line(line)
+    {}
 
-void addStretch(Line& line, const Stretch& stretch)
-{
-    line.add("patch", stretch.patch).add("from", stretch.from).add("to", stretch.to);
-}
+    void field(const Field& f, const Number&, double value, double usual)
+    {
+        put(f, !same(value, usual), [&] { return text(value); });
+    }
+    void field(const Field& f, const Flag&, bool value, bool usual)
+    {
+        put(f, value != usual, [&] { return value ? "true" : "false"; });
+    }
+    void field(const Field& f, const Text&, const std::string& value, const std::string& usual)
+    {
+        put(f, value != usual, [&] { return json::quoted(value); });
+    }
+    void field(const Field& f, const Color&, const std::string& value, const std::string& usual)
+    {
+        field(f, Text{}, value, usual);
+    }
+    void field(const Field& f, const FileName&, const std::string& value, const std::string& usual)
+    {
+        field(f, Text{}, value, usual);
+    }
+    void field(const Field& f, const Names&, const std::vector<std::string>& value, const std::vector<std::string>&)
+    {
+        put(f, !value.empty(), [&] { return listOf(value, json::quoted); });
+    }
+    template <class Enum>
+    void field(const Field& f, const Words& words, const Enum& value, const Enum& usual)
+    {
+        put(f, value != usual, [&] { return json::quoted(words.keys[static_cast<std::size_t>(value)]); });
+    }
+    template <class T>
+    void field(const Field& f, const Refers<T>&, const ElementId& value, const ElementId& usual)
+    {
+        put(f, value != usual, [&] { return idText(value); });
+    }
+    template <class T>
+    void field(const Field& f, const Refers<T>&, const std::vector<ElementId>& value, const std::vector<ElementId>&)
+    {
+        put(f, !value.empty(), [&] { return listOf(value, idText); });
+    }
+    template <class Vector>
+    void field(const Field& f, const Coordinates&, const Vector& value, const Vector& usual)
+    {
+        put(f, !sameVector(value, usual), [&] { return listText(value); });
+    }
+    template <class Vector>
+    void field(const Field& f, const Direction&, const Vector& value, const Vector& usual)
+    {
+        field(f, Coordinates{}, value, usual);
+    }
+    void field(const Field& f, const Turn&, const Quat& value, const Quat& usual)
+    {
+        const auto wxyz = [](const Quat& q) { return Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()); };
+        field(f, Coordinates{}, wxyz(value), wxyz(usual));
+    }
+    template <int Dim>
+    void field(const Field& f, const Curve&, const BSpline<Dim>& value, const BSpline<Dim>&)
+    {
+        put(f, !value.empty(), [&] { return curveText(value); });
+    }
+    using Range = std::optional<std::pair<double, double>>;
+    void field(const Field& f, const CurveRange& form, const Range& value, const Range&)
+    {
+        if (value)
+            m_line.raw(f.key, text(value->first)).raw(form.endKey, text(value->second));
+    }
+    void field(const Field& f, const Directions& form, const Orientation& value, const Orientation&)
+    {
+        const auto& directions = value.directions;
+        if (!directions.empty())
+            m_line.raw(value.kind == Orientation::Kind::Normal ? f.key : form.tangentKey,
+                       directions.size() == 1 ? listText(directions.front()) : listOf(directions, listText<Vec3>));
+    }
+    void field(const Field& f, const PointNumbers&, const std::vector<int>& value, const std::vector<int>&)
+    {
+        put(f, !value.empty(), [&] { return listOf(value, [](int point) { return std::to_string(point); }); });
+    }
+    void field(const Field& f, const Planes&, const std::vector<HalfSpace>& value, const std::vector<HalfSpace>&)
+    {
+        put(f, !value.empty(), [&] {
+            return listOf(value, [](const HalfSpace& h) {
+                return listText(Eigen::Vector4d(h.normal.x(), h.normal.y(), h.normal.z(), h.distance));
+            });
+        });
+    }
 
-std::string stretchText(const Stretch& stretch)
-{
-    Line line;
-    addStretch(line, stretch);
-    return line.done();
-}
+    template <class T>
+    void group(const Field& f, const T& value, const T& usual)
+    {
+        within(f, [&](FieldWriter& inner) { inner.part({}, value, usual); });
+    }
+    template <class T>
+    void group(const Field& f, const std::optional<T>& value, const std::optional<T>&)
+    {
+        if (value)
+            m_line.raw(f.key, objectText(*value));
+    }
+    template <class Write>
+    void within(const Field& f, Write write)
+    {
+        Line inner;
+        FieldWriter writer(inner);
+        write(writer);
+        put(f, !inner.empty(), [&] { return inner.done(); });
+    }
+    template <class T>
+    void part(const Field&, const T& value, T usual)
+    {
+        Description<T>::of(*this, value, usual);
+    }
+    template <class T>
+    void list(const Field& f, const Entries&, const std::vector<T>& value, const std::vector<T>&)
+    {
+        put(f, !value.empty(), [&] { return listOf(value, objectText<T>); });
+    }
+    template <class T>
+    void usual(const T& value, T& usual)
+    {
+        usual = usualOf(value);
+    }
 
-void addSymmetry(Line& line, const Symmetry& symmetry)
-{
-    const Symmetry normal;
-    Line plane, axis, both;
-    plane.unlessVector(normal.planePoint, "point", symmetry.planePoint)
-        .unlessVector(normal.planeNormal, "normal", symmetry.planeNormal);
-    axis.unlessVector(normal.axisPoint, "point", symmetry.axisPoint)
-        .unlessVector(normal.axisDirection, "direction", symmetry.axisDirection);
-    if (plane.done() != Line().done())
-        both.raw("plane", plane.done());
-    if (axis.done() != Line().done())
-        both.raw("axis", axis.done());
-    line.raw("symmetry", both.done());
-}
+private:
+    template <class T>
+    static std::string objectText(const T& value)
+    {
+        Line line;
+        FieldWriter(line).part({}, value, T{});
+        return line.done();
+    }
+    static std::string idText(ElementId id) { return std::to_string(number(id)); }
+    template <class ToText>
+    void put(const Field& f, bool unusual, const ToText& toText)
+    {
+        if (unusual || f.presence != Presence::Unusual)
+            m_line.raw(f.key, toText());
+    }
 
-void addLook(Line& line, const FabricLook& look)
-{
-    static constexpr std::array<const char*, 7> kinds = {"plain", "checker", "smooth_leather", "grained_leather",
-                                                         "woven", "velvet",  "image"};
-    const FabricLook normal = usualLook(look.kind);
-    Line all;
-    if (look.kind != FabricLook::Kind::Plain)
-        all.quoted("kind", kinds[static_cast<std::size_t>(look.kind)]);
-    all.unless(normal.secondColor, "second_color", look.secondColor)
-        .unless(normal.roughness, "roughness", look.roughness)
-        .unless(normal.scale, "scale_mm", look.scale)
-        .unless(normal.rotation, "rotation", look.rotation)
-        .unless(normal.relief, "relief", look.relief)
-        .unless(normal.file, "file", look.file);
-    if (!all.empty())
-        line.raw("look", all.done());
-}
-
-void addLimits(Line& line, const StretchLimits& limits)
-{
-    const StretchLimits normal;
-    Line all;
-    all.unless(normal.along, "along", limits.along)
-        .unless(normal.across, "across", limits.across)
-        .unless(normal.shear, "shear", limits.shear);
-    if (!all.empty())
-        line.raw("limits", all.done());
-}
-
-void addTrim(Line& line, const SeamTrim& trim)
-{
-    static constexpr std::array<const char*, 3> stitches = {"none", "single", "twin"};
-    const SeamTrim normal;
-    Line all;
-    if (trim.stitch != normal.stitch)
-        all.quoted("stitch", stitches[static_cast<std::size_t>(trim.stitch)]);
-    all.unless(normal.thread, "thread", trim.thread)
-        .unless(normal.stitchLength, "stitch_length_mm", trim.stitchLength)
-        .unless(normal.stitchDistance, "stitch_distance_mm", trim.stitchDistance)
-        .unless(normal.threadWidth, "thread_width_mm", trim.threadWidth)
-        .unless(normal.pipingRadius, "piping_radius_mm", trim.pipingRadius);
-    if (trim.pipingFabric != normal.pipingFabric)
-        all.add("piping_fabric", trim.pipingFabric);
-    all.unless(normal.allowance, "allowance_mm", trim.allowance).unless(normal.valley, "valley", trim.valley);
-    if (!all.empty())
-        line.raw("trim", all.done());
-}
-
-void addFields(Line& line, const Settings& settings)
-{
-    line.add("edge_length", settings.edgeLength);
-    if (settings.symmetry)
-        addSymmetry(line, *settings.symmetry);
-    if (settings.colourway != ElementId{})
-        line.add("colourway", settings.colourway);
-}
-
-void addTwin(Line& line, const std::optional<Twin>& twin)
-{
-    if (!twin)
-        return;
-    Line link;
-    link.add("of", twin->of);
-    if (!twin->released.empty())
-        link.raw("released", listOf(twin->released, [](int point) { return std::to_string(point); }));
-    line.raw("twin", link.done());
-}
-
-void addFields(Line&, const Quarantined&) {}
-
-void addFields(Line& line, const Fabric& fabric)
-{
-    const Fabric normal;
-    line.quoted("name", fabric.name)
-        .unless(normal.poisson, "poisson", fabric.poisson)
-        .unless(normal.stiffness, "stiffness", fabric.stiffness)
-        .unless(normal.bendingLength, "bending_length", fabric.bendingLength)
-        .unless(normal.color, "color", fabric.color);
-    addLook(line, fabric.look);
-    addLimits(line, fabric.limits);
-}
-
-void addFields(Line& line, const Patch& patch)
-{
-    const Patch normal;
-    line.quoted("name", patch.name)
-        .add("fabric", patch.fabric)
-        .unlessVector(normal.position, "position", patch.position)
-        .unless(normal.rotation, "rotation", patch.rotation)
-        .unless(normal.grain, "grain", patch.grain)
-        .unless(normal.pressure, "pressure", patch.pressure)
-        .unless(normal.wrongSideOut, "wrong_side_out", patch.wrongSideOut);
-    addTwin(line, patch.twin);
-    line.raw("outline", curveText(patch.outline));
-}
-
-void addFields(Line& line, const Seam& seam)
-{
-    static constexpr std::array<const char*, 3> continuities = {"C0", "C1", "G1"};
-    line.raw("a", stretchText(seam.a)).raw("b", stretchText(seam.b)).unless(true, "reversed", seam.reversed);
-    addMatch(line, seam.match);
-    if (seam.continuity != Continuity::C0)
-        line.quoted("continuity", continuities[static_cast<std::size_t>(seam.continuity)]);
-    addTrim(line, seam.trim);
-}
-
-void addFields(Line& line, const FixationCurve& fixation)
-{
-    line.quoted("name", fixation.name);
-    addTwin(line, fixation.twin);
-    line.raw("curve", curveText(fixation.curve));
-}
-
-void addOrientation(Line& line, const Orientation& orientation)
-{
-    const auto& directions = orientation.directions;
-    std::string all;
-    for (const Vec3& direction : directions)
-        all.append(all.empty() ? "" : ", ").append(list(direction));
-    if (!directions.empty())
-        line.raw(orientation.kind == Orientation::Kind::Normal ? "normal" : "tangent",
-                 directions.size() == 1 ? all : "[" + all + "]");
-    line.unless(1.0, "normal_weight", orientation.weight);
-}
-
-void addFields(Line& line, const FixationSeam& seam)
-{
-    addStretch(line, seam.stretch);
-    if (seam.hasCurve())
-        line.add("curve", seam.curve);
-    if (seam.curveRange)
-        line.add("curve_from", seam.curveRange->first).add("curve_to", seam.curveRange->second);
-    line.unless(false, "reversed", seam.reversed);
-    addMatch(line, seam.match);
-    addOrientation(line, seam.orientation);
-    addTrim(line, seam.trim);
-}
-
-void addFields(Line& line, const OutlineTrim& trimmed)
-{
-    addStretch(line, trimmed.stretch);
-    addTrim(line, trimmed.trim);
-}
-
-void addFields(Line& line, const Colourway& colourway)
-{
-    line.quoted("name", colourway.name);
-    const auto pairText = [](const Colourway::Entry& entry) {
-        return Line().add("patch", entry.patch).add("fabric", entry.fabric).done();
-    };
-    if (!colourway.fabrics.empty())
-        line.raw("fabrics", listOf(colourway.fabrics, pairText));
-}
-
-void addPlacement(Line& line, const Placement& placement)
-{
-    const Quat& q = placement.rotation;
-    line.unless(1.0, "scale", placement.scale)
-        .unlessVector(Vec3(0, 0, 0), "position", placement.position)
-        .unlessVector(Eigen::Vector4d(1, 0, 0, 0), "rotation", Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
-}
-
-void addMaterial(Line& line, const FrameMaterial& material)
-{
-    static constexpr std::array<const char*, 5> kinds = {"plain", "wood", "metal", "plastic", "foam"};
-    Line all;
-    if (material.kind != FrameMaterial::Kind::Plain)
-        all.quoted("kind", kinds[static_cast<std::size_t>(material.kind)]);
-    all.unless(std::string(), "color", material.color);
-    if (!all.empty())
-        line.raw("material", all.done());
-}
-
-void addFields(Line& line, const Frame& frame)
-{
-    line.quoted("name", frame.name).quoted("file", frame.file);
-    addPlacement(line, frame);
-    line.unless(false, "contact", frame.contact).unless(0.0, "contact_gap", frame.contactGap);
-    addMaterial(line, frame.material);
-    if (!frame.hiddenParts.empty())
-        line.raw("hidden_parts", listOf(frame.hiddenParts, json::quoted));
-}
-
-void addFields(Line& line, const Cushion& cushion)
-{
-    const Cushion normal;
-    line.quoted("name", cushion.name).add("frame", cushion.frame);
-    if (!cushion.parts.empty())
-        line.raw("parts", listOf(cushion.parts, json::quoted));
-    if (!cushion.patches.empty())
-        line.raw("patches", listOf(cushion.patches, [](ElementId id) { return std::to_string(number(id)); }));
-    line.unless(normal.voxel, "voxel_mm", cushion.voxel)
-        .unless(normal.dilation, "dilation_mm", cushion.dilation)
-        .unless(normal.strength, "strength", cushion.strength);
-    if (cushion.distance == Cushion::Distance::Euclidean)
-        line.quoted("distance", "euclidean");
-    line.unless(normal.enabled, "enabled", cushion.enabled);
-}
-
-void addFields(Line& line, const Foam& foam)
-{
-    static constexpr std::array<const char*, 4> shapes = {"box", "cylinder", "sphere", "mesh"};
-    const Foam normal;
-    line.quoted("name", foam.name).add("cushion", foam.cushion);
-    if (foam.shape != Foam::Shape::Box)
-        line.quoted("shape", shapes[static_cast<std::size_t>(foam.shape)]);
-    line.unlessVector(normal.size, "size", foam.size);
-    if (!foam.file.empty())
-        line.quoted("file", foam.file);
-    addPlacement(line, foam);
-    line.unless(normal.dilation, "dilation_mm", foam.dilation)
-        .unless(normal.strength, "strength", foam.strength)
-        .unless(normal.cut, "cut", foam.cut);
-}
-
-void addPatchCurve(Line& line, const PatchCurve& drawn)
-{
-    line.quoted("name", drawn.name).add("patch", drawn.patch);
-    addTwin(line, drawn.twin);
-    line.raw("curve", curveText(drawn.curve));
-}
-
-void addFields(Line& line, const HandleCurve& handle)
-{
-    addPatchCurve(line, handle);
-    if (handle.hasTarget())
-        line.raw("target", curveText(handle.target));
-    addMatch(line, handle.match);
-    addOrientation(line, handle.orientation);
-}
-
-void addFields(Line& line, const FancySeam& seam)
-{
-    static constexpr std::array<const char*, 3> profiles = {"round", "sharp", "welt"};
-    const FancySeam normal;
-    addPatchCurve(line, seam);
-    line.unless(normal.width, "width", seam.width).unless(normal.depth, "depth", seam.depth);
-    if (seam.profile != normal.profile)
-        line.quoted("profile", profiles[static_cast<std::size_t>(seam.profile)]);
-    addTrim(line, seam.trim);
-}
-
-std::string cutText(const ScanCut& cut)
-{
-    std::string planes;
-    for (const HalfSpace& h : cut.halfSpaces)
-        planes.append(planes.empty() ? "" : ", ")
-            .append(list(Eigen::Vector4d(h.normal.x(), h.normal.y(), h.normal.z(), h.distance)));
-    return Line().raw("planes", "[" + planes + "]").unless(false, "keep", cut.keep).done();
-}
-
-void addFields(Line& line, const Scan& scan)
-{
-    const Scan normal;
-    line.quoted("name", scan.name).quoted("file", scan.file);
-    addPlacement(line, scan);
-    line.unless(normal.threshold, "threshold_mm", scan.threshold)
-        .unless(normal.strength, "strength", scan.strength)
-        .unless(normal.enabled, "enabled", scan.enabled);
-    if (scan.target == ScanTarget::Point)
-        line.quoted("target", "point");
-    std::string cuts;
-    for (const ScanCut& cut : scan.cuts)
-        cuts.append(cuts.empty() ? "" : ", ").append(cutText(cut));
-    if (!cuts.empty())
-        line.raw("cuts", "[" + cuts + "]");
-}
+    Line& m_line;
+};
 
 } // namespace
 
@@ -412,8 +239,9 @@ std::string writeElement(ElementId id, const Element& element)
         return quarantined->text;
     Line line;
     if (id != settingsId)
-        line.add("id", id).quoted("kind", kindName(element));
-    std::visit([&](const auto& value) { addFields(line, value); }, element);
+        line.raw("id", std::to_string(number(id))).raw("kind", json::quoted(kindName(element)));
+    FieldWriter writer(line);
+    std::visit([&]<class T>(const T& value) { writer.part({}, value, T{}); }, element);
     return line.done();
 }
 

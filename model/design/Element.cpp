@@ -1,16 +1,14 @@
 #include "Element.h"
 
+#include "Kinds.h"
+
 #include <algorithm>
-#include <array>
 
 namespace bolster {
 
 const char* kindName(const Element& element)
 {
-    static constexpr std::array<const char*, std::variant_size_v<Element>> names = {
-        "settings",   "fabric",  "patch", "seam", "fixation_curve", "fixation_seam", "frame",     "handle_curve",
-        "fancy_seam", "cushion", "foam",  "scan", "colourway",      "outline_trim",  "unreadable"};
-    return names[element.index()];
+    return std::visit([]<class T>(const T&) { return Description<T>::word; }, element);
 }
 
 const std::string& elementName(const Element& element)
@@ -86,6 +84,11 @@ ElementPtr withTrim(const Element& element, SeamTrim trim)
             return makeElement(std::move(value));
         },
         element);
+}
+
+bool liesOnPatch(const Element& element)
+{
+    return seamTrim(element) || patchCurve(element); // all that can be trimmed does
 }
 
 const PatchCurve* patchCurve(const Element& element)

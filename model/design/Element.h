@@ -52,6 +52,8 @@ const SeamTrim* seamTrim(const Element& element);
 ElementPtr withTrim(const Element& element, SeamTrim trim);
 /// What a handle curve or fancy seam draws in a patch, or null for other kinds.
 const PatchCurve* patchCurve(const Element& element);
+/// Seams of all kinds, outline trims, handle curves and fancy seams: what a patch takes along.
+bool liesOnPatch(const Element& element);
 /// The curve in outline coordinates: of a patch its outline, of handle curves and fancy seams the drawn one; or
 /// null.
 const BSpline2* planeCurve(const Element& element);

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::size_t mostProblems = 100;
 
-std::string joined(std::initializer_list<std::string_view> words)
+std::string joined(std::span<const char* const> words)
 {
     std::string text;
-    for (const std::string_view word : words)
+    for (const char* word : words)
         text.append(text.empty() ? "" : ", ").append(quoted(word));
     return text;
 }
@@ -192,12 +192,13 @@ template Vec2 Fields::vector<2>(std::string_view, const Vec2&);
 template Vec3 Fields::vector<3>(std::string_view, const Vec3&);
 template Eigen::Vector4d Fields::vector<4>(std::string_view, const Eigen::Vector4d&);
 
-int Fields::choice(std::string_view key, std::initializer_list<std::string_view> words)
+int Fields::choice(std::string_view key, std::span<const char* const> words)
 {
     const Value* value = optional(key);
     if (!value)
         return 0;
-    const auto found = std::find(words.begin(), words.end(), value->string());
+    const std::string given = value->string();
+    const auto found = std::find(words.begin(), words.end(), given);
     if (value->kind() == Kind::String && found != words.end())
         return static_cast<int>(found - words.begin());
     m_report.add(fieldOf(key), {QT_TRANSLATE_NOOP("Message", "must be one of %1"), {joined(words)}});

@@ -6,8 +6,8 @@
 #include "Problem.h"
 
 #include <array>
-#include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,7 +61,7 @@ public:
     template <int Dim>
     Eigen::Matrix<double, Dim, 1> vector(std::string_view key, const Eigen::Matrix<double, Dim, 1>& fallback);
     /// The index of a word in the list; the first one when the key is missing.
-    int choice(std::string_view key, std::initializer_list<std::string_view> words);
+    int choice(std::string_view key, std::span<const char* const> words);
 
     void finish();
 

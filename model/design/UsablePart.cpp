@@ -1,5 +1,6 @@
 // What remains of a design without its bad elements.
 #include "DesignCheck.h"
+#include "References.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,36 +15,19 @@ bool affectsSettings(const Problem& problem)
     return problem.element == settingsId && problem.severity == Severity::Error && problem.field == "edge_length";
 }
 
+/// An element of the right kind.
+bool isThere(const Design& design, const Reference& reference)
+{
+    const ElementPtr element = design.element(reference.id);
+    return element && element->index() == reference.kind;
+}
+
 // The first element that this one needs and the design does not have.
 std::optional<ElementId> missingReference(const Design& design, const Element& element)
 {
-    if (const auto* patch = std::get_if<Patch>(&element); patch && !design.find<Fabric>(patch->fabric))
-        return patch->fabric;
-    if (const auto* seam = std::get_if<Seam>(&element)) {
-        for (const Stretch& stretch : {seam->a, seam->b})
-            if (!design.find<Patch>(stretch.patch))
-                return stretch.patch;
-    }
-    if (const auto* fixation = std::get_if<FixationSeam>(&element)) {
-        if (!design.find<Patch>(fixation->stretch.patch))
-            return fixation->stretch.patch;
-        if (fixation->hasCurve() && !design.find<FixationCurve>(fixation->curve))
-            return fixation->curve;
-    }
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element);
-        trimmed && !design.find<Patch>(trimmed->stretch.patch))
-        return trimmed->stretch.patch;
-    if (const PatchCurve* drawn = patchCurve(element); drawn && !design.find<Patch>(drawn->patch))
-        return drawn->patch;
-    if (const auto* cushion = std::get_if<Cushion>(&element)) {
-        if (!design.find<Frame>(cushion->frame))
-            return cushion->frame;
-        for (const ElementId patch : cushion->patches)
-            if (!design.find<Patch>(patch))
-                return patch;
-    }
-    if (const auto* foam = std::get_if<Foam>(&element); foam && !design.find<Cushion>(foam->cushion))
-        return foam->cushion;
+    for (const Reference& reference : references(element))
+        if (isNeeded(reference) && !isThere(design, reference))
+            return reference.id;
     return std::nullopt;
 }
 

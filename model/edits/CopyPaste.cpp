@@ -2,6 +2,8 @@
 
 #include "DesignJson.h"
 #include "EditBuilder.h"
+#include "ElementEdits.h"
+#include "References.h"
 
 #include <map>
 
@@ -17,14 +19,10 @@ bool isPiece(const Element& element)
 /// Whether everything that a seam or drawn curve needs is among the ids.
 bool belongsTo(const Element& element, const std::set<ElementId>& ids)
 {
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return ids.contains(seam->a.patch) && ids.contains(seam->b.patch);
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return ids.contains(fixation->stretch.patch) && (!fixation->hasCurve() || ids.contains(fixation->curve));
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
-        return ids.contains(trimmed->stretch.patch);
-    const PatchCurve* drawn = patchCurve(element);
-    return drawn && ids.contains(drawn->patch);
+    const auto isAmong = [&](const Reference& reference) {
+        return !isNeeded(reference) || ids.contains(reference.id);
+    };
+    return liesOnPatch(element) && std::ranges::all_of(references(element), isAmong);
 }
 
 /// What the colourway says of these patches.
@@ -80,7 +78,8 @@ public:
             m_new[id] = m_builder.add(std::move(curve));
         });
         for (const auto& [id, element] : source.elements())
-            addDependent(source, *element);
+            if (liesOnPatch(*element))
+                addDependent(source, *element);
         source.each<Colourway>([&](ElementId, const Colourway& colourway) { addColours(source, colourway); });
         return m_builder.result(std::move(verb));
     }
@@ -107,14 +106,6 @@ private:
 
     bool has(ElementId id) const { return m_new.contains(id); }
 
-    /// The piping's fabric as the design has it.
-    SeamTrim trimLike(const Design& source, SeamTrim trim)
-    {
-        const Fabric* fabric = source.find<Fabric>(trim.pipingFabric);
-        trim.pipingFabric = fabric ? fabricLike(*fabric) : ElementId{};
-        return trim;
-    }
-
     /// Under a colourway of the same name, if there is one.
     void addColours(const Design& source, const Colourway& colourway)
     {
@@ -132,42 +123,17 @@ private:
         m_builder.replace(*same, std::move(wider));
     }
 
+    /// Sewn to and drawn in the copies, with fabrics as the design has them.
     void addDependent(const Design& source, const Element& element)
     {
-        if (const auto* seam = std::get_if<Seam>(&element); seam && has(seam->a.patch) && has(seam->b.patch)) {
-            Seam copy = *seam;
-            copy.a.patch = m_new.at(seam->a.patch);
-            copy.b.patch = m_new.at(seam->b.patch);
-            copy.trim = trimLike(source, seam->trim);
-            m_builder.add(copy);
-        } else if (const auto* held = std::get_if<FixationSeam>(&element);
-                   held && has(held->stretch.patch) && (!held->hasCurve() || has(held->curve))) {
-            FixationSeam copy = *held;
-            copy.stretch.patch = m_new.at(held->stretch.patch);
-            if (copy.hasCurve())
-                copy.curve = m_new.at(held->curve);
-            copy.trim = trimLike(source, held->trim);
-            m_builder.add(std::move(copy));
-        } else if (const auto* handle = std::get_if<HandleCurve>(&element); handle && has(handle->patch)) {
-            addDrawn(*handle);
-        } else if (const auto* trimmed = std::get_if<OutlineTrim>(&element);
-                   trimmed && has(trimmed->stretch.patch)) {
-            OutlineTrim copy{trimmed->stretch, trimLike(source, trimmed->trim)};
-            copy.stretch.patch = m_new.at(trimmed->stretch.patch);
-            m_builder.add(std::move(copy));
-        } else if (const auto* fancy = std::get_if<FancySeam>(&element); fancy && has(fancy->patch)) {
-            FancySeam copy = *fancy;
-            copy.trim = trimLike(source, fancy->trim);
-            addDrawn(std::move(copy));
-        }
-    }
-
-    template <class T>
-    void addDrawn(T drawn)
-    {
-        drawn.patch = m_new.at(drawn.patch);
-        drawn.name = freeName<T>(m_builder.now(), drawn.name);
-        m_builder.add(std::move(drawn));
+        for (const Reference& reference : references(element))
+            if (isNeeded(reference) && !has(reference.id))
+                return;
+        Element copy = renumbered(element, [&](const Reference& reference) {
+            const Fabric* seen = source.find<Fabric>(reference.id);
+            return isNeeded(reference) ? m_new.at(reference.id) : seen ? fabricLike(*seen) : ElementId{};
+        });
+        m_builder.set(m_builder.now().nextId(), withFreeName(m_builder.now(), copy));
     }
 
     EditBuilder m_builder;

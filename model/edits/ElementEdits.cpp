@@ -2,6 +2,8 @@
 
 #include "EditBuilder.h"
 #include "EditHelpers.h"
+#include "Kinds.h"
+#include "References.h"
 
 #include <algorithm>
 
@@ -18,65 +20,17 @@ std::string freeNameOf(const Design& design, const std::string& wanted, ElementI
 
 Message addVerb(const Element& element)
 {
-    static constexpr std::array<const char*, std::variant_size_v<Element>> keys = {
-        QT_TRANSLATE_NOOP("Message", "Change the settings"),
-        QT_TRANSLATE_NOOP("Message", "Add fabric %1"),
-        QT_TRANSLATE_NOOP("Message", "Add patch %1"),
-        QT_TRANSLATE_NOOP("Message", "Add a seam"),
-        QT_TRANSLATE_NOOP("Message", "Add fixation curve %1"),
-        QT_TRANSLATE_NOOP("Message", "Add a fixation seam"),
-        QT_TRANSLATE_NOOP("Message", "Add frame %1"),
-        QT_TRANSLATE_NOOP("Message", "Add handle curve %1"),
-        QT_TRANSLATE_NOOP("Message", "Add fancy seam %1"),
-        QT_TRANSLATE_NOOP("Message", "Add cushion %1"),
-        QT_TRANSLATE_NOOP("Message", "Add foam %1"),
-        QT_TRANSLATE_NOOP("Message", "Add scan %1"),
-        QT_TRANSLATE_NOOP("Message", "Add colourway %1"),
-        QT_TRANSLATE_NOOP("Message", "Add a trim"),
-        QT_TRANSLATE_NOOP("Message", "Add an unreadable element"),
+    const char* verb = std::visit([]<class T>(const T&) { return Description<T>::added; }, element);
+    return {verb, {elementName(element)}};
+}
+
+/// A patch does not go with its fabric: fabrics in use stay, and what is none may go.
+IsGone isAmong(const std::set<ElementId>& removed)
+{
+    return [&removed](const Reference& reference) {
+        const bool ofPatch = reference.need == Need::Needed && reference.kind == Element(Fabric{}).index();
+        return !ofPatch && removed.contains(reference.id);
     };
-    return {keys[element.index()], {elementName(element)}};
-}
-
-bool refersTo(const Element& element, const std::set<ElementId>& ids)
-{
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return ids.contains(seam->a.patch) || ids.contains(seam->b.patch);
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return ids.contains(fixation->stretch.patch) || ids.contains(fixation->curve);
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
-        return ids.contains(trimmed->stretch.patch);
-    if (const PatchCurve* drawn = patchCurve(element))
-        return ids.contains(drawn->patch);
-    if (const auto* cushion = std::get_if<Cushion>(&element)) {
-        const auto& patches = cushion->patches;
-        const auto isRemoved = [&](ElementId patch) { return ids.contains(patch); };
-        return ids.contains(cushion->frame) ||
-               (!patches.empty() && std::all_of(patches.begin(), patches.end(), isRemoved));
-    }
-    if (const auto* foam = std::get_if<Foam>(&element))
-        return ids.contains(foam->cushion);
-    return false;
-}
-
-/// What is left of an element when it does without the removed ones; null if it does not refer to them.
-ElementPtr without(const Element& element, const std::set<ElementId>& removed)
-{
-    Element rest = element;
-    if (auto* cushion = std::get_if<Cushion>(&rest))
-        std::erase_if(cushion->patches, [&](ElementId patch) { return removed.contains(patch); });
-    if (auto* colourway = std::get_if<Colourway>(&rest))
-        std::erase_if(colourway->fabrics, [&](const Colourway::Entry& entry) {
-            return removed.contains(entry.patch) || removed.contains(entry.fabric);
-        });
-    if (auto* settings = std::get_if<Settings>(&rest); settings && removed.contains(settings->colourway))
-        settings->colourway = {};
-    if (const SeamTrim* trim = seamTrim(rest); trim && removed.contains(trim->pipingFabric)) {
-        SeamTrim plain = *trim;
-        plain.pipingFabric = {};
-        rest = *withTrim(rest, std::move(plain));
-    }
-    return rest == element ? nullptr : makeElement(std::move(rest));
 }
 
 /// Names what goes along: seams and fixations that need the removed elements.
@@ -166,12 +120,12 @@ Edit removeElements(const Design& design, std::span<const ElementId> ids)
     for (std::size_t before = 0; before != gone.size();) { // a frame takes its cushions along, and they their foam
         before = gone.size();
         for (const auto& [id, element] : design.elements())
-            if (refersTo(*element, gone))
+            if (goesAlong(*element, isAmong(gone)))
                 gone.insert(id);
     }
     Edit edit;
     const auto leave = [&](ElementId id, const ElementPtr& element) {
-        if (ElementPtr rest = without(*element, gone))
+        if (ElementPtr rest = without(element, isAmong(gone)); rest != element)
             edit.changes.push_back({id, element, std::move(rest)});
     };
     leave(settingsId, design.element(settingsId));

@@ -3,6 +3,7 @@
 #include "EditBuilder.h"
 #include "ElementEdits.h"
 #include "ElementFields.h"
+#include "References.h"
 
 #include <algorithm>
 
@@ -29,55 +30,30 @@ void addFields(Difference& difference, const ElementFields& before, const Elemen
 /// Without those that an element can do without: a twin.
 std::set<ElementId> neededBy(const Element& element)
 {
-    if (const auto* patch = std::get_if<Patch>(&element))
-        return {patch->fabric};
-    if (const auto* seam = std::get_if<Seam>(&element))
-        return {seam->a.patch, seam->b.patch};
-    if (const auto* fixation = std::get_if<FixationSeam>(&element))
-        return fixation->hasCurve() ? std::set{fixation->stretch.patch, fixation->curve}
-                                    : std::set{fixation->stretch.patch};
-    if (const PatchCurve* drawn = patchCurve(element))
-        return {drawn->patch};
-    if (const auto* cushion = std::get_if<Cushion>(&element)) {
-        std::set<ElementId> needed(cushion->patches.begin(), cushion->patches.end()); // none would mean all
-        needed.insert(cushion->frame);
-        return needed;
-    }
-    if (const auto* foam = std::get_if<Foam>(&element))
-        return {foam->cushion};
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
-        return {trimmed->stretch.patch};
-    return {};
+    std::set<ElementId> needed;
+    for (const Reference& reference : references(element))
+        if (isNeeded(reference))
+            needed.insert(reference.id);
+    return needed;
 }
 
-/// Fabrics that are only seen: without them there is less to see, no more.
-std::set<ElementId> fabricsSeenIn(const Element& element)
+/// What is only seen: without it there is less to see, no more.
+std::set<ElementId> seenIn(const Element& element)
 {
-    std::set<ElementId> fabrics;
-    if (const SeamTrim* trim = seamTrim(element); trim && trim->pipingFabric != ElementId{})
-        fabrics.insert(trim->pipingFabric);
-    if (const auto* colourway = std::get_if<Colourway>(&element))
-        for (const Colourway::Entry& entry : colourway->fabrics)
-            fabrics.insert(entry.fabric);
-    return fabrics;
+    std::set<ElementId> seen;
+    for (const Reference& reference : references(element))
+        if (reference.need == Need::Seen)
+            seen.insert(reference.id);
+    return seen;
 }
 
 /// A colourway without what it says of patches that are not there, and the like.
 ElementPtr withoutMissing(const Design& design, const ElementPtr& element)
 {
-    Element rest = *element;
-    if (auto* colourway = std::get_if<Colourway>(&rest))
-        std::erase_if(colourway->fabrics, [&](const Colourway::Entry& entry) {
-            return !design.find<Patch>(entry.patch) || !design.find<Fabric>(entry.fabric);
-        });
-    if (auto* settings = std::get_if<Settings>(&rest); settings && !design.find<Colourway>(settings->colourway))
-        settings->colourway = {};
-    return rest == *element ? element : makeElement(std::move(rest));
-}
-
-bool liesOnPatch(const Element& element)
-{
-    return seamTrim(element) || patchCurve(element); // all that can be trimmed does
+    return without(element, [&](const Reference& reference) {
+        const ElementPtr there = design.element(reference.id);
+        return reference.need != Need::Listed && (!there || there->index() != reference.kind);
+    });
 }
 
 /// All that comes along when elements are taken from another version.
@@ -103,7 +79,7 @@ public:
         const std::set<ElementId> asked = m_taken;
         for (const ElementId id : asked)
             if (const ElementPtr element = m_other.element(id))
-                for (const ElementId fabric : fabricsSeenIn(*element))
+                for (const ElementId fabric : seenIn(*element))
                     if (!m_design.element(fabric))
                         take(fabric);
     }

@@ -171,10 +171,23 @@ struct Entries {
 ///   static constexpr const char* word: of kinds, in the text form
 ///   static constexpr const char* added: of kinds, the verb of adding one, with its name as %1
 ///   static SolveCost comes(const T&): of kinds, what one that comes or goes asks of the solver
+///   static constexpr const char* wrong: of parts, what is said where there is something else than an object
 ///   static T usual(const T&): where a field decides the usual values of the others; `of` calls v.usual(s...)
 ///   template <class V, class... S> static void of(V& v, S&... s)
 template <class T>
 struct Description;
+
+/// For v.part: what a struct has from its base.
+template <class B>
+const B& asBase(const B& value)
+{
+    return value;
+}
+template <class B>
+B& asBase(B& value)
+{
+    return value;
+}
 
 template <class T>
 T usualOf(const T& value)

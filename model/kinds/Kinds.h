@@ -1,0 +1,57 @@
+// The descriptions of all kinds of elements.
+#pragma once
+
+#include "ColourwayFields.h"
+#include "CushionFields.h"
+#include "Element.h"
+#include "FabricFields.h"
+#include "FixationFields.h"
+#include "PatchCurveFields.h"
+#include "PatchFields.h"
+#include "PlacedFields.h"
+#include "SeamFields.h"
+#include "SettingsFields.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace bolster {
+
+/// It has no fields, only its text.
+template <>
+struct Description<Quarantined> {
+    static constexpr const char* word = "unreadable";
+    static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add an unreadable element");
+    static SolveCost comes(const Quarantined&) { return SolveCost::Nothing; }
+
+    template <class V, class... S>
+    static void of(V&, S&...)
+    {}
+};
+
+/// Walks over the fields of an element.
+template <class V>
+void describe(V& walker, const Element& element)
+{
+    std::visit([&]<class T>(const T& value) { Description<T>::of(walker, value); }, element);
+}
+
+/// The same where the walker may change what it walks over.
+template <class V>
+void describe(V& walker, Element& element)
+{
+    std::visit([&]<class T>(T& value) { Description<T>::of(walker, value); }, element);
+}
+
+/// Calls visit.template operator()<T>() for each kind, in the order of Element.
+template <class Visit>
+void eachKind(Visit visit)
+{
+    [&]<std::size_t... I>(std::index_sequence<I...>)
+    {
+        (visit.template operator()<std::variant_alternative_t<I, Element>>(), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<Element>>());
+}
+
+} // namespace bolster

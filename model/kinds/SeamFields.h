@@ -1,0 +1,50 @@
+// What is said of each field of a seam.
+#pragma once
+
+#include "Seam.h"
+#include "TrimFields.h"
+
+namespace bolster {
+
+template <>
+struct Description<Seam> {
+    static constexpr const char* word = "seam";
+    static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add a seam");
+    static SolveCost comes(const Seam&) { return SolveCost::Resew; }
+
+    static constexpr const char* continuities[] = {"C0", "C1", "G1"};
+    static constexpr const char* continuityLabels[] = {QT_TRANSLATE_NOOP("Field", "C0 \u2013 an edge"),
+                                                       QT_TRANSLATE_NOOP("Field", "C1 \u2013 smooth, texture too"),
+                                                       QT_TRANSLATE_NOOP("Field", "G1 \u2013 rounded")};
+
+    template <class V, class... S>
+    static void of(V& v, S&... s)
+    {
+        v.group({.key = "a",
+                 .label = QT_TRANSLATE_NOOP("Field", "First stretch"),
+                 .cost = SolveCost::Resew,
+                 .presence = Presence::Required},
+                s.a...);
+        v.group({.key = "b",
+                 .label = QT_TRANSLATE_NOOP("Field", "Second stretch"),
+                 .cost = SolveCost::Resew,
+                 .presence = Presence::Required},
+                s.b...);
+        v.field({.key = "reversed",
+                 .label = QT_TRANSLATE_NOOP("Field", "Second side runs backwards"),
+                 .meaning = "`b` is walked backwards",
+                 .verb = QT_TRANSLATE_NOOP("Message", "Reverse %1"),
+                 .cost = SolveCost::Resew},
+                Flag{}, s.reversed...);
+        describeMatch(v, SolveCost::Resew, s.match...);
+        v.field({.key = "continuity",
+                 .label = QT_TRANSLATE_NOOP("Field", "Continuity"),
+                 .meaning = "a sharp edge; smooth, the texture runs on; smooth, the texture need not",
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change the continuity of %1"),
+                 .cost = SolveCost::Refactor},
+                Words{continuities, continuityLabels}, s.continuity...);
+        v.group(trimField, s.trim...);
+    }
+};
+
+} // namespace bolster
