@@ -173,6 +173,7 @@ private:
     SeamsView* m_seams;
     FabricPanel* m_fabricPanel;
     SpotsPanel* m_spots;
+    std::optional<CoverPoint> m_mapPlace; ///< under the pointer
     StatusLine* m_status;
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;

@@ -61,6 +61,7 @@ void MainWindow::connectMaps()
 
 void MainWindow::readMap(const std::optional<CoverPoint>& place)
 {
+    m_mapPlace = place;
     const SurfaceMapPtr& map = mapShown();
     const QString reading = place && map ? MapLink::reading(*map, *place) : QString();
     m_surface->setMapReading(reading);

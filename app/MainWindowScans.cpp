@@ -97,6 +97,7 @@ void MainWindow::showMeasured()
     m_pattern->setMap(mapShown());
     m_surface->setScanPairs(m_scans->pairs());
     m_inspector->setScanFigures(m_scans->figures());
+    readMap(m_mapPlace); // it says something else there now
 }
 
 void MainWindow::fitScanPlacement(ElementId scan)

@@ -1,5 +1,7 @@
 #include "SolvePlan.h"
 
+#include "Kinds.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -14,164 +16,92 @@ SolvePlan together(SolvePlan a, SolvePlan b)
 
 namespace {
 
-SolvePlan compare(const Settings& a, const Settings& b)
-{
-    return a.edgeLength == b.edgeLength ? SolvePlan::Nothing : SolvePlan::Rebuild;
-}
+/// Walks over an element before and after.
+class CostWalker {
+public:
+    SolveCost cost = SolveCost::Nothing;
 
-SolvePlan compare(const Fabric& a, const Fabric& b)
-{
-    if (a.stiffness != b.stiffness || a.bendingLength != b.bendingLength)
-        return SolvePlan::Refactor;
-    return a.poisson == b.poisson ? SolvePlan::Nothing : SolvePlan::Retarget;
-}
+    template <class Form, class Value>
+    void field(const Field& f, const Form&, const Value& a, const Value& b)
+    {
+        if (!(a == b))
+            add(f.cost);
+    }
+    void field(const Field& f, const Turn&, const Quat& a, const Quat& b)
+    {
+        if (a.coeffs() != b.coeffs())
+            add(f.cost);
+    }
+    template <int Dim>
+    void field(const Field& f, const Curve&, const BSpline<Dim>& a, const BSpline<Dim>& b)
+    {
+        if (a.empty() != b.empty())
+            add(SolveCost::Resew);
+        else if (!(a == b))
+            add(sameKind(a, b) ? f.cost : SolveCost::Rebuild);
+    }
+    void field(const Field& f, const Directions&, const Orientation& a, const Orientation& b)
+    {
+        if (a.empty() != b.empty())
+            add(SolveCost::Rebuild);
+        else if (a.kind != b.kind || a.directions != b.directions)
+            add(f.cost);
+    }
+    template <class T>
+    void group(const Field& f, const T& a, const T& b)
+    {
+        part(f, a, b);
+    }
+    template <class T>
+    void group(const Field& f, const std::optional<T>& a, const std::optional<T>& b)
+    {
+        field(f, Flag{}, a, b);
+    }
+    template <class T>
+    void part(const Field& f, const T& a, const T& b)
+    {
+        if (!(a == b))
+            add(f.cost);
+        Description<T>::of(*this, a, b);
+    }
+    template <class Walk>
+    void within(const Field&, Walk walk)
+    {
+        walk(*this);
+    }
+    template <class T>
+    void list(const Field& f, const Entries&, const std::vector<T>& a, const std::vector<T>& b)
+    {
+        field(f, Flag{}, a, b);
+    }
+    template <class T>
+    void usual(const T&, const T&)
+    {}
 
-/// `moved`: what it asks for when only points have moved.
-template <int Dim>
-SolvePlan compareCurves(const BSpline<Dim>& a, const BSpline<Dim>& b, SolvePlan moved)
-{
-    if (a == b)
-        return SolvePlan::Nothing;
-    const bool sameKind = a.degree() == b.degree() && a.closed() == b.closed() && a.knots() == b.knots();
-    return sameKind ? moved : SolvePlan::Rebuild;
-}
+private:
+    void add(SolveCost more) { cost = together(cost, more); }
 
-SolvePlan compare(const Patch& a, const Patch& b)
-{
-    // The outward side sits in the order of the triangles, so it needs a new mesh.
-    if (a.wrongSideOut != b.wrongSideOut || a.fabric != b.fabric)
-        return SolvePlan::Rebuild;
-    const SolvePlan outline = compareCurves(a.outline, b.outline, SolvePlan::Warp);
-    return std::max(outline, a.pressure == b.pressure ? SolvePlan::Nothing : SolvePlan::Retarget);
-}
-
-SolvePlan compare(const FixationCurve& a, const FixationCurve& b)
-{
-    return compareCurves(a.curve, b.curve, SolvePlan::Retarget);
-}
-
-SolvePlan compare(const Orientation& a, const Orientation& b)
-{
-    if (a.empty() != b.empty())
-        return SolvePlan::Rebuild;
-    if (a.weight != b.weight)
-        return SolvePlan::Refactor;
-    return a == b ? SolvePlan::Nothing : SolvePlan::Retarget;
-}
-
-SolvePlan compare(const HandleCurve& a, const HandleCurve& b)
-{
-    if (a.patch != b.patch || a.match != b.match)
-        return SolvePlan::Rebuild;
-    if (a.hasTarget() != b.hasTarget())
-        return SolvePlan::Resew;
-    const SolvePlan place =
-        a.hasTarget() ? compareCurves(a.target, b.target, SolvePlan::Retarget) : SolvePlan::Nothing;
-    return together(compareCurves(a.curve, b.curve, SolvePlan::Warp),
-                    together(place, compare(a.orientation, b.orientation)));
-}
-
-SolvePlan compare(const FancySeam& a, const FancySeam& b)
-{
-    if (a.patch != b.patch)
-        return SolvePlan::Rebuild;
-    if (a.width != b.width || !(a.curve == b.curve))
-        return std::max(SolvePlan::Warp, compareCurves(a.curve, b.curve, SolvePlan::Warp));
-    return a.depth == b.depth && a.profile == b.profile ? SolvePlan::Nothing : SolvePlan::Republish;
-}
-
-SolvePlan compare(const Seam& a, const Seam& b)
-{
-    if (!(a.a == b.a && a.b == b.b && a.reversed == b.reversed && a.match == b.match))
-        return SolvePlan::Resew;
-    return a.continuity == b.continuity ? SolvePlan::Nothing : SolvePlan::Refactor;
-}
-
-SolvePlan compare(const FixationSeam& a, const FixationSeam& b)
-{
-    FixationSeam held = b;
-    held.orientation = a.orientation;
-    held.trim = a.trim;
-    return held == a ? compare(a.orientation, b.orientation) : SolvePlan::Resew;
-}
-
-/// Of frames and foam: their files are another matter.
-SolvePlan compare(const Placement& a, const Placement& b)
-{
-    return a == b ? SolvePlan::Nothing : SolvePlan::Retarget;
-}
-
-SolvePlan compare(const Frame& a, const Frame& b)
-{
-    if (a.hiddenParts != b.hiddenParts || a.contact != b.contact || (a.contact && a.contactGap != b.contactGap))
-        return SolvePlan::Retarget;
-    return compare(static_cast<const Placement&>(a), static_cast<const Placement&>(b));
-}
-
-/// Weights that differ are noticed when the targets are made anew.
-template <class T>
-SolvePlan compareButNames(const T& a, const T& b)
-{
-    T renamed = a;
-    renamed.name = b.name;
-    return renamed == b ? SolvePlan::Nothing : SolvePlan::Retarget;
-}
-
-SolvePlan compare(const Cushion& a, const Cushion& b)
-{
-    return a.enabled || b.enabled ? compareButNames(a, b) : SolvePlan::Nothing;
-}
-
-SolvePlan compare(const Foam& a, const Foam& b)
-{
-    return compareButNames(a, b);
-}
-
-/// A scan that is switched off is measured all the same.
-SolvePlan compare(const Scan& a, const Scan& b)
-{
-    return compareButNames(a, b);
-}
-
-SolvePlan compare(const Colourway&, const Colourway&)
-{
-    return SolvePlan::Nothing;
-}
-
-SolvePlan compare(const OutlineTrim&, const OutlineTrim&)
-{
-    return SolvePlan::Nothing;
-}
-
-SolvePlan compare(const Quarantined&, const Quarantined&)
-{
-    return SolvePlan::Nothing;
-}
+    /// Only points have moved.
+    template <int Dim>
+    static bool sameKind(const BSpline<Dim>& a, const BSpline<Dim>& b)
+    {
+        return a.degree() == b.degree() && a.closed() == b.closed() && a.knots() == b.knots();
+    }
+};
 
 /// An element that came or went.
 SolvePlan planOf(const Element& element)
 {
-    if (const auto* frame = std::get_if<Frame>(&element))
-        return frame->contact ? SolvePlan::Retarget : SolvePlan::Nothing;
-    if (std::holds_alternative<Quarantined>(element) || std::holds_alternative<Fabric>(element) ||
-        std::holds_alternative<FixationCurve>(element))
-        return SolvePlan::Nothing; // fabrics and curves matter through what uses them
-    if (std::holds_alternative<Colourway>(element) || std::holds_alternative<OutlineTrim>(element))
-        return SolvePlan::Nothing;
-    if (patchCurve(element))
-        return SolvePlan::Rebuild; // a new handle begins where the surface is, so nothing is torn
-    if (std::holds_alternative<Cushion>(element) || std::holds_alternative<Foam>(element) ||
-        std::holds_alternative<Scan>(element))
-        return SolvePlan::Retarget;
-    return SolvePlan::Resew;
+    return std::visit([]<class T>(const T& value) { return Description<T>::comes(value); }, element);
 }
 
 SolvePlan planOf(const Element& before, const Element& after)
 {
     if (before.index() != after.index())
         return SolvePlan::Resew;
-    return std::visit([&](const auto& a) { return compare(a, std::get<std::decay_t<decltype(a)>>(after)); },
-                      before);
+    CostWalker walker;
+    std::visit([&]<class T>(const T& a) { walker.part({}, a, std::get<T>(after)); }, before);
+    return walker.cost;
 }
 
 /// Whether the place and the file of this element act on the cover or on what is reported of it.

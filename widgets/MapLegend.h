@@ -19,6 +19,7 @@ public:
     void setMap(SurfaceMapPtr map);
     /// What the map says under the pointer, in words; "" when the pointer is elsewhere.
     void setReading(const QString& reading);
+    const QString& reading() const { return m_reading; }
     /// To a corner of the parent, the lower right one if it can be: that where it covers least of these places.
     /// Whether it covers nothing.
     bool place(const std::vector<QRectF>& busy = {});

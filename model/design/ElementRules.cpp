@@ -1,6 +1,7 @@
 #include "ElementRules.h"
 
 #include "DesignCheck.h"
+#include "Kinds.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -14,18 +15,7 @@ namespace {
 constexpr double largestNumber = 1e7;
 constexpr double shortestLength = 1e-3; // mm: of anything that has a length
 constexpr double resolvedShare = 0.35;  // of the edge length: the smallest bending length that a mesh can show
-constexpr double leastPressure = -1000;
-constexpr double mostPressure = 1000;
 constexpr std::size_t mostDirections = 10'000;
-constexpr double mostNormalWeight = 100;
-constexpr double leastFancySize = 0.1; // mm: of a fancy seam
-constexpr double mostFancySize = 1000;
-constexpr double mostDilation = 1000;  // mm
-constexpr double mostContactGap = 100; // mm
-constexpr double mostStrength = 10;
-constexpr double mostScanStrength = 100;
-constexpr double leastLimit = 0.1; // % of strain
-constexpr double mostLimit = 200;
 
 bool isColor(const std::string& text)
 {
@@ -78,11 +68,126 @@ ElementRules::ElementRules(const Design& design, Problems& problems)
     design.each<Patch>([&](ElementId, const Patch& patch) { m_usedFabrics.insert(patch.fabric); });
 }
 
+/// What the descriptions say: limits, references, colours, files, curves with a length.
+class FieldRules {
+public:
+    explicit FieldRules(ElementRules& rules, std::string prefix = {})
+        : m_rules(rules)
+        , m_prefix(std::move(prefix))
+    {}
+
+    template <class Form, class Value>
+    void field(const Field&, const Form&, const Value&)
+    {}
+    void field(const Field& f, const Number& form, const double& value)
+    {
+        if (f.counts && form.checked)
+            m_rules.inRange(at(f), value, form.least, form.most);
+    }
+    template <class Vector>
+    void field(const Field& f, const Coordinates& form, const Vector& values)
+    {
+        for (const double value : values)
+            if (f.counts && !m_rules.inRange(at(f), value, form.least, form.most))
+                break;
+    }
+    void field(const Field& f, const Color& form, const std::string& value)
+    {
+        if (!form.mayBeEmpty || !value.empty())
+            m_rules.color(at(f), value);
+    }
+    void field(const Field& f, const FileName&, const std::string& value)
+    {
+        if (auto problem = f.counts ? elementFileProblem(value) : std::nullopt)
+            m_rules.error(at(f), std::move(*problem));
+    }
+    void field(const Field& f, const Turn&, const Quat& value)
+    {
+        if (!(std::abs(value.norm() - 1) <= 1e-6))
+            m_rules.error(at(f), {QT_TRANSLATE_NOOP(
+                                      "Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
+                                  {numberText(value.norm())}});
+    }
+    template <class T>
+    void field(const Field& f, const Refers<T>& form, const ElementId& id)
+    {
+        if constexpr (!std::is_same_v<T, AnyKind>) // whoever cares for links has rules of his own
+            if (f.counts && form.checked && (id != ElementId{} || form.need == Need::Needed))
+                m_rules.reference<T>(at(f), id);
+    }
+    template <class T>
+    void field(const Field& f, const Refers<T>&, const std::vector<ElementId>& ids)
+    {
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            m_rules.reference<T>(at(f) + "[" + std::to_string(i) + "]", ids[i]);
+    }
+    template <int Dim>
+    void field(const Field& f, const Curve& form, const BSpline<Dim>& curve)
+    {
+        if (f.counts && !form.outline)
+            m_rules.needsLength(at(f) + ".points", curve);
+    }
+    void field(const Field&, const Directions&, const Orientation& orientation) { m_rules.directions(orientation); }
+    void field(const Field& f, const Planes&, const std::vector<HalfSpace>& planes)
+    {
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            if (!(planes[i].normal.norm() > 0))
+                m_rules.error(
+                    at(f) + "[" + std::to_string(i) + "]",
+                    {QT_TRANSLATE_NOOP("Message", "the first three numbers are the plane's normal; not all of them "
+                                                  "may be 0")});
+    }
+    template <class T>
+    void group(const Field& f, const T& value)
+    {
+        FieldRules(m_rules, at(f) + ".").part({}, value);
+    }
+    template <class T>
+    void group(const Field& f, const std::optional<T>& value)
+    {
+        if (value)
+            group(f, *value);
+    }
+    template <class T>
+    void part(const Field&, const T& value)
+    {
+        Description<T>::of(*this, value);
+    }
+    template <class Walk>
+    void within(const Field& f, Walk walk)
+    {
+        FieldRules inner(m_rules, at(f) + ".");
+        walk(inner);
+    }
+    template <class T>
+    void list(const Field& f, const Entries&, const std::vector<T>& entries)
+    {
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            FieldRules(m_rules, at(f) + "[" + std::to_string(i) + "].").part({}, entries[i]);
+    }
+    template <class T>
+    void usual(const T&)
+    {}
+
+private:
+    std::string at(const Field& f) const { return m_prefix + f.key; }
+
+    ElementRules& m_rules;
+    std::string m_prefix;
+};
+
 void ElementRules::check(ElementId id, const Element& element)
 {
     m_id = id;
     m_label = elementLabel(id, element);
-    std::visit([this](const auto& value) { rules(value); }, element);
+    FieldRules fields(*this);
+    std::visit(
+        [&]<class T>(const T& value) {
+            fields.part({}, value);
+            if constexpr (requires { rules(value); })
+                rules(value);
+        },
+        element);
     twin(element);
 }
 
@@ -142,27 +247,12 @@ bool ElementRules::inRange(std::string field, double value, double low, double h
     return false;
 }
 
-void ElementRules::placement(const Placement& placement)
+void ElementRules::scale(const Placement& placement)
 {
     if (!(placement.scale > 0 && placement.scale <= largestNumber))
         error("scale",
               {QT_TRANSLATE_NOOP("Message", "is %1, but must be positive: millimetres per unit of the file"),
                {numberText(placement.scale)}});
-    for (const double value : placement.position)
-        if (!inRange("position", value, -largestNumber, largestNumber))
-            break;
-    if (!(std::abs(placement.rotation.norm() - 1) <= 1e-6))
-        error("rotation",
-              {QT_TRANSLATE_NOOP("Message", "must be a quaternion [w, x, y, z] of length 1, not of length %1"),
-               {numberText(placement.rotation.norm())}});
-}
-
-/// Of elements that place a file.
-void ElementRules::placedFile(const Placement& placed, const std::string& file)
-{
-    if (auto problem = elementFileProblem(file))
-        error("file", std::move(*problem));
-    placement(placed);
 }
 
 template <class T>
@@ -216,41 +306,9 @@ void ElementRules::color(std::string field, const std::string& text)
               {QT_TRANSLATE_NOOP("Message", "\"%1\" is no colour; write it like #7a4a2b"), {text}});
 }
 
-void ElementRules::look(const FabricLook& look)
-{
-    if (!look.secondColor.empty())
-        color("look.second_color", look.secondColor);
-    inRange("look.roughness", look.roughness, 0, 1);
-    inRange("look.scale_mm", look.scale, 0.1, 1e4);
-    inRange("look.rotation", look.rotation, -largestNumber, largestNumber);
-    inRange("look.relief", look.relief, 0, 2);
-    if (look.kind == FabricLook::Kind::Image)
-        if (auto problem = elementFileProblem(look.file))
-            error("look.file", std::move(*problem));
-}
-
-void ElementRules::trim(const SeamTrim& trim)
-{
-    color("trim.thread", trim.thread);
-    inRange("trim.stitch_length_mm", trim.stitchLength, 0.5, 100);
-    inRange("trim.stitch_distance_mm", trim.stitchDistance, 0, 100);
-    inRange("trim.thread_width_mm", trim.threadWidth, 0.05, 10);
-    inRange("trim.piping_radius_mm", trim.pipingRadius, 0, 50);
-    inRange("trim.allowance_mm", trim.allowance, 0, 100);
-    if (trim.pipingFabric != ElementId{})
-        reference<Fabric>("trim.piping_fabric", trim.pipingFabric);
-}
-
 void ElementRules::rules(const Fabric& fabric)
 {
-    inRange("poisson", fabric.poisson, -0.5, 0.5);
-    inRange("stiffness", fabric.stiffness, 1e-3, 1e3);
-    color("color", fabric.color);
-    look(fabric.look);
-    inRange("limits.along", fabric.limits.along, leastLimit, mostLimit);
-    inRange("limits.across", fabric.limits.across, leastLimit, mostLimit);
-    inRange("limits.shear", fabric.limits.shear, leastLimit, mostLimit);
-    if (!inRange("bending_length", fabric.bendingLength, 0, largestNumber))
+    if (!(fabric.bendingLength >= 0 && fabric.bendingLength <= largestNumber))
         return;
     const double edgeLength = m_design.settings().edgeLength;
     const double resolved = resolvedShare * edgeLength;
@@ -275,13 +333,6 @@ void ElementRules::rules(const Fabric& fabric)
 
 void ElementRules::rules(const Patch& patch)
 {
-    reference<Fabric>("fabric", patch.fabric);
-    for (const double value : patch.position)
-        if (!inRange("position", value, -largestNumber, largestNumber))
-            break;
-    inRange("rotation", patch.rotation, -largestNumber, largestNumber);
-    inRange("grain", patch.grain, -largestNumber, largestNumber);
-    inRange("pressure", patch.pressure, leastPressure, mostPressure);
     if (const std::optional<Message>& wrong = outlineProblemOf(m_id, patch.outline))
         error("outline.points", *wrong);
 }
@@ -317,7 +368,7 @@ bool ElementRules::range(const std::string& fromField, const std::string& toFiel
 
 const Patch* ElementRules::stretch(const std::string& prefix, const Stretch& stretch)
 {
-    const auto* patch = reference<Patch>(prefix + "patch", stretch.patch);
+    const auto* patch = m_design.find<Patch>(stretch.patch);
     if (!patch || patch->outline.empty() ||
         !range(prefix + "from", prefix + "to", patch->outline, stretch.from, stretch.to) ||
         outlineProblemOf(stretch.patch, patch->outline))
@@ -367,7 +418,6 @@ bool ElementRules::sewsAnew(const Seam& seam)
 
 void ElementRules::rules(const Seam& seam)
 {
-    trim(seam.trim);
     const Patch* a = stretch("a.", seam.a);
     const Patch* b = stretch("b.", seam.b);
     if (!a || !b)
@@ -409,12 +459,7 @@ void ElementRules::needsLength(std::string field, const BSpline<Dim>& curve)
         error(std::move(field), {QT_TRANSLATE_NOOP("Message", "the curve has no length; move its points apart")});
 }
 
-void ElementRules::rules(const FixationCurve& fixation)
-{
-    needsLength("curve.points", fixation.curve);
-}
-
-void ElementRules::orientation(const Orientation& orientation)
+void ElementRules::directions(const Orientation& orientation)
 {
     const std::string field = orientation.kind == Orientation::Kind::Normal ? "normal" : "tangent";
     const std::size_t count = orientation.directions.size();
@@ -435,14 +480,11 @@ void ElementRules::orientation(const Orientation& orientation)
                    {std::to_string(k + 1)}});
             return;
         }
-    inRange("normal_weight", orientation.weight, 0, mostNormalWeight);
 }
 
 void ElementRules::rules(const FixationSeam& seam)
 {
     stretch("", seam.stretch);
-    orientation(seam.orientation);
-    trim(seam.trim);
     if (!seam.hasCurve() && seam.curveRange)
         error("curve_from",
               {QT_TRANSLATE_NOOP("Message", "there is no curve; name one, or leave out curve_from and "
@@ -450,7 +492,7 @@ void ElementRules::rules(const FixationSeam& seam)
                {}});
     if (!seam.hasCurve() && !seam.orientation.empty())
         return;
-    const auto* fixation = reference<FixationCurve>("curve", seam.curve);
+    const auto* fixation = m_design.find<FixationCurve>(seam.curve);
     if (!fixation || fixation->curve.empty() || !seam.curveRange)
         return;
     const auto [from, to] = *seam.curveRange;
@@ -464,96 +506,42 @@ void ElementRules::rules(const FixationSeam& seam)
 
 void ElementRules::rules(const Frame& frame)
 {
-    placedFile(frame, frame.file);
-    inRange("contact_gap", frame.contactGap, 0, mostContactGap);
-    if (!frame.material.color.empty())
-        color("material.color", frame.material.color);
-}
-
-void ElementRules::rules(const Cushion& cushion)
-{
-    reference<Frame>("frame", cushion.frame);
-    for (std::size_t i = 0; i < cushion.patches.size(); ++i)
-        reference<Patch>("patches[" + std::to_string(i) + "]", cushion.patches[i]);
-    inRange("voxel_mm", cushion.voxel, 0.5, 100);
-    inRange("dilation_mm", cushion.dilation, 0, mostDilation);
-    inRange("strength", cushion.strength, 0, mostStrength);
+    scale(frame);
 }
 
 void ElementRules::rules(const Foam& foam)
 {
-    reference<Cushion>("cushion", foam.cushion);
-    if (foam.shape != Foam::Shape::Mesh) {
-        for (const double value : foam.size)
-            if (!inRange("size", value, 1, largestNumber))
-                break;
-        placement(foam);
-    } else {
-        placedFile(foam, foam.file);
-    }
-    inRange("dilation_mm", foam.dilation, 0, mostDilation);
-    inRange("strength", foam.strength, 0, mostStrength);
-}
-
-void ElementRules::drawnIn(const PatchCurve& drawn)
-{
-    reference<Patch>("patch", drawn.patch);
-    needsLength("curve.points", drawn.curve);
-}
-
-void ElementRules::rules(const HandleCurve& handle)
-{
-    drawnIn(handle);
-    orientation(handle.orientation);
-    if (!handle.hasTarget() && !handle.orientation.empty())
-        return;
-    needsLength("target.points", handle.target);
-    if (handle.target.closed() != handle.curve.closed())
-        error("target.closed", {QT_TRANSLATE_NOOP("Message", "the curve in the patch and its target must both be "
-                                                             "open or both be closed")});
-}
-
-void ElementRules::rules(const FancySeam& seam)
-{
-    drawnIn(seam);
-    inRange("width", seam.width, leastFancySize, mostFancySize);
-    inRange("depth", seam.depth, -mostFancySize, mostFancySize);
-    trim(seam.trim);
+    scale(foam);
 }
 
 void ElementRules::rules(const Scan& scan)
 {
-    placedFile(scan, scan.file);
-    inRange("threshold_mm", scan.threshold, 0.1, 1e4);
-    inRange("strength", scan.strength, 0, mostScanStrength);
-    for (std::size_t c = 0; c < scan.cuts.size(); ++c)
-        for (std::size_t h = 0; h < scan.cuts[c].halfSpaces.size(); ++h)
-            if (!(scan.cuts[c].halfSpaces[h].normal.norm() > 0))
-                error(
-                    "cuts[" + std::to_string(c) + "].planes[" + std::to_string(h) + "]",
-                    {QT_TRANSLATE_NOOP("Message", "the first three numbers are the plane's normal; not all of them "
-                                                  "may be 0")});
+    this->scale(scan);
+}
+
+void ElementRules::rules(const HandleCurve& handle)
+{
+    if ((handle.hasTarget() || handle.orientation.empty()) && handle.target.closed() != handle.curve.closed())
+        error("target.closed", {QT_TRANSLATE_NOOP("Message", "the curve in the patch and its target must both be "
+                                                             "open or both be closed")});
 }
 
 void ElementRules::rules(const Colourway& colourway)
 {
     std::set<ElementId> known;
     for (std::size_t i = 0; i < colourway.fabrics.size(); ++i) {
-        const auto& [patch, fabric] = colourway.fabrics[i];
-        const std::string field = "fabrics[" + std::to_string(i) + "].";
-        if (reference<Patch>(field + "patch", patch) && !known.insert(patch).second)
-            error(field + "patch",
+        const ElementId patch = colourway.fabrics[i].patch;
+        if (m_design.find<Patch>(patch) && !known.insert(patch).second)
+            error("fabrics[" + std::to_string(i) + "].patch",
                   {QT_TRANSLATE_NOOP("Message", "%1 has a fabric in this colourway already; remove "
                                                 "one of the two"),
                    {elementLabel(patch, *m_design.element(patch))}});
-        reference<Fabric>(field + "fabric", fabric);
     }
 }
 
 void ElementRules::rules(const OutlineTrim& trimmed)
 {
     stretch("", trimmed.stretch);
-    trim(trimmed.trim);
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

@@ -23,16 +23,16 @@ public:
     void check(ElementId id, const Element& element);
 
 private:
+    friend class FieldRules;
+
+    // What the descriptions do not say.
     void rules(const Settings& settings);
     void rules(const Fabric& fabric);
     void rules(const Patch& patch);
     void rules(const Seam& seam);
-    void rules(const FixationCurve& fixation);
     void rules(const FixationSeam& seam);
     void rules(const Frame& frame);
     void rules(const HandleCurve& handle);
-    void rules(const FancySeam& seam);
-    void rules(const Cushion& cushion);
     void rules(const Foam& foam);
     void rules(const Scan& scan);
     void rules(const Colourway& colourway);
@@ -45,8 +45,7 @@ private:
     void warn(std::string field, Message message);
     /// Reports a number outside [low, high], NaN too; says whether it is inside.
     bool inRange(std::string field, double value, double low, double high);
-    void placement(const Placement& placement);
-    void placedFile(const Placement& placed, const std::string& file);
+    void scale(const Placement& placement);
     template <class T>
     const T* reference(std::string field, ElementId id);
     /// The patch, if the stretch and its outline are sound; `prefix` is "a." or "b." or nothing.
@@ -54,14 +53,11 @@ private:
     /// Reports a curve without length.
     template <int Dim>
     void needsLength(std::string field, const BSpline<Dim>& curve);
-    void drawnIn(const PatchCurve& drawn);
     void color(std::string field, const std::string& text);
-    void look(const FabricLook& look);
-    void trim(const SeamTrim& trim);
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);
-    void orientation(const Orientation& orientation);
+    void directions(const Orientation& orientation);
     bool sewsAnew(const Seam& seam);
     double lengthOf(const Stretch& stretch, const BSpline2& outline);
     const std::optional<Message>& outlineProblemOf(ElementId id, const BSpline2& outline);

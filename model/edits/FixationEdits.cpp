@@ -130,6 +130,44 @@ Part nearestPart(const std::vector<Vec3>& way, const BSpline3& curve, std::optio
     return far(candidates[1]) < far(candidates[0]) ? candidates[1] : candidates[0];
 }
 
+/// Where fixations of other stretches hold a point of an outline in space.
+std::optional<Vec3> heldAt(const Design& design, const Stretch& but, double parameter, const BSpline2& outline)
+{
+    std::optional<Vec3> held;
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
+        const BSpline3* curve = fixationCurveOf(design, seam.curve);
+        if (!curve || seam.stretch.patch != but.patch || same(seam.stretch, but, outline))
+            return;
+        const auto [start, end] = seam.curveRange.value_or(WayRange(curve->domainStart(), curve->domainEnd()));
+        const auto isHere = [&](double place) {
+            return std::abs(std::remainder(place - parameter, outline.period())) < 1e-9 * outline.period();
+        };
+        if (isHere(seam.stretch.from))
+            held = curve->at(seam.reversed ? end : start);
+        else if (isHere(seam.stretch.to))
+            held = curve->at(seam.reversed ? start : end);
+    });
+    return held;
+}
+
+/// Corners that are held already tell the direction better than a cover that hangs somewhere else.
+Part fromHeldCorners(const Design& design, const Stretch& stretch, const BSpline2& outline, const BSpline3& curve,
+                     Part part)
+{
+    if (part.range || curve.closed())
+        return part;
+    const std::optional<Vec3> first = heldAt(design, stretch, stretch.from, outline);
+    const std::optional<Vec3> last = heldAt(design, stretch, stretch.to, outline);
+    const auto gap = [&](const Vec3& start, const Vec3& end) {
+        return (first ? (start - *first).norm() : 0) + (last ? (end - *last).norm() : 0);
+    };
+    const Vec3 start = curve.at(curve.domainStart()), end = curve.at(curve.domainEnd());
+    const double forwards = gap(start, end), backwards = gap(end, start);
+    if (std::abs(forwards - backwards) > 1e-3 * (end - start).norm())
+        part.reversed = backwards < forwards;
+    return part;
+}
+
 /// The design with the stretch fixed to a part of the curve, or the same one when that cannot be.
 Design attached(const Design& design, const Stretch& stretch, ElementId curve, const Part& part)
 {
@@ -265,7 +303,10 @@ Edit attachStretches(const Design& design, std::span<const Stretch> stretches, E
                                              : target->closest(ways.back()[waySteps / 2]).parameter);
     }
     if (stretches.size() == 1)
-        return editBetween(design, attached(design, stretches[0], curve, nearestPart(ways[0], *target, {})),
+        return editBetween(design,
+                           attached(design, stretches[0], curve,
+                                    fromHeldCorners(design, stretches[0], *outlineUnder(design, stretches[0]),
+                                                    *target, nearestPart(ways[0], *target, {}))),
                            attachVerb(design, stretches[0], curve));
 
     const ArcLength3 length(*target);

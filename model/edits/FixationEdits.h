@@ -19,8 +19,8 @@ Edit addFixationFromSurface(const Design& design, const SurfaceMesh& surface, co
                             const std::string& name);
 
 /// Fixes a stretch to a curve: to all of it, or of a closed one to the part that is nearest. The present surface
-/// tells in which direction; without one (null) both run the same way. A fixation of the same stretch is changed.
-/// Empty when there is no such curve, the stretch has a problem, or nothing changes.
+/// tells in which direction, or a corner that is held already; without either both run the same way. A fixation of
+/// the same stretch is changed. Empty when there is no such curve, the stretch has a problem, or nothing changes.
 Edit attachStretch(const Design& design, const Stretch& stretch, ElementId curve, const SurfaceMesh* surface);
 /// Fixes several stretches to one curve in a row, in the order in which they lie along it: each gets a part of the
 /// curve that is as long as it is, in proportion. On a closed curve the row begins at a corner if one is near.

@@ -119,6 +119,7 @@ template <class T>
 struct Refers {
     using Kind = T;
     Need need = Need::Needed;
+    bool checked = true; ///< as with numbers
 };
 
 /// Numbers of a Vec2 or Vec3, each within limits.

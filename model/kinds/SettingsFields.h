@@ -49,7 +49,7 @@ struct Description<Settings> {
         v.field({.key = "colourway",
                  .label = QT_TRANSLATE_NOOP("Field", "Colourway shown"),
                  .meaning = "the one that is shown; without it each patch shows its own fabric"},
-                Refers<Colourway>{Need::Shown}, s.colourway...);
+                Refers<Colourway>{Need::Shown, false}, s.colourway...);
     }
 };
 

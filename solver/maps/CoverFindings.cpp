@@ -110,19 +110,16 @@ void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<F
             continue;
         const StretchLimits limits = fabric ? fabric->limits : StretchLimits{};
         PatchStrains strains = strainsOf(surface, range, patch->grain * std::numbers::pi / 180, limits);
-        std::optional<Finding> worst;
         const auto consider = [&](std::vector<Strained> all, double allowed, const char* sentence) {
-            const std::optional<Strained> over = worstOf(std::move(all));
-            if (!over || (worst && worst->value / worst->allowed >= over->excess))
-                return;
-            worst = Finding{
-                Finding::Kind::OverLimit,
-                range.patch,
-                Finding::Place{range.patch, over->at},
-                std::abs(over->value),
-                allowed,
-                {sentence,
-                 {findingName(design, range.patch), numberText(std::abs(over->value), 2), numberText(allowed, 2)}}};
+            if (const std::optional<Strained> over = worstOf(std::move(all)))
+                found.push_back({Finding::Kind::OverLimit,
+                                 range.patch,
+                                 Finding::Place{range.patch, over->at},
+                                 std::abs(over->value),
+                                 allowed,
+                                 {sentence,
+                                  {findingName(design, range.patch), numberText(std::abs(over->value), 2),
+                                   numberText(allowed, 2)}}});
         };
         consider(std::move(strains.along), limits.along,
                  QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % along the grain, its fabric may %3 %"));
@@ -130,8 +127,6 @@ void findStrains(const SurfaceMesh& surface, const Design& design, std::vector<F
                  QT_TRANSLATE_NOOP("Message", "%1 is stretched by %2 % across the grain, its fabric may %3 %"));
         consider(std::move(strains.shear), limits.shear,
                  QT_TRANSLATE_NOOP("Message", "%1 is sheared by %2 %, its fabric may %3 %"));
-        if (worst)
-            found.push_back(std::move(*worst));
         if (strains.pressed.area > foldedSpot)
             found.push_back(
                 {Finding::Kind::Folds,

@@ -117,6 +117,24 @@ TEST_F(SpotsTest, AMapHasOneLegend)
     window.actions().resetLayout->trigger();
 }
 
+TEST_F(SpotsTest, TheNumberUnderARestingPointerFollowsTheCover)
+{
+    ASSERT_TRUE(listStrain());
+    const MapLink::Spot worst = spots().front();
+    const Patch before = *window.document().design().find<Patch>(worst.place.patch);
+    const auto* legend = window.surfaceView().findChild<MapLegend*>();
+    window.patternView().patchPointed(worst.place);
+    const QString first = legend->reading();
+    ASSERT_TRUE(first.contains(window.maps().figure(worst.value))) << qPrintable(first);
+    Patch pressed = before;
+    pressed.pressure += 0.4;
+    window.document().commit({{}, {{worst.place.patch, nullptr, makeElement(pressed)}}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return legend->reading() != first; }, 60000)) << qPrintable(first);
+    window.actions().undo->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return legend->reading() == first; }, 60000))
+        << qPrintable(legend->reading());
+}
+
 TEST_F(SpotsTest, WithoutAMapItIsSaidHowToGetOne)
 {
     EXPECT_FALSE(window.docks().spots->isVisible()) << "not before somebody asks for it";

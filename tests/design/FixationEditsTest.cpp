@@ -161,6 +161,24 @@ TEST_F(FixationEditsTest, TheSurfaceTellsTheDirection)
     EXPECT_EQ(blind.verb.english(), "Attach Seat to Rail");
 }
 
+TEST_F(FixationEditsTest, ACornerThatIsHeldTellsTheDirection)
+{
+    const SurfaceMesh surface = bentSquare(); // it hangs somewhere else: the other way round would be nearer
+    design = design.with(attachStretch(design, {seat, 0, 1}, rail, nullptr)); // corner 1 is held at (0, -5, 300)
+    for (const bool fromTheCorner : {true, false}) {
+        const Vec3 held(0, -5, 300), other(200, 300, 0);
+        Edit drawn;
+        drawn.changes = {
+            {second, nullptr,
+             makeElement(FixationCurve{"Second", fromTheCorner ? straight(held, other) : straight(other, held)})}};
+        const Design both = design.with(drawn);
+        const Design after = both.with(attachStretch(both, {seat, 1, 2}, second, &surface));
+        after.each<FixationSeam>([&](ElementId, const FixationSeam& seam) {
+            EXPECT_TRUE(seam.curve != second || seam.reversed != fromTheCorner);
+        });
+    }
+}
+
 TEST_F(FixationEditsTest, OfAClosedCurveTheNearestPartIsTaken)
 {
     const std::vector<FixationSeam> seams = seamsAfter(attachStretch(design, {seat, 0, 1}, hoop, &surface));

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <cstdio>
 
 namespace bolster::test {
@@ -59,6 +61,22 @@ TEST(CoverFindings, ClothThatIsStretchedTooFarIsSaidWithWhereAndHowMuch)
     ASSERT_TRUE(found[0].place);
     EXPECT_EQ(found[0].place->patch, found[0].element);
     EXPECT_NE(found[0].text.english().find("stretched by"), std::string::npos) << found[0].text.english();
+}
+
+TEST(CoverFindings, EachLimitThatIsExceededIsSaid)
+{
+    // Pulled along, across and askew at once, so that each is over its limit.
+    Design design = sheetBetween(1.6).design();
+    Edit edit;
+    design.each<Fabric>([&](ElementId id, Fabric fabric) {
+        fabric.limits = {1, 0.1, 0.1};
+        edit.changes.push_back({id, nullptr, makeElement(std::move(fabric))});
+    });
+    std::set<std::string> said;
+    for (const CoverFinding& finding : findingsOf(design.with(edit)))
+        if (finding.kind == FindingKind::OverLimit)
+            said.insert(finding.text.key);
+    EXPECT_GE(said.size(), 2U) << "stretched and sheared";
 }
 
 TEST(CoverFindings, FoldsAreSaid)
