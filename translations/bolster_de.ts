@@ -904,6 +904,10 @@
         <source>Trim</source>
         <translation>Verzierung</translation>
     </message>
+    <message>
+        <source> mm per unit</source>
+        <translation>mm je Einheit</translation>
+    </message>
 </context>
 <context>
     <name>FixationDrawTool</name>
@@ -1292,10 +1296,6 @@
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Mesh edges</source>
-        <translation>Netzkanten</translation>
-    </message>
-    <message>
         <source>Patches</source>
         <translation>Schnittteile</translation>
     </message>
@@ -1324,36 +1324,8 @@
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Poisson</source>
-        <translation>Querkontraktion</translation>
-    </message>
-    <message>
-        <source>Bending length</source>
-        <translation>Biegelänge</translation>
-    </message>
-    <message>
         <source>Fabric</source>
         <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Wrong side out</source>
-        <translation>Linke Seite außen</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Lage</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -1366,14 +1338,6 @@
     <message>
         <source>Outline</source>
         <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>By length</source>
-        <translation>Nach Länge</translation>
-    </message>
-    <message>
-        <source>By parameter</source>
-        <translation>Nach Parameter</translation>
     </message>
     <message>
         <source>First side</source>
@@ -1392,30 +1356,6 @@
         <translation>Mehrweite</translation>
     </message>
     <message>
-        <source>Continuity</source>
-        <translation>Übergang</translation>
-    </message>
-    <message>
-        <source>C0 – an edge</source>
-        <translation>C0 – mit Kante</translation>
-    </message>
-    <message>
-        <source>C1 – smooth, texture too</source>
-        <translation>C1 – glatt, auch das Muster</translation>
-    </message>
-    <message>
-        <source>G1 – rounded</source>
-        <translation>G1 – gerundet</translation>
-    </message>
-    <message>
-        <source>Match</source>
-        <translation>Zuordnung</translation>
-    </message>
-    <message>
-        <source>Second side runs backwards</source>
-        <translation>Zweite Seite läuft rückwärts</translation>
-    </message>
-    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1424,20 +1364,12 @@
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>Curve runs backwards</source>
-        <translation>Kurve läuft rückwärts</translation>
-    </message>
-    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
     <message>
         <source>Scale</source>
         <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source> mm per unit</source>
-        <translation> mm je Einheit</translation>
     </message>
     <message>
         <source>Problems</source>
@@ -1468,52 +1400,12 @@
         <translation>Drückt</translation>
     </message>
     <message>
-        <source>Pushes the cover</source>
-        <translation>Drückt den Bezug</translation>
-    </message>
-    <message>
         <source>Parts</source>
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Padding</source>
-        <translation>Polster</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
         <source>Cushion</source>
         <translation>Polsterung</translation>
-    </message>
-    <message>
-        <source>Shape</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Quader</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cut away</source>
-        <translation>Ausschneiden</translation>
-    </message>
-    <message>
-        <source>Keeps the cover outside</source>
-        <translation>Hält den Bezug außerhalb</translation>
-    </message>
-    <message>
-        <source>Gap</source>
-        <translation>Abstand</translation>
     </message>
     <message>
         <source>Patch</source>
@@ -1528,56 +1420,12 @@
         <translation>Im Raum</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
-    </message>
-    <message>
-        <source>Round – a soft groove</source>
-        <translation>Rund – eine weiche Rinne</translation>
-    </message>
-    <message>
-        <source>Sharp – a crease</source>
-        <translation>Scharf – ein Falz</translation>
-    </message>
-    <message>
-        <source>Welt – between creases</source>
-        <translation>Wulst – zwischen Falzen</translation>
-    </message>
-    <message>
         <source>It stands out: a welt.</source>
         <translation>Sie steht vor: ein Wulst.</translation>
     </message>
     <message>
         <source>free</source>
         <translation>frei</translation>
-    </message>
-    <message>
-        <source>Fit the cover to it</source>
-        <translation>Bezug daran anpassen</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>Schwelle</translation>
-    </message>
-    <message>
-        <source>Pull</source>
-        <translation>Zug</translation>
-    </message>
-    <message>
-        <source>Along the normal</source>
-        <translation>Entlang der Normalen</translation>
-    </message>
-    <message>
-        <source>To the point itself</source>
-        <translation>Zum Punkt selbst</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -1723,32 +1571,8 @@
         <translation>Verhalten</translation>
     </message>
     <message>
-        <source>Most along the grain</source>
-        <translation>Höchstens in Fadenrichtung</translation>
-    </message>
-    <message>
-        <source>Most across</source>
-        <translation>Höchstens quer dazu</translation>
-    </message>
-    <message>
-        <source>Most shear</source>
-        <translation>Höchste Scherung</translation>
-    </message>
-    <message>
         <source>From the first colour</source>
         <translation>Aus der ersten Farbe</translation>
-    </message>
-    <message>
-        <source>Roughness</source>
-        <translation>Rauheit</translation>
-    </message>
-    <message>
-        <source>Turned from the grain</source>
-        <translation>Zum Fadenlauf gedreht</translation>
-    </message>
-    <message>
-        <source>Relief</source>
-        <translation>Relief</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1942,24 +1766,8 @@
         <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
     </message>
     <message>
-        <source>Slanted faces</source>
-        <translation>Schräge Flächen</translation>
-    </message>
-    <message>
-        <source>Press harder</source>
-        <translation>Drücken stärker</translation>
-    </message>
-    <message>
-        <source>Press like straight ones</source>
-        <translation>Drücken wie gerade</translation>
-    </message>
-    <message>
         <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
         <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
-    </message>
-    <message>
-        <source>Smallest detail</source>
-        <translation>Kleinste Einzelheit</translation>
     </message>
     <message>
         <source>How finely the frame is looked at: what is thinner may stay without padding</source>
@@ -4108,10 +3916,6 @@
     <message>
         <source>Direction</source>
         <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
     </message>
     <message>
         <source>%1 directions, interpolated along the curve; the first is shown.</source>
@@ -7471,44 +7275,8 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <translation>Steppung</translation>
     </message>
     <message>
-        <source>Stitches</source>
-        <translation>Stiche</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Single row</source>
-        <translation>Eine Reihe</translation>
-    </message>
-    <message>
-        <source>Twin rows</source>
-        <translation>Zwei Reihen</translation>
-    </message>
-    <message>
         <source>Thread</source>
         <translation>Garn</translation>
-    </message>
-    <message>
-        <source>Stitch length</source>
-        <translation>Stichlänge</translation>
-    </message>
-    <message>
-        <source>Distance from the seam</source>
-        <translation>Abstand von der Naht</translation>
-    </message>
-    <message>
-        <source>Thread width</source>
-        <translation>Garnstärke</translation>
-    </message>
-    <message>
-        <source>Seam allowance</source>
-        <translation>Nahtzugabe</translation>
-    </message>
-    <message>
-        <source>The cover dips into the seam</source>
-        <translation>Der Bezug senkt sich in die Naht</translation>
     </message>
     <message>
         <source>As the patch</source>
@@ -7517,10 +7285,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Piping</source>
         <translation>Keder</translation>
-    </message>
-    <message>
-        <source>Radius (0: none)</source>
-        <translation>Radius (0: keiner)</translation>
     </message>
     <message>
         <source>Fabric</source>

@@ -9,12 +9,6 @@ namespace bolster {
 
 namespace {
 
-const NumberBox::Range paddingRange{QStringLiteral(" mm"), 2, 0, 1000, 5};
-const NumberBox::Range strengthRange{{}, 3, 0, 10, 0.1};
-// What the sliders cover; the boxes beside them take more.
-constexpr double thickestPadding = 100;
-constexpr double greatestForce = 2;
-
 /// Verbs that are in the histories of projects, though no edit is called so any more.
 [[maybe_unused]] constexpr const char* earlierVerbs[] = {QT_TRANSLATE_NOOP("Message", "Change the distance of %1"),
                                                          QT_TRANSLATE_NOOP("Message", "Change the voxels of %1")};
@@ -82,23 +76,19 @@ void InspectorForms::addCushion(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Cushion> cushion(m_document, ids, form);
     cushion.name(tr("Name"));
-    cushion.check(tr("Pushes the cover"), &Cushion::enabled, QT_TRANSLATE_NOOP("Message", "Switch %1"));
+    cushion.field(&Cushion::enabled);
     addFrameChoice(form, ids);
     form.explain(tr("The frame that is padded"));
     addCushionParts(form, ids);
     addCoverChoice(form, ids);
     form.explain(tr("Which cover the padding presses outwards"));
-    cushion.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Cushion::dilation,
-                   QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    cushion.field(&Cushion::dilation);
     form.explain(tr("How thick the padding around the frame is"));
-    cushion.slider(tr("Strength"), strengthRange, 0, greatestForce, &Cushion::strength,
-                   QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+    cushion.field(&Cushion::strength);
     form.explain(tr("How hard the padding presses the cover outwards; from about 2 on it gives no more"));
-    cushion.choice(tr("Slanted faces"), {tr("Press harder"), tr("Press like straight ones")}, &Cushion::distance,
-                   QT_TRANSLATE_NOOP("Message", "Change the slanted faces of %1"));
+    cushion.field(&Cushion::distance);
     form.explain(tr("How padding presses that is aslant to width, depth and height: harder fills the cover more"));
-    cushion.number(tr("Smallest detail"), {QStringLiteral(" mm"), 2, 0.5, 100, 1}, &Cushion::voxel,
-                   QT_TRANSLATE_NOOP("Message", "Change the smallest detail of %1"));
+    cushion.field(&Cushion::voxel);
     form.explain(tr("How finely the frame is looked at: what is thinner may stay without padding"));
     if (!cushion.several())
         addVoxelNote(form, ids.front());
@@ -121,21 +111,15 @@ void InspectorForms::addFoam(PropertyForm& form, const Ids& ids) const
     if (foam.shared([](const Foam& f) { return f.shape == Foam::Shape::Mesh; }) != false) {
         foam.info(tr("File"), [](const Design&, const Foam& f) { return QString::fromStdString(f.file); });
     } else {
-        foam.choice(tr("Shape"), {tr("Box"), tr("Cylinder"), tr("Sphere")}, &Foam::shape,
-                    QT_TRANSLATE_NOOP("Message", "Change the shape of %1"));
-        foam.numbers(
-            tr("Size"), {QStringLiteral(" mm"), 2, 1, 1e7, 5}, 3,
-            [](Foam& f, int i) -> double& { return f.size[i]; },
-            QT_TRANSLATE_NOOP("Message", "Change the size of %1"));
+        foam.choiceBut(Foam::Shape::Mesh, &Foam::shape); // that is another file, not another shape
+        foam.field(&Foam::size);
     }
-    addPlacementFields(form, foam, {});
-    foam.check(tr("Cut away"), &Foam::cut, QT_TRANSLATE_NOOP("Message", "Add or cut %1"));
+    addPlacementFields(form, foam);
+    foam.field(&Foam::cut);
     form.explain(tr("Takes this shape out of the cushion instead of adding it"));
-    foam.slider(tr("Padding"), paddingRange, 0, thickestPadding, &Foam::dilation,
-                QT_TRANSLATE_NOOP("Message", "Change the padding of %1"));
+    foam.field(&Foam::dilation);
     form.explain(tr("How thick the padding around this foam is"));
-    foam.slider(tr("Strength"), strengthRange, 0, greatestForce, &Foam::strength,
-                QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
+    foam.field(&Foam::strength);
     form.explain(tr("How hard this foam presses the cover outwards; from about 2 on it gives no more"));
 }
 

@@ -61,25 +61,12 @@ void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
     fabric.name(tr("Name"));
     addFabricLook(form, ids);
     form.addHeading(tr("Behaviour"), icon(QStringLiteral("fabric")));
-    fabric.number(tr("Stiffness"), {{}, 3, 0.001, 1000, 0.1}, &Fabric::stiffness,
-                  QT_TRANSLATE_NOOP("Message", "Change the stiffness of %1"));
-    fabric.number(tr("Poisson"), {{}, 3, -0.5, 0.5, 0.05}, &Fabric::poisson,
-                  QT_TRANSLATE_NOOP("Message", "Change the Poisson parameter of %1"));
-    fabric.number(tr("Bending length"), {QStringLiteral(" mm"), 2, 0, 1e7, 1}, &Fabric::bendingLength,
-                  QT_TRANSLATE_NOOP("Message", "Change the bending length of %1"));
-    const NumberBox::Range percent{QStringLiteral(" %"), 1, 0.1, 200, 1};
-    const auto limit = [&](const QString& label, double StretchLimits::*member) {
-        form.addNumber(
-            label, percent,
-            [fabric, member] { return fabric.shared([&](const Fabric& f) { return f.limits.*member; }); },
-            [fabric, member](double value) {
-                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the limits of %1"),
-                              [&](Fabric& f) { f.limits.*member = value; });
-            });
-    };
-    limit(tr("Most along the grain"), &StretchLimits::along);
-    limit(tr("Most across"), &StretchLimits::across);
-    limit(tr("Most shear"), &StretchLimits::shear);
+    fabric.field(&Fabric::stiffness);
+    fabric.field(&Fabric::poisson);
+    fabric.field(&Fabric::bendingLength);
+    fabric.field(&Fabric::limits, &StretchLimits::along);
+    fabric.field(&Fabric::limits, &StretchLimits::across);
+    fabric.field(&Fabric::limits, &StretchLimits::shear);
 }
 
 void InspectorForms::addFabricPictures(PropertyForm& form, ElementId id) const
@@ -95,7 +82,6 @@ void InspectorForms::addFabricPictures(PropertyForm& form, ElementId id) const
 
 void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
 {
-    static constexpr const char* verb = QT_TRANSLATE_NOOP("Message", "Change the look of %1");
     const InspectorSubject<Fabric> fabric(m_document, ids, form);
     const std::optional<Kind> kind = sharedLook(fabric, [](const FabricLook& l) { return l.kind; });
     addFabricKind(form, ids);
@@ -126,19 +112,13 @@ void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
                 });
             });
     }
-    const auto number = [&](const QString& label, const NumberBox::Range& range, double FabricLook::*member) {
-        form.addNumber(
-            label, range,
-            [fabric, member] { return sharedLook(fabric, [&](const FabricLook& l) { return l.*member; }); },
-            [fabric, member](double value) { fabric.change(verb, [&](Fabric& f) { f.look.*member = value; }); });
-    };
-    number(tr("Roughness"), {{}, 2, 0, 1, 0.05}, &FabricLook::roughness);
+    fabric.field(&Fabric::look, &FabricLook::roughness);
     if (kind == Kind::Plain)
         return;
-    number(scaleLabel(kind), {QStringLiteral(" mm"), 2, 0.1, 10000, 1}, &FabricLook::scale);
-    number(tr("Turned from the grain"), {QString(QChar(0xb0)), 1, -360, 360, 15}, &FabricLook::rotation);
+    fabric.labelledField(scaleLabel(kind), &Fabric::look, &FabricLook::scale);
+    fabric.field(&Fabric::look, &FabricLook::rotation);
     if (kind != Kind::Checker)
-        number(tr("Relief"), {{}, 2, 0, 2, 0.1}, &FabricLook::relief);
+        fabric.field(&Fabric::look, &FabricLook::relief);
 }
 
 /// A picture needs a file first: then whoever chooses one changes the kind, too.

@@ -13,13 +13,6 @@
 
 namespace bolster {
 
-namespace {
-
-// What the slider covers; the box beside it takes more.
-constexpr double highestPressure = 1;
-
-} // namespace
-
 InspectorForms::InspectorForms(Document& document, Selection& selection, ProblemSet& problems,
                                std::function<void(ElementId)> chooseFile,
                                std::function<void(ElementId, ScanWish)> scanWish, PointAtPieces pointAtPieces)
@@ -147,9 +140,10 @@ void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& id
 void InspectorForms::addSettings(PropertyForm& form) const
 {
     form.addHeading(kindWord(ElementKind::Settings), icon(QStringLiteral("settings")));
-    const NumberBox::Range edge{QStringLiteral(" mm"), 2, 0.1, 1000, 1};
+    const Settings usual;
+    const DescribedField edge = describedField(usual, &usual.edgeLength);
     form.addNumber(
-        tr("Mesh edges"), edge, [this] { return m_document.design().settings().edgeLength; },
+        edge.label(), edge.range(), [this] { return m_document.design().settings().edgeLength; },
         [this](double value) {
             Settings settings = m_document.design().settings();
             settings.edgeLength = value;
@@ -204,25 +198,15 @@ void InspectorForms::addPatch(PropertyForm& form, const Ids& ids) const
     const InspectorSubject<Patch> patch(m_document, ids, form);
     patch.name(tr("Name"));
     addFabricChoice(form, ids);
-    patch.number(tr("Grain"), angleRange, &Patch::grain, QT_TRANSLATE_NOOP("Message", "Change the grain of %1"));
-    patch.slider(tr("Pressure"), {{}, 4, -1000, 1000, 0.05}, 0, highestPressure, &Patch::pressure,
-                 QT_TRANSLATE_NOOP("Message", "Change the pressure of %1"));
-    patch.check(tr("Wrong side out"), &Patch::wrongSideOut,
-                QT_TRANSLATE_NOOP("Message", "Change the right side of %1"));
-    patch.numbers(
-        tr("Position"), lengthRange, 2, [](Patch& p, int i) -> double& { return p.position[i]; },
-        QT_TRANSLATE_NOOP("Message", "Move %1 in the layout"));
-    patch.number(tr("Rotation"), angleRange, &Patch::rotation,
-                 QT_TRANSLATE_NOOP("Message", "Turn %1 in the layout"));
+    patch.field(&Patch::grain);
+    patch.field(&Patch::pressure);
+    patch.field(&Patch::wrongSideOut);
+    patch.field(&Patch::position);
+    patch.field(&Patch::rotation);
     addPatchSize(form, ids);
     patch.info(tr("Outline"), [](const Design&, const Patch& p) {
         return p.outline.empty() ? QString() : lengthText(ArcLength2(p.outline).total(), 0);
     });
-}
-
-QStringList InspectorForms::matchNames()
-{
-    return {tr("By length"), tr("By parameter")};
 }
 
 void InspectorForms::addSeam(PropertyForm& form, const Ids& ids) const
@@ -241,11 +225,9 @@ void InspectorForms::addSeam(PropertyForm& form, const Ids& ids) const
                    ? tr("%1, %2").arg(lengthText(std::abs(a - b)), percentText(std::max(a, b) / std::min(a, b) - 1))
                    : QString();
     });
-    seam.choice(tr("Continuity"),
-                {tr("C0 \u2013 an edge"), tr("C1 \u2013 smooth, texture too"), tr("G1 \u2013 rounded")},
-                &Seam::continuity, QT_TRANSLATE_NOOP("Message", "Change the continuity of %1"));
-    seam.choice(tr("Match"), matchNames(), &Seam::match, QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
-    seam.check(tr("Second side runs backwards"), &Seam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
+    seam.field(&Seam::continuity);
+    seam.field(&Seam::match);
+    seam.field(&Seam::reversed);
 }
 
 void InspectorForms::addFixationCurve(PropertyForm& form, const Ids& ids) const
@@ -304,9 +286,8 @@ void InspectorForms::addFixationSeam(PropertyForm& form, const Ids& ids) const
             f.curveRange ? length.between(f.curveRange->first, f.curveRange->second) : length.total();
         return lengthText(all);
     });
-    fixation.choice(tr("Match"), matchNames(), &FixationSeam::match,
-                    QT_TRANSLATE_NOOP("Message", "Change how %1 is matched"));
-    fixation.check(tr("Curve runs backwards"), &FixationSeam::reversed, QT_TRANSLATE_NOOP("Message", "Reverse %1"));
+    fixation.field(&FixationSeam::match);
+    fixation.field(&FixationSeam::reversed);
     OrientationFields::add(form, fixation);
 }
 
@@ -315,11 +296,9 @@ void InspectorForms::addFrame(PropertyForm& form, const Ids& ids) const
     const InspectorSubject<Frame> frame(m_document, ids, form);
     frame.name(tr("Name"));
     frame.info(tr("File"), [](const Design&, const Frame& f) { return QString::fromStdString(f.file); });
-    addPlacementFields(form, frame, tr(" mm per unit"));
-    frame.check(tr("Keeps the cover outside"), &Frame::contact,
-                QT_TRANSLATE_NOOP("Message", "Change the contact of %1"));
-    frame.number(tr("Gap"), {QStringLiteral(" mm"), 2, 0, 100, 1}, &Frame::contactGap,
-                 QT_TRANSLATE_NOOP("Message", "Change the gap of %1"));
+    addPlacementFields(form, frame);
+    frame.field(&Frame::contact);
+    frame.field(&Frame::contactGap);
     addFrameMaterial(form, ids);
     if (frame.several())
         return;

@@ -102,7 +102,6 @@ private:
     void addScanSize(PropertyForm& form, ElementId id) const;
     void addScanReport(PropertyForm& form, ElementId id) const;
     void addScanCuts(PropertyForm& form, ElementId id) const;
-    static QStringList matchNames();
 
     Document& m_document;
     Selection& m_selection;

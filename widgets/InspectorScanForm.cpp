@@ -8,12 +8,6 @@
 
 namespace bolster {
 
-namespace {
-
-constexpr double greatestPull = 5; // of the slider; the box takes more
-
-} // namespace
-
 void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Scan> scan(m_document, ids, form);
@@ -21,16 +15,13 @@ void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
     scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
     if (!scan.several())
         addScanSize(form, ids.front());
-    scan.check(tr("Fit the cover to it"), &Scan::enabled, QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"));
-    scan.slider(tr("Strength"), {{}, 2, 0, 100, 0.25}, 0, greatestPull, &Scan::strength,
-                QT_TRANSLATE_NOOP("Message", "Change the strength of %1"));
-    scan.number(tr("Threshold"), {QStringLiteral(" mm"), 1, 0.1, 1e4, 5}, &Scan::threshold,
-                QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"));
-    scan.choice(tr("Pull"), {tr("Along the normal"), tr("To the point itself")}, &Scan::target,
-                QT_TRANSLATE_NOOP("Message", "Change how %1 pulls"));
+    scan.field(&Scan::enabled);
+    scan.field(&Scan::strength);
+    scan.field(&Scan::threshold);
+    scan.field(&Scan::target);
     if (!scan.several())
         addScanReport(form, ids.front());
-    addPlacementFields(form, scan, tr(" mm per unit"));
+    addPlacementFields(form, scan);
     if (scan.several())
         return;
     const ElementId id = ids.front();

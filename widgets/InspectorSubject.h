@@ -1,6 +1,7 @@
 // Ties the fields of a form to one element: read from the design, written as one edit each.
 #pragma once
 
+#include "DescribedField.h"
 #include "Document.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
@@ -71,66 +72,75 @@ public:
             });
     }
 
-    void number(const QString& label, const NumberBox::Range& range, double T::*member, const char* verb) const
+    /// The field at the end of the path of members, as its kind describes it: a number, with a slider where it has
+    /// one, a mark, a choice, or a row of numbers.
+    template <class... Members>
+    void field(Members... path) const
     {
+        const T probe{};
+        labelledField(describedField(probe, &at(probe, path...)).label(), path...);
+    }
+
+    /// The same under another label.
+    template <class... Members>
+    void labelledField(const QString& label, Members... path) const
+    {
+        using Value = std::decay_t<decltype(at(std::declval<const T&>(), path...))>;
+        const T probe{};
+        const DescribedField said = describedField(probe, &at(probe, path...));
+        const auto read = [s = *this, path...] { return s.shared([&](const T& t) { return at(t, path...); }); };
+        const auto write = [s = *this, verb = said.field.verb, path...](const Value& value) {
+            s.change(verb, [&](T& t) { at(t, path...) = value; });
+        };
+        if constexpr (std::is_same_v<Value, bool>) {
+            m_form->addCheck(label, read, write);
+        } else if constexpr (std::is_enum_v<Value>) {
+            m_form->addChoice(
+                label, said.choices(),
+                [read] {
+                    const std::optional<Value> shared = read();
+                    return shared ? static_cast<int>(*shared) : -1;
+                },
+                [write](int chosen) { write(static_cast<Value>(chosen)); });
+        } else if constexpr (!std::is_same_v<Value, double>) {
+            coordinates(label, said, path...);
+        } else if (said.hasSlider()) {
+            slider(label, said, read, write, path...);
+        } else {
+            m_form->addNumber(label, said.range(), read, write);
+        }
+    }
+
+    /// A number without its unit.
+    template <class... Members>
+    void unitless(Members... path) const
+    {
+        const T probe{};
+        const DescribedField said = describedField(probe, &at(probe, path...));
+        NumberBox::Range range = said.range();
+        range.unit.clear();
         m_form->addNumber(
-            label, range, [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
-            [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); });
+            said.label(), range,
+            [s = *this, path...] { return s.shared([&](const T& t) { return at(t, path...); }); },
+            [s = *this, verb = said.field.verb, path...](double value) {
+                s.change(verb, [&](T& t) { at(t, path...) = value; });
+            });
     }
 
-    /// A number with a slider from `low` to `high` that shows its value while it is dragged, as one edit.
-    void slider(const QString& label, const NumberBox::Range& range, double low, double high, double T::*member,
-                const char* verb) const
+    /// A choice among all but the last one.
+    template <class Enum, class... Members>
+    void choiceBut(Enum last, Members... path) const
     {
-        const auto gesture = std::make_shared<std::unique_ptr<Gesture>>();
-        const auto preview = [s = *this, gesture, member, verb](double value) {
-            if (!*gesture || !(*gesture)->active())
-                *gesture = std::make_unique<Gesture>(*s.m_document);
-            (*gesture)->update(s.changed((*gesture)->start(), verb, [&](T& t) { t.*member = value; }));
-        };
-        const auto finish = [gesture] {
-            if (const std::unique_ptr<Gesture> finished = std::move(*gesture))
-                finished->commit();
-        };
-        m_form->addSlider(
-            label, range, low, high,
-            [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
-            [s = *this, member, verb](double value) { s.change(verb, [&](T& t) { t.*member = value; }); }, preview,
-            finish);
-    }
-
-    /// A row of numbers that `at` finds in the element.
-    void numbers(const QString& label, const NumberBox::Range& range, int count,
-                 const std::function<double&(T&, int)>& at, const char* verb) const
-    {
-        m_form->addNumbers(
-            label, range, count,
-            [s = *this, at](int i) {
-                return s.shared([&](const T& t) {
-                    T value = t;
-                    return at(value, i);
-                });
-            },
-            [s = *this, at, verb](int i, double number) { s.change(verb, [&](T& t) { at(t, i) = number; }); });
-    }
-
-    void check(const QString& label, bool T::*member, const char* verb) const
-    {
-        m_form->addCheck(
-            label, [s = *this, member] { return s.shared([&](const T& t) { return t.*member; }); },
-            [s = *this, member, verb](bool value) { s.change(verb, [&](T& t) { t.*member = value; }); });
-    }
-
-    template <class E>
-    void choice(const QString& label, const QStringList& names, E T::*member, const char* verb) const
-    {
+        const T probe{};
+        const DescribedField said = describedField(probe, &at(probe, path...));
         m_form->addChoice(
-            label, names,
-            [s = *this, member] {
-                return s.shared([&](const T& t) { return static_cast<int>(t.*member); }).value_or(-1);
+            said.label(), said.choices().first(static_cast<qsizetype>(last)),
+            [s = *this, path...] {
+                const auto shared = s.shared([&](const T& t) { return at(t, path...); });
+                return shared ? static_cast<int>(*shared) : -1;
             },
-            [s = *this, member, verb](int value) {
-                s.change(verb, [&](T& t) { t.*member = static_cast<E>(value); });
+            [s = *this, verb = said.field.verb, path...](int chosen) {
+                s.change(verb, [&](T& t) { at(t, path...) = static_cast<Enum>(chosen); });
             });
     }
 
@@ -143,6 +153,48 @@ public:
     }
 
 private:
+    static const T& at(const T& value) { return value; }
+    static T& at(T& value) { return value; }
+    template <class Value, class Member, class... Rest>
+    static auto& at(Value& value, Member member, Rest... rest)
+    {
+        if constexpr (sizeof...(rest) == 0)
+            return value.*member;
+        else
+            return at(value.*member, rest...);
+    }
+
+    /// It shows its value while it is dragged, as one edit.
+    template <class Read, class Write, class... Members>
+    void slider(const QString& label, const DescribedField& said, const Read& read, const Write& write,
+                Members... path) const
+    {
+        const auto gesture = std::make_shared<std::unique_ptr<Gesture>>();
+        const auto preview = [s = *this, gesture, verb = said.field.verb, path...](double value) {
+            if (!*gesture || !(*gesture)->active())
+                *gesture = std::make_unique<Gesture>(*s.m_document);
+            (*gesture)->update(s.changed((*gesture)->start(), verb, [&](T& t) { at(t, path...) = value; }));
+        };
+        const auto finish = [gesture] {
+            if (const std::unique_ptr<Gesture> finished = std::move(*gesture))
+                finished->commit();
+        };
+        const NumberBoxing& box = said.number->box;
+        m_form->addSlider(label, said.range(), box.sliderLeast, box.sliderMost, read, write, preview, finish);
+    }
+
+    template <class... Members>
+    void coordinates(const QString& label, const DescribedField& said, Members... path) const
+    {
+        m_form->addNumbers(
+            label, said.range(),
+            static_cast<int>(std::decay_t<decltype(at(std::declval<const T&>(), path...))>::RowsAtCompileTime),
+            [s = *this, path...](int i) { return s.shared([&](const T& t) { return at(t, path...)[i]; }); },
+            [s = *this, verb = said.field.verb, path...](int i, double number) {
+                s.change(verb, [&](T& t) { at(t, path...)[i] = number; });
+            });
+    }
+
     /// One edit for all of them.
     Edit changed(const Design& start, const char* verb, const std::function<void(T&)>& set) const
     {

@@ -19,27 +19,6 @@ public:
         , m_subject(document, ids, form)
     {}
 
-    void length(const QString& label, double low, double high, double step, double SeamTrim::*member,
-                const char* verb) const
-    {
-        m_form.addNumber(
-            label, {QStringLiteral(" mm"), 2, low, high, step},
-            [s = m_subject, member] { return s.shared([&](const T& t) { return t.trim.*member; }); },
-            [s = m_subject, member, verb](double value) { s.change(verb, [&](T& t) { t.trim.*member = value; }); });
-    }
-
-    void stitch(const QString& label, const QStringList& names, const char* verb) const
-    {
-        m_form.addChoice(
-            label, names,
-            [s = m_subject] {
-                return s.shared([](const T& t) { return static_cast<int>(t.trim.stitch); }).value_or(-1);
-            },
-            [s = m_subject, verb](int chosen) {
-                s.change(verb, [&](T& t) { t.trim.stitch = static_cast<SeamTrim::Stitch>(chosen); });
-            });
-    }
-
     void thread(const QString& label, const char* verb) const
     {
         m_form.addColor(
@@ -68,13 +47,6 @@ public:
             });
     }
 
-    void valley(const QString& label, const char* verb) const
-    {
-        m_form.addCheck(
-            label, [s = m_subject] { return s.shared([](const T& t) { return t.trim.valley; }); },
-            [s = m_subject, verb](bool on) { s.change(verb, [&](T& t) { t.trim.valley = on; }); });
-    }
-
 private:
     PropertyForm& m_form;
     InspectorSubject<T> m_subject;
@@ -88,16 +60,17 @@ void InspectorForms::addTrim(PropertyForm& form, const Ids& ids) const
     static constexpr const char* stitching = QT_TRANSLATE_NOOP("Message", "Change the stitching of %1");
     static constexpr const char* piping = QT_TRANSLATE_NOOP("Message", "Change the piping of %1");
     const TrimFields<T> trim(m_document, form, ids);
+    const InspectorSubject<T> subject(m_document, ids, form);
+    const auto field = [&](auto member) { subject.field(&T::trim, member); };
     form.addHeading(tr("Stitching"), icon(QStringLiteral("seam")));
-    trim.stitch(tr("Stitches"), {tr("None"), tr("Single row"), tr("Twin rows")}, stitching);
+    field(&SeamTrim::stitch);
     trim.thread(tr("Thread"), stitching);
-    trim.length(tr("Stitch length"), 0.5, 100, 0.5, &SeamTrim::stitchLength, stitching);
-    trim.length(tr("Distance from the seam"), 0, 100, 0.5, &SeamTrim::stitchDistance, stitching);
-    trim.length(tr("Thread width"), 0.05, 10, 0.1, &SeamTrim::threadWidth, stitching);
+    field(&SeamTrim::stitchLength);
+    field(&SeamTrim::stitchDistance);
+    field(&SeamTrim::threadWidth);
     if constexpr (std::is_same_v<T, Seam>) {
-        trim.length(tr("Seam allowance"), 0, 100, 1, &SeamTrim::allowance,
-                    QT_TRANSLATE_NOOP("Message", "Change the seam allowance of %1"));
-        trim.valley(tr("The cover dips into the seam"), QT_TRANSLATE_NOOP("Message", "Change the valley of %1"));
+        field(&SeamTrim::allowance);
+        field(&SeamTrim::valley);
     }
 
     QStringList names{tr("As the patch")};
@@ -107,7 +80,7 @@ void InspectorForms::addTrim(PropertyForm& form, const Ids& ids) const
         names << displayName(m_document.design(), fabric);
     });
     form.addHeading(tr("Piping"), icon(QStringLiteral("outline-trim")));
-    trim.length(tr("Radius (0: none)"), 0, 50, 0.5, &SeamTrim::pipingRadius, piping);
+    field(&SeamTrim::pipingRadius);
     trim.fabric(tr("Fabric"), names, fabrics, piping);
 }
 

@@ -20,7 +20,6 @@ template <class T>
 void OrientationFields::add(PropertyForm& form, const InspectorSubject<T>& subject)
 {
     const NumberBox::Range directionRange{QString(), 3, -1e7, 1e7, 0.1};
-    const NumberBox::Range weightRange{QString(), 2, 0, 100, 0.1};
     const char* const verb = QT_TRANSLATE_NOOP("Message", "Change the normal held by %1");
     const QStringList kinds = {tr("Free"), tr("Normal held"), tr("Tangent plane held")};
     form.addChoice(
@@ -56,10 +55,7 @@ void OrientationFields::add(PropertyForm& form, const InspectorSubject<T>& subje
                 t.orientation.directions.front()[i] = value;
             });
         });
-    form.addNumber(
-        tr("Weight"), weightRange,
-        [subject] { return subject.shared([](const T& t) { return t.orientation.weight; }); },
-        [subject, verb](double value) { subject.change(verb, [value](T& t) { t.orientation.weight = value; }); });
+    subject.field(&T::orientation, &Orientation::weight);
     form.addNote([subject] {
         const std::size_t count =
             subject.shared([](const T& t) { return t.orientation.directions.size(); }).value_or(0);

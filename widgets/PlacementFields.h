@@ -12,13 +12,13 @@ inline const NumberBox::Range lengthRange{QStringLiteral(" mm"), 3, -1e7, 1e7, 1
 inline const NumberBox::Range angleRange{QStringLiteral("\u00b0"), 3, -360, 360, 5};
 
 template <class T>
-void addPlacementFields(PropertyForm& form, const InspectorSubject<T>& subject, const QString& scaleUnit)
+void addPlacementFields(PropertyForm& form, const InspectorSubject<T>& subject)
 {
-    subject.number(InspectorForms::tr("Scale"), {scaleUnit, 6, 1e-6, 1e6, 0.1}, &T::scale,
-                   QT_TRANSLATE_NOOP("Message", "Scale %1"));
-    subject.numbers(
-        InspectorForms::tr("Position"), lengthRange, 3, [](T& t, int i) -> double& { return t.position[i]; },
-        QT_TRANSLATE_NOOP("Message", "Move %1"));
+    if constexpr (std::is_same_v<T, Foam>)
+        subject.unitless(&T::scale); // of a shape there is no file with units
+    else
+        subject.field(&T::scale);
+    subject.field(&T::position);
     form.addNumbers(
         InspectorForms::tr("Rotation"), angleRange, 3,
         [subject](int i) {

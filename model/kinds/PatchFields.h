@@ -30,7 +30,7 @@ struct Description<Patch> {
                  .label = QT_TRANSLATE_NOOP("Field", "Position"),
                  .meaning = "of the outline's origin in the layout",
                  .verb = QT_TRANSLATE_NOOP("Message", "Move %1 in the layout")},
-                Coordinates{}, s.position...);
+                Coordinates{.box = {.decimals = 3}}, s.position...);
         v.field({.key = "rotation",
                  .label = QT_TRANSLATE_NOOP("Field", "Rotation"),
                  .meaning = "in the layout, counter-clockwise",

@@ -26,7 +26,7 @@ struct Description<Placement> {
         v.field({.key = "position",
                  .label = QT_TRANSLATE_NOOP("Field", "Position"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Move %1")},
-                Coordinates{}, s.position...);
+                Coordinates{.box = {.decimals = 3}}, s.position...);
         v.field({.key = "rotation",
                  .label = QT_TRANSLATE_NOOP("Field", "Rotation"),
                  .meaning = "quaternion [w, x, y, z] of length 1 (normalised when within 0.001 of it)",
