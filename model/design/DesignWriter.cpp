@@ -4,24 +4,14 @@
 #include "JsonText.h"
 #include "Kinds.h"
 
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 
 namespace bolster {
 
 namespace {
 
-// The shortest text that reads back as the same double. JSON has no others than finite ones.
-std::string text(double value)
-{
-    if (!std::isfinite(value))
-        return "null";
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return std::string(buffer.data(), end.ptr);
-}
+using json::text;
 
 // Bit for bit, so that -0 is written when the default is 0.
 bool same(double a, double b)

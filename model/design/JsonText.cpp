@@ -2,7 +2,9 @@
 
 #include "JsonCharacters.h"
 
+#include <array>
 #include <charconv>
+#include <cmath>
 
 namespace bolster::json {
 
@@ -62,6 +64,15 @@ std::size_t Value::size() const
     std::size_t count = 0;
     eachItem([&](std::size_t, const Value&) { ++count; });
     return count;
+}
+
+std::string text(double value)
+{
+    if (!std::isfinite(value))
+        return "null";
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return std::string(buffer.data(), end.ptr);
 }
 
 std::string quoted(std::string_view text)

@@ -94,6 +94,9 @@ private:
     std::vector<Node> m_nodes; // depth first; in an object key and value alternate
 };
 
+/// The shortest text that reads back as the same double. JSON has no others than finite ones: "null" for them.
+std::string text(double value);
+
 /// Text in quotes, with escapes only where JSON needs them.
 std::string quoted(std::string_view text);
 
