@@ -31,8 +31,7 @@ struct Description<Colourway> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.list(
             {.key = "fabrics",
              .label = QT_TRANSLATE_NOOP("Field", "Fabrics"),

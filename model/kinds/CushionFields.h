@@ -23,8 +23,7 @@ struct Description<Cushion> {
     static void of(V& v, S&... s)
     {
         const SolveCost cost = (s.enabled || ...) ? SolveCost::Retarget : SolveCost::Nothing;
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "frame",
                  .label = QT_TRANSLATE_NOOP("Field", "Frame"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the frame of %1"),

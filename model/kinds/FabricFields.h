@@ -101,8 +101,7 @@ struct Description<Fabric> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "poisson",
                  .label = QT_TRANSLATE_NOOP("Field", "Poisson"),
                  .meaning = "transverse contraction; negative allows local scaling",

@@ -59,6 +59,10 @@ struct Field {
     std::array<const char*, 2> unless{};
 };
 
+/// Of all that have a name.
+inline constexpr Field nameField{
+    .key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required};
+
 enum class Unit { None, Millimetres, Degrees, Percent, MillimetresPerUnit };
 
 inline constexpr double noLimit = std::numeric_limits<double>::infinity();

@@ -19,9 +19,8 @@ struct Description<FixationCurve> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
-        v.group({.key = "twin", .label = QT_TRANSLATE_NOOP("Field", "Mirror twin")}, s.twin...);
+        v.field(nameField, Text{}, s.name...);
+        v.group(twinField, s.twin...);
         v.field({.key = "curve",
                  .label = QT_TRANSLATE_NOOP("Field", "Curve"),
                  .meaning = "open or closed, in space",

@@ -14,14 +14,13 @@ struct Description<PatchCurve> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "patch",
                  .label = QT_TRANSLATE_NOOP("Field", "Patch"),
                  .cost = SolveCost::Rebuild,
                  .presence = Presence::Required},
                 Refers<Patch>{}, s.patch...);
-        v.group({.key = "twin", .label = QT_TRANSLATE_NOOP("Field", "Mirror twin")}, s.twin...);
+        v.group(twinField, s.twin...);
         v.field({.key = "curve",
                  .label = QT_TRANSLATE_NOOP("Field", "Curve"),
                  .meaning = "open or closed, in outline coordinates",

@@ -18,8 +18,7 @@ struct Description<Patch> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "fabric",
                  .label = QT_TRANSLATE_NOOP("Field", "Fabric"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the fabric of %1"),
@@ -58,7 +57,7 @@ struct Description<Patch> {
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the right side of %1"),
                  .cost = SolveCost::Rebuild},
                 Flag{}, s.wrongSideOut...);
-        v.group({.key = "twin", .label = QT_TRANSLATE_NOOP("Field", "Mirror twin")}, s.twin...);
+        v.group(twinField, s.twin...);
         v.field({.key = "outline",
                  .label = QT_TRANSLATE_NOOP("Field", "Outline"),
                  .meaning = "a closed curve that encloses an area and neither crosses nor touches itself",

@@ -67,8 +67,7 @@ struct Description<Frame> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "file",
                  .label = QT_TRANSLATE_NOOP("Field", "File"),
                  .meaning =
@@ -116,8 +115,7 @@ struct Description<Foam> {
     static void of(V& v, S&... s)
     {
         const bool fromFile = ((s.shape == Foam::Shape::Mesh) || ...);
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "cushion",
                  .label = QT_TRANSLATE_NOOP("Field", "Cushion"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the cushion of %1"),
@@ -193,8 +191,7 @@ struct Description<Scan> {
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
-        v.field({.key = "name", .label = QT_TRANSLATE_NOOP("Field", "Name"), .presence = Presence::Required},
-                Text{}, s.name...);
+        v.field(nameField, Text{}, s.name...);
         v.field({.key = "file",
                  .label = QT_TRANSLATE_NOOP("Field", "File"),
                  .meaning = "PLY, XYZ or PCD, by the rules for frames; points that are not finite are skipped",

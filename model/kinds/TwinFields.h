@@ -27,4 +27,6 @@ struct Description<Twin> {
     }
 };
 
+inline constexpr Field twinField{.key = "twin", .label = QT_TRANSLATE_NOOP("Field", "Mirror twin")};
+
 } // namespace bolster
