@@ -3,7 +3,7 @@
 #include "ArcLength.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
-#include "OrientationFields.h"
+#include "OrientationBoxes.h"
 #include "PlacementFields.h"
 #include "ProblemSet.h"
 #include "Translated.h"

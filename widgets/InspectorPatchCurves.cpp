@@ -3,7 +3,7 @@
 
 #include "ArcLength.h"
 #include "InspectorSubject.h"
-#include "OrientationFields.h"
+#include "OrientationBoxes.h"
 #include "Units.h"
 
 namespace bolster {

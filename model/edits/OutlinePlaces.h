@@ -2,12 +2,16 @@
 #pragma once
 
 #include "BezierPieces.h"
-#include "FollowEdits.h"
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace bolster::edits {
+
+/// How far (mm) a point of a drawn curve may be from the outline and still lie on it: less than anybody can see or
+/// cut, more than files and turning round off.
+inline constexpr double onOutline = 0.01;
 
 /// Made once for many points: most of them are far from any span.
 class OutlinePlaces {

@@ -5,10 +5,6 @@
 
 namespace bolster::edits {
 
-/// How far (mm) a point of a drawn curve may be from the outline and still lie on it: less than anybody can see or
-/// cut, more than files and turning round off.
-inline constexpr double onOutline = 0.01;
-
 /// The edit with what it takes along: what lies on outlines, and mirror twins (withTwins). Document and Gesture
 /// apply it to every edit; applied twice it is the same as applied once.
 ///
