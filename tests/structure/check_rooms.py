@@ -1,0 +1,94 @@
+"""Says where the rooms of the house are not in order: folders that are too full, folders whose includes form a cycle,
+headers of one name.
+
+    check_rooms.py SOURCE_FOLDER [--figures]
+"""
+import collections
+import pathlib
+import re
+import sys
+
+TOPS = ("model", "solver", "widgets", "app")
+MOST_FILES = 32  # headers and sources of a folder
+
+
+def code_files(root):
+    for top in TOPS:
+        yield from sorted(p for p in (root / top).rglob("*") if p.suffix in (".h", ".cpp"))
+
+
+def included_names(file):
+    for line in file.read_text(encoding="utf-8").splitlines():
+        if found := re.match(r'\s*#include "([^"]+)"', line):
+            yield found.group(1).rsplit("/", 1)[-1]
+
+
+def graph_of(root, files):
+    """Folder -> folders it includes from -> one such include."""
+    home = {file.name: file.parent for file in files if file.suffix == ".h"}
+    graph = collections.defaultdict(dict)
+    for file in files:
+        for name in included_names(file):
+            target = home.get(name, file.parent)
+            if target != file.parent:
+                graph[file.parent][target] = f"{file.relative_to(root)} includes {name}"
+    return graph
+
+
+def cycles(graph):
+    """Groups of folders of which each can be reached from each (Tarjan)."""
+    number, low, stack, found = {}, {}, [], []
+
+    def visit(node):
+        number[node] = low[node] = len(number)
+        stack.append(node)
+        for target in graph.get(node, ()):
+            if target not in number:
+                visit(target)
+                low[node] = min(low[node], low[target])
+            elif target in stack:
+                low[node] = min(low[node], number[target])
+        if low[node] == number[node]:
+            group = []
+            while not group or group[-1] != node:
+                group.append(stack.pop())
+            if len(group) > 1:
+                found.append(group)
+
+    for node in list(graph):
+        if node not in number:
+            visit(node)
+    return found
+
+
+def problems_of(root):
+    files = list(code_files(root))
+    for folder, count in sorted(collections.Counter(file.parent for file in files).items()):
+        if count > MOST_FILES:
+            yield f"{folder.relative_to(root)} has {count} files: at most {MOST_FILES}, else nobody finds anything"
+    for name, count in sorted(collections.Counter(f.name for f in files if f.suffix == ".h").items()):
+        if count > 1:
+            yield f"{count} headers are called {name}: which one is included is a matter of luck"
+    graph = graph_of(root, files)
+    for group in cycles(graph):
+        yield "These folders include each other in a circle: " + ", ".join(
+            str(folder.relative_to(root)) for folder in sorted(group))
+        for folder in sorted(group):
+            for target in sorted(set(graph[folder]) & set(group)):
+                yield "    " + graph[folder][target]
+
+
+def print_figures(root):
+    files = list(code_files(root))
+    for folder, count in sorted(collections.Counter(file.parent for file in files).items()):
+        print(f"{count:4} {folder.relative_to(root)}")
+    print(f"{len(cycles(graph_of(root, files)))} cycles")
+
+
+if __name__ == "__main__":
+    source = pathlib.Path(sys.argv[1]).resolve()
+    if "--figures" in sys.argv:
+        print_figures(source)
+    problems = list(problems_of(source))
+    print("\n".join(problems))
+    sys.exit(bool(problems))
