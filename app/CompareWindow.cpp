@@ -53,14 +53,27 @@ CompareWindow::CompareWindow(Document& document, FilesOf filesOf, FabricLink& fa
     m_list->setAlternatingRowColors(true);
     m_list->setFrameShape(QFrame::NoFrame);
     m_take->setToolTip(tr("Makes the chosen elements as they are in the other version: one step in the history"));
+    m_together->setChecked(true);
+    m_together->setToolTip(tr("Turning, moving or zooming one version does the same to the other"));
+    layOut();
+    tieViews(*m_left, *m_right);
+    tieViews(*m_right, *m_left);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &CompareWindow::selectionChanged);
+    connect(m_take, &QPushButton::clicked, this, &CompareWindow::takeChosen);
+    connect(&document, &Document::historyChanged, this, [this] {
+        if (isVisible())
+            refresh();
+    });
+}
+
+void CompareWindow::layOut()
+{
     auto* panes = new QSplitter(Qt::Horizontal);
     panes->addWidget(m_left);
     panes->addWidget(m_right);
     auto* below = new QWidget;
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(8, 6, 8, 8);
-    m_together->setChecked(true);
-    m_together->setToolTip(tr("Turning, moving or zooming one version does the same to the other"));
     buttons->addWidget(m_together);
     buttons->addStretch();
     buttons->addWidget(m_take);
@@ -76,14 +89,6 @@ CompareWindow::CompareWindow(Document& document, FilesOf filesOf, FabricLink& fa
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(parts);
     resize(1200, 860);
-    tieViews(*m_left, *m_right);
-    tieViews(*m_right, *m_left);
-    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &CompareWindow::selectionChanged);
-    connect(m_take, &QPushButton::clicked, this, &CompareWindow::takeChosen);
-    connect(&document, &Document::historyChanged, this, [this] {
-        if (isVisible())
-            refresh();
-    });
 }
 
 void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)

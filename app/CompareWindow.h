@@ -41,6 +41,7 @@ public:
     VersionPane& right() { return *m_right; }
 
 private:
+    void layOut();
     void tieViews(VersionPane& moved, VersionPane& other);
     void refresh();
     void bakeFabrics();

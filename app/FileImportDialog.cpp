@@ -51,17 +51,6 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
     m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Another factor")});
     m_up->addItems({tr("z points up"), tr("y points up")});
-
-    const QLocale locale;
-    const QString name = QFileInfo(file).fileName().toHtmlEscaped();
-    const QString points = locale.toString(static_cast<qulonglong>(m_content.points().size()));
-    auto* about = new QLabel(
-        m_content.mesh
-            ? tr("<b>%1</b><br>%2 points, %3 triangles")
-                  .arg(name, points, locale.toString(static_cast<qulonglong>(m_content.mesh->triangles.size())))
-            : tr("<b>%1</b><br>%2 points").arg(name, points),
-        this);
-    about->setTextFormat(Qt::RichText);
     QFont large = m_size->font();
     large.setPointSizeF(large.pointSizeF() * 1.25);
     large.setWeight(QFont::DemiBold);
@@ -70,6 +59,27 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     m_thinned->setWordWrap(true);
     m_thinned->setVisible(m_content.cloud && m_content.cloud->thinnedFrom > 0);
 
+    layOut(file);
+    connectFields();
+    guess(file);
+    updateSize();
+}
+
+QString FileImportDialog::aboutText(const QString& file) const
+{
+    const QLocale locale;
+    const QString name = QFileInfo(file).fileName().toHtmlEscaped();
+    const QString points = locale.toString(static_cast<qulonglong>(m_content.points().size()));
+    if (!m_content.mesh)
+        return tr("<b>%1</b><br>%2 points").arg(name, points);
+    return tr("<b>%1</b><br>%2 points, %3 triangles")
+        .arg(name, points, locale.toString(static_cast<qulonglong>(m_content.mesh->triangles.size())));
+}
+
+void FileImportDialog::layOut(const QString& file)
+{
+    auto* about = new QLabel(aboutText(file), this);
+    about->setTextFormat(Qt::RichText);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     m_keep->setVisible(m_replaced.has_value());
@@ -97,18 +107,25 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     layout->addStretch();
     layout->addWidget(buttons);
     layout->addStrut(384); // with a minimum width of its own the dialog would not grow with its labels
+}
 
+void FileImportDialog::connectFields()
+{
     connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updateSize);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
     connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FileImportDialog::updateSize);
     m_factor->setKeyboardTracking(true);
+}
+
+/// The unit by the size, the axes by the kind of file.
+void FileImportDialog::guess(const QString& file)
+{
     const FileUnit unit = guessUnit(m_content.boundingBox(), largestSize());
     m_unit->setCurrentIndex(static_cast<int>(unit));
     if (unit == FileUnit::Custom)
         m_factor->display(guessFactor(m_content.boundingBox()));
     m_up->setCurrentIndex(static_cast<int>(guessUpAxis(QFileInfo(file).suffix())));
-    updateSize();
 }
 
 /// What nobody could see is imported only on purpose.

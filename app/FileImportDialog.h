@@ -32,6 +32,10 @@ public:
     void accept() override;
 
 private:
+    QString aboutText(const QString& file) const;
+    void layOut(const QString& file);
+    void connectFields();
+    void guess(const QString& file);
     void updateSize();
     void showThinning();
     double largestSize() const; ///< mm: what is usual

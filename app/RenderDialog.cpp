@@ -90,21 +90,36 @@ RenderDialog::~RenderDialog() = default;
 void RenderDialog::build()
 {
     setWindowTitle(tr("Render"));
-    const auto side = [this](int value) {
-        auto* box = new QSpinBox(this);
-        box->setRange(16, longestSide);
-        box->setValue(value);
-        box->setSuffix(tr(" px"));
-        connect(box, &QSpinBox::valueChanged, &m_pause, qOverload<>(&QTimer::start));
-        return box;
-    };
-    m_width = side(1280);
-    m_height = side(960);
-    auto* size = new QHBoxLayout;
-    size->addWidget(m_width);
-    size->addWidget(new QLabel(QStringLiteral("\u00d7"), this));
-    size->addWidget(m_height);
+    buildChoices();
+    auto* right = new QVBoxLayout;
+    right->addLayout(buildForm());
+    right->addStretch();
+    addMessages(*right);
 
+    m_picture = new QLabel(this);
+    m_picture->setFixedSize(roughPreview * 3 / 2);
+    m_picture->setAlignment(Qt::AlignCenter);
+    m_picture->setFrameShape(QFrame::StyledPanel);
+    m_picture->setText(tr("Drawing \u2026"));
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_picture);
+    top->addLayout(right, 1);
+    auto* all = new QVBoxLayout(this);
+    all->addLayout(top);
+    all->addWidget(buildButtons());
+
+    for (QSpinBox* box : {m_width, m_height})
+        connect(box, &QSpinBox::valueChanged, &m_pause, qOverload<>(&QTimer::start));
+    for (QComboBox* box : {m_view, m_shown})
+        connect(box, &QComboBox::currentIndexChanged, &m_pause, qOverload<>(&QTimer::start));
+    for (QCheckBox* box : {m_frames, m_transparent})
+        connect(box, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
+}
+
+void RenderDialog::buildChoices()
+{
+    m_width = sideBox(1280);
+    m_height = sideBox(960);
     m_view = new QComboBox(this);
     m_view->addItem(tr("As in the window"));
     for (const auto& [name, text] :
@@ -138,7 +153,23 @@ void RenderDialog::build()
     m_frames->setChecked(any);
     m_transparent = new QCheckBox(tr("Transparent &background"), this);
     m_transparent->setToolTip(tr("The shadow on the ground is kept"));
+}
 
+QSpinBox* RenderDialog::sideBox(int pixels)
+{
+    auto* box = new QSpinBox(this);
+    box->setRange(16, longestSide);
+    box->setValue(pixels);
+    box->setSuffix(tr(" px"));
+    return box;
+}
+
+QFormLayout* RenderDialog::buildForm()
+{
+    auto* size = new QHBoxLayout;
+    size->addWidget(m_width);
+    size->addWidget(new QLabel(QStringLiteral("\u00d7"), this));
+    size->addWidget(m_height);
     auto* form = new QFormLayout;
     auto* sizeLabel = new QLabel(tr("&Size:"), this); // of a layout a form makes no buddy
     sizeLabel->setBuddy(m_width);
@@ -149,6 +180,11 @@ void RenderDialog::build()
     form->addRow(tr("&Around the cover:"), m_turntable);
     form->addRow(QString(), m_frames);
     form->addRow(QString(), m_transparent);
+    return form;
+}
+
+void RenderDialog::addMessages(QVBoxLayout& layout)
+{
     m_message = new QLabel(this);
     m_message->setTextFormat(Qt::RichText);
     m_message->setWordWrap(true);
@@ -161,35 +197,19 @@ void RenderDialog::build()
     kept.setRetainSizeWhenHidden(true); // nothing jumps when it appears
     m_progress->setSizePolicy(kept);
     m_progress->hide();
-    auto* right = new QVBoxLayout;
-    right->addLayout(form);
-    right->addStretch();
-    right->addWidget(m_message);
-    right->addWidget(m_progress);
+    layout.addWidget(m_message);
+    layout.addWidget(m_progress);
+}
 
-    m_picture = new QLabel(this);
-    m_picture->setFixedSize(roughPreview * 3 / 2);
-    m_picture->setAlignment(Qt::AlignCenter);
-    m_picture->setFrameShape(QFrame::StyledPanel);
-    m_picture->setText(tr("Drawing \u2026"));
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_picture);
-    top->addLayout(right, 1);
-
+QDialogButtonBox* RenderDialog::buildButtons()
+{
     auto* buttons = new QDialogButtonBox(this);
     m_close = buttons->addButton(tr("&Close"), QDialogButtonBox::RejectRole);
     m_render = buttons->addButton(tr("&Render \u2026"), QDialogButtonBox::AcceptRole);
     m_render->setDefault(true);
     connect(buttons, &QDialogButtonBox::rejected, this, &RenderDialog::reject);
     connect(m_render, &QPushButton::clicked, this, &RenderDialog::choosePath);
-    auto* all = new QVBoxLayout(this);
-    all->addLayout(top);
-    all->addWidget(buttons);
-
-    for (QComboBox* box : {m_view, m_shown})
-        connect(box, &QComboBox::currentIndexChanged, &m_pause, qOverload<>(&QTimer::start));
-    for (QCheckBox* box : {m_frames, m_transparent})
-        connect(box, &QCheckBox::toggled, &m_pause, qOverload<>(&QTimer::start));
+    return buttons;
 }
 
 void RenderDialog::fillShown()

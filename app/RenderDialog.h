@@ -11,10 +11,13 @@
 
 class QCheckBox;
 class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
+class QVBoxLayout;
 
 namespace bolster {
 
@@ -66,6 +69,11 @@ private:
     static Result drawn(PictureStudio& studio, const Request& request, const std::stop_token& stop);
 
     void build();
+    void buildChoices();
+    QSpinBox* sideBox(int pixels);
+    QFormLayout* buildForm();
+    void addMessages(QVBoxLayout& layout);
+    QDialogButtonBox* buildButtons();
     void fillShown();
     const PictureLook& chosenLook() const;
     Request request(QSize size) const;

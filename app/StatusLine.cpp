@@ -110,15 +110,28 @@ StatusLine::StatusLine(QWidget* parent)
     setContentsMargins(8, 0, 8, 0);
     m_coordinates->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("x 0000.0   y 0000.0 mm")));
     m_coordinates->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_problems->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_problems->setAutoRaise(true);
-    m_problems->hide();
     m_note->hide();
+    m_problems->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_why->setObjectName(QStringLiteral("why"));
     m_why->setText(tr("Why?"));
-    m_why->setAutoRaise(true);
-    m_why->hide();
+    m_show->setObjectName(QStringLiteral("show-finding"));
+    m_show->setMenu(new QMenu(m_show));
+    m_unrest->setObjectName(QStringLiteral("why-unrest"));
+    m_unrest->setText(tr("Why?"));
+    for (QToolButton* button : {m_problems, m_why, m_show, m_unrest}) {
+        button->setAutoRaise(true);
+        button->hide();
+    }
+    addPrompt();
+    addPermanentWidget(m_note);
+    addPermanentWidget(m_coordinates);
+    addPermanentWidget(m_problems);
+    addSolver();
+    connectButtons();
+}
 
+void StatusLine::addPrompt()
+{
     auto* prompt = new QWidget(this);
     auto* words = new QHBoxLayout(prompt);
     words->setContentsMargins(0, 0, 0, 0);
@@ -126,9 +139,10 @@ StatusLine::StatusLine(QWidget* parent)
     words->addWidget(m_why); // first, where nothing beside it can move it
     words->addWidget(m_promptLabel, 1);
     addWidget(prompt, 1);
-    addPermanentWidget(m_note);
-    addPermanentWidget(m_coordinates);
-    addPermanentWidget(m_problems);
+}
+
+void StatusLine::addSolver()
+{
     auto* solver = new QWidget(this);
     auto* row = new QHBoxLayout(solver);
     row->setContentsMargins(8, 0, 0, 0);
@@ -139,16 +153,11 @@ StatusLine::StatusLine(QWidget* parent)
     row->addWidget(m_show);
     solver->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Solved - 00000 iterations")) + 40);
     addPermanentWidget(solver);
-
     m_solver->installEventFilter(this);
-    m_show->setObjectName(QStringLiteral("show-finding"));
-    m_show->setAutoRaise(true);
-    m_show->setMenu(new QMenu(m_show));
-    m_show->hide();
-    m_unrest->setObjectName(QStringLiteral("why-unrest"));
-    m_unrest->setText(tr("Why?"));
-    m_unrest->setAutoRaise(true);
-    m_unrest->hide();
+}
+
+void StatusLine::connectButtons()
+{
     connect(m_unrest, &QToolButton::clicked, this,
             [this] { QWhatsThis::showText(m_unrest->mapToGlobal(QPoint()), unrestText(), m_unrest); });
     connect(m_show, &QToolButton::clicked, this, &StatusLine::goThere);

@@ -58,6 +58,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void addPrompt();
+    void addSolver();
+    void connectButtons();
     void showPrompt();
     void showState();
     QString stateText() const;
