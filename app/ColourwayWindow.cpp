@@ -40,12 +40,13 @@ ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, F
     // What is compared is looked at from one place.
     for (const int i : {0, 1}) {
         SurfaceView& other = pane(1 - i).surface();
-        connect(&pane(i).surface(), &SurfaceView::cameraMoved, this, [this, &other](const Camera& camera) {
-            if (std::exchange(m_following, true))
-                return;
-            other.setCamera(camera);
-            m_following = false;
-        });
+        connect(&pane(i).surface().navigation(), &SurfaceNavigation::moved, this,
+                [this, &other](const Camera& camera) {
+                    if (std::exchange(m_following, true))
+                        return;
+                    other.navigation().setCamera(camera);
+                    m_following = false;
+                });
     }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -100,8 +100,9 @@ void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)
         move();
         m_following = false;
     };
-    connect(&moved.surface(), &SurfaceView::cameraMoved, this,
-            [follow, &other](const Camera& camera) { follow([&] { other.surface().setCamera(camera); }); });
+    connect(&moved.surface().navigation(), &SurfaceNavigation::moved, this, [follow, &other](const Camera& camera) {
+        follow([&] { other.surface().navigation().setCamera(camera); });
+    });
     connect(&moved.pattern(), &PatternView::transformChanged, this,
             [follow, &other](const PatternTransform& transform) {
                 follow([&] { other.pattern().setTransform(transform); });

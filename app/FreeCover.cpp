@@ -41,11 +41,11 @@ void FreeCover::look()
 {
     if (m_document.gestureRunning() || m_solver.paused() || !m_solver.upToDate() || isHeld(m_document.design()))
         return;
-    const bool there = m_view.surface() == m_solver.surface(); // not on its way
+    const bool there = m_view.shown().surface() == m_solver.surface(); // not on its way
     if (m_solver.status().resting && there && !m_moved && m_shown != m_document.revision()) {
         m_shown = m_document.revision();
-        if (!m_view.inPicture(m_solver.surface()->boundingBox()))
-            m_view.fitAll();
+        if (!m_view.navigation().inPicture(m_solver.surface()->boundingBox()))
+            m_view.navigation().fitAll();
     }
 }
 

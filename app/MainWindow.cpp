@@ -156,15 +156,15 @@ void MainWindow::connectDocument()
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateEditActions); // saved now
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
-        m_surface->setFiles(m_session->files());
+        m_surface->shown().setFiles(m_session->files());
         m_solver->setFiles(m_session->files());
         m_inspector->setFiles(m_session->files());
-        m_actions->showScanColors->setVisible(m_surface->hasScanColors());
+        m_actions->showScanColors->setVisible(m_surface->shown().hasScanColors());
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
         if (!m_solver->surface())
-            m_surface->fitAll();
+            m_surface->navigation().fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
     connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
@@ -182,11 +182,11 @@ void MainWindow::connectDocument()
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
-            m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+            m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
         m_actions->exportSurface->setEnabled(surface != nullptr);
         m_actions->renderPicture->setEnabled(surface != nullptr);
     });
-    connect(m_solver.get(), &SolverLink::surfaceShown, m_surface, &SurfaceView::setSurface);
+    connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
     connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
         m_status->flashWithReason(
@@ -196,8 +196,8 @@ void MainWindow::connectDocument()
                "the same, and so do exports and pictures. If you want the other shape, tell the design: "
                "hold the cloth there with a handle, or make the piece smaller until it needs no folds."));
     });
-    connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
-    connect(m_solver.get(), &SolverLink::fieldChanged, m_surface, &SurfaceView::setField);
+    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
+    connect(m_solver.get(), &SolverLink::fieldChanged, &m_surface->shown(), &ShownScene::setField);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
     connect(&m_problems, &ProblemSet::changed, this, [this] {
         m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));
@@ -247,8 +247,8 @@ void MainWindow::designOpened()
     m_selection.clear();
     m_elements->scrollToTop();
     m_solver->forget(m_session->files());
-    m_surface->setFiles(m_session->files());
-    m_actions->showScanColors->setVisible(m_surface->hasScanColors());
+    m_surface->shown().setFiles(m_session->files());
+    m_actions->showScanColors->setVisible(m_surface->shown().hasScanColors());
     m_pattern->fitAll();
     lookAtOpened();
     updateTitle();
@@ -261,9 +261,9 @@ void MainWindow::lookAtOpened()
     const std::optional<Viewpoint> last = SavedViews::lastOf(m_session->path());
     m_fitCover = !last;
     if (last)
-        m_surface->returnTo(*last);
+        m_surface->navigation().returnTo(*last);
     else
-        m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+        m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
 }
 
 /// Where the camera stands while the first cover is still to come nobody has chosen.
@@ -272,7 +272,7 @@ void MainWindow::keepCamera()
     bool waits = false;
     document().design().each<Patch>([&](ElementId, const Patch&) { waits = m_fitCover; });
     if (!m_session->path().isEmpty() && !waits)
-        SavedViews::keepLast(m_session->path(), m_surface->camera());
+        SavedViews::keepLast(m_session->path(), m_surface->navigation().camera());
 }
 
 void MainWindow::updateTitle()
@@ -323,7 +323,7 @@ void MainWindow::updateSolverState()
     if (status.state != SolverStatus::State::Preparing)
         updateProblems();
     const bool stale = m_solver->paused() && !m_solver->upToDate();
-    m_surface->setDimmed(status.state == SolverStatus::State::Failed || stale);
+    m_surface->shown().setDimmed(status.state == SolverStatus::State::Failed || stale);
     m_actions->report->setEnabled(m_solver->report().vertices > 0);
 }
 
@@ -340,7 +340,7 @@ void MainWindow::showProblem(ElementId element)
 void MainWindow::fitSelection()
 {
     m_pattern->fitSelection();
-    m_surface->fitSelection();
+    m_surface->navigation().fitSelection();
 }
 
 void MainWindow::restoreSize()

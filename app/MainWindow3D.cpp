@@ -29,23 +29,24 @@ void MainWindow::connect3D()
             m_status->flash(tr("Select patches, curves, frames, foam or scans to hide them."));
             return;
         }
-        hidden.insert(m_surface->hidden().begin(), m_surface->hidden().end());
+        hidden.insert(m_surface->visibility().hidden().begin(), m_surface->visibility().hidden().end());
         m_selection.clear();
-        m_surface->setHidden(std::move(hidden));
+        m_surface->visibility().setHidden(std::move(hidden));
     });
-    on(m_actions->isolate, [this] { m_surface->setHidden(allBut(document().design(), m_selection.elements())); });
-    on(m_actions->showHidden, [this] { m_surface->setHidden({}); });
+    on(m_actions->isolate,
+       [this] { m_surface->visibility().setHidden(allBut(document().design(), m_selection.elements())); });
+    on(m_actions->showHidden, [this] { m_surface->visibility().setHidden({}); });
     on(m_actions->saveView, [this] { saveView(); });
     connect(m_actions->section, &QAction::toggled, m_surface, &SurfaceView::setSectionShown);
     connect(m_surface, &SurfaceView::sectionClosed, m_actions->section,
             [this] { m_actions->section->setChecked(false); });
-    connect(m_surface, &SurfaceView::hiddenChanged, this, &MainWindow::update3DActions);
-    connect(m_surface, &SurfaceView::hiddenChanged, this, [this] {
-        m_elements->setHidden(m_surface->hidden());
-        m_pattern->setHidden(m_surface->hidden());
+    connect(&m_surface->visibility(), &SurfaceVisibility::hiddenChanged, this, &MainWindow::update3DActions);
+    connect(&m_surface->visibility(), &SurfaceVisibility::hiddenChanged, this, [this] {
+        m_elements->setHidden(m_surface->visibility().hidden());
+        m_pattern->setHidden(m_surface->visibility().hidden());
     });
     connect(&m_selection, &Selection::changed, this, &MainWindow::update3DActions);
-    connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->setHidden({}); });
+    connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });
     if (auto* saved = menuBar()->findChild<QMenu*>(QStringLiteral("saved-views")))
         connect(saved, &QMenu::aboutToShow, this, [this, saved] { fillSavedViews(*saved); });
     addOpacitySliders();
@@ -59,7 +60,7 @@ void MainWindow::update3DActions()
     const bool any = !hideable(document().design(), m_selection.elements()).empty();
     m_actions->hideSelected->setEnabled(any);
     m_actions->isolate->setEnabled(!m_selection.elements().empty());
-    m_actions->showHidden->setEnabled(!m_surface->hidden().empty());
+    m_actions->showHidden->setEnabled(!m_surface->visibility().hidden().empty());
 }
 
 void MainWindow::linkSelections()
@@ -124,9 +125,9 @@ void MainWindow::addOpacitySliders()
         grid->addWidget(figure, row, 2);
     };
     add(0, tr("Frames and foam"), QStringLiteral("frame-opacity"), 100,
-        [this](double opacity) { m_surface->setFrameOpacity(opacity); });
+        [this](double opacity) { m_surface->shown().setFrameOpacity(opacity); });
     add(1, tr("Scans"), QStringLiteral("scan-opacity"), 100,
-        [this](double opacity) { m_surface->setScanOpacity(opacity); });
+        [this](double opacity) { m_surface->shown().setScanOpacity(opacity); });
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(panel);
     action->setText(tr("Opacity of frames and scans"));
@@ -141,7 +142,7 @@ void MainWindow::fillSavedViews(QMenu& menu)
     for (const QString& name : names)
         menu.addAction(QString(name).replace(u'&', QStringLiteral("&&")), this, [this, name] {
             if (const std::optional<Viewpoint> view = SavedViews::find(name))
-                m_surface->flyTo(Camera{*view, {1, 1}});
+                m_surface->navigation().flyTo(Camera{*view, {1, 1}});
         });
     menu.addSeparator();
     menu.addAction(m_actions->saveView);
@@ -162,7 +163,7 @@ void MainWindow::saveView()
     dialog->setLabelText(tr("Name of the view; one of the same name is replaced:"));
     dialog->setTextValue(tr("View %1").arg(SavedViews::names().size() + 1));
     connect(dialog, &QInputDialog::textValueSelected, this,
-            [this, camera = m_surface->camera()](const QString& text) {
+            [this, camera = m_surface->navigation().camera()](const QString& text) {
                 if (text.trimmed().isEmpty())
                     return;
                 SavedViews::save(text.trimmed(), camera);

@@ -101,15 +101,17 @@ void MainWindow::connectViewActions()
 {
     connect(m_actions->fitAll, &QAction::triggered, this, [this] {
         m_pattern->fitAll();
-        m_surface->fitAll();
+        m_surface->navigation().fitAll();
     });
     connect(m_actions->fitSelection, &QAction::triggered, this, &MainWindow::fitSelection);
     for (QAction* action : m_actions->standardViews)
         connect(action, &QAction::triggered, this, [this, action] {
-            m_surface->setStandardView(static_cast<SurfaceView::StandardView>(action->data().toInt()));
+            m_surface->navigation().setStandardView(static_cast<SurfaceView::StandardView>(action->data().toInt()));
         });
-    connect(m_actions->perspective, &QAction::toggled, m_surface, &SurfaceView::setPerspective);
-    connect(m_surface, &SurfaceView::perspectiveChanged, m_actions->perspective, &QAction::setChecked);
+    connect(m_actions->perspective, &QAction::toggled, &m_surface->navigation(),
+            &SurfaceNavigation::setPerspective);
+    connect(&m_surface->navigation(), &SurfaceNavigation::perspectiveChanged, m_actions->perspective,
+            &QAction::setChecked);
     for (QAction* toggle :
          {m_actions->showMesh, m_actions->showChecker, m_actions->showFrames, m_actions->showPoints,
           m_actions->showSeams, m_actions->showCurves, m_actions->showGrid, m_actions->showLabels,
@@ -141,21 +143,21 @@ void MainWindow::applyLayers()
     m_pattern->setLayers(layers);
 
     using Layer = SurfaceView::Layer;
-    m_surface->setLayerVisible(Layer::Checker, m_actions->showChecker->isChecked());
-    m_surface->setLayerVisible(Layer::MeshEdges, m_actions->showMesh->isChecked());
-    m_surface->setLayerVisible(Layer::Seams, m_actions->showSeams->isChecked());
-    m_surface->setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
-    m_surface->setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
-    m_surface->setLayerVisible(Layer::HandleCurves, m_actions->showHandles->isChecked());
-    m_surface->setLayerVisible(Layer::FancySeams, m_actions->showFancySeams->isChecked());
-    m_surface->setLayerVisible(Layer::Scans, m_actions->showScans->isChecked());
-    m_surface->setLayerVisible(Layer::ScanPairs, m_actions->showScanPairs->isChecked());
-    m_surface->setLayerVisible(Layer::ScanColors, m_actions->showScanColors->isChecked());
-    m_surface->setLayerVisible(Layer::Twins, m_actions->showTwins->isChecked());
-    m_surface->setLayerVisible(Layer::Symmetry, m_actions->showSymmetry->isChecked());
-    m_surface->setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
-    if (m_actions->showField->isChecked() != m_surface->layerVisible(Layer::Field)) {
-        m_surface->setLayerVisible(Layer::Field, m_actions->showField->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Checker, m_actions->showChecker->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::MeshEdges, m_actions->showMesh->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Seams, m_actions->showSeams->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Frames, m_actions->showFrames->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::FixationCurves, m_actions->showCurves->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::HandleCurves, m_actions->showHandles->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::FancySeams, m_actions->showFancySeams->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Scans, m_actions->showScans->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::ScanPairs, m_actions->showScanPairs->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::ScanColors, m_actions->showScanColors->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Twins, m_actions->showTwins->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Symmetry, m_actions->showSymmetry->isChecked());
+    m_surface->visibility().setLayerVisible(Layer::Ground, m_actions->showGround->isChecked());
+    if (m_actions->showField->isChecked() != m_surface->visibility().layerVisible(Layer::Field)) {
+        m_surface->visibility().setLayerVisible(Layer::Field, m_actions->showField->isChecked());
         m_solver->setFieldShown(m_actions->showField->isChecked());
     }
 }

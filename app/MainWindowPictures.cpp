@@ -138,7 +138,7 @@ void MainWindow::renderPicture()
                                   m_fabricLink->baker(),
                                   m_fabricLink->bakedByNow(),
                                   m_session->title(),
-                                  m_surface->camera(),
+                                  m_surface->navigation().camera(),
                                   m_files->proposedPicture()};
     openDialog(new RenderDialog(std::move(subject), this));
 }

@@ -21,7 +21,7 @@ namespace bolster {
 void MainWindow::connectScans()
 {
     connect(m_scans.get(), &ScanLink::measured, this, &MainWindow::showMeasured);
-    connect(m_inspector, &Inspector::framePiecesPointedAt, m_surface, &SurfaceView::showFramePieces);
+    connect(m_inspector, &Inspector::framePiecesPointedAt, &m_surface->shown(), &ShownScene::showFramePieces);
     connect(m_inspector, &Inspector::scanWish, this, &MainWindow::workOnScan);
     for (const auto& [action, wish] :
          {std::pair(m_actions->placeScan, ScanWish::FitPlacement), std::pair(m_actions->cutScan, ScanWish::CutAway),
@@ -95,7 +95,7 @@ void MainWindow::showMeasured()
 {
     m_surface->setMap(mapShown());
     m_pattern->setMap(mapShown());
-    m_surface->setScanPairs(m_scans->pairs());
+    m_surface->shown().setScanPairs(m_scans->pairs());
     m_inspector->setScanFigures(m_scans->figures());
     readMap(m_mapPlace); // it says something else there now
 }

@@ -25,7 +25,7 @@ void MainWindow::connectFirstSteps()
 
     auto* freeCover = new FreeCover(document(), *m_solver, *m_surface, this);
     connect(m_session.get(), &DesignSession::opened, freeCover,
-            [this, freeCover] { freeCover->begin(m_surface->hasReturned()); });
+            [this, freeCover] { freeCover->begin(m_surface->navigation().hasReturned()); });
     connect(m_pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
         if (kind == PatternToolKind::Select)
             showDrawn();

@@ -94,7 +94,7 @@ void Thumbnails::make()
     const auto [node, version] = *m_waiting.rbegin();
     m_waiting.erase(node);
     m_drawing = true;
-    Camera camera = m_view.camera();
+    Camera camera = m_view.navigation().camera();
     camera.size = {pictureWidth, pictureHeight};
     camera.fit(version.surface->boundingBox());
     inBackground<QByteArray>([scene = sceneOf(version.surface, version.design), camera] {

@@ -25,7 +25,7 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     , m_surface(new SurfaceView(m_document, m_selection))
 {
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
-    m_surface->setLayerVisible(SurfaceView::Layer::Checker, false);
+    m_surface->visibility().setLayerVisible(SurfaceView::Layer::Checker, false);
     m_computing = new QLabel(tr("Computing the cover \u2026"), m_surface);
     m_computing->setObjectName(QStringLiteral("computing"));
     m_computing->setAutoFillBackground(true);
@@ -47,7 +47,7 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     layout->addWidget(m_views, 1);
     m_pattern->installEventFilter(this);
     m_surface->installEventFilter(this);
-    connect(m_covers.get(), &CoverLink::refined, m_surface, &SurfaceView::setCover);
+    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, &VersionPane::showSurface);
     connect(m_solver.get(), &SolverLink::statusChanged, this, &VersionPane::showState);
     showState();
@@ -61,7 +61,7 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_selection.clear();
     m_document.reset(design);
     m_covers->setDesign(design);
-    m_surface->setFiles(files);
+    m_surface->shown().setFiles(files);
     m_pattern->fitAll();
     m_fitCover = true;
     if (m_followed)
@@ -81,11 +81,11 @@ void VersionPane::follow(SolverLink& solver)
 
 void VersionPane::showSurface(const SurfaceMeshPtr& surface)
 {
-    m_surface->setSurface(surface);
+    m_surface->shown().setSurface(surface);
     m_pattern->setSurface(surface);
     m_covers->setSurface(surface);
     if (surface && std::exchange(m_fitCover, false))
-        m_surface->setStandardView(SurfaceView::StandardView::ThreeQuarter);
+        m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
 }
 
 void VersionPane::showState()
@@ -101,7 +101,7 @@ void VersionPane::showState()
 
 void VersionPane::setFabrics(std::map<ElementId, FabricMapsPtr> fabrics)
 {
-    m_surface->setFabricMaps(std::move(fabrics));
+    m_surface->shown().setFabricMaps(std::move(fabrics));
 }
 
 void VersionPane::showForLooks()
@@ -110,13 +110,13 @@ void VersionPane::showForLooks()
     m_views->setSizes({100, 300});
     using Layer = SurfaceView::Layer;
     for (const Layer layer : {Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
-        m_surface->setLayerVisible(layer, false);
+        m_surface->visibility().setLayerVisible(layer, false);
 }
 
 void VersionPane::setFiles(const DesignFiles& files)
 {
     m_solver->setFiles(files);
-    m_surface->setFiles(files);
+    m_surface->shown().setFiles(files);
 }
 
 /// What would begin to change something moves the picture instead.

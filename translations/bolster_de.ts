@@ -5141,6 +5141,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::CanvasChoice</name>
+    <message>
+        <source>Drawn in software</source>
+        <translation>In Software gezeichnet</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ColourwayWindow</name>
     <message>
         <source>Compare colourways</source>
@@ -7227,17 +7234,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::SurfaceView</name>
-    <message>
-        <source>Drawn in software</source>
-        <translation>In Software gezeichnet</translation>
-    </message>
-    <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
-    </message>
-</context>
-<context>
     <name>bolster::SurfaceViewCube</name>
     <message>
         <source>FRONT</source>
@@ -7289,6 +7285,13 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Fabric</source>
         <translation>Stoff</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ToolHost</name>
+    <message>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
     </message>
 </context>
 <context>

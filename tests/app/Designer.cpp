@@ -145,7 +145,7 @@ void Designer::zoom(int notches)
 void Designer::clickCover(const Vec3& at)
 {
     SurfaceView& view = m_window.surfaceView();
-    const std::optional<Vec2> found = view.camera().pixel(at);
+    const std::optional<Vec2> found = view.navigation().camera().pixel(at);
     ASSERT_TRUE(found);
     const QPoint place(static_cast<int>(std::lround(found->x())), static_cast<int>(std::lround(found->y())));
     clickOn(view, place);

@@ -110,7 +110,8 @@ TEST_F(DragTest, MovesAControlPointOfAFixationCurve)
     before.each<FixationCurve>([&](ElementId id, const FixationCurve& fixation) {
         for (int i = 0; i < fixation.curve.pointCount() && curve == ElementId{}; ++i) {
             window.selection().set({id});
-            const auto pixel = view.camera().pixel(fixation.curve.points()[static_cast<std::size_t>(i)]);
+            const auto pixel =
+                view.navigation().camera().pixel(fixation.curve.points()[static_cast<std::size_t>(i)]);
             if (!pixel ||
                 !view.rect().adjusted(30, 30, -30, -30).contains(QPoint(int(pixel->x()), int(pixel->y()))))
                 continue;

@@ -337,7 +337,7 @@ TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)
     ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
     ASSERT_TRUE(waitUntilSolved());
     SurfaceView& view = window.surfaceView();
-    const Vec2 at = *view.camera().pixel(window.solver().surface()->boundingBox().center());
+    const Vec2 at = *view.navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     const QPoint pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
     QTest::mouseClick(&view, Qt::RightButton, {}, pixel);
     QMenu* menu = contextMenu();
@@ -353,11 +353,11 @@ TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)
     EXPECT_TRUE(menu->actions().contains(window.actions().fitAll));
     menu->close();
 
-    const double before = view.camera().azimuth;
+    const double before = view.navigation().camera().azimuth;
     QTest::mousePress(&view, Qt::RightButton, {}, pixel);
     move(view, pixel + QPoint(60, 0), Qt::RightButton);
     QTest::mouseRelease(&view, Qt::RightButton, {}, pixel + QPoint(60, 0));
-    EXPECT_NE(view.camera().azimuth, before);
+    EXPECT_NE(view.navigation().camera().azimuth, before);
     EXPECT_FALSE(QApplication::activePopupWidget()) << "it was a turn";
 }
 

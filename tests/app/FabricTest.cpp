@@ -154,7 +154,7 @@ TEST_F(FabricTest, AFabricDroppedOnTheCoverIsWhatThePatchIsMadeOf)
     const ElementId leather = preset(0);
     ASSERT_TRUE(waitUntilSolved());
     SurfaceView& view = window.surfaceView();
-    view.setCamera(view.camera()); // it may still be on its way to the cover
+    view.navigation().setCamera(view.navigation().camera()); // it may still be on its way to the cover
     const QPoint at = view.rect().center();
     const ElementId patch = view.hit(at).element;
     ASSERT_TRUE(design().find<Patch>(patch));

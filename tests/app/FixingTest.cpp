@@ -55,14 +55,14 @@ TEST_F(FixingTest, WhatIsHiddenComesBack)
 {
     window.selection().set({front});
     window.actions().hideSelected->trigger();
-    EXPECT_EQ(window.surfaceView().hidden(), std::set<ElementId>{front});
+    EXPECT_EQ(window.surfaceView().visibility().hidden(), std::set<ElementId>{front});
     EXPECT_TRUE(window.actions().showHidden->isEnabled());
     window.selection().set({top});
     window.actions().isolate->trigger();
-    EXPECT_FALSE(window.surfaceView().hidden().contains(top));
-    EXPECT_TRUE(window.surfaceView().hidden().contains(front));
+    EXPECT_FALSE(window.surfaceView().visibility().hidden().contains(top));
+    EXPECT_TRUE(window.surfaceView().visibility().hidden().contains(front));
     window.actions().showHidden->trigger();
-    EXPECT_TRUE(window.surfaceView().hidden().empty());
+    EXPECT_TRUE(window.surfaceView().visibility().hidden().empty());
     EXPECT_FALSE(window.document().dirty()) << "it is no part of the design";
 }
 
@@ -77,7 +77,8 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
     EXPECT_FALSE(mark->isVisible());
     move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
     EXPECT_FALSE(mark->isVisible());
-    const Vec2 cover = *window.surfaceView().camera().pixel(window.solver().surface()->boundingBox().center());
+    const Vec2 cover =
+        *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     move(window.patternView(), {2, 2}, Qt::NoButton);
     move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
     EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";
@@ -90,18 +91,18 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
 TEST_F(FixingTest, ViewsAreSavedByName)
 {
     const QString name = QStringLiteral("Left & low / 1");
-    SavedViews::save(name, window.surfaceView().camera());
+    SavedViews::save(name, window.surfaceView().navigation().camera());
     EXPECT_EQ(SavedViews::names(), QStringList{name});
     const auto found = SavedViews::find(name);
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->azimuth, window.surfaceView().camera().azimuth);
-    window.surfaceView().setStandardView(SurfaceView::StandardView::Top);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().camera().elevation > 1.5; }));
+    EXPECT_EQ(found->azimuth, window.surfaceView().navigation().camera().azimuth);
+    window.surfaceView().navigation().setStandardView(SurfaceView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().navigation().camera().elevation > 1.5; }));
     auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("saved-views"));
     emit menu->aboutToShow();
     menu->actions().front()->trigger();
     EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return std::abs(window.surfaceView().camera().elevation - found->elevation) < 1e-9; }));
+        [&] { return std::abs(window.surfaceView().navigation().camera().elevation - found->elevation) < 1e-9; }));
     SavedViews::remove(name);
     EXPECT_TRUE(SavedViews::names().isEmpty());
     EXPECT_FALSE(SavedViews::find(name));
@@ -130,10 +131,10 @@ TEST_F(FixingTest, LastViewsAreKeptOfTheLatestFiles)
 TEST_F(FixingTest, TheSectionIsSwitchedInTheMenuAndInItsPanel)
 {
     window.actions().section->trigger();
-    EXPECT_TRUE(window.surfaceView().section());
+    EXPECT_TRUE(window.surfaceView().shown().scene().section);
     emit window.surfaceView().sectionClosed();
     EXPECT_FALSE(window.actions().section->isChecked());
-    EXPECT_FALSE(window.surfaceView().section());
+    EXPECT_FALSE(window.surfaceView().shown().scene().section);
 }
 
 } // namespace

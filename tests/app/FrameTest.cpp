@@ -137,7 +137,7 @@ TEST_F(FrameTest, APieceIsLeftOutWhereItIsClicked)
     SurfaceView& view = window.surfaceView();
     window.actions().fitAll->trigger();
     const auto pixelOf = [&](const Vec3& place) {
-        const auto pixel = view.camera().pixel(place);
+        const auto pixel = view.navigation().camera().pixel(place);
         return pixel ? QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())) : QPoint();
     };
     const auto menuAt = [&](const Vec3& place) {

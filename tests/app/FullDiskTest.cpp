@@ -326,7 +326,7 @@ TEST_F(FullDiskTest, APictureThatDoesNotFitIsReportedAndTheOlderOneStays)
     window.show();
     RenderDialog dialog({window.solver().surface(), window.document().design(), window.session().files(),
                          window.fabricLink().baker(), window.fabricLink().bakedByNow(), window.session().title(),
-                         window.surfaceView().camera()});
+                         window.surfaceView().navigation().camera()});
     QSignalSpy ends(&dialog, &RenderDialog::rendered);
     const QString path = disk.filePath("picture.png");
     dialog.renderTo(path);

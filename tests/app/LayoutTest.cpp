@@ -195,7 +195,7 @@ TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
     frame.scale = 1000;
     ASSERT_TRUE(window.session().addWithFile(mesh, {importMesh(mesh).mesh, nullptr}, frame).empty());
     QTest::qWait(500); // the view flies there
-    const Camera& camera = window.surfaceView().camera();
+    const Camera& camera = window.surfaceView().navigation().camera();
     EXPECT_GT(camera.distance, 1500) << "the chair is 2 m wide";
     EXPECT_LT(camera.distance, 10000);
 }

@@ -31,9 +31,13 @@ protected:
     }
     RenderDialog::Subject subject()
     {
-        return {window.solver().surface(),    window.document().design(),       window.session().files(),
-                window.fabricLink().baker(),  window.fabricLink().bakedByNow(), window.session().title(),
-                window.surfaceView().camera()};
+        return {window.solver().surface(),
+                window.document().design(),
+                window.session().files(),
+                window.fabricLink().baker(),
+                window.fabricLink().bakedByNow(),
+                window.session().title(),
+                window.surfaceView().navigation().camera()};
     }
     static void setSize(const RenderDialog& dialog, int width, int height)
     {

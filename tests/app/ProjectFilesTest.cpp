@@ -449,13 +449,13 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
     const QString path = savedBox();
     ASSERT_FALSE(path.isEmpty());
     ASSERT_TRUE(waitUntilAtRest());
-    const auto standing = [&] { return static_cast<const Viewpoint&>(window.surfaceView().camera()); };
+    const auto standing = [&] { return static_cast<const Viewpoint&>(window.surfaceView().navigation().camera()); };
     Viewpoint own;
     own.target = {12, 34, 56.7};
     own.distance = 300;
     own.azimuth = 2;
     own.perspective = false;
-    window.surfaceView().setCamera(Camera{own, {1, 1}});
+    window.surfaceView().navigation().setCamera(Camera{own, {1, 1}});
     ASSERT_TRUE(open(sample("pillow")));
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_NE(standing().azimuth, own.azimuth) << "a sample is seen as it looks best";
@@ -465,7 +465,8 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
     for (const QString& file : {path, link}) {
         ASSERT_TRUE(open(file));
         ASSERT_TRUE(waitUntilAtRest());
-        ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().surface() == window.solver().surface(); }));
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return window.surfaceView().shown().surface() == window.solver().surface(); }));
         EXPECT_TRUE(standing() == own) << "also when the cover has come";
         EXPECT_FALSE(window.isWindowModified());
         EXPECT_FALSE(window.document().hasUnsavedWork());
@@ -753,21 +754,21 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     SurfaceView& left = compare->left().surface();
     SurfaceView& right = compare->right().surface();
     const auto turn = [&left] { // as with the wheel: at once
-        Camera camera = left.camera();
+        Camera camera = left.navigation().camera();
         camera.azimuth += 0.4;
-        left.setCamera(camera);
+        left.navigation().setCamera(camera);
         return camera.azimuth;
     };
-    EXPECT_EQ(turn(), right.camera().azimuth);
+    EXPECT_EQ(turn(), right.navigation().camera().azimuth);
     compare->together().click();
-    EXPECT_NE(turn(), right.camera().azimuth);
+    EXPECT_NE(turn(), right.navigation().camera().azimuth);
 
     auto* pattern = compare->findChild<PatternView*>(); // looked at, not edited
     const std::uint64_t revision = window.document().revision();
     QTest::keyClick(pattern, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClick(pattern, Qt::Key_Delete);
     EXPECT_EQ(window.document().revision(), revision);
-    EXPECT_FALSE(left.layerVisible(SurfaceView::Layer::Checker)) << "fabrics, as in the window";
+    EXPECT_FALSE(left.visibility().layerVisible(SurfaceView::Layer::Checker)) << "fabrics, as in the window";
     QTest::keyClick(pattern, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChild<CompareWindow*>() == nullptr; }))
         << "closed, and its memory given back";

@@ -72,13 +72,14 @@ protected:
         window.selection().set({crease});
         const Vec3 point = window.document().design().find<FixationCurve>(crease)->curve.points()[8];
         const auto pixelOf = [&](const Vec3& p) {
-            const Vec2 pixel = *view.camera().pixel(p);
+            const Vec2 pixel = *view.navigation().camera().pixel(p);
             return QPoint(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
         };
         const QPoint from = pixelOf(point);
         const SurfaceHit hit = view.hit(from);
         EXPECT_EQ(hit.element, crease);
-        const double scale = (Vec2(from.x(), from.y()) - *view.camera().pixel(point + Vec3(0, 0, 10))).norm() / 10;
+        const double scale =
+            (Vec2(from.x(), from.y()) - *view.navigation().camera().pixel(point + Vec3(0, 0, 10))).norm() / 10;
         const QPoint to = from + QPoint(0, static_cast<int>(600 * scale));
         move(view, from, Qt::NoButton);
         press(view, from);
@@ -108,7 +109,7 @@ TEST_F(RestingTest, EscapeBringsTheCoverOfBeforeBack)
     ASSERT_TRUE(window.document().design() == design);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
-    EXPECT_EQ(window.surfaceView().surface(), window.solver().surface()) << "at once";
+    EXPECT_EQ(window.surfaceView().shown().surface(), window.solver().surface()) << "at once";
     release(window.surfaceView(), at);
 }
 
@@ -128,7 +129,8 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
     EXPECT_LE(sprang.count(), 1) << "undo is no surprise";
     // What is seen gets there soon, and smoothly.
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().surface() == window.solver().surface(); }));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window.surfaceView().shown().surface() == window.solver().surface(); }));
     window.document().jumpTo(1);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);

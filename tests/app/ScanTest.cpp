@@ -87,7 +87,7 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     EXPECT_TRUE(scan().cuts[0].keep);
 
     SurfaceView& view = window.surfaceView();
-    view.setCamera(view.camera()); // it may still be on its way to the cover
+    view.navigation().setCamera(view.navigation().camera()); // it may still be on its way to the cover
     wish(ScanWish::CutAway);
     const QPoint from(view.width() / 3, view.height() / 3), to(2 * view.width() / 3, 2 * view.height() / 3);
     press(view, from);
@@ -95,7 +95,7 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     release(view, to);
     ASSERT_EQ(scan().cuts.size(), 2U);
     EXPECT_EQ(scan().cuts[1].halfSpaces.size(), 4U);
-    const Camera& camera = view.camera();
+    const Camera& camera = view.navigation().camera();
     const auto removed = [&](double x, double y, double away) {
         const Camera::Ray ray = camera.ray({x * view.width(), y * view.height()});
         return scan().cuts[1].removes(scan().filePoint(ray.origin + away * ray.direction));

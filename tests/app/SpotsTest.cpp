@@ -74,7 +74,7 @@ protected:
             const auto* mark = view.findChild<Crosshair*>();
             return mark->isVisible() && (QPointF(mark->geometry().center()) - pixel).manhattanLength() < 4;
         };
-        const Vec2 cover = *window.surfaceView().camera().pixel(*places.onCover(place));
+        const Vec2 cover = *window.surfaceView().navigation().camera().pixel(*places.onCover(place));
         return on(window.patternView(), patternPixel(toLayout(patch, place.outline))) &&
                on(window.surfaceView(), {cover.x(), cover.y()});
     }

@@ -164,7 +164,7 @@ bool FeelRecorder::dragFixation()
         const BSpline3 curve = design.find<FixationCurve>(id)->curve;
         for (int i = 0; i < 40; ++i) {
             const double t = curve.domainStart() + (curve.domainEnd() - curve.domainStart()) * (i + 0.5) / 40;
-            const auto on = view.camera().pixel(curve.at(t));
+            const auto on = view.navigation().camera().pixel(curve.at(t));
             const QPointF at = on ? QPointF(on->x(), on->y()) : QPointF(-1, -1);
             if (!view.rect().adjusted(30, 30, -30, -30).contains(at.toPoint()) || view.hit(at).element != id)
                 continue;
@@ -172,7 +172,7 @@ bool FeelRecorder::dragFixation()
             break;
         }
         for (const Vec3& point : curve.points()) {
-            const auto on = view.camera().pixel(point);
+            const auto on = view.navigation().camera().pixel(point);
             const QPointF at = on ? QPointF(on->x(), on->y()) : QPointF(-1, -1);
             if (!view.rect().adjusted(60, 60, -60, -60).contains(at.toPoint()))
                 continue;

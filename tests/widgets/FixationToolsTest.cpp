@@ -73,7 +73,7 @@ protected:
     {
         DesignFiles files;
         files.meshes[frameId] = tube();
-        view.setFiles(files);
+        view.shown().setFiles(files);
         lookFromAbove();
         ASSERT_TRUE(
             QTest::qWaitFor([&] { return view.hit(pixel(onTube(10, 40))).kind == SurfaceHit::Kind::Frame; }));
@@ -81,16 +81,16 @@ protected:
 
     void lookFromAbove()
     {
-        Camera camera = view.camera();
+        Camera camera = view.navigation().camera();
         camera.azimuth = 0;
         camera.elevation = 1.2;
         camera.fit(Box3(Vec3(0, 0, 0), Vec3(400, 200, 150)));
-        view.setCamera(camera);
+        view.navigation().setCamera(camera);
     }
 
     QPointF pixel(const Vec3& point) const
     {
-        const Vec2 at = *view.camera().pixel(point);
+        const Vec2 at = *view.navigation().camera().pixel(point);
         return {at.x(), at.y()};
     }
     /// A curve with one point on the tube, ready to be dragged.
@@ -201,7 +201,7 @@ TEST_F(FixationDrawing, PartsThatAreHiddenAreDrawnThrough)
     mesh->parts = {{"Tube", 0, count}, {"Cushion", count, 2}};
     DesignFiles files;
     files.meshes[frameId] = mesh;
-    view.setFiles(files);
+    view.shown().setFiles(files);
     lookFromAbove();
     const auto under = [&] { return view.hit(pixel(onTube(10, 40))); };
     ASSERT_TRUE(QTest::qWaitFor([&] { return under().kind == SurfaceHit::Kind::Frame; }));
@@ -226,7 +226,7 @@ TEST_F(FixationDrawing, PartsThatAreHiddenAreDrawnThrough)
 
 TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
 {
-    view.setSurface(twoSquaresCover());
+    view.shown().setSurface(twoSquaresCover());
     lookFromAbove();
     view.setTool(SurfaceToolKind::DrawFixation);
     mouse.click(pixel({50, 20, 0}));
@@ -246,9 +246,9 @@ TEST_F(FixationDrawing, NothingIsLostOrMadeByAccident)
     EXPECT_EQ(problems.count(), 1) << "there is nothing under the pointer";
     QTest::keyClick(&view, Qt::Key_Return);
     EXPECT_EQ(problems.count(), 2) << "a curve needs two points";
-    const Camera before = view.camera();
+    const Camera before = view.navigation().camera();
     mouse.drag({300, 300}, {360, 330});
-    EXPECT_NE(view.camera(), before) << "a drag turns the view";
+    EXPECT_NE(view.navigation().camera(), before) << "a drag turns the view";
     EXPECT_EQ(curvesOf(document).size(), 1u);
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
@@ -292,7 +292,7 @@ TEST_F(FixationDrawing, WhereThereIsNothingTheGroundIsDrawnOn)
 
 TEST_F(FixationDrawing, EndsOfOtherCurvesAreMet)
 {
-    view.setSurface(twoSquaresCover());
+    view.shown().setSurface(twoSquaresCover());
     lookFromAbove();
     view.setTool(SurfaceToolKind::DrawFixation);
     mouse.click(pixel({50, 20, 0}));
@@ -330,23 +330,23 @@ TEST_F(FixationDrawing, ControlLiftsOffAlongTheNormal)
     mouse.release(to, Qt::ControlModifier);
     EXPECT_GT(fromAxis(bentPoint()), radius + 25);
     // What does not lie on the frame moves in the plane of the picture.
-    const double depth = view.camera().depth(bentPoint());
+    const double depth = view.navigation().camera().depth(bentPoint());
     mouse.drag(pixel(bentPoint()), pixel(bentPoint()) + QPointF(60, 0));
-    EXPECT_NEAR(view.camera().depth(bentPoint()), depth, 1e-6);
+    EXPECT_NEAR(view.navigation().camera().depth(bentPoint()), depth, 1e-6);
 }
 
 TEST_F(FixationDrawing, AKeyLetsGoOfTheFrame)
 {
     showFrame();
     selectPointAt(onTube(0, 60));
-    const double depth = view.camera().depth(bentPoint());
+    const double depth = view.navigation().camera().depth(bentPoint());
     const QPointF from = pixel(bentPoint());
     mouse.move(from);
     mouse.press(from);
     mouse.move(from + QPointF(50, 0));
     EXPECT_NEAR(fromAxis(bentPoint()), radius, 0.1);
     QTest::keyClick(&view, Qt::Key_S);
-    EXPECT_NEAR(view.camera().depth(bentPoint()), depth, 1e-6);
+    EXPECT_NEAR(view.navigation().camera().depth(bentPoint()), depth, 1e-6);
     EXPECT_GT(fromAxis(bentPoint()), radius + 1);
     mouse.release(from + QPointF(50, 0));
 }

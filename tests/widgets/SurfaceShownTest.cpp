@@ -38,17 +38,17 @@ protected:
         view.setSoftwareRenderer(std::make_unique<StubRenderer>(log));
         view.resize(800, 600);
         view.show();
-        view.setSurface(twoSquaresCover());
-        Camera camera = view.camera();
+        view.shown().setSurface(twoSquaresCover());
+        Camera camera = view.navigation().camera();
         camera.azimuth = 0;
         camera.elevation = 1.2;
         camera.fit(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)));
-        view.setCamera(camera);
+        view.navigation().setCamera(camera);
     }
 
     QPointF pixel(const Vec3& point) const
     {
-        const Vec2 at = *view.camera().pixel(point);
+        const Vec2 at = *view.navigation().camera().pixel(point);
         return {at.x(), at.y()};
     }
     SurfaceHit::Kind kindAt(const Vec3& point) const { return view.hit(pixel(point)).kind; }
@@ -62,18 +62,18 @@ protected:
 
 TEST_F(SurfaceShown, HiddenPatchesAreNeitherDrawnNorHit)
 {
-    QSignalSpy changes(&view, &SurfaceView::hiddenChanged);
-    view.setHidden({rightPatch});
+    QSignalSpy changes(&view.visibility(), &SurfaceVisibility::hiddenChanged);
+    view.visibility().setHidden({rightPatch});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Nothing);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(kindAt({300, 100, 50}), SurfaceHit::Kind::Curve) << "curves stay";
     EXPECT_TRUE(QTest::qWaitFor([&] {
         return log->count() > 0 && log->last().surface && log->last().surface->topology->patches.size() == 1;
     }));
-    EXPECT_EQ(view.surface()->topology->patches.size(), 2u) << "the surface itself is whole";
-    view.setHidden({curveId});
+    EXPECT_EQ(view.shown().surface()->topology->patches.size(), 2u) << "the surface itself is whole";
+    view.visibility().setHidden({curveId});
     EXPECT_EQ(kindAt({300, 100, 50}), SurfaceHit::Kind::Cover);
-    view.setHidden({});
+    view.visibility().setHidden({});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(changes.count(), 3);
 }
@@ -95,26 +95,26 @@ TEST_F(SurfaceShown, TheVisibleCoverKeepsItsVertices)
 
 TEST_F(SurfaceShown, TheRefinedCoverIsDrawnWhileItsSurfaceIsShown)
 {
-    const CoverMeshPtr cover = raisedCover(view.surface(), 5);
+    const CoverMeshPtr cover = raisedCover(view.shown().surface(), 5);
     const auto drawn = [&](const CoverMeshPtr& wanted) {
         return QTest::qWaitFor([&] { return log->count() > 0 && log->last().cover == wanted; });
     };
-    view.setCover(cover);
+    view.shown().setCover(cover);
     EXPECT_TRUE(drawn(cover));
-    view.setHidden({rightPatch});
+    view.visibility().setHidden({rightPatch});
     EXPECT_TRUE(QTest::qWaitFor([&] {
         return log->last().cover == cover && log->last().surface->topology->patches.size() == 1;
     })) << "its patches are those of the surface";
-    view.setHidden({});
+    view.visibility().setHidden({});
     EXPECT_NEAR(view.hit(pixel({80, 50, 0})).position.z(), 0, 0.01) << "hits are the solver's";
-    auto moved = std::make_shared<SurfaceMesh>(*view.surface());
-    view.setSurface(moved);
+    auto moved = std::make_shared<SurfaceMesh>(*view.shown().surface());
+    view.shown().setSurface(moved);
     EXPECT_TRUE(drawn(nullptr));
-    view.setCover(cover);
+    view.shown().setCover(cover);
     EXPECT_TRUE(QTest::qWaitFor([&] { return log->last().surface == moved; }));
     EXPECT_FALSE(log->last().cover) << "too late: the surface has moved meanwhile";
-    view.setLayerVisible(SurfaceView::Layer::Cover, false);
-    view.setCover(raisedCover(moved, 5));
+    view.visibility().setLayerVisible(SurfaceView::Layer::Cover, false);
+    view.shown().setCover(raisedCover(moved, 5));
     EXPECT_TRUE(drawn(nullptr));
 }
 
@@ -135,7 +135,7 @@ TEST_F(SurfaceShown, StitchesOfHiddenPatchesAreHiddenWithThem)
         trims->triangles.push_back({0, 1, 2});
         trims->parts.push_back(part);
     }
-    view.setCover(raisedCover(view.surface(), 5), trims);
+    view.shown().setCover(raisedCover(view.shown().surface(), 5), trims);
     const auto drawn = [&](std::size_t parts) {
         return QTest::qWaitFor([&] {
             if (log->count() == 0)
@@ -145,24 +145,24 @@ TEST_F(SurfaceShown, StitchesOfHiddenPatchesAreHiddenWithThem)
         });
     };
     EXPECT_TRUE(drawn(3));
-    view.setHidden({rightPatch});
+    view.visibility().setHidden({rightPatch});
     EXPECT_TRUE(drawn(1)) << "piping between both is gone, too, as their seam is";
     EXPECT_EQ(log->last().trims->parts[0].patch, leftPatch);
-    view.setHidden({});
+    view.visibility().setHidden({});
     EXPECT_TRUE(drawn(3));
 }
 
 TEST_F(SurfaceShown, SeamsLieOnTheCoverThatIsDrawn)
 {
     SurfaceScene scene;
-    scene.surface = view.surface();
+    scene.surface = view.shown().surface();
     SurfaceCurves curves;
     const auto seam = [&] {
         SurfaceMarks(document.design(), curves, selection, {}).fill(scene, std::nullopt);
         return scene.lines.front().points;
     };
     const auto coarse = seam();
-    scene.cover = raisedCover(view.surface(), 5);
+    scene.cover = raisedCover(view.shown().surface(), 5);
     const auto fine = seam();
     ASSERT_EQ(fine.size(), 2 * coarse.size() - 1);
     for (std::size_t k = 0; k < coarse.size(); ++k)
@@ -190,14 +190,15 @@ TEST_F(SurfaceShown, IsolatingKeepsWhatBelongsToThePatch)
 
 TEST_F(SurfaceShown, TheSectionCutsPicturesLinesAndHits)
 {
-    view.setSection(SectionPlane{Vec3::UnitX(), 150});
+    view.shown().setSection(SectionPlane{Vec3::UnitX(), 150});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Nothing);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().section == view.section(); }));
-    view.setSection(SectionPlane{-Vec3::UnitX(), -150});
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return log->count() > 0 && log->last().section == view.shown().scene().section; }));
+    view.shown().setSection(SectionPlane{-Vec3::UnitX(), -150});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Nothing);
-    view.setSection(std::nullopt);
+    view.shown().setSection(std::nullopt);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
 }
 
@@ -216,14 +217,14 @@ TEST(SectionPlaneTest, LinesAreCutWhereTheyCrossThePlane)
 TEST_F(SurfaceShown, ThePanelMovesTheSection)
 {
     view.setSectionShown(true);
-    ASSERT_TRUE(view.section());
-    EXPECT_NEAR(view.section()->normal.x(), 1, 1e-12);
-    EXPECT_NEAR(view.section()->offset, 200, 1);
+    ASSERT_TRUE(view.shown().scene().section);
+    EXPECT_NEAR(view.shown().scene().section->normal.x(), 1, 1e-12);
+    EXPECT_NEAR(view.shown().scene().section->offset, 200, 1);
     auto* slider = view.findChild<SectionPanel*>()->findChild<QSlider*>();
     slider->setValue(slider->maximum() / 4);
-    EXPECT_NEAR(view.section()->offset, 100, 1);
+    EXPECT_NEAR(view.shown().scene().section->offset, 100, 1);
     view.setSectionShown(false);
-    EXPECT_FALSE(view.section());
+    EXPECT_FALSE(view.shown().scene().section);
 }
 
 TEST_F(SurfaceShown, TheArrowsMoveAndTurnTheSection)
@@ -236,46 +237,46 @@ TEST_F(SurfaceShown, TheArrowsMoveAndTurnTheSection)
     };
     const std::vector<Vec3> frame = planeFrame(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)), Vec3::UnitX(), 200);
     const Vec3 anchor = (frame[2] + frame[3]) / 2;
-    const double mm = view.camera().pixelSize(anchor);
+    const double mm = view.navigation().camera().pixelSize(anchor);
     const QPointF arrow = pixel(anchor + 30 * mm * Vec3::UnitX());
     mouse.move(arrow);
     EXPECT_EQ(view.cursor().shape(), Qt::SizeAllCursor);
     EXPECT_TRUE(view.prompt().contains(QStringLiteral("section")));
 
     mouse.drag(arrow, pixel(anchor + 30 * mm * Vec3::UnitX() + Vec3(-60, 0, 0)));
-    EXPECT_NEAR(view.section()->offset, 140, 2);
-    EXPECT_TRUE(shows(lengthText(view.section()->offset)));
+    EXPECT_NEAR(view.shown().scene().section->offset, 140, 2);
+    EXPECT_TRUE(shows(lengthText(view.shown().scene().section->offset)));
     EXPECT_NEAR(panel->findChild<QSlider*>()->value(), 350, 5);
     EXPECT_TRUE(selection.elements().empty()) << "the tool has nothing to do with it";
 
-    const SectionPlane before = *view.section();
+    const SectionPlane before = *view.shown().scene().section;
     const QPointF there = pixel(Vec3(before.offset, anchor.y(), anchor.z()) + 30 * mm * Vec3::UnitX());
     mouse.move(there);
     mouse.press(there);
     mouse.move(there + QPointF(31, 2), Qt::ControlModifier);
-    EXPECT_NEAR(view.section()->normal.dot(before.normal), std::cos(15 * M_PI / 180), 1e-9);
-    EXPECT_NEAR(view.section()->normal.z(), 0, 1e-9);
+    EXPECT_NEAR(view.shown().scene().section->normal.dot(before.normal), std::cos(15 * M_PI / 180), 1e-9);
+    EXPECT_NEAR(view.shown().scene().section->normal.z(), 0, 1e-9);
     QTest::keyClick(&view, Qt::Key_Escape);
-    EXPECT_NEAR(view.section()->offset, before.offset, 1e-9);
-    EXPECT_NEAR((view.section()->normal - before.normal).norm(), 0, 1e-9);
+    EXPECT_NEAR(view.shown().scene().section->offset, before.offset, 1e-9);
+    EXPECT_NEAR((view.shown().scene().section->normal - before.normal).norm(), 0, 1e-9);
     mouse.move(there + QPointF(90, 0));
-    EXPECT_NEAR(view.section()->offset, before.offset, 1e-9) << "the drag is over";
+    EXPECT_NEAR(view.shown().scene().section->offset, before.offset, 1e-9) << "the drag is over";
     mouse.release(there);
 }
 
 TEST_F(SurfaceShown, ASectionSeenFromTheFrontIsMovedUpwards)
 {
-    Camera camera = view.camera();
+    Camera camera = view.navigation().camera();
     camera.look(Camera::StandardView::Front);
-    view.setCamera(camera);
+    view.navigation().setCamera(camera);
     view.setSectionShown(true);
     const auto buttons = view.findChild<SectionPanel*>()->findChildren<QToolButton*>();
     buttons[1]->click(); // y
-    ASSERT_NEAR(view.section()->normal.y(), -1, 1e-12);
+    ASSERT_NEAR(view.shown().scene().section->normal.y(), -1, 1e-12);
     const std::vector<Vec3> frame = planeFrame(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)), -Vec3::UnitY(), -100);
     const QPointF arrow = pixel((frame[2] + frame[3]) / 2) - QPointF(0, 30);
     mouse.drag(arrow, arrow - QPointF(0, 20));
-    EXPECT_GT(view.section()->offset, -99) << "towards the eye: more is seen";
+    EXPECT_GT(view.shown().scene().section->offset, -99) << "towards the eye: more is seen";
 }
 
 TEST_F(SurfaceShown, TheMirrorImageOfTheSelectionIsMarked)
@@ -298,7 +299,7 @@ TEST_F(SurfaceShown, TheMirrorImageOfTheSelectionIsMarked)
     settings.symmetry->planeNormal = Vec3::UnitY();
     document.commit(edits::changeSettings(document.design(), settings));
     const QImage withPlane = view.grab().toImage();
-    view.setLayerVisible(SurfaceView::Layer::Symmetry, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::Symmetry, false);
     EXPECT_NE(view.grab().toImage(), withPlane);
 
     document.commit(edits::linkTwins(document.design(), curveId, otherId));
@@ -306,7 +307,7 @@ TEST_F(SurfaceShown, TheMirrorImageOfTheSelectionIsMarked)
     EXPECT_EQ(colored(mirroredColor(colors)), 0);
     selection.set({curveId});
     EXPECT_GT(colored(mirroredColor(colors)), 30);
-    view.setLayerVisible(SurfaceView::Layer::Twins, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::Twins, false);
     EXPECT_EQ(colored(mirroredColor(colors)), 0);
 }
 
@@ -316,9 +317,9 @@ TEST_F(SurfaceShown, HandlesAndFancySeamsHaveLayers)
                              BSpline3(1, false, {{20, 20, 0}, {90, 20, 0}})};
     document.reset(document.design().with({{}, {{ElementId{60}, nullptr, makeElement(handle)}}}));
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Curve);
-    view.setLayerVisible(SurfaceView::Layer::FixationCurves, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::FixationCurves, false);
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Curve);
-    view.setLayerVisible(SurfaceView::Layer::HandleCurves, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::HandleCurves, false);
     EXPECT_EQ(kindAt({50, 20, 0}), SurfaceHit::Kind::Cover);
 }
 
@@ -330,9 +331,9 @@ TEST_F(SurfaceShown, PiecesOfAFrameAreMarkedAtOnce)
     mesh->points = {{0, 0, 0}, {90, 0, 0}, {0, 50, 30}, {200, 0, 0}, {250, 0, 0}, {200, 50, 30}};
     mesh->triangles = {{0, 1, 2}, {3, 4, 5}};
     mesh->parts = {{"Frame", 0, 2}};
-    view.setFiles({{{id, mesh}}, {}});
+    view.shown().setFiles({{{id, mesh}}, {}});
     const auto marks = [&](const std::vector<int>& pieces) {
-        view.showFramePieces(id, pieces);
+        view.shown().showFramePieces(id, pieces);
         const QImage picture = view.grab().toImage();
         const QRgb accent = ViewColors::of(view.palette()).accent.rgb();
         int count = 0;
@@ -355,16 +356,16 @@ TEST_F(SurfaceShown, TheFloorIsUnderTheFrame)
     mesh.triangles = {{0, 1, 2}};
     mesh.parts = {{"Seat", 0, 1}};
     const ElementId id{60};
-    view.setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
+    view.shown().setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
     document.reset(document.design().with({{}, {{id, nullptr, makeElement(Frame{})}}}));
-    EXPECT_NEAR(view.floorHeight(), 399, 1e-9) << "the patches hang far below it";
-    view.setHidden({id});
-    EXPECT_NEAR(view.floorHeight(), 399, 1e-9) << "while the frame is hidden, too";
+    EXPECT_NEAR(view.shown().scene().floor, 399, 1e-9) << "the patches hang far below it";
+    view.visibility().setHidden({id});
+    EXPECT_NEAR(view.shown().scene().floor, 399, 1e-9) << "while the frame is hidden, too";
 
     Box3 seen(Vec3(100, 50, 0), Vec3(200, 100, 20));
-    EXPECT_TRUE(view.inPicture(seen));
+    EXPECT_TRUE(view.navigation().inPicture(seen));
     seen.extend(Vec3(5000, 0, 0));
-    EXPECT_FALSE(view.inPicture(seen));
+    EXPECT_FALSE(view.navigation().inPicture(seen));
 }
 
 TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
@@ -374,7 +375,7 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
     mesh.triangles = {{0, 1, 2}};
     mesh.parts = {{"Seat", 0, 1}};
     const ElementId id{60};
-    view.setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
+    view.shown().setFiles({{{id, std::make_shared<const TriangleMesh>(mesh)}}, {}});
     document.reset(document.design().with({{}, {{id, nullptr, makeElement(Frame{})}}}));
     /// The first picture after so many of that many patches and frames.
     const auto picture = [&](int after, std::size_t patches, std::size_t frames) {
@@ -398,18 +399,18 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
     };
     ASSERT_TRUE(skinned(nullptr));
     const FrameSkinPtr whole = log->last().frames[0].skin;
-    view.setHidden({id});
+    view.visibility().setHidden({id});
     ASSERT_TRUE(picture(0, 2, 0));
     int before = log->count();
-    view.setHidden({});
+    view.visibility().setHidden({});
     auto again = picture(before, 2, 1);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->frames[0].skin, whole);
 
-    view.setHidden({leftPatch});
+    view.visibility().setHidden({leftPatch});
     ASSERT_TRUE(skinned(whole)) << "what lies under the other one comes out";
     before = log->count();
-    view.setHidden({});
+    view.visibility().setHidden({});
     again = picture(before, 2, 1);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->frames[0].skin, whole);
@@ -417,7 +418,7 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
 
 TEST_F(SurfaceShown, OpacityOfFramesReachesThePicture)
 {
-    view.setFrameOpacity(0.9);
+    view.shown().setFrameOpacity(0.9);
     EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().frameOpacity == 0.9; }));
 }
 
@@ -464,9 +465,9 @@ TEST_F(SurfaceShown, TheCrossHairIsNotWhereTheCoverIsCutAway)
     const CoverPoint point{leftPatch, Vec2(50, 50)};
     view.showPlace(point);
     ASSERT_TRUE(crosshair->isVisible());
-    view.setSection(SectionPlane{-Vec3::UnitX(), -150});
+    view.shown().setSection(SectionPlane{-Vec3::UnitX(), -150});
     EXPECT_FALSE(crosshair->isVisible());
-    view.setSection(SectionPlane{Vec3::UnitX(), 150});
+    view.shown().setSection(SectionPlane{Vec3::UnitX(), 150});
     EXPECT_TRUE(crosshair->isVisible());
 }
 

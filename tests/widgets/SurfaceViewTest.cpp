@@ -30,22 +30,22 @@ protected:
         view.setSoftwareRenderer(std::make_unique<StubRenderer>(log));
         view.resize(800, 600);
         view.show();
-        view.setSurface(twoSquaresCover());
+        view.shown().setSurface(twoSquaresCover());
         lookFromAbove();
     }
 
     void lookFromAbove()
     {
-        Camera camera = view.camera();
+        Camera camera = view.navigation().camera();
         camera.azimuth = 0;
         camera.elevation = 1.2;
         camera.fit(Box3(Vec3(0, 0, 0), Vec3(400, 200, 50)));
-        view.setCamera(camera);
+        view.navigation().setCamera(camera);
     }
 
     QPointF pixel(const Vec3& point) const
     {
-        const Vec2 at = *view.camera().pixel(point);
+        const Vec2 at = *view.navigation().camera().pixel(point);
         return {at.x(), at.y()};
     }
     const BSpline3& curve() const { return document.design().find<FixationCurve>(curveId)->curve; }
@@ -66,7 +66,7 @@ protected:
 
 TEST_F(SurfaceViewTest, DrawsInSoftwareWithoutOpenGl)
 {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().surface == view.surface(); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().surface == view.shown().surface(); }));
     EXPECT_NE(log->thread, std::this_thread::get_id());
     ASSERT_EQ(log->last().looks.size(), 2u);
     EXPECT_EQ(log->last().looks[0].patch, leftPatch);
@@ -91,7 +91,7 @@ TEST_F(SurfaceViewTest, IsCoarseWhileItMovesAndFineAtRest)
     EXPECT_EQ(log->last().camera.size, Vec2(400, 300));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !log->last().moving; }));
     EXPECT_EQ(log->last().camera.size, Vec2(800, 600));
-    EXPECT_EQ(log->last().camera.azimuth, view.camera().azimuth);
+    EXPECT_EQ(log->last().camera.azimuth, view.navigation().camera().azimuth);
 }
 
 TEST_F(SurfaceViewTest, GrabsTheWholePicture)
@@ -105,11 +105,11 @@ TEST_F(SurfaceViewTest, GrabsTheWholePicture)
 TEST_F(SurfaceViewTest, MiddleAndRightButtonTurn)
 {
     for (const Qt::MouseButton button : {Qt::MiddleButton, Qt::RightButton}) {
-        const Camera before = view.camera();
+        const Camera before = view.navigation().camera();
         mouse.drag({400, 300}, {500, 340}, button);
-        EXPECT_LT(view.camera().azimuth, before.azimuth - 0.3);
-        EXPECT_GT(view.camera().elevation, before.elevation);
-        EXPECT_DOUBLE_EQ(view.camera().distance, before.distance);
+        EXPECT_LT(view.navigation().camera().azimuth, before.azimuth - 0.3);
+        EXPECT_GT(view.navigation().camera().elevation, before.elevation);
+        EXPECT_DOUBLE_EQ(view.navigation().camera().distance, before.distance);
     }
 }
 
@@ -125,8 +125,8 @@ TEST_F(SurfaceViewTest, NeverTurnsUpsideDown)
 {
     for (int i = 0; i < 5; ++i)
         mouse.drag({400, 50}, {400, 550}, Qt::MiddleButton);
-    EXPECT_LE(view.camera().elevation, std::numbers::pi / 2 + 1e-9);
-    EXPECT_GE(view.camera().upward().z(), -1e-9);
+    EXPECT_LE(view.navigation().camera().elevation, std::numbers::pi / 2 + 1e-9);
+    EXPECT_GE(view.navigation().camera().upward().z(), -1e-9);
 }
 
 TEST_F(SurfaceViewTest, ShiftPans)
@@ -141,19 +141,19 @@ TEST_F(SurfaceViewTest, WheelZoomsAtThePointer)
 {
     const Vec3 place(50, 40, 0);
     const QPointF at = pixel(place);
-    const double before = view.camera().distance;
+    const double before = view.navigation().camera().distance;
     mouse.wheel(at, 3);
-    EXPECT_LT(view.camera().distance, 0.8 * before);
+    EXPECT_LT(view.navigation().camera().distance, 0.8 * before);
     EXPECT_LT((pixel(place) - at).manhattanLength(), 0.05);
     mouse.wheel(at, -3);
-    EXPECT_NEAR(view.camera().distance, before, 1e-6);
+    EXPECT_NEAR(view.navigation().camera().distance, before, 1e-6);
 }
 
 TEST_F(SurfaceViewTest, LeftDragOnTheCoverTurnsAndSelectsNothing)
 {
-    const double before = view.camera().azimuth;
+    const double before = view.navigation().camera().azimuth;
     mouse.drag(pixel({50, 40, 0}), pixel({50, 40, 0}) + QPointF(90, 0));
-    EXPECT_NE(view.camera().azimuth, before);
+    EXPECT_NE(view.navigation().camera().azimuth, before);
     EXPECT_TRUE(selection.elements().empty());
 }
 
@@ -179,9 +179,9 @@ TEST_F(SurfaceViewTest, ClickSelectsSeamsAndCurves)
 
 TEST_F(SurfaceViewTest, WhatIsHiddenIsNotHit)
 {
-    Camera camera = view.camera();
+    Camera camera = view.navigation().camera();
     camera.elevation = -1.2; // the curve lies behind the cover now
-    view.setCamera(camera);
+    view.navigation().setCamera(camera);
     mouse.click(pixel(curve().at(0.3)));
     EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
     selection.set({curveId});
@@ -253,7 +253,7 @@ TEST_F(SurfaceViewTest, DraggingAControlPointChangesTheDesign)
     EXPECT_FALSE(document.gestureRunning());
     EXPECT_EQ(document.history().count(), node + 2);
     // Parallel to the screen, and under the pointer.
-    EXPECT_NEAR(view.camera().depth(point(1)), view.camera().depth(before), 1e-6);
+    EXPECT_NEAR(view.navigation().camera().depth(point(1)), view.navigation().camera().depth(before), 1e-6);
     EXPECT_LT((pixel(point(1)) - from - QPointF(60, 40)).manhattanLength(), 0.05);
     document.undo();
     EXPECT_EQ(point(1), before);
@@ -411,7 +411,7 @@ protected:
     QPointF onArrow(int axis, double pixels) const
     {
         const Vec3 at = foam().position;
-        return pixel(at + pixels * view.camera().pixelSize(at) * Vec3::Unit(axis));
+        return pixel(at + pixels * view.navigation().camera().pixelSize(at) * Vec3::Unit(axis));
     }
 
     const ElementId foamId{21};
@@ -447,7 +447,7 @@ TEST_F(SurfaceViewGizmo, RingsTurnAboutTheMiddle)
 {
     // On the ring about z, away from the arrows.
     const Vec3 at = foam().position;
-    const double radius = 74 * view.camera().pixelSize(at);
+    const double radius = 74 * view.navigation().camera().pixelSize(at);
     const auto onRing = [&](double degrees) {
         const double angle = degrees * std::numbers::pi / 180;
         return pixel(at + radius * Vec3(std::cos(angle), std::sin(angle), 0));
@@ -476,16 +476,16 @@ TEST_F(SurfaceViewGizmo, EscapeRestores)
 TEST_F(SurfaceViewGizmo, IsThereOnlyForWhatHasAPlace)
 {
     selection.set({curveId});
-    const Camera before = view.camera();
+    const Camera before = view.navigation().camera();
     mouse.drag(onArrow(0, 60), onArrow(0, 60) + QPointF(30, 0));
     EXPECT_EQ(foam().position, Vec3(200, 100, 0));
-    EXPECT_NE(view.camera(), before) << "the drag turned the view";
+    EXPECT_NE(view.navigation().camera(), before) << "the drag turned the view";
 }
 
 TEST_F(SurfaceViewGizmo, FoamIsSelectedByAClick)
 {
     selection.clear();
-    view.setSurface(nullptr);
+    view.shown().setSurface(nullptr);
     EXPECT_TRUE(QTest::qWaitFor([&] {
         mouse.click(pixel(foam().position));
         return selection.contains(foamId);
@@ -494,10 +494,12 @@ TEST_F(SurfaceViewGizmo, FoamIsSelectedByAClick)
 
 TEST_F(SurfaceViewTest, StandardViewsFlyThere)
 {
-    view.setStandardView(SurfaceView::StandardView::Right);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(1, 0, 0), 1e-6); }));
-    view.setStandardView(SurfaceView::StandardView::Top);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
+    view.navigation().setStandardView(SurfaceView::StandardView::Right);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return view.navigation().camera().backward().isApprox(Vec3(1, 0, 0), 1e-6); }));
+    view.navigation().setStandardView(SurfaceView::StandardView::Top);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return view.navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
     const QRectF seen(0, 0, 800, 600);
     EXPECT_TRUE(seen.contains(pixel({0, 0, 0})));
     EXPECT_TRUE(seen.contains(pixel({400, 200, 0})));
@@ -505,24 +507,26 @@ TEST_F(SurfaceViewTest, StandardViewsFlyThere)
 
 TEST_F(SurfaceViewTest, ShowingAllOnTheWayToAViewArrivesThere)
 {
-    view.setStandardView(SurfaceView::StandardView::Top);
-    view.fitAll(); // as soon as a cover that nothing holds is there
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
+    view.navigation().setStandardView(SurfaceView::StandardView::Top);
+    view.navigation().fitAll(); // as soon as a cover that nothing holds is there
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return view.navigation().camera().backward().isApprox(Vec3(0, 0, 1), 1e-6); }));
 }
 
 TEST_F(SurfaceViewTest, CubeTurnsTheView)
 {
-    Camera camera = view.camera();
+    Camera camera = view.navigation().camera();
     camera.azimuth = 0.2;
     camera.elevation = 0.2;
-    view.setCamera(camera);
+    view.navigation().setCamera(camera);
     auto* cube = view.findChild<SurfaceViewCube*>();
     ASSERT_TRUE(cube);
     Mouse onCube(*cube);
     onCube.click(QPointF(cube->rect().center()));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().backward().isApprox(Vec3(0, -1, 0), 1e-6); }));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return view.navigation().camera().backward().isApprox(Vec3(0, -1, 0), 1e-6); }));
     onCube.drag({50, 50}, {70, 40});
-    EXPECT_LT(view.camera().azimuth, -0.1);
+    EXPECT_LT(view.navigation().camera().azimuth, -0.1);
 }
 
 TEST_F(SurfaceViewTest, NothingCoversTheCube)
@@ -542,19 +546,19 @@ TEST_F(SurfaceViewTest, NothingCoversTheCube)
 
 TEST_F(SurfaceViewTest, FitSelectionComesCloser)
 {
-    view.fitAll();
+    view.navigation().fitAll();
     QTest::qWait(400);
-    const double whole = view.camera().distance;
+    const double whole = view.navigation().camera().distance;
     selection.set({leftPatch});
-    view.fitSelection();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.camera().distance < 0.8 * whole; }));
+    view.navigation().fitSelection();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.navigation().camera().distance < 0.8 * whole; }));
 }
 
 TEST_F(SurfaceViewTest, OrthographicIsAnnounced)
 {
-    QSignalSpy changes(&view, &SurfaceView::perspectiveChanged);
-    view.setPerspective(false);
-    EXPECT_FALSE(view.perspective());
+    QSignalSpy changes(&view.navigation(), &SurfaceNavigation::perspectiveChanged);
+    view.navigation().setPerspective(false);
+    EXPECT_FALSE(view.navigation().perspective());
     EXPECT_EQ(changes.count(), 1);
     mouse.click(pixel({50, 40, 0}));
     EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
@@ -562,13 +566,13 @@ TEST_F(SurfaceViewTest, OrthographicIsAnnounced)
 
 TEST_F(SurfaceViewTest, HiddenLayersAreNotHit)
 {
-    view.setLayerVisible(SurfaceView::Layer::FixationCurves, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::FixationCurves, false);
     mouse.click(pixel(curve().at(0.3)));
     EXPECT_EQ(selection.elements(), Selection::Elements{leftPatch});
-    view.setLayerVisible(SurfaceView::Layer::Cover, false);
+    view.visibility().setLayerVisible(SurfaceView::Layer::Cover, false);
     mouse.click(pixel({50, 40, 0}));
     EXPECT_TRUE(selection.elements().empty());
-    EXPECT_TRUE(view.surface()); // only hidden
+    EXPECT_TRUE(view.shown().surface()); // only hidden
 }
 
 TEST_F(SurfaceViewTest, LivesWithBrokenSurfaces)
@@ -576,26 +580,26 @@ TEST_F(SurfaceViewTest, LivesWithBrokenSurfaces)
     auto broken = std::make_shared<SurfaceMesh>(*twoSquaresCover());
     for (Vec3& p : broken->positions)
         p.setConstant(std::numeric_limits<double>::quiet_NaN());
-    view.setSurface(broken);
+    view.shown().setSurface(broken);
     mouse.move({400, 300});
     QTest::qWait(50);
     auto short_ = std::make_shared<SurfaceMesh>(*twoSquaresCover());
     short_->positions.pop_back();
-    view.setSurface(short_);
-    EXPECT_FALSE(view.surface());
-    view.setSurface(nullptr);
+    view.shown().setSurface(short_);
+    EXPECT_FALSE(view.shown().surface());
+    view.shown().setSurface(nullptr);
     mouse.move({400, 300});
     EXPECT_FALSE(view.grabPicture().isNull());
 }
 
 TEST_F(SurfaceViewTest, FollowsTheSurfaceWhenItMoves)
 {
-    auto moved = std::make_shared<SurfaceMesh>(*view.surface());
+    auto moved = std::make_shared<SurfaceMesh>(*view.shown().surface());
     for (Vec3& p : moved->positions)
         p.x() += 1000;
     mouse.move(pixel({50, 40, 0}));
     EXPECT_EQ(selection.hovered(), leftPatch);
-    view.setSurface(moved);
+    view.shown().setSurface(moved);
     mouse.move(pixel({50, 40, 0}));
     EXPECT_EQ(selection.hovered(), settingsId);
     EXPECT_EQ(view.hit(pixel({1050, 40, 0})).element, leftPatch);
@@ -625,7 +629,7 @@ TEST_F(SurfaceViewTest, FancySeamsAreHitOnTheCover)
     const ElementId id{9};
     document.commit(
         {{}, {{id, nullptr, makeElement(FancySeam{{"Seam", leftPatch, BSpline2(1, false, {{0, 0}, {1, 1}})}})}}});
-    auto surface = std::make_shared<SurfaceMesh>(*view.surface());
+    auto surface = std::make_shared<SurfaceMesh>(*view.shown().surface());
     auto topology = std::make_shared<SurfaceTopology>(*surface->topology);
     topology->lines.push_back({id, {}, 0});
     for (const std::uint32_t v : topology->triangles.front())
@@ -633,7 +637,7 @@ TEST_F(SurfaceViewTest, FancySeamsAreHitOnTheCover)
     ++topology->serial;
     const std::vector<std::uint32_t> vertices = topology->lines.back().vertices;
     surface->topology = std::move(topology);
-    view.setSurface(surface);
+    view.shown().setSurface(surface);
     const Vec3 middle = 0.5 * (surface->positions[vertices[1]] + surface->positions[vertices[2]]);
     mouse.click(pixel(middle));
     EXPECT_EQ(selection.elements(), Selection::Elements{id});

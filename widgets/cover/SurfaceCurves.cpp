@@ -35,4 +35,23 @@ void SurfaceCurves::update(const Design& design, const std::set<ElementId>& unse
     m_curves = std::move(curves);
 }
 
+Box3 SurfaceCurves::box() const
+{
+    Box3 box;
+    for (const auto& [id, curve] : m_curves)
+        for (const Vec3& p : curve.points)
+            box.extend(p);
+    return box;
+}
+
+Box3 SurfaceCurves::box(const std::set<ElementId>& ids) const
+{
+    Box3 box;
+    for (const auto& [id, curve] : m_curves)
+        if (ids.contains(id))
+            for (const Vec3& p : curve.points)
+                box.extend(p);
+    return box;
+}
+
 } // namespace bolster

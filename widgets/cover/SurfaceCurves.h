@@ -23,6 +23,8 @@ public:
     /// Without those that are `unseen`.
     void update(const Design& design, const std::set<ElementId>& unseen = {});
     const std::map<ElementId, SurfaceCurve>& all() const { return m_curves; }
+    Box3 box() const; ///< mm
+    Box3 box(const std::set<ElementId>& ids) const;
 
 private:
     std::map<ElementId, SurfaceCurve> m_curves;

@@ -89,6 +89,21 @@ QColor mirroredColor(const ViewColors& colors)
     return mixed(colors.accent, Qt::white, 0.45);
 }
 
+void cutMarks(SurfaceScene& scene)
+{
+    if (!scene.section)
+        return;
+    const SectionPlane& section = *scene.section;
+    std::vector<SurfaceLine> lines;
+    for (const SurfaceLine& line : scene.lines)
+        for (std::vector<Eigen::Vector3f>& part : keptParts(line.points, section)) {
+            lines.push_back(line);
+            lines.back().points = std::move(part);
+        }
+    scene.lines = std::move(lines);
+    std::erase_if(scene.dots, [&](const SurfaceDot& dot) { return !section.keeps(dot.at.cast<double>()); });
+}
+
 void SurfaceMarks::fill(SurfaceScene& scene, std::optional<std::pair<ElementId, int>> hoveredPoint) const
 {
     scene.lines.clear();

@@ -18,6 +18,9 @@ QColor mirroredColor(const ViewColors& colors);
 /// Adds sections and arrows, seen through the cover.
 void addFieldLines(const FieldPicture& field, SurfaceScene& scene);
 
+/// Takes away the lines and dots that the scene's section cuts off.
+void cutMarks(SurfaceScene& scene);
+
 /// Fills in the scene's lines and dots: all curves, and what lies on the cover.
 class SurfaceMarks {
 public:

@@ -1,0 +1,74 @@
+#include "CanvasChoice.h"
+
+#include "GlCanvas.h"
+#include "SoftwareCanvas.h"
+
+#include <utility>
+
+namespace bolster {
+
+CanvasChoice::CanvasChoice(const SurfaceScene& scene, const Camera& camera, QWidget& view)
+    : m_scene(scene)
+    , m_camera(camera)
+    , m_view(view)
+{}
+
+CanvasChoice::~CanvasChoice() = default;
+
+void CanvasChoice::setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer)
+{
+    m_renderer = std::move(renderer);
+}
+
+void CanvasChoice::make()
+{
+    if (m_canvas)
+        return;
+    const QString problem = m_drawing == Drawing::Software ? tr("Drawn in software") : glProblem();
+    if (!problem.isEmpty()) {
+        useSoftware(problem);
+        return;
+    }
+    auto canvas = std::make_unique<GlCanvas>(m_scene, m_camera, &m_view);
+    connect(canvas.get(), &GlCanvas::failed, this, &CanvasChoice::useSoftware, Qt::QueuedConnection);
+    use(std::move(canvas));
+    emit note({});
+}
+
+void CanvasChoice::useSoftware(const QString& why)
+{
+    m_canvas.reset();
+    use(std::make_unique<SoftwareCanvas>(m_scene, m_camera, m_renderer, &m_view));
+    emit note(why);
+    refresh(false);
+}
+
+void CanvasChoice::use(std::unique_ptr<SurfaceCanvas> canvas)
+{
+    m_canvas = std::move(canvas);
+    m_canvas->whenShownChanges([this] { emit pictured(); });
+    place();
+    m_canvas->widget().lower();
+    m_canvas->widget().show();
+    emit changed(m_canvas->drawsOcclusion());
+}
+
+void CanvasChoice::place()
+{
+    if (m_canvas)
+        m_canvas->widget().setGeometry(m_view.rect());
+}
+
+void CanvasChoice::refresh(bool moving)
+{
+    if (m_canvas)
+        m_canvas->refresh(moving);
+}
+
+QImage CanvasChoice::grab()
+{
+    make();
+    return m_canvas->grab();
+}
+
+} // namespace bolster
