@@ -11,6 +11,18 @@ const char* kindName(const Element& element)
     return std::visit([]<class T>(const T&) { return Description<T>::word; }, element);
 }
 
+bool hasName(const Element& element)
+{
+    return std::visit(
+        [](const auto& value) {
+            return requires
+            {
+                value.name;
+            };
+        },
+        element);
+}
+
 const std::string& elementName(const Element& element)
 {
     static const std::string none;

@@ -36,6 +36,8 @@ ElementPtr makeElement(T value)
 
 /// The word of the text form: "patch", "fixation_seam" ...
 const char* kindName(const Element& element);
+/// Whether elements of its kind have a name of their own.
+bool hasName(const Element& element);
 /// The element's own name, or "" for kinds without one.
 const std::string& elementName(const Element& element);
 /// The file that the element refers to, or null for those without one.

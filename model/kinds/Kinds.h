@@ -21,6 +21,9 @@ namespace bolster {
 template <>
 struct Description<Quarantined> {
     static constexpr const char* word = "unreadable";
+    static constexpr KindNames names{900, QT_TRANSLATE_NOOP("ElementText", "Unusable element"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Unusable elements"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 unusable elements"), "warning"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add an unreadable element");
     static SolveCost comes(const Quarantined&) { return SolveCost::Nothing; }
 
@@ -52,6 +55,21 @@ void eachKind(Visit visit)
         (visit.template operator()<std::variant_alternative_t<I, Element>>(), ...);
     }
     (std::make_index_sequence<std::variant_size_v<Element>>());
+}
+
+/// Whether the text form has elements of this kind: all but the settings, which stand at its head, and what is
+/// none.
+template <class T>
+inline constexpr bool isWritten = !std::is_same_v<T, Settings> && !std::is_same_v<T, Quarantined>;
+
+/// The same for those alone.
+template <class Visit>
+void eachWrittenKind(Visit visit)
+{
+    eachKind([&]<class T>() {
+        if constexpr (isWritten<T>)
+            visit.template operator()<T>();
+    });
 }
 
 } // namespace bolster

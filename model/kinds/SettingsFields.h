@@ -28,6 +28,9 @@ struct Description<Symmetry> {
 template <>
 struct Description<Settings> {
     static constexpr const char* word = "settings";
+    static constexpr KindNames names{1000, QT_TRANSLATE_NOOP("ElementText", "Design"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Design"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 elements"), "settings"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Change the settings");
     static SolveCost comes(const Settings&) { return SolveCost::Resew; }
 

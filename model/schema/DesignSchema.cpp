@@ -249,7 +249,7 @@ template <class T>
 std::string schemaOf()
 {
     SchemaWalker walker;
-    if constexpr (!std::is_same_v<T, Settings>) {
+    if constexpr (isWritten<T>) {
         walker.heading("id", "{" + idType + "}");
         walker.heading("kind", R"({"const": )" + json::quoted(Description<T>::word) + "}");
     }
@@ -305,14 +305,12 @@ std::string parts()
 std::string designSchema()
 {
     Lines words, choices, kinds{parts()};
-    eachKind([&]<class T>() {
-        if constexpr (!std::is_same_v<T, Settings> && !std::is_same_v<T, Quarantined>) {
-            const std::string word = Description<T>::word;
-            words.push_back(word);
-            choices.push_back(R"(          {"if": {"properties": {"kind": {"const": ")" + word +
-                              R"("}}, "required": ["kind"]}, "then": {"$ref": "#/$defs/)" + word + R"("}})");
-            kinds.push_back("    " + json::quoted(word) + ": " + schemaOf<T>());
-        }
+    eachWrittenKind([&]<class T>() {
+        const std::string word = Description<T>::word;
+        words.push_back(word);
+        choices.push_back(R"(          {"if": {"properties": {"kind": {"const": ")" + word +
+                          R"("}}, "required": ["kind"]}, "then": {"$ref": "#/$defs/)" + word + R"("}})");
+        kinds.push_back("    " + json::quoted(word) + ": " + schemaOf<T>());
     });
     return R"({
   "$schema": "https://json-schema.org/draft/2020-12/schema",

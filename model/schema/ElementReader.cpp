@@ -372,10 +372,7 @@ private:
 std::vector<std::string> kindWords()
 {
     std::vector<std::string> words;
-    eachKind([&]<class T>() {
-        if constexpr (!std::is_same_v<T, Settings> && !std::is_same_v<T, Quarantined>)
-            words.emplace_back(Description<T>::word);
-    });
+    eachWrittenKind([&]<class T>() { words.emplace_back(Description<T>::word); });
     return words;
 }
 
@@ -435,16 +432,15 @@ ElementPtr readElement(const Value& object, Report& report)
     const std::string kind = fields.text("kind");
     ElementPtr element;
     bool known = false;
-    eachKind([&]<class T>() {
-        if constexpr (!std::is_same_v<T, Settings> && !std::is_same_v<T, Quarantined>)
-            if (kind == Description<T>::word) {
-                known = true;
-                T value;
-                FieldReader(fields).part({}, value);
-                fields.finish();
-                if (report.clean())
-                    element = makeElement(std::move(value));
-            }
+    eachWrittenKind([&]<class T>() {
+        if (kind != Description<T>::word)
+            return;
+        known = true;
+        T value;
+        FieldReader(fields).part({}, value);
+        fields.finish();
+        if (report.clean())
+            element = makeElement(std::move(value));
     });
     if (!known && fields.has("kind") && report.clean()) {
         std::vector<std::string> words = kindWords();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Design.h"
+#include "Kinds.h"
 
 #include <QString>
 
@@ -9,25 +10,30 @@
 
 namespace bolster {
 
-/// The order in which lists show the kinds.
-enum class ElementKind {
-    Patch,
-    Seam,
-    FixationCurve,
-    FixationSeam,
-    HandleCurve,
-    FancySeam,
-    OutlineTrim,
-    Frame,
-    Cushion,
-    Foam,
-    Scan,
-    Fabric,
-    Colourway,
-    Unusable,
-    Settings
+/// A kind of elements; the order is that of lists.
+class ElementKind {
+public:
+    explicit ElementKind(const KindNames& names)
+        : m_names(&names)
+    {}
+
+    const KindNames& names() const { return *m_names; }
+
+    friend bool operator==(const ElementKind& a, const ElementKind& b) { return a.m_names == b.m_names; }
+    friend bool operator<(const ElementKind& a, const ElementKind& b)
+    {
+        return a.m_names->place < b.m_names->place;
+    }
+
+private:
+    const KindNames* m_names;
 };
 
+template <class T>
+ElementKind kindOf()
+{
+    return ElementKind(Description<T>::names);
+}
 ElementKind kindOf(const Element& element);
 /// "Patches".
 QString kindTitle(ElementKind kind);

@@ -83,55 +83,38 @@ void InspectorForms::addElement(PropertyForm& form, ElementId id) const
 
 void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& ids) const
 {
-    switch (kind) {
-    case ElementKind::Patch:
+    if (kind == kindOf<Patch>()) {
         addPatch(form, ids);
-        break;
-    case ElementKind::Seam:
+    } else if (kind == kindOf<Seam>()) {
         addSeam(form, ids);
         addTrim<Seam>(form, ids);
-        break;
-    case ElementKind::FixationCurve:
+    } else if (kind == kindOf<FixationCurve>()) {
         addFixationCurve(form, ids);
-        break;
-    case ElementKind::FixationSeam:
+    } else if (kind == kindOf<FixationSeam>()) {
         addFixationSeam(form, ids);
         addTrim<FixationSeam>(form, ids);
-        break;
-    case ElementKind::HandleCurve:
+    } else if (kind == kindOf<HandleCurve>()) {
         addHandleCurve(form, ids);
-        break;
-    case ElementKind::FancySeam:
+    } else if (kind == kindOf<FancySeam>()) {
         addFancySeam(form, ids);
         addTrim<FancySeam>(form, ids);
-        break;
-    case ElementKind::OutlineTrim:
+    } else if (kind == kindOf<OutlineTrim>()) {
         addOutlineTrim(form, ids);
         addTrim<OutlineTrim>(form, ids);
-        break;
-    case ElementKind::Colourway:
+    } else if (kind == kindOf<Colourway>()) {
         addColourway(form, ids);
-        break;
-    case ElementKind::Frame:
+    } else if (kind == kindOf<Frame>()) {
         addFrame(form, ids);
-        break;
-    case ElementKind::Cushion:
+    } else if (kind == kindOf<Cushion>()) {
         addCushion(form, ids);
-        break;
-    case ElementKind::Foam:
+    } else if (kind == kindOf<Foam>()) {
         addFoam(form, ids);
-        break;
-    case ElementKind::Scan:
+    } else if (kind == kindOf<Scan>()) {
         addScan(form, ids);
-        break;
-    case ElementKind::Fabric:
+    } else if (kind == kindOf<Fabric>()) {
         addFabric(form, ids);
-        break;
-    case ElementKind::Unusable:
+    } else if (kind == kindOf<Quarantined>()) {
         addUnusable(form, ids);
-        break;
-    case ElementKind::Settings:
-        break;
     }
     if (ids.size() == 1)
         addTwin(form, ids.front());
@@ -139,7 +122,7 @@ void InspectorForms::addKind(PropertyForm& form, ElementKind kind, const Ids& id
 
 void InspectorForms::addSettings(PropertyForm& form) const
 {
-    form.addHeading(kindWord(ElementKind::Settings), icon(QStringLiteral("settings")));
+    form.addHeading(kindWord(kindOf<Settings>()), icon(QStringLiteral("settings")));
     const Settings usual;
     const DescribedField edge = describedField(usual, &usual.edgeLength);
     form.addNumber(

@@ -21,13 +21,6 @@ namespace {
 // A kind's index has the internal id 0, an element's its kind's row plus 1.
 constexpr quintptr kindLevel = 0;
 
-bool hasName(const Element& element)
-{
-    return !std::holds_alternative<Settings>(element) && !std::holds_alternative<Seam>(element) &&
-           !std::holds_alternative<FixationSeam>(element) && !std::holds_alternative<OutlineTrim>(element) &&
-           !std::holds_alternative<Quarantined>(element);
-}
-
 } // namespace
 
 ElementsModel::ElementsModel(Document& document, ProblemSet& problems, QObject* parent)
@@ -56,14 +49,14 @@ std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
     std::map<ElementKind, std::vector<Row>> byKind;
     for (const auto& [id, element] : design.elements())
         byKind[kindOf(*element)].push_back({id, displayName(design, id)});
-    for (const ElementKind kind : {ElementKind::Seam, ElementKind::FixationSeam, ElementKind::OutlineTrim})
-        tellApart(design, byKind[kind]);
-    std::erase_if(byKind, [](const auto& group) { return group.second.empty(); });
+    for (auto& [kind, rows] : byKind)
+        if (const Element& first = *design.element(rows.front().id); seamTrim(first) && !hasName(first))
+            tellApart(design, rows);
     std::vector<Group> groups;
     // What cannot be used comes first: it wants to be seen.
     for (const bool unusable : {true, false})
         for (auto& [kind, rows] : byKind)
-            if ((kind == ElementKind::Unusable) == unusable)
+            if ((kind == kindOf<Quarantined>()) == unusable)
                 groups.push_back({kind, std::move(rows)});
     return groups;
 }
@@ -190,7 +183,7 @@ QVariant ElementsModel::elementData(ElementKind kind, const Row& row, int role) 
     case HiddenRole:
         return isHidden(design, m_hidden, row.id);
     case ProblemRole:
-        if (kind == ElementKind::Unusable || m_problems.hasError(row.id))
+        if (kind == kindOf<Quarantined>() || m_problems.hasError(row.id))
             return 2;
         return m_problems.hasWarning(row.id) ? 1 : 0;
     default:

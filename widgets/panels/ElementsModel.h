@@ -49,7 +49,7 @@ private:
         friend bool operator==(const Row&, const Row&) = default;
     };
     struct Group {
-        ElementKind kind{};
+        ElementKind kind;
         std::vector<Row> rows;
     };
 

@@ -172,8 +172,18 @@ struct Entries {
     bool mayBeEmpty = true;                                     ///< in the text; else an empty list is a mistake
 };
 
+/// What a kind is called in the window; to be translated in the context "ElementText".
+struct KindNames {
+    int place;           ///< among the kinds in lists
+    const char* one;     ///< "Patch"
+    const char* many;    ///< "Patches"
+    const char* counted; ///< "%1 patches"
+    const char* icon;    ///< of resources/icons
+};
+
 /// Specialised for every kind and every struct that is a part of some.
 ///   static constexpr const char* word: of kinds, in the text form
+///   static constexpr KindNames names: of kinds
 ///   static constexpr const char* added: of kinds, the verb of adding one, with its name as %1
 ///   static SolveCost comes(const T&): of kinds, what one that comes or goes asks of the solver
 ///   static constexpr const char* wrong: of parts, what is said where there is something else than an object

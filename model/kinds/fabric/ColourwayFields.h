@@ -25,6 +25,9 @@ struct Description<Colourway::Entry> {
 template <>
 struct Description<Colourway> {
     static constexpr const char* word = "colourway";
+    static constexpr KindNames names{130, QT_TRANSLATE_NOOP("ElementText", "Colourway"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Colourways"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 colourways"), "colourway"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add colourway %1");
     static SolveCost comes(const Colourway&) { return SolveCost::Nothing; }
 

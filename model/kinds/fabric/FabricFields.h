@@ -94,6 +94,9 @@ struct Description<StretchLimits> {
 template <>
 struct Description<Fabric> {
     static constexpr const char* word = "fabric";
+    static constexpr KindNames names{120, QT_TRANSLATE_NOOP("ElementText", "Fabric"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Fabrics"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 fabrics"), "fabric"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add fabric %1");
     /// It matters through the patches that are made of it.
     static SolveCost comes(const Fabric&) { return SolveCost::Nothing; }

@@ -12,6 +12,9 @@ namespace bolster {
 template <>
 struct Description<FixationCurve> {
     static constexpr const char* word = "fixation_curve";
+    static constexpr KindNames names{30, QT_TRANSLATE_NOOP("ElementText", "Fixation curve"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Fixation curves"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 fixation curves"), "fixation-curve"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add fixation curve %1");
     /// It matters through the fixation seams that use it.
     static SolveCost comes(const FixationCurve&) { return SolveCost::Nothing; }
@@ -33,6 +36,9 @@ struct Description<FixationCurve> {
 template <>
 struct Description<FixationSeam> {
     static constexpr const char* word = "fixation_seam";
+    static constexpr KindNames names{40, QT_TRANSLATE_NOOP("ElementText", "Fixation"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Fixations"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 fixations"), "fixation-seam"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add a fixation seam");
     static SolveCost comes(const FixationSeam&) { return SolveCost::Resew; }
 

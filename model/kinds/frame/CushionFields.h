@@ -12,6 +12,9 @@ struct Patch;
 template <>
 struct Description<Cushion> {
     static constexpr const char* word = "cushion";
+    static constexpr KindNames names{90, QT_TRANSLATE_NOOP("ElementText", "Cushion"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Cushions"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 cushions"), "cushion"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add cushion %1");
     static SolveCost comes(const Cushion&) { return SolveCost::Retarget; }
 

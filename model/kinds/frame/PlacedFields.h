@@ -61,6 +61,9 @@ struct Description<FrameMaterial> {
 template <>
 struct Description<Frame> {
     static constexpr const char* word = "frame";
+    static constexpr KindNames names{80, QT_TRANSLATE_NOOP("ElementText", "Frame"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Frames"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 frames"), "frame"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add frame %1");
     static SolveCost comes(const Frame& frame) { return frame.contact ? SolveCost::Retarget : SolveCost::Nothing; }
 
@@ -103,6 +106,9 @@ struct Description<Frame> {
 template <>
 struct Description<Foam> {
     static constexpr const char* word = "foam";
+    static constexpr KindNames names{100, QT_TRANSLATE_NOOP("ElementText", "Foam"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Foam"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 pieces of foam"), "foam"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add foam %1");
     static SolveCost comes(const Foam&) { return SolveCost::Retarget; }
 
@@ -181,6 +187,9 @@ struct Description<ScanCut> {
 template <>
 struct Description<Scan> {
     static constexpr const char* word = "scan";
+    static constexpr KindNames names{110, QT_TRANSLATE_NOOP("ElementText", "Scan"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Scans"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 scans"), "scan"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add scan %1");
     static SolveCost comes(const Scan&) { return SolveCost::Retarget; }
 

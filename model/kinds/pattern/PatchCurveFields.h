@@ -33,6 +33,9 @@ struct Description<PatchCurve> {
 template <>
 struct Description<HandleCurve> {
     static constexpr const char* word = "handle_curve";
+    static constexpr KindNames names{50, QT_TRANSLATE_NOOP("ElementText", "Handle curve"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Handle curves"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 handle curves"), "handle-curve"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add handle curve %1");
     /// A new one begins where the surface is, so nothing is torn.
     static SolveCost comes(const HandleCurve&) { return SolveCost::Rebuild; }
@@ -58,6 +61,9 @@ struct Description<HandleCurve> {
 template <>
 struct Description<FancySeam> {
     static constexpr const char* word = "fancy_seam";
+    static constexpr KindNames names{60, QT_TRANSLATE_NOOP("ElementText", "Fancy seam"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Fancy seams"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 fancy seams"), "fancy-seam"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add fancy seam %1");
     static SolveCost comes(const FancySeam&) { return SolveCost::Rebuild; }
 

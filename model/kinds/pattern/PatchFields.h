@@ -12,6 +12,9 @@ struct Fabric;
 template <>
 struct Description<Patch> {
     static constexpr const char* word = "patch";
+    static constexpr KindNames names{10, QT_TRANSLATE_NOOP("ElementText", "Patch"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Patches"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 patches"), "patch"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add patch %1");
     static SolveCost comes(const Patch&) { return SolveCost::Resew; }
 

@@ -9,6 +9,9 @@ namespace bolster {
 template <>
 struct Description<Seam> {
     static constexpr const char* word = "seam";
+    static constexpr KindNames names{20, QT_TRANSLATE_NOOP("ElementText", "Seam"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Seams"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 seams"), "seam"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add a seam");
     static SolveCost comes(const Seam&) { return SolveCost::Resew; }
 

@@ -69,6 +69,9 @@ inline constexpr Field trimField{.key = "trim", .label = QT_TRANSLATE_NOOP("Fiel
 template <>
 struct Description<OutlineTrim> {
     static constexpr const char* word = "outline_trim";
+    static constexpr KindNames names{70, QT_TRANSLATE_NOOP("ElementText", "Trimmed edge"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Trimmed edges"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 trimmed edges"), "outline-trim"};
     static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add a trim");
     static SolveCost comes(const OutlineTrim&) { return SolveCost::Nothing; }
 
