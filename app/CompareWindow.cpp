@@ -103,9 +103,9 @@ void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)
     connect(&moved.surface().navigation(), &SurfaceNavigation::moved, this, [follow, &other](const Camera& camera) {
         follow([&] { other.surface().navigation().setCamera(camera); });
     });
-    connect(&moved.pattern(), &PatternView::transformChanged, this,
+    connect(&moved.pattern().navigation(), &PatternNavigation::transformChanged, this,
             [follow, &other](const PatternTransform& transform) {
-                follow([&] { other.pattern().setTransform(transform); });
+                follow([&] { other.pattern().navigation().setTransform(transform); });
             });
 }
 

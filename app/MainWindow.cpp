@@ -178,7 +178,7 @@ void MainWindow::connectDocument()
     connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);
 
     connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
-        m_pattern->setSurface(surface);
+        m_pattern->shown().setSurface(surface);
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
@@ -249,7 +249,7 @@ void MainWindow::designOpened()
     m_solver->forget(m_session->files());
     m_surface->shown().setFiles(m_session->files());
     m_actions->showScanColors->setVisible(m_surface->shown().hasScanColors());
-    m_pattern->fitAll();
+    m_pattern->navigation().fitAll();
     lookAtOpened();
     updateTitle();
     updateEditActions();
@@ -334,12 +334,12 @@ void MainWindow::showProblem(ElementId element)
         return;
     }
     m_elements->reveal(element);
-    m_pattern->fitSelection();
+    m_pattern->navigation().fitSelection();
 }
 
 void MainWindow::fitSelection()
 {
-    m_pattern->fitSelection();
+    m_pattern->navigation().fitSelection();
     m_surface->navigation().fitSelection();
 }
 

@@ -43,7 +43,7 @@ void MainWindow::connect3D()
     connect(&m_surface->visibility(), &SurfaceVisibility::hiddenChanged, this, &MainWindow::update3DActions);
     connect(&m_surface->visibility(), &SurfaceVisibility::hiddenChanged, this, [this] {
         m_elements->setHidden(m_surface->visibility().hidden());
-        m_pattern->setHidden(m_surface->visibility().hidden());
+        m_pattern->shown().setHidden(m_surface->visibility().hidden());
     });
     connect(&m_selection, &Selection::changed, this, &MainWindow::update3DActions);
     connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });

@@ -100,7 +100,7 @@ void MainWindow::connectActions()
 void MainWindow::connectViewActions()
 {
     connect(m_actions->fitAll, &QAction::triggered, this, [this] {
-        m_pattern->fitAll();
+        m_pattern->navigation().fitAll();
         m_surface->navigation().fitAll();
     });
     connect(m_actions->fitSelection, &QAction::triggered, this, &MainWindow::fitSelection);
@@ -140,7 +140,7 @@ void MainWindow::applyLayers()
     layers.fancySeams = m_actions->showFancySeams->isChecked();
     layers.twins = m_actions->showTwins->isChecked();
     layers.symmetry = m_actions->showSymmetry->isChecked();
-    m_pattern->setLayers(layers);
+    m_pattern->shown().setLayers(layers);
 
     using Layer = SurfaceView::Layer;
     m_surface->visibility().setLayerVisible(Layer::Checker, m_actions->showChecker->isChecked());

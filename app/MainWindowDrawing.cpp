@@ -29,23 +29,24 @@ void MainWindow::connectDrawing()
             apply(on);
         });
     };
-    keep(m_actions->snapping, QStringLiteral("snapping"), [this](bool on) { m_pattern->setSnapping(on); });
+    keep(m_actions->snapping, QStringLiteral("snapping"), [this](bool on) { m_pattern->aids().setSnapping(on); });
     keep(m_actions->showRulers, QStringLiteral("rulers"), [this](bool on) { m_pattern->setRulersShown(on); });
-    keep(m_actions->showGuides, QStringLiteral("guides"), [this](bool on) { m_pattern->setGuidesShown(on); });
-    keep(m_actions->lasso, QStringLiteral("lasso"), [this](bool on) { m_pattern->setLasso(on); });
-    connect(m_actions->removeGuides, &QAction::triggered, this, [this] { m_pattern->setGuides({}); });
+    keep(m_actions->showGuides, QStringLiteral("guides"),
+         [this](bool on) { m_pattern->aids().setGuidesShown(on); });
+    keep(m_actions->lasso, QStringLiteral("lasso"), [this](bool on) { m_pattern->aids().setLasso(on); });
+    connect(m_actions->removeGuides, &QAction::triggered, this, [this] { m_pattern->aids().setGuides({}); });
     connectBackground();
 }
 
 void MainWindow::connectBackground()
 {
     const auto change = [this](auto what) {
-        BackgroundPicture picture = m_pattern->background();
+        BackgroundPicture picture = m_pattern->aids().background();
         what(picture);
-        m_pattern->setBackground(picture);
+        m_pattern->aids().setBackground(picture);
     };
     const auto enable = [this] {
-        const bool any = !m_pattern->background().empty();
+        const bool any = !m_pattern->aids().background().empty();
         for (QAction* action : {m_actions->showBackground, m_actions->scaleBackground, m_actions->moveBackground,
                                 m_actions->removeBackground})
             action->setEnabled(any);
@@ -73,8 +74,8 @@ void MainWindow::connectBackground()
             [this] { m_pattern->setTool(PatternToolKind::BackgroundMove); });
     connect(m_actions->removeBackground, &QAction::triggered, this, [this, enable] {
         BackgroundPicture none;
-        none.opacity = m_pattern->background().opacity; // of the next one
-        m_pattern->setBackground(none);
+        none.opacity = m_pattern->aids().background().opacity; // of the next one
+        m_pattern->aids().setBackground(none);
         enable();
     });
 }
@@ -82,15 +83,16 @@ void MainWindow::connectBackground()
 void MainWindow::traceBackground(const QString& path)
 {
     QString problem;
-    BackgroundPicture picture = readBackground(path, m_pattern->transform().visible(m_pattern->size()), &problem);
+    BackgroundPicture picture =
+        readBackground(path, m_pattern->navigation().transform().visible(m_pattern->size()), &problem);
     if (picture.empty()) {
         m_status->flash(problem);
         return;
     }
     QSettings().setValue(pictureFolderKey, QFileInfo(path).path());
-    picture.opacity = m_pattern->background().opacity;
+    picture.opacity = m_pattern->aids().background().opacity;
     m_actions->showBackground->setChecked(true);
-    m_pattern->setBackground(picture);
+    m_pattern->aids().setBackground(picture);
     m_pattern->setTool(PatternToolKind::BackgroundScale); // its size is a guess
 }
 

@@ -93,7 +93,7 @@ void MainWindow::connectFabrics()
     connect(m_fabricPanel, &FabricPanel::editWanted, this, &MainWindow::editFabric);
     connect(m_fabricPanel, &FabricPanel::colourwayChosen, &commands, &FabricCommands::showColourway);
     connect(m_fabricLink.get(), &FabricLink::changed, this, [this] {
-        m_pattern->setFabricColors(m_fabricLink->colors());
+        m_pattern->shown().setFabricColors(m_fabricLink->colors());
         m_surface->shown().setFabricMaps(m_fabricLink->maps());
         m_inspector->setFabricPictures(m_fabricLink->pictures());
         updateProblems();

@@ -42,10 +42,10 @@ void MainWindow::connectFirstSteps()
 /// What was drawn with typed lengths can be larger than the view.
 void MainWindow::showDrawn()
 {
-    const Box2 seen = m_pattern->transform().visible(m_pattern->size());
+    const Box2 seen = m_pattern->navigation().transform().visible(m_pattern->size());
     for (const ElementId id : selectedOf<Patch>(document().design(), m_selection.elements()))
         if (!seen.contains(edits::layoutBox(*document().design().find<Patch>(id)))) {
-            m_pattern->fitAll();
+            m_pattern->navigation().fitAll();
             return;
         }
 }

@@ -62,7 +62,7 @@ void VersionPane::setVersion(const QString& title, const Design& design, const D
     m_document.reset(design);
     m_covers->setDesign(design);
     m_surface->shown().setFiles(files);
-    m_pattern->fitAll();
+    m_pattern->navigation().fitAll();
     m_fitCover = true;
     if (m_followed)
         showSurface(m_followed->surface());
@@ -82,7 +82,7 @@ void VersionPane::follow(SolverLink& solver)
 void VersionPane::showSurface(const SurfaceMeshPtr& surface)
 {
     m_surface->shown().setSurface(surface);
-    m_pattern->setSurface(surface);
+    m_pattern->shown().setSurface(surface);
     m_covers->setSurface(surface);
     if (surface && std::exchange(m_fitCover, false))
         m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);

@@ -4125,6 +4125,13 @@
     </message>
 </context>
 <context>
+    <name>PatternToolHost</name>
+    <message>
+        <source>%1 Let go here, and it goes back to where it was.</source>
+        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
+    </message>
+</context>
+<context>
     <name>PlacementGizmo</name>
     <message>
         <source>Turned by %1° – Ctrl snaps to 15°, Escape cancels</source>
@@ -6661,21 +6668,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::PatternView</name>
-    <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
-    </message>
-    <message>
-        <source>%1 Let go here, and it goes back to where it was.</source>
-        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
-    </message>
-    <message>
-        <source>Edge: %1</source>
-        <translation>Kante: %1</translation>
-    </message>
-</context>
-<context>
     <name>bolster::RenderDialog</name>
     <message>
         <source>Render</source>
@@ -7035,6 +7027,13 @@
     <message>
         <source>%1 it is.</source>
         <translation>%1 ist vergeben.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ShownPattern</name>
+    <message>
+        <source>Edge: %1</source>
+        <translation>Kante: %1</translation>
     </message>
 </context>
 <context>

@@ -96,7 +96,7 @@ void Designer::enter(const QString& text)
 
 QPoint Designer::pixel(const Vec2& at)
 {
-    return m_window.patternView().transform().toPixels(at).toPoint();
+    return m_window.patternView().navigation().transform().toPixels(at).toPoint();
 }
 
 void Designer::send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons,

@@ -70,9 +70,9 @@ TEST_F(DragTest, MovesAControlPointOfAnOutline)
     const Design before = window.document().design();
     PatternView& view = window.patternView();
     window.selection().set({seat});
-    view.fitSelection();
+    view.navigation().fitSelection();
 
-    view.setSnapping(false); // the point goes exactly where the pointer goes
+    view.aids().setSnapping(false); // the point goes exactly where the pointer goes
     const QPoint from = patternPixel(seat, 3);
     const QPoint by(18, -12);
     const Seen seen = drag(view, from, by);
@@ -88,7 +88,7 @@ TEST_F(DragTest, MovesAControlPointOfAnOutline)
     const Vec2 moved = toLayout(*window.document().design().find<Patch>(seat),
                                 window.document().design().find<Patch>(seat)->outline.points()[3]) -
                        toLayout(*before.find<Patch>(seat), before.find<Patch>(seat)->outline.points()[3]);
-    const double scale = view.transform().scale();
+    const double scale = view.navigation().transform().scale();
     EXPECT_NEAR(moved.x(), by.x() / scale, 1e-6);
     EXPECT_NEAR(moved.y(), -by.y() / scale, 1e-6);
 
@@ -156,7 +156,7 @@ TEST_F(DragTest, EscapeTakesItBack)
     PatternView& view = window.patternView();
     view.setFocus();
     window.selection().set({seat});
-    view.fitSelection();
+    view.navigation().fitSelection();
     const QPoint from = patternPixel(seat, 3);
     move(view, from, Qt::NoButton);
     press(view, from);
@@ -174,7 +174,7 @@ TEST_F(DragTest, UndoDuringADragTakesItBackFirst)
     ASSERT_TRUE(open(sample("armchair")));
     PatternView& view = window.patternView();
     window.selection().set({seat});
-    view.fitSelection();
+    view.navigation().fitSelection();
     window.document().commit(edits::movePatchPoints(window.document().design(), seat, std::array{5}, Vec2(3, 0)));
     const Design before = window.document().design();
     const QPoint from = patternPixel(seat, 3);

@@ -37,7 +37,7 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     PatternView& view = window.patternView();
     const auto expectFree = [&](const QWidget& hint) {
         ASSERT_TRUE(hint.isVisible());
-        EXPECT_FALSE(scaleBarPlace(view.transform(), view.size()).intersects(hint.geometry()));
+        EXPECT_FALSE(scaleBarPlace(view.navigation().transform(), view.size()).intersects(hint.geometry()));
         for (const QWidget* ruler : view.findChildren<PatternRuler*>())
             EXPECT_FALSE(ruler->isVisible() && ruler->geometry().intersects(hint.geometry()));
     };
@@ -54,7 +54,7 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     }
     const BSpline2 outline(1, true, {{0, 0}, {300, 0}, {300, 200}, {0, 200}});
     window.document().commit(edits::addPatch(window.document().design(), outline, "Seat"));
-    window.patternView().fitAll();
+    window.patternView().navigation().fitAll();
     for (const bool rulers : {true, false}) {
         window.actions().showRulers->setChecked(rulers);
         expectFree(next);
@@ -74,7 +74,7 @@ TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
     QTest::keyClicks(&view, QStringLiteral("3 m x 2 m"));
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
-    const Box2 seen = view.transform().visible(view.size());
+    const Box2 seen = view.navigation().transform().visible(view.size());
     EXPECT_GT(seen.sizes().x(), 3000);
     EXPECT_GT(seen.sizes().y(), 2000);
 }
@@ -83,11 +83,11 @@ TEST_F(DrawingWindowTest, SnappingStaysAsItWasLeft)
 {
     const bool before = window.actions().snapping->isChecked();
     window.actions().snapping->trigger();
-    EXPECT_EQ(window.patternView().snapping(), !before);
+    EXPECT_EQ(window.patternView().aids().snapping(), !before);
     MainWindow next;
     EXPECT_EQ(next.actions().snapping->isChecked(), !before);
     window.actions().snapping->trigger();
-    EXPECT_EQ(window.patternView().snapping(), before);
+    EXPECT_EQ(window.patternView().aids().snapping(), before);
 }
 
 } // namespace

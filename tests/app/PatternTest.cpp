@@ -158,8 +158,8 @@ TEST_F(PatternTest, AnImpossibleDragIsNeitherSolvedNorKept)
     PatternView& view = window.patternView();
     const auto status = [this] { return window.statusBar()->findChild<ElidedLabel*>()->fullText(); };
     window.selection().set({top});
-    view.fitSelection();
-    view.setSnapping(false);
+    view.navigation().fitSelection();
+    view.aids().setSnapping(false);
     const QPoint from = patternPixel(top, 0), across = patternPixel(top, 2) + QPoint(60, 10);
     move(view, from, Qt::NoButton);
     press(view, from);

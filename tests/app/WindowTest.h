@@ -75,7 +75,10 @@ protected:
     std::uint64_t meshRevision() { return window.solver().surface() ? window.solver().surface()->revision : 0; }
 
     /// Where a point of the layout is in the pattern view.
-    QPoint patternPixel(const Vec2& layout) { return window.patternView().transform().toPixels(layout).toPoint(); }
+    QPoint patternPixel(const Vec2& layout)
+    {
+        return window.patternView().navigation().transform().toPixels(layout).toPoint();
+    }
 
     QPoint patternPixel(ElementId patch, int point)
     {

@@ -112,7 +112,7 @@ bool FeelRecorder::dragPatch()
     const Patch& patch = *design.find<Patch>(id);
     PatternView& view = m_window.patternView();
     const Vec2 middle = patch.outline.boundingBox().center();
-    const QPointF at = view.transform().toPixels(toLayout(patch, middle));
+    const QPointF at = view.navigation().transform().toPixels(toLayout(patch, middle));
     if (view.hit(at).element() != id)
         return false;
     begin("patch");
@@ -130,7 +130,7 @@ bool FeelRecorder::dragOutline()
     const ElementId id = patches[static_cast<std::size_t>(below(static_cast<int>(patches.size())))];
     const Patch patch = *design.find<Patch>(id);
     const Vec2 middle = patch.outline.boundingBox().center();
-    const QPointF inside = view.transform().toPixels(toLayout(patch, middle));
+    const QPointF inside = view.navigation().transform().toPixels(toLayout(patch, middle));
     if (view.hit(inside).element() != id)
         return false;
     click(pattern, inside);
@@ -139,8 +139,8 @@ bool FeelRecorder::dragOutline()
     const int first = below(count);
     for (int i = 0; i < count; ++i) {
         const int point = (first + i) % count;
-        const QPointF at =
-            view.transform().toPixels(toLayout(patch, patch.outline.points()[static_cast<std::size_t>(point)]));
+        const QPointF at = view.navigation().transform().toPixels(
+            toLayout(patch, patch.outline.points()[static_cast<std::size_t>(point)]));
         const PatternHit hit = view.hit(at);
         if (!view.rect().adjusted(60, 60, -60, -60).contains(at.toPoint()) || hit.kind != PatternHit::Kind::Point ||
             hit.patch != id)

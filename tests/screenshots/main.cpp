@@ -75,7 +75,7 @@ void arrange(MainWindow& window, const QCommandLineParser& parser, const Options
         selected.insert(ElementId{id.toInt()});
     window.selection().set(selected);
     if (parser.isSet(options.close))
-        window.patternView().fitSelection();
+        window.patternView().navigation().fitSelection();
     if (parser.isSet(options.history)) {
         makeHistory(window.document());
         Docks::reveal(window.docks().history);
@@ -114,9 +114,9 @@ int run(QApplication& application)
     waitFor(done, 60000);
     waitFor([&] { return window.solver().status().resting; }, window.solver().surface() ? 20000 : 0);
     if (parser.isSet(options.close))
-        window.patternView().fitSelection();
+        window.patternView().navigation().fitSelection();
     else
-        window.patternView().fitAll();
+        window.patternView().navigation().fitAll();
     const QString dialog = parser.value(options.dialog);
     const Actions& actions = window.actions();
     for (const auto& [name, action] : {std::pair("figures", actions.report), std::pair("keys", actions.shortcuts),

@@ -29,10 +29,11 @@ protected:
         view.show();
         Box2 box(Vec2(-100, -400));
         box.extend(Vec2(900, 400));
-        view.setTransform(PatternTransform::fitting(box, view.size(), 0)); // a millimetre is a pixel wide
+        view.navigation().setTransform(
+            PatternTransform::fitting(box, view.size(), 0)); // a millimetre is a pixel wide
     }
 
-    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+    QPoint pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout).toPoint(); }
     void move(const Vec2& to, Qt::KeyboardModifiers modifiers = {})
     {
         const QPoint at = pixel(to);
@@ -196,7 +197,7 @@ TEST_F(DrawingTest, TypedLengthsSetPointsExactly)
 {
     view.setTool(PatternToolKind::Outline);
     click({400, 0});
-    const Vec2 first = view.transform().toLayout(pixel({400, 0}));
+    const Vec2 first = view.navigation().transform().toLayout(pixel({400, 0}));
     move({500, 0});
     type("250");
     type("100<90");
@@ -248,7 +249,7 @@ TEST_F(DrawingTest, RectanglesByDragClicksAndNumbers)
     type("300x20 cm");
     ASSERT_TRUE(drawn());
     EXPECT_TRUE(drawn()->outline.boundingBox().sizes().isApprox(Vec2(300, 200), 1e-9));
-    EXPECT_NEAR(drawn()->position.x(), view.transform().toLayout(pixel({400, 0})).x() - 300, 1e-6)
+    EXPECT_NEAR(drawn()->position.x(), view.navigation().transform().toLayout(pixel({400, 0})).x() - 300, 1e-6)
         << "towards the pointer";
     EXPECT_EQ(view.tool(), PatternToolKind::Select);
 }
@@ -281,7 +282,7 @@ TEST_F(DrawingTest, EllipsesAndCircles)
 
 TEST_F(DrawingTest, DrawsSnappedUnlessCtrlIsHeld)
 {
-    view.setSnapping(true);
+    view.aids().setSnapping(true);
     view.setTool(PatternToolKind::Outline);
     click({304, 3}); // the corner of the second square
     move({403, 4});
@@ -292,12 +293,12 @@ TEST_F(DrawingTest, DrawsSnappedUnlessCtrlIsHeld)
     ASSERT_EQ(drawnPoints().size(), 3U);
     EXPECT_LT((drawnPoints()[0] - Vec2(300, 0)).norm(), 1e-9);
     EXPECT_LT((drawnPoints()[1] - Vec2(400, 0)).norm(), 1e-6);
-    EXPECT_LT((drawnPoints()[2] - view.transform().toLayout(pixel({450, 203}))).norm(), 1e-9);
+    EXPECT_LT((drawnPoints()[2] - view.navigation().transform().toLayout(pixel({450, 203}))).norm(), 1e-9);
 }
 
 TEST_F(DrawingTest, CurvesInPatchesAreDrawnSnappedToo)
 {
-    view.setSnapping(true);
+    view.aids().setSnapping(true);
     view.setTool(PatternToolKind::FancySeam);
     click({20, 30});
     click({75, 33}); // nearly level
@@ -309,7 +310,7 @@ TEST_F(DrawingTest, CurvesInPatchesAreDrawnSnappedToo)
 
 TEST_F(DrawingTest, DraggedPointsAndPatchesSnap)
 {
-    view.setSnapping(true);
+    view.aids().setSnapping(true);
     selection.set({firstSquare});
     drag({100, 100}, {203, 104});
     EXPECT_LT((document.design().find<Patch>(firstSquare)->outline.points()[2] - Vec2(200, 100)).norm(), 1e-9)
@@ -326,7 +327,7 @@ TEST_F(DrawingTest, DraggedPointsAndPatchesSnap)
 
 TEST_F(DrawingTest, MeasuresBetweenPointsAndAlongEdges)
 {
-    view.setSnapping(true);
+    view.aids().setSnapping(true);
     view.setTool(PatternToolKind::Measure);
     move({40, 0});
     EXPECT_TRUE(view.prompt().contains(QStringLiteral("100 mm"))) << "the edge";
@@ -348,7 +349,7 @@ TEST_F(DrawingTest, ALoopSelectsWhatItHolds)
         move(p, Qt::AltModifier);
     release({-20, -10}, Qt::AltModifier);
     EXPECT_EQ(selection.elements(), Selection::Elements{firstSquare});
-    view.setLasso(true);
+    view.aids().setLasso(true);
     selection.clear();
     press({-20, -20});
     for (const Vec2& p : {Vec2(320, -20), Vec2(50, 50), Vec2(-20, 320)}) // cuts off the second square
@@ -396,19 +397,19 @@ TEST_F(DrawingTest, GuidesComeOutOfTheRulersAndGoBack)
         QTest::mouseRelease(ruler, Qt::LeftButton, {}, to - ruler->pos());
     };
     dragFrom(top, {500, 10}, pixel({400, 150}));
-    ASSERT_EQ(view.guides().y.size(), 1U);
-    EXPECT_NEAR(view.guides().y[0], 150, 0.6);
+    ASSERT_EQ(view.aids().guides().y.size(), 1U);
+    EXPECT_NEAR(view.aids().guides().y[0], 150, 0.6);
     dragFrom(left, {10, 500}, pixel({420, 150}));
-    ASSERT_EQ(view.guides().x.size(), 1U);
-    EXPECT_NEAR(view.guides().x[0], 420, 0.6);
+    ASSERT_EQ(view.aids().guides().x.size(), 1U);
+    EXPECT_NEAR(view.aids().guides().x[0], 420, 0.6);
     keepPicture(view, QStringLiteral("rulers"));
     // The level guide is moved by its mark on the left ruler.
     dragFrom(left, {10, pixel({0, 150}).y()}, pixel({0, 90}));
-    ASSERT_EQ(view.guides().y.size(), 1U);
-    EXPECT_NEAR(view.guides().y[0], 90, 0.6);
+    ASSERT_EQ(view.aids().guides().y.size(), 1U);
+    EXPECT_NEAR(view.aids().guides().y[0], 90, 0.6);
     dragFrom(left, {10, pixel({0, 90}).y()}, {300, 5});
-    EXPECT_TRUE(view.guides().y.empty());
-    EXPECT_EQ(view.guides().x.size(), 1U);
+    EXPECT_TRUE(view.aids().guides().y.empty());
+    EXPECT_EQ(view.aids().guides().x.size(), 1U);
     EXPECT_EQ(document.history().count(), 1);
 }
 
@@ -423,18 +424,18 @@ TEST_F(DrawingTest, APictureIsScaledByTwoPoints)
         return color.red() - color.blue();
     };
     EXPECT_LT(redness({500, 250}), 20);
-    view.setBackground(picture);
+    view.aids().setBackground(picture);
     EXPECT_GT(redness({500, 250}), 100);
     view.setTool(PatternToolKind::BackgroundScale);
     click({400, 300});
     click({500, 300});
     type("30 cm");
     EXPECT_EQ(view.tool(), PatternToolKind::Select);
-    EXPECT_NEAR(view.background().pixelSize, 3, 0.01);
-    EXPECT_LT((view.background().corner - Vec2(400, 300)).norm(), 1);
+    EXPECT_NEAR(view.aids().background().pixelSize, 3, 0.01);
+    EXPECT_LT((view.aids().background().corner - Vec2(400, 300)).norm(), 1);
     view.setTool(PatternToolKind::BackgroundMove);
     drag({500, 250}, {510, 230});
-    EXPECT_LT((view.background().corner - Vec2(410, 280)).norm(), 1);
+    EXPECT_LT((view.aids().background().corner - Vec2(410, 280)).norm(), 1);
     EXPECT_EQ(document.history().count(), 1) << "no part of the design";
 }
 

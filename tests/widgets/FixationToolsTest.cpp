@@ -374,11 +374,11 @@ protected:
             {{}, {{secondId, nullptr, makeElement(second)}, {rightPatch, nullptr, makeElement(right)}}}));
         view.resize(900, 700);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
         view.setTool(PatternToolKind::Attach);
     }
 
-    QPointF pixel(const Vec2& layout) const { return view.transform().toPixels(layout); }
+    QPointF pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout); }
     std::vector<FixationSeam> seams() const
     {
         std::vector<FixationSeam> result;

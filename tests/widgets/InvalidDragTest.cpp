@@ -47,11 +47,11 @@ protected:
         document.reset(squaresWithCurves());
         view.resize(900, 700);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
         QObject::connect(&document, &Document::refused, [this](const Message& why) { refused = why.english(); });
     }
 
-    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+    QPoint pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout).toPoint(); }
 
     void move(const Vec2& to) { moveTo(pixel(to)); }
     void moveTo(QPoint to)
@@ -288,7 +288,7 @@ TEST_F(InvalidDragTest, AnEndThatIsDraggedOverAnotherSeamGoesBack)
 
 TEST_F(InvalidDragTest, EndsOfStretchesSnap)
 {
-    view.setSnapping(true);
+    view.aids().setSnapping(true);
     Seam shorter = *document.design().find<Seam>(topSeam);
     shorter.a.from = 2.5;
     document.commit({{}, {{topSeam, nullptr, makeElement(shorter)}}});
@@ -334,16 +334,16 @@ TEST_F(InvalidDragTest, HiddenCurvesAreNeitherDrawnNorHit)
     ASSERT_EQ(hits({40, 30}), handle);
     ASSERT_EQ(hits({40, 60}), fancy);
     const QImage shown = view.grab().toImage();
-    PatternLayers layers = view.layers();
+    PatternLayers layers = view.shown().layers();
     layers.handles = false;
-    view.setLayers(layers);
+    view.shown().setLayers(layers);
     EXPECT_EQ(hits({40, 30}), firstSquare);
     EXPECT_EQ(hits({40, 60}), fancy);
     const QImage without = view.grab().toImage();
     EXPECT_NE(shown.pixelColor(pixel({40, 30})), without.pixelColor(pixel({40, 30})));
     EXPECT_EQ(shown.pixelColor(pixel({40, 60})), without.pixelColor(pixel({40, 60})));
     layers.fancySeams = false;
-    view.setLayers(layers);
+    view.shown().setLayers(layers);
     EXPECT_EQ(hits({40, 60}), firstSquare);
     selection.set({handle});
     EXPECT_EQ(hits({20, 30}), firstSquare) << "nor are its points";
@@ -369,7 +369,8 @@ TEST_F(InvalidDragTest, RandomDragsLeaveADesignThatEqualsItsReplay)
         else if (line != scene.lines().end())
             from = pixel(line->second.points.front());
         else if (const auto stretch = scene.stretches().find(id); stretch != scene.stretches().end())
-            from = view.transform().toPixels(toVec(stretch->second.path.pointAtPercent(0.03))).toPoint();
+            from =
+                view.navigation().transform().toPixels(toVec(stretch->second.path.pointAtPercent(0.03))).toPoint();
         moveTo(from);
         pressed = Qt::LeftButton;
         QTest::mousePress(&view, Qt::LeftButton, {}, from);

@@ -29,10 +29,10 @@ protected:
         document.reset(twoSquares());
         view.resize(900, 700);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
     }
 
-    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+    QPoint pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout).toPoint(); }
 
     void move(QPoint to, Qt::KeyboardModifiers modifiers = {})
     {
@@ -68,7 +68,7 @@ protected:
     }
 
     const Patch& patch(ElementId id) const { return *document.design().find<Patch>(id); }
-    Vec2 mm(QPoint pixels) const { return Vec2(pixels.x(), -pixels.y()) / view.transform().scale(); }
+    Vec2 mm(QPoint pixels) const { return Vec2(pixels.x(), -pixels.y()) / view.navigation().transform().scale(); }
 
     Document document;
     Selection selection;
@@ -87,13 +87,13 @@ TEST_F(PatternViewTest, WhatTheSurfaceViewHidesIsFaintUntilItIsSelected)
                std::abs(color.blue() - canvas.blue());
     };
     const int first = strength({30, 20}), second = strength({230, 20});
-    view.setHidden({secondSquare});
+    view.shown().setHidden({secondSquare});
     EXPECT_EQ(strength({30, 20}), first);
     EXPECT_LT(strength({230, 20}), second / 2);
     selection.set({secondSquare});
     EXPECT_GE(strength({230, 20}), second);
     selection.clear();
-    view.setHidden({});
+    view.shown().setHidden({});
     EXPECT_EQ(strength({230, 20}), second);
 }
 
@@ -291,16 +291,16 @@ TEST_F(PatternViewTest, EscapeGoesBackStepByStep)
 TEST_F(PatternViewTest, ZoomsAtThePointerAndPans)
 {
     const QPointF at(200, 300);
-    const Vec2 under = view.transform().toLayout(at);
-    const double scale = view.transform().scale();
+    const Vec2 under = view.navigation().transform().toLayout(at);
+    const double scale = view.navigation().transform().scale();
     QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                       false);
     QApplication::sendEvent(&view, &wheel);
-    EXPECT_GT(view.transform().scale(), scale);
-    EXPECT_TRUE(view.transform().toLayout(at).isApprox(under, 1e-9));
+    EXPECT_GT(view.navigation().transform().scale(), scale);
+    EXPECT_TRUE(view.navigation().transform().toLayout(at).isApprox(under, 1e-9));
 
     for (const bool withSpace : {false, true}) {
-        const Vec2 before = view.transform().toLayout(at);
+        const Vec2 before = view.navigation().transform().toLayout(at);
         if (withSpace)
             QTest::keyPress(&view, Qt::Key_Space);
         const Qt::MouseButton button = withSpace ? Qt::LeftButton : Qt::MiddleButton;
@@ -309,11 +309,11 @@ TEST_F(PatternViewTest, ZoomsAtThePointerAndPans)
         move(at.toPoint() + QPoint(50, 20));
         QTest::mouseRelease(&view, button, {}, at.toPoint() + QPoint(50, 20));
         QTest::keyRelease(&view, Qt::Key_Space);
-        EXPECT_TRUE(view.transform().toLayout(at + QPointF(50, 20)).isApprox(before, 1e-9));
+        EXPECT_TRUE(view.navigation().transform().toLayout(at + QPointF(50, 20)).isApprox(before, 1e-9));
     }
     EXPECT_EQ(document.history().count(), 1);
     QTest::keyClick(&view, Qt::Key_Home);
-    EXPECT_EQ(view.transform().scale(), scale);
+    EXPECT_EQ(view.navigation().transform().scale(), scale);
 }
 
 TEST_F(PatternViewTest, StaysFittedInAnySizeUntilTheUserMovesIt)
@@ -329,10 +329,10 @@ TEST_F(PatternViewTest, StaysFittedInAnySizeUntilTheUserMovesIt)
         view.resize(size);
         EXPECT_TRUE(whole()) << size.width();
     }
-    view.setTransform(view.transform().zoomed({450, 350}, 4));
-    const double scale = view.transform().scale();
+    view.navigation().setTransform(view.navigation().transform().zoomed({450, 350}, 4));
+    const double scale = view.navigation().transform().scale();
     view.resize(400, 300);
-    EXPECT_EQ(view.transform().scale(), scale);
+    EXPECT_EQ(view.navigation().transform().scale(), scale);
 }
 
 TEST_F(PatternViewTest, TellsWhatCanBeDone)
@@ -382,13 +382,13 @@ TEST_F(PatternViewTest, DrawsTheArmchair)
         openDesign(QString::fromStdString(test::samplesFolder() + "/armchair/armchair.json"));
     ASSERT_TRUE(opened.readable);
     document.reset(opened.design);
-    view.fitAll();
+    view.navigation().fitAll();
     keepPicture(view, QStringLiteral("armchair"));
     selection.set({ElementId{6}});
-    view.fitSelection();
+    view.navigation().fitSelection();
     keepPicture(view, QStringLiteral("armchair-seat"));
     selection.set({ElementId{48}});
-    view.fitSelection();
+    view.navigation().fitSelection();
     keepPicture(view, QStringLiteral("armchair-seam"));
 }
 
@@ -434,7 +434,7 @@ protected:
 
 TEST_F(PatternDrawTest, DrawsAHandleOnTheSurfaceAndGoesBackToSelecting)
 {
-    view.setSurface(firstSquareSurface());
+    view.shown().setSurface(firstSquareSurface());
     QSignalSpy changed(&view, &PatternView::toolChanged);
     view.setTool(PatternToolKind::HandleCurve);
     EXPECT_EQ(view.tool(), PatternToolKind::HandleCurve);
@@ -512,7 +512,7 @@ protected:
     {
         FancySeam seam{{"Pipe", firstSquare, BSpline2(1, false, {{20, 20}, {80, 20}, {80, 80}})}};
         document.reset(twoSquares().with({{}, {{line, nullptr, makeElement(seam)}}}));
-        view.fitAll();
+        view.navigation().fitAll();
     }
     const BSpline2& curve() const { return document.design().find<FancySeam>(line)->curve; }
 
@@ -553,7 +553,7 @@ TEST_F(PatternLineTest, GoesWithItsPatch)
 
 TEST_F(PatternLineTest, ShowsItsWidth)
 {
-    view.setLayers({false, false, false, false, false});
+    view.shown().setLayers({false, false, false, false, false});
     const QImage narrow = view.grab().toImage();
     FancySeam wide = *document.design().find<FancySeam>(line);
     wide.width = 30;

@@ -43,13 +43,13 @@ protected:
         document.reset(threePieces());
         view.resize(900, 700);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
         view.setTool(PatternToolKind::Sew);
         view.setFocus();
         (void)QTest::qWaitForWindowActive(&view);
     }
 
-    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+    QPoint pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout).toPoint(); }
 
     void move(const Vec2& to, Qt::KeyboardModifiers modifiers = {})
     {
@@ -191,9 +191,9 @@ TEST_F(SewToolTest, BothSidesGetTheSameLetter)
     selection.clear();
     const QColor color = seamColors(document.design(), false).at(ElementId{5});
     const auto colored = [&](const Vec2& at, bool letters) {
-        PatternLayers layers = view.layers();
+        PatternLayers layers = view.shown().layers();
         layers.labels = letters;
-        view.setLayers(layers);
+        view.shown().setLayers(layers);
         const QImage picture = view.grab().toImage();
         int count = 0;
         for (int y = -12; y <= 12; ++y)

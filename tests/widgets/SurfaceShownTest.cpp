@@ -428,7 +428,7 @@ TEST_F(SurfaceShown, ThePointUnderThePointerIsKnownInBothViews)
     PatternView pattern(document, selection, problems);
     pattern.resize(600, 500);
     pattern.show();
-    pattern.fitAll();
+    pattern.navigation().fitAll();
     QObject::connect(&view, &SurfaceView::coverPointed, &pattern, &PatternView::showPlace);
     QObject::connect(&pattern, &PatternView::patchPointed, &view, &SurfaceView::showPlace);
     auto* onPattern = pattern.findChild<Crosshair*>();
@@ -436,12 +436,12 @@ TEST_F(SurfaceShown, ThePointUnderThePointerIsKnownInBothViews)
 
     mouse.move(pixel({250, 60, 0}));
     EXPECT_TRUE(onPattern->isVisible());
-    const QPointF there = pattern.transform().toPixels({50, 60});
+    const QPointF there = pattern.navigation().transform().toPixels({50, 60});
     EXPECT_LT((QPointF(onPattern->geometry().center()) - there).manhattanLength(), 3);
     mouse.move({2, 2});
     EXPECT_FALSE(onPattern->isVisible());
 
-    Mouse(pattern).move(pattern.transform().toPixels({30, 160}));
+    Mouse(pattern).move(pattern.navigation().transform().toPixels({30, 160}));
     EXPECT_TRUE(onCover->isVisible());
     // Both patches lie at the same place of the layout: the upper one is under the pointer.
     EXPECT_LT((QPointF(onCover->geometry().center()) - pixel({230, 160, 0})).manhattanLength(), 4);

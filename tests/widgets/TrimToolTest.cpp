@@ -23,13 +23,13 @@ protected:
         document.reset(twoSquares());
         view.resize(900, 500);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
         view.setTool(PatternToolKind::Trim);
     }
 
     void click(const Vec2& layout)
     {
-        QTest::mouseClick(&view, Qt::LeftButton, {}, view.transform().toPixels(layout).toPoint());
+        QTest::mouseClick(&view, Qt::LeftButton, {}, view.navigation().transform().toPixels(layout).toPoint());
     }
 
     Document document;

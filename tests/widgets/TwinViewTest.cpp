@@ -33,11 +33,11 @@ protected:
         twin = twinOf(document.design(), firstSquare);
         view.resize(900, 700);
         view.show();
-        view.fitAll();
+        view.navigation().fitAll();
         selection.set({firstSquare});
     }
 
-    QPoint pixel(const Vec2& layout) const { return view.transform().toPixels(layout).toPoint(); }
+    QPoint pixel(const Vec2& layout) const { return view.navigation().transform().toPixels(layout).toPoint(); }
     void move(QPoint to, Qt::MouseButtons buttons = {})
     {
         QMouseEvent event(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, buttons, {});
@@ -178,9 +178,9 @@ TEST_F(TwinViewTest, MarksTheMirrorImageOfTheSelection)
     const QImage before = view.grab().toImage();
     selection.set({firstSquare});
     EXPECT_NE(view.grab().toImage().pixel(pixel({-70, 30})), before.pixel(pixel({-70, 30})));
-    PatternLayers layers = view.layers();
+    PatternLayers layers = view.shown().layers();
     layers.twins = false;
-    view.setLayers(layers);
+    view.shown().setLayers(layers);
     EXPECT_EQ(view.grab().toImage().pixel(pixel({-70, 30})), before.pixel(pixel({-70, 30})));
     selection.clear();
     Inspector inspector(document, selection, problems);

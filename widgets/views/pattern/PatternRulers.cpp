@@ -1,7 +1,8 @@
 #include "PatternRulers.h"
 
+#include "DrawingAids.h"
 #include "PatternGrid.h"
-#include "PatternView.h"
+#include "PatternNavigation.h"
 #include "Units.h"
 
 #include <QMouseEvent>
@@ -31,8 +32,11 @@ double labelStep(double scale)
 
 } // namespace
 
-PatternRuler::PatternRuler(PatternView& view, Qt::Orientation orientation)
+PatternRuler::PatternRuler(const PatternNavigation& navigation, DrawingAids& aids, Qt::Orientation orientation,
+                           QWidget& view)
     : QWidget(&view)
+    , m_navigation(navigation)
+    , m_aids(aids)
     , m_view(view)
     , m_orientation(orientation)
 {
@@ -41,11 +45,13 @@ PatternRuler::PatternRuler(PatternView& view, Qt::Orientation orientation)
     setToolTip(level() ? tr("Drag down for a level guide. Marks move upright guides; drag them off to remove them.")
                        : tr("Drag to the right for an upright guide. Marks move level guides; drag them off to "
                             "remove them."));
-    connect(&view, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
-        m_pointer = at;
-        update();
-    });
     hide();
+}
+
+void PatternRuler::showPointer(const std::optional<Vec2>& layout)
+{
+    m_pointer = layout;
+    update();
 }
 
 void PatternRuler::place()
@@ -57,7 +63,7 @@ void PatternRuler::place()
 
 double PatternRuler::along(const Vec2& layout) const
 {
-    const QPointF pixel = m_view.transform().toPixels(layout) - QPointF(pos());
+    const QPointF pixel = m_navigation.transform().toPixels(layout) - QPointF(pos());
     return level() ? pixel.x() : pixel.y();
 }
 
@@ -78,7 +84,7 @@ void PatternRuler::paintEvent(QPaintEvent*)
 void PatternRuler::paintScale(QPainter& painter) const
 {
     const ViewColors colors = ViewColors::of(m_view.palette());
-    const PatternTransform& transform = m_view.transform();
+    const PatternTransform& transform = m_navigation.transform();
     const double step = labelStep(transform.scale());
     const int parts = step * transform.scale() / 10 >= leastTickGap ? 10 : 5;
     const Box2 box = transform.visible(m_view.size());
@@ -116,7 +122,7 @@ void PatternRuler::paintMarks(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colors.snap);
-    const PatternGuides& guides = m_view.guides();
+    const PatternGuides& guides = m_aids.guides();
     for (const double value : level() ? guides.x : guides.y) {
         const double at = along({value, value});
         const double end = thickness - 1;
@@ -139,7 +145,7 @@ void PatternRuler::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton)
         return;
-    m_others = m_view.guides();
+    m_others = m_aids.guides();
     m_dragging = true;
     m_ownAxis = true;
     std::vector<double>& crossing = dragged(m_others);
@@ -155,9 +161,9 @@ void PatternRuler::mousePressEvent(QMouseEvent* event)
 void PatternRuler::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF inView = event->position() + QPointF(pos());
-    const Vec2 layout = m_view.transform().toLayout(inView);
+    const Vec2 layout = m_navigation.transform().toLayout(inView);
     if (!m_dragging) {
-        emit m_view.pointerMoved(layout);
+        emit pointerMoved(layout);
         return;
     }
     PatternGuides now = m_others;
@@ -168,7 +174,7 @@ void PatternRuler::mouseMoveEvent(QMouseEvent* event)
                                 : inView.y() >= room.top() && inView.y() <= room.bottom();
     if (inside)
         dragged(now).push_back(upright ? layout.x() : layout.y());
-    m_view.setGuides(now);
+    m_aids.setGuides(now);
 }
 
 void PatternRuler::mouseReleaseEvent(QMouseEvent* event)

@@ -8,7 +8,8 @@
 
 namespace bolster {
 
-class PatternView;
+class DrawingAids;
+class PatternNavigation;
 
 /// Along the top (Qt::Horizontal) or the left edge of the view, in mm. A drag out of the top ruler makes a level
 /// guide, out of the left one an upright guide. A guide is grabbed by its mark on the ruler that it crosses, and
@@ -19,10 +20,18 @@ class PatternRuler : public QWidget {
 public:
     static constexpr int thickness = 22; ///< pixels
 
-    PatternRuler(PatternView& view, Qt::Orientation orientation);
+    /// All must outlive it.
+    PatternRuler(const PatternNavigation& navigation, DrawingAids& aids, Qt::Orientation orientation,
+                 QWidget& view);
+    /// Marks where the pointer is, layout mm.
+    void showPointer(const std::optional<Vec2>& layout);
     /// Along the edge of the view, as it is now.
     void place();
     QSize sizeHint() const override { return {thickness, thickness}; }
+
+signals:
+    /// On the ruler.
+    void pointerMoved(const std::optional<bolster::Vec2>& layout);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -37,7 +46,9 @@ private:
     void paintScale(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
 
-    PatternView& m_view;
+    const PatternNavigation& m_navigation;
+    DrawingAids& m_aids;
+    QWidget& m_view;
     Qt::Orientation m_orientation;
     std::optional<Vec2> m_pointer; ///< layout mm
 

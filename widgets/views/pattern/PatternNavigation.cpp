@@ -1,0 +1,80 @@
+#include "PatternNavigation.h"
+
+#include "PatternScene.h"
+#include "Selection.h"
+
+#include <QWidget>
+
+namespace bolster {
+
+namespace {
+
+constexpr double fitMargin = 36; ///< pixels
+
+} // namespace
+
+PatternNavigation::PatternNavigation(const PatternScene& scene, const Selection& selection, const QWidget& view)
+    : m_scene(scene)
+    , m_selection(selection)
+    , m_view(view)
+{}
+
+void PatternNavigation::setTransform(const PatternTransform& transform)
+{
+    m_fitted.setEmpty();
+    apply(transform);
+    emit transformChanged(m_transform);
+}
+
+void PatternNavigation::apply(const PatternTransform& transform)
+{
+    m_transform = transform;
+    emit moved();
+}
+
+void PatternNavigation::fitAll()
+{
+    fit(m_scene.boundingBox());
+}
+
+void PatternNavigation::fitSelection()
+{
+    const Box2 box = m_scene.boundingBox(m_selection.elements());
+    fit(box.isEmpty() ? m_scene.boundingBox() : box);
+}
+
+void PatternNavigation::fit(const Box2& box)
+{
+    m_fitted = box;
+    fitAbove(0);
+    emit fitted();
+}
+
+void PatternNavigation::fitAgain()
+{
+    if (!m_fitted.isEmpty())
+        fit(m_fitted);
+}
+
+void PatternNavigation::fitAbove(int strip)
+{
+    apply(PatternTransform::fitting(m_fitted, m_view.size() - QSize(0, strip), fitMargin));
+}
+
+void PatternNavigation::resize(QSize before)
+{
+    if (m_fitted.isEmpty() && before.isValid())
+        m_transform = m_transform.resized(before, m_view.size());
+    else
+        fit(m_fitted);
+}
+
+void PatternNavigation::reveal(const Vec2& layout)
+{
+    const QRectF seen(m_view.rect());
+    const QPointF pixel = m_transform.toPixels(layout);
+    if (!seen.contains(pixel))
+        setTransform(m_transform.panned(seen.center() - pixel));
+}
+
+} // namespace bolster
