@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FrameParts</name>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n piece</numerusform>
+            <numerusform>%1: %n pieces</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>InspectorForms</name>
     <message numerus="yes">
         <source>%n elements</source>
@@ -10,18 +20,14 @@
             <numerusform>%n elements</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>TwinForm</name>
     <message numerus="yes">
         <source>%n released points</source>
         <translation>
             <numerusform>%n released point</numerusform>
             <numerusform>%n released points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n piece(s)</source>
-        <translation>
-            <numerusform>%1: %n piece</numerusform>
-            <numerusform>%1: %n pieces</numerusform>
         </translation>
     </message>
 </context>
