@@ -237,6 +237,13 @@
     </message>
 </context>
 <context>
+    <name>DescribedField</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
     <name>Docks</name>
     <message>
         <source>Pattern</source>
@@ -1054,7 +1061,35 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keine</translation>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>as made</source>
+        <translation>wie gefertigt</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Thread colour</source>
+        <translation>Garnfarbe</translation>
+    </message>
+    <message>
+        <source>Stitch distance</source>
+        <translation>Abstand der Stiche</translation>
+    </message>
+    <message>
+        <source>Piping radius</source>
+        <translation>Radius des Keders</translation>
+    </message>
+    <message>
+        <source>Piping fabric</source>
+        <translation>Stoff des Keders</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Mulde</translation>
     </message>
 </context>
 <context>
@@ -5526,134 +5561,6 @@
 <context>
     <name>bolster::FieldText</name>
     <message>
-        <source>First stretch</source>
-        <translation>Erster Abschnitt</translation>
-    </message>
-    <message>
-        <source>Second stretch</source>
-        <translation>Zweiter Abschnitt</translation>
-    </message>
-    <message>
-        <source>Bending length</source>
-        <translation>Biegelänge</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Continuity</source>
-        <translation>Stetigkeit</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Mesh edges</source>
-        <translation>Netzkanten</translation>
-    </message>
-    <message>
-        <source>Switched on</source>
-        <translation>Eingeschaltet</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Begins at</source>
-        <translation>Beginnt bei</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Match</source>
-        <translation>Zuordnung</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>Poisson parameter</source>
-        <translation>Poissonzahl</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
-    </message>
-    <message>
-        <source>Runs backwards</source>
-        <translation>Läuft rückwärts</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Symmetry</source>
-        <translation>Symmetrie</translation>
-    </message>
-    <message>
-        <source>Curve in space</source>
-        <translation>Kurve im Raum</translation>
-    </message>
-    <message>
-        <source>Ends at</source>
-        <translation>Endet bei</translation>
-    </message>
-    <message>
-        <source>Mirror twin</source>
-        <translation>Spiegelzwilling</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Wrong side out</source>
-        <translation>Linke Seite außen</translation>
-    </message>
-    <message>
         <source>usual</source>
         <translation>wie üblich</translation>
     </message>
@@ -5665,108 +5572,13 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points</source>
-        <translation>
-            <numerusform>%n Punkt</numerusform>
-            <numerusform>%n Punkte</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Across the grain</source>
-        <translation>Quer zum Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Seam allowance</source>
-        <translation>Nahtzugabe</translation>
-    </message>
-    <message>
-        <source>Along the grain</source>
-        <translation>Längs des Fadenlaufs</translation>
-    </message>
-    <message>
-        <source>Colourway shown</source>
-        <translation>Gezeigte Farbvariante</translation>
-    </message>
-    <message>
-        <source>Fabrics</source>
-        <translation>Stoffe</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Strain limits</source>
-        <translation>Dehnungsgrenzen</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>Piping fabric</source>
-        <translation>Stoff des Keders</translation>
-    </message>
-    <message>
-        <source>Piping radius</source>
-        <translation>Radius des Keders</translation>
-    </message>
-    <message>
-        <source>Relief</source>
-        <translation>Relief</translation>
-    </message>
-    <message>
-        <source>Roughness</source>
-        <translation>Rauheit</translation>
-    </message>
-    <message>
-        <source>Second colour</source>
-        <translation>Zweite Farbe</translation>
-    </message>
-    <message>
-        <source>Shear</source>
-        <translation>Scherung</translation>
-    </message>
-    <message>
-        <source>Stitching</source>
-        <translation>Steppung</translation>
-    </message>
-    <message>
-        <source>Stitch distance</source>
-        <translation>Abstand der Stiche</translation>
-    </message>
-    <message>
-        <source>Stitch length</source>
-        <translation>Stichlänge</translation>
-    </message>
-    <message>
-        <source>Thread colour</source>
-        <translation>Garnfarbe</translation>
-    </message>
-    <message>
-        <source>Thread width</source>
-        <translation>Garnstärke</translation>
-    </message>
-    <message>
-        <source>Trim</source>
-        <translation>Verzierung</translation>
-    </message>
-    <message>
-        <source>Valley</source>
-        <translation>Mulde</translation>
-    </message>
-    <message>
         <source>turned by %1</source>
         <translation>um %1 gedreht</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message numerus="yes">
         <source>%n points, %1 mm</source>
@@ -5778,38 +5590,6 @@
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>as made</source>
-        <translation>wie gefertigt</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>Padding</source>
-        <translation>Polsterung</translation>
-    </message>
-    <message>
-        <source>Slanted faces</source>
-        <translation>Schräge Flächen</translation>
-    </message>
-    <message>
-        <source>Padded parts</source>
-        <translation>Gepolsterte Teile</translation>
-    </message>
-    <message>
-        <source>Smallest detail</source>
-        <translation>Kleinste Einzelheit</translation>
-    </message>
-    <message>
-        <source>press like straight ones</source>
-        <translation>drücken wie gerade</translation>
-    </message>
-    <message>
-        <source>press harder</source>
-        <translation>drücken stärker</translation>
     </message>
 </context>
 <context>

@@ -61,13 +61,6 @@
 <context>
     <name>bolster::FieldText</name>
     <message numerus="yes">
-        <source>%n points</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n points, %1 mm</source>
         <translation>
             <numerusform>%n point, %1 mm</numerusform>

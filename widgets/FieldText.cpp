@@ -1,6 +1,6 @@
 #include "FieldText.h"
 
-#include "BSpline.h"
+#include "DescribedField.h"
 #include "ElementText.h"
 #include "Units.h"
 
@@ -12,10 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <numbers>
-#include <set>
 #include <vector>
 
 namespace bolster {
@@ -26,226 +23,246 @@ struct FieldWords {
     Q_DECLARE_TR_FUNCTIONS(bolster::FieldText)
 };
 
-constexpr qsizetype longest = 40; // characters of a value
+template <int Dim>
+BSpline<Dim> jsonCurve(const QJsonObject& object)
+{
+    std::vector<typename BSpline<Dim>::Point> points;
+    for (const QJsonValue& value : object[QStringLiteral("points")].toArray())
+        for (int axis = (points.emplace_back(), 0); axis < Dim; ++axis)
+            points.back()[axis] = value.toArray().at(axis).toDouble();
+    std::vector<int> corners;
+    for (const QJsonValue& corner : object[QStringLiteral("corners")].toArray())
+        corners.push_back(corner.toInt());
+    std::vector<double> knots;
+    for (const QJsonValue& knot : object[QStringLiteral("knots")].toArray())
+        knots.push_back(knot.toDouble());
+    return corners.empty() ? BSpline<Dim>(object[QStringLiteral("degree")].toInt(1),
+                                          object[QStringLiteral("closed")].toBool(), points, knots)
+                           : BSpline<Dim>::withCorners(points, corners);
+}
 
-/// "Stitching: twin, Stitch length: 4".
-QString objectText(const QJsonObject& object)
+/// What a curve looks like: how many points, and how large it is, which its control points say too much of.
+template <int Dim>
+QString jsonCurveText(const QJsonObject& object)
+{
+    const BSpline<Dim> curve = jsonCurve<Dim>(object);
+    const typename BSpline<Dim>::Point size = curve.boundingBox().sizes();
+    QStringList sizes;
+    for (int axis = 0; axis < Dim; ++axis)
+        sizes << decimalText(size[axis], 1, false);
+    return FieldWords::tr("%n points, %1 mm", nullptr, curve.pointCount())
+        .arg(sizes.join(QStringLiteral(" \u00d7 ")));
+}
+
+QString turnText(const QJsonArray& quaternion)
+{
+    const double cosine = std::clamp(std::abs(quaternion.at(0).toDouble()), 0.0, 1.0); // w first
+    return FieldWords::tr("turned by %1").arg(angleText(360 / std::numbers::pi * std::acos(cosine)));
+}
+
+QString numberText(double number, Unit unit)
+{
+    if (unit == Unit::Millimetres)
+        return lengthText(number, 2);
+    return unit == Unit::Degrees ? angleText(number) : QLocale().toString(number, 'g', 4) + unitSuffix(unit);
+}
+
+QString joinedNumbers(const QJsonArray& numbers, Unit unit)
 {
     QStringList parts;
-    for (auto field = object.begin(); field != object.end(); ++field) {
-        const QByteArray wrapped = QJsonDocument(QJsonArray{field.value()}).toJson(QJsonDocument::Compact);
-        parts << FieldWords::tr("%1: %2").arg(fieldText(field.key().toStdString()),
-                                              fieldValueText(wrapped.sliced(1, wrapped.size() - 2).toStdString()));
-    }
-    return parts.join(QStringLiteral(", "));
+    for (const QJsonValue& number : numbers)
+        parts << (unit == Unit::Millimetres ? decimalText(number.toDouble(), 2, false)
+                                            : QLocale().toString(number.toDouble(), 'g', 4));
+    return parts.join(QStringLiteral(", ")) + unitSuffix(unit);
 }
 
-} // namespace
-
-QString fieldText(const std::string& key)
+/// What no description says more of.
+QString plainText(const QJsonValue& value)
 {
-    static const std::map<std::string, const char*> words{
-        {"a", QT_TRANSLATE_NOOP("bolster::FieldText", "First stretch")},
-        {"across", QT_TRANSLATE_NOOP("bolster::FieldText", "Across the grain")},
-        {"allowance_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Seam allowance")},
-        {"along", QT_TRANSLATE_NOOP("bolster::FieldText", "Along the grain")},
-        {"b", QT_TRANSLATE_NOOP("bolster::FieldText", "Second stretch")},
-        {"bending_length", QT_TRANSLATE_NOOP("bolster::FieldText", "Bending length")},
-        {"color", QT_TRANSLATE_NOOP("bolster::FieldText", "Colour")},
-        {"colourway", QT_TRANSLATE_NOOP("bolster::FieldText", "Colourway shown")},
-        {"continuity", QT_TRANSLATE_NOOP("bolster::FieldText", "Continuity")},
-        {"curve", QT_TRANSLATE_NOOP("bolster::FieldText", "Curve")},
-        {"depth", QT_TRANSLATE_NOOP("bolster::FieldText", "Depth")},
-        {"dilation_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Padding")},
-        {"distance", QT_TRANSLATE_NOOP("bolster::FieldText", "Slanted faces")},
-        {"edge_length", QT_TRANSLATE_NOOP("bolster::FieldText", "Mesh edges")},
-        {"enabled", QT_TRANSLATE_NOOP("bolster::FieldText", "Switched on")},
-        {"fabric", QT_TRANSLATE_NOOP("bolster::FieldText", "Fabric")},
-        {"fabrics", QT_TRANSLATE_NOOP("bolster::FieldText", "Fabrics")},
-        {"file", QT_TRANSLATE_NOOP("bolster::FieldText", "File")},
-        {"from", QT_TRANSLATE_NOOP("bolster::FieldText", "Begins at")},
-        {"grain", QT_TRANSLATE_NOOP("bolster::FieldText", "Grain")},
-        {"kind", QT_TRANSLATE_NOOP("bolster::FieldText", "Kind")},
-        {"limits", QT_TRANSLATE_NOOP("bolster::FieldText", "Strain limits")},
-        {"look", QT_TRANSLATE_NOOP("bolster::FieldText", "Look")},
-        {"match", QT_TRANSLATE_NOOP("bolster::FieldText", "Match")},
-        {"name", QT_TRANSLATE_NOOP("bolster::FieldText", "Name")},
-        {"outline", QT_TRANSLATE_NOOP("bolster::FieldText", "Outline")},
-        {"parts", QT_TRANSLATE_NOOP("bolster::FieldText", "Padded parts")},
-        {"piping_fabric", QT_TRANSLATE_NOOP("bolster::FieldText", "Piping fabric")},
-        {"piping_radius_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Piping radius")},
-        {"poisson", QT_TRANSLATE_NOOP("bolster::FieldText", "Poisson parameter")},
-        {"position", QT_TRANSLATE_NOOP("bolster::FieldText", "Position")},
-        {"pressure", QT_TRANSLATE_NOOP("bolster::FieldText", "Pressure")},
-        {"profile", QT_TRANSLATE_NOOP("bolster::FieldText", "Profile")},
-        {"relief", QT_TRANSLATE_NOOP("bolster::FieldText", "Relief")},
-        {"reversed", QT_TRANSLATE_NOOP("bolster::FieldText", "Runs backwards")},
-        {"rotation", QT_TRANSLATE_NOOP("bolster::FieldText", "Rotation")},
-        {"roughness", QT_TRANSLATE_NOOP("bolster::FieldText", "Roughness")},
-        {"scale", QT_TRANSLATE_NOOP("bolster::FieldText", "Scale")},
-        {"scale_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Scale")},
-        {"second_color", QT_TRANSLATE_NOOP("bolster::FieldText", "Second colour")},
-        {"shear", QT_TRANSLATE_NOOP("bolster::FieldText", "Shear")},
-        {"size", QT_TRANSLATE_NOOP("bolster::FieldText", "Size")},
-        {"stiffness", QT_TRANSLATE_NOOP("bolster::FieldText", "Stiffness")},
-        {"stitch", QT_TRANSLATE_NOOP("bolster::FieldText", "Stitching")},
-        {"stitch_distance_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Stitch distance")},
-        {"stitch_length_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Stitch length")},
-        {"strength", QT_TRANSLATE_NOOP("bolster::FieldText", "Strength")},
-        {"symmetry", QT_TRANSLATE_NOOP("bolster::FieldText", "Symmetry")},
-        {"target", QT_TRANSLATE_NOOP("bolster::FieldText", "Curve in space")},
-        {"thread", QT_TRANSLATE_NOOP("bolster::FieldText", "Thread colour")},
-        {"thread_width_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Thread width")},
-        {"to", QT_TRANSLATE_NOOP("bolster::FieldText", "Ends at")},
-        {"trim", QT_TRANSLATE_NOOP("bolster::FieldText", "Trim")},
-        {"twin", QT_TRANSLATE_NOOP("bolster::FieldText", "Mirror twin")},
-        {"valley", QT_TRANSLATE_NOOP("bolster::FieldText", "Valley")},
-        {"voxel_mm", QT_TRANSLATE_NOOP("bolster::FieldText", "Smallest detail")},
-        {"width", QT_TRANSLATE_NOOP("bolster::FieldText", "Width")},
-        {"wrong_side_out", QT_TRANSLATE_NOOP("bolster::FieldText", "Wrong side out")},
-    };
-    const auto found = words.find(key);
-    return found != words.end() ? FieldWords::tr(found->second) : QString::fromStdString(key).replace(u'_', u' ');
-}
-
-QString fieldValueText(const std::string& json)
-{
-    if (json.empty())
-        return FieldWords::tr("usual");
-    const QJsonDocument wrapped = QJsonDocument::fromJson("[" + QByteArray::fromStdString(json) + "]");
-    const QJsonValue value = wrapped.array().at(0);
     if (value.isDouble())
-        return QLocale().toString(value.toDouble(), 'g', 6);
+        return numberText(value.toDouble(), Unit::None);
     if (value.isString())
         return value.toString();
     if (value.isBool())
         return value.toBool() ? FieldWords::tr("yes") : FieldWords::tr("no");
-    if (const QJsonArray points = value[QStringLiteral("points")].toArray(); !points.isEmpty())
-        return FieldWords::tr("%n points", nullptr, static_cast<int>(points.size()));
-    if (value.isObject()) // a part of an element: what differs from the usual
-        return objectText(value.toObject());
-    const QString text = QString::fromStdString(json);
-    return text.size() > longest ? text.left(longest - 1) + u'\u2026' : text;
+    if (value.isObject())
+        return QString::fromUtf8(QJsonDocument(value.toObject()).toJson(QJsonDocument::Compact));
+    QStringList parts;
+    for (const QJsonValue& entry : value.toArray())
+        parts << plainText(entry);
+    return parts.join(QStringLiteral(", "));
 }
 
-namespace {
-
-const std::set<std::string> keysOfElements{"colourway", "curve", "cushion", "fabric",       "frame",
-                                           "of",        "patch", "patches", "piping_fabric"};
-const std::set<std::string> keysOfLengths{"bending_length", "contact_gap", "depth", "edge_length",
-                                          "position",       "size",        "width"};
-const std::set<std::string> keysOfAngles{"grain", "rotation"};
-
-class ValueWords {
+/// Finds the field of a key among those that it walks over, and says a value of it.
+class JsonValueText {
 public:
-    ValueWords(const Design& design, std::string key)
+    JsonValueText(const Design& design, const QString& key, const QJsonValue& value)
         : m_design(design)
-        , m_key(std::move(key))
-        , m_length(keysOfLengths.contains(m_key) || m_key.ends_with("_mm"))
+        , m_key(key)
+        , m_value(value)
+        , m_label(QString(key).replace(u'_', u' '))
+        , m_text(value.isNull() ? FieldWords::tr("usual") : plainText(value))
     {}
 
-    QString text(const QJsonValue& value) const
-    {
-        if (value.isDouble())
-            return numberText(value.toDouble());
-        if (value.isString() && m_key == "distance")
-            return value.toString() == QLatin1String("euclidean") ? FieldWords::tr("press like straight ones")
-                                                                  : FieldWords::tr("press harder");
-        if (value.isString())
-            return value.toString().replace(u'_', u' ');
-        if (value.isBool())
-            return value.toBool() ? FieldWords::tr("yes") : FieldWords::tr("no");
-        return value.isArray() ? listText(value.toArray()) : objectText(value.toObject());
-    }
+    const QString& label() const { return m_label; }
+    const QString& text() const { return m_text; }
 
-private:
-    QString numberText(double number) const
+    /// Of all its members; those of a stretch, and of what has a patch and a fabric, have phrases of their own.
+    template <class T>
+    static QString partText(const Design& design, const QJsonObject& object)
     {
-        if (keysOfElements.contains(m_key))
-            return displayName(m_design, static_cast<ElementId>(static_cast<int>(number)));
-        if (keysOfAngles.contains(m_key))
-            return angleText(number);
-        return m_length ? lengthText(number, 2) : QLocale().toString(number, 'g', 4);
-    }
-
-    QString listText(const QJsonArray& values) const
-    {
-        if (m_key == "rotation" && values.size() == 4) // a quaternion, w first
-            return FieldWords::tr("turned by %1").arg(angleText(turn(values.at(0).toDouble())));
-        QStringList parts;
-        for (const QJsonValue& value : values)
-            parts << (m_length && value.isDouble() ? decimalText(value.toDouble(), 2, false) : text(value));
-        const QString all = parts.join(QStringLiteral(", "));
-        return m_length ? FieldWords::tr("%1 mm").arg(all) : all;
-    }
-
-    static double turn(double w) { return 360 / std::numbers::pi * std::acos(std::clamp(std::abs(w), 0.0, 1.0)); }
-
-    template <int Dim>
-    static BSpline<Dim> curveOf(const QJsonObject& object)
-    {
-        std::vector<typename BSpline<Dim>::Point> points;
-        for (const QJsonValue& value : object[QStringLiteral("points")].toArray())
-            for (int axis = (points.emplace_back(), 0); axis < Dim; ++axis)
-                points.back()[axis] = value.toArray().at(axis).toDouble();
-        std::vector<int> corners;
-        for (const QJsonValue& corner : object[QStringLiteral("corners")].toArray())
-            corners.push_back(corner.toInt());
-        std::vector<double> knots;
-        for (const QJsonValue& knot : object[QStringLiteral("knots")].toArray())
-            knots.push_back(knot.toDouble());
-        return corners.empty() ? BSpline<Dim>(object[QStringLiteral("degree")].toInt(1),
-                                              object[QStringLiteral("closed")].toBool(), points, knots)
-                               : BSpline<Dim>::withCorners(points, corners);
-    }
-
-    /// What a curve looks like: how many points, and how large it is, which its control points say too much of.
-    template <int Dim>
-    static QString curveText(const QJsonObject& object)
-    {
-        const BSpline<Dim> curve = curveOf<Dim>(object);
-        const typename BSpline<Dim>::Point size = curve.boundingBox().sizes();
-        QStringList sizes;
-        for (int axis = 0; axis < Dim; ++axis)
-            sizes << decimalText(size[axis], 1, false);
-        return FieldWords::tr("%n points, %1 mm", nullptr, curve.pointCount())
-            .arg(sizes.join(QStringLiteral(" \u00d7 ")));
-    }
-
-    QString objectText(const QJsonObject& object) const
-    {
-        if (const QJsonArray points = object[QStringLiteral("points")].toArray(); !points.isEmpty())
-            return points.first().toArray().size() == 3 ? curveText<3>(object) : curveText<2>(object);
-        const auto part = [&](const char* key) {
-            return ValueWords(m_design, key).text(object[QLatin1String(key)]);
+        const auto member = [&](const QString& key) {
+            JsonValueText inner(design, key, object[key]);
+            inner.part({}, T{});
+            return inner;
         };
-        if (object.contains(QLatin1String("patch")) && object.contains(QLatin1String("from")))
-            return FieldWords::tr("%1, from %2 to %3").arg(part("patch"), part("from"), part("to"));
-        if (object.contains(QLatin1String("patch")) && object.contains(QLatin1String("fabric")))
-            return FieldWords::tr("%1: %2").arg(part("patch"), part("fabric"));
+        const auto valueOf = [&](const char* key) { return member(QString::fromLatin1(key)).text(); };
+        if constexpr (std::is_same_v<T, Stretch>)
+            return FieldWords::tr("%1, from %2 to %3").arg(valueOf("patch"), valueOf("from"), valueOf("to"));
+        if constexpr (std::is_same_v<T, Colourway::Entry>)
+            return FieldWords::tr("%1: %2").arg(valueOf("patch"), valueOf("fabric"));
         QStringList parts;
-        for (auto field = object.begin(); field != object.end(); ++field) {
-            const std::string key = field.key().toStdString();
-            parts << FieldWords::tr("%1: %2").arg(fieldText(key), ValueWords(m_design, key).text(field.value()));
+        for (const QString& key : object.keys()) {
+            const JsonValueText said = member(key);
+            parts << FieldWords::tr("%1: %2").arg(said.label(), said.text());
         }
         return parts.join(QStringLiteral(", "));
     }
 
+    template <class Form, class Value>
+    void field(const Field& f, const Form& form, const Value&)
+    {
+        if (isIt(f))
+            m_text = m_value.isNull() ? withoutText(f) : valueText(form, Value{});
+    }
+    template <class T>
+    void group(const Field& f, const T&)
+    {
+        if (isIt(f))
+            m_text = m_value.isNull() ? withoutText(f) : partText<T>(m_design, m_value.toObject());
+    }
+    template <class T>
+    void group(const Field& f, const std::optional<T>&)
+    {
+        group(f, T{});
+    }
+    template <class T>
+    void part(const Field&, const T& value)
+    {
+        Description<T>::of(*this, value);
+    }
+    template <class Walk>
+    void within(const Field& f, Walk walk)
+    {
+        if (!isIt(f))
+            return;
+        QStringList parts;
+        const QJsonObject object = m_value.toObject();
+        for (const QString& key : object.keys()) {
+            JsonValueText inner(m_design, key, object[key]);
+            walk(inner);
+            parts << FieldWords::tr("%1: %2").arg(inner.label(), inner.text());
+        }
+        m_text = parts.join(QStringLiteral(", "));
+    }
+    template <class T>
+    void list(const Field& f, const Entries&, const std::vector<T>&)
+    {
+        if (!isIt(f))
+            return;
+        QStringList parts;
+        for (const QJsonValue& entry : m_value.toArray())
+            parts << partText<T>(m_design, entry.toObject());
+        m_text = m_value.isNull() ? withoutText(f) : parts.join(QStringLiteral(", "));
+    }
+    template <class T>
+    void usual(const T&)
+    {}
+
+private:
+    bool isIt(const Field& f)
+    {
+        if (m_key != QLatin1String(f.key))
+            return false;
+        if (const char* label = *f.alone ? f.alone : f.label; *label)
+            m_label = QCoreApplication::translate("Field", label);
+        return true;
+    }
+    static QString withoutText(const Field& f)
+    {
+        return *f.without ? QCoreApplication::translate("Field", f.without) : FieldWords::tr("usual");
+    }
+
+    template <class Form, class Value>
+    QString valueText(const Form&, const Value&) const
+    {
+        return plainText(m_value);
+    }
+    template <class Value>
+    QString valueText(const Number& form, const Value&) const
+    {
+        return numberText(m_value.toDouble(), form.unit);
+    }
+    template <class Value>
+    QString valueText(const Coordinates& form, const Value&) const
+    {
+        return joinedNumbers(m_value.toArray(), form.unit);
+    }
+    template <class Value>
+    QString valueText(const Turn&, const Value&) const
+    {
+        return turnText(m_value.toArray());
+    }
+    template <int Dim>
+    QString valueText(const Curve&, const BSpline<Dim>&) const
+    {
+        return jsonCurveText<Dim>(m_value.toObject());
+    }
+    template <class Value>
+    QString valueText(const Words& words, const Value&) const
+    {
+        const std::string key = m_value.toString().toStdString();
+        for (std::size_t i = 0; i < words.keys.size(); ++i)
+            if (key == words.keys[i])
+                return QCoreApplication::translate("Field", words.labels[i]);
+        return plainText(m_value);
+    }
+    template <class T, class Value>
+    QString valueText(const Refers<T>&, const Value&) const
+    {
+        QStringList names;
+        for (const QJsonValue& id : m_value.isArray() ? m_value.toArray() : QJsonArray{m_value})
+            names << displayName(m_design, static_cast<ElementId>(id.toInt()));
+        return names.join(QStringLiteral(", "));
+    }
+
     const Design& m_design;
-    std::string m_key;
-    bool m_length;
+    QString m_key;
+    QJsonValue m_value;
+    QString m_label;
+    QString m_text;
 };
+
+JsonValueText textOfField(const Design& design, const Element& element, const std::string& key,
+                          const QJsonValue& value)
+{
+    JsonValueText text(design, QString::fromStdString(key), value);
+    std::visit([&]<class T>(const T&) { text.part({}, T{}); }, element);
+    return text;
+}
 
 } // namespace
 
-QString fieldValueText(const Design& design, const std::string& key, const std::string& json)
+QString fieldText(const Element& element, const std::string& key)
 {
-    if (json.empty())
-        return key == "colourway" ? FieldWords::tr("as made")
-               : key == "twin"    ? FieldWords::tr("none")
-                                  : FieldWords::tr("usual");
-    const QJsonDocument wrapped = QJsonDocument::fromJson("[" + QByteArray::fromStdString(json) + "]");
-    const QString text = ValueWords(design, key).text(wrapped.array().at(0));
+    return textOfField(Design(), element, key, {}).label();
+}
+
+QString fieldValueText(const Design& design, const Element& element, const std::string& key,
+                       const std::string& json)
+{
+    const QJsonArray wrapped = QJsonDocument::fromJson("[" + QByteArray::fromStdString(json) + "]").array();
+    const QString text = textOfField(design, element, key, wrapped.isEmpty() ? QJsonValue() : wrapped.at(0)).text();
     constexpr qsizetype most = 80; // characters
     return text.size() > most ? text.left(most - 1) + u'\u2026' : text;
 }

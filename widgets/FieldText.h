@@ -1,4 +1,4 @@
-// How the keys of the text form are called in the window.
+// How the fields of the text form, and their values, are called in the window.
 #pragma once
 
 #include "Design.h"
@@ -9,11 +9,11 @@
 
 namespace bolster {
 
-/// "Bending length"; the key itself where it has no other name.
-QString fieldText(const std::string& key);
-/// A value in JSON for a list: numbers and texts as they are, the rest in short.
-QString fieldValueText(const std::string& json);
-/// The same in the words of a design: elements by their names, lengths and angles with their units.
-QString fieldValueText(const Design& design, const std::string& key, const std::string& json);
+/// Of an element like this: "Bending length"; the key itself where its kind has no such field.
+QString fieldText(const Element& element, const std::string& key);
+/// A value in JSON, in the words of a design: elements by their names, lengths and angles with their units. What is
+/// not there is "usual".
+QString fieldValueText(const Design& design, const Element& element, const std::string& key,
+                       const std::string& json);
 
 } // namespace bolster

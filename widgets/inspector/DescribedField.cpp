@@ -8,9 +8,7 @@
 
 namespace bolster {
 
-namespace {
-
-QString suffixOf(Unit unit)
+QString unitSuffix(Unit unit)
 {
     switch (unit) {
     case Unit::Millimetres:
@@ -27,9 +25,11 @@ QString suffixOf(Unit unit)
     return {};
 }
 
+namespace {
+
 NumberBox::Range rangeOf(double least, double most, Unit unit, const NumberBoxing& box)
 {
-    return {suffixOf(unit), box.decimals, std::max(least, box.least), std::min(most, box.most), box.step};
+    return {unitSuffix(unit), box.decimals, std::max(least, box.least), std::min(most, box.most), box.step};
 }
 
 } // namespace
@@ -58,7 +58,7 @@ NumberBox::Range DescribedField::range() const
 
 QString DescribedField::noneText()
 {
-    return QCoreApplication::translate("Field", "none");
+    return QCoreApplication::translate("DescribedField", "none");
 }
 
 ElementChoice elementsToChoose(const Design& design, std::size_t kind, const QString& none)

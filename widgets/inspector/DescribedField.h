@@ -12,6 +12,9 @@
 
 namespace bolster {
 
+/// " mm"; as behind a number.
+QString unitSuffix(Unit unit);
+
 struct DescribedField {
     Field field;
     std::optional<Number> number;
