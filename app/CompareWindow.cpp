@@ -173,10 +173,11 @@ void CompareWindow::fillList()
             item->setText(2, tr("only now"));
         else if (difference.kind == Difference::Kind::Removed)
             item->setText(1, tr("only there"));
+        const ElementPtr element = named.element(difference.element);
         for (const Difference::Field& field : difference.fields) {
-            auto* child =
-                new QTreeWidgetItem(item, {fieldText(field.key), fieldValueText(m_other, field.key, field.before),
-                                           fieldValueText(m_document.committed(), field.key, field.after)});
+            auto* child = new QTreeWidgetItem(
+                item, {fieldText(*element, field.key), fieldValueText(m_other, *element, field.key, field.before),
+                       fieldValueText(m_document.committed(), *element, field.key, field.after)});
             child->setData(0, elementRole, static_cast<int>(difference.element));
         }
     }

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FrameParts</name>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n piece</numerusform>
+            <numerusform>%1: %n pieces</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>InspectorForms</name>
     <message numerus="yes">
         <source>%n elements</source>
@@ -10,18 +20,14 @@
             <numerusform>%n elements</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>TwinForm</name>
     <message numerus="yes">
         <source>%n released points</source>
         <translation>
             <numerusform>%n released point</numerusform>
             <numerusform>%n released points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n piece(s)</source>
-        <translation>
-            <numerusform>%1: %n piece</numerusform>
-            <numerusform>%1: %n pieces</numerusform>
         </translation>
     </message>
 </context>
@@ -54,13 +60,6 @@
 </context>
 <context>
     <name>bolster::FieldText</name>
-    <message numerus="yes">
-        <source>%n points</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n points, %1 mm</source>
         <translation>

@@ -57,6 +57,19 @@ void eachKind(Visit visit)
     (std::make_index_sequence<std::variant_size_v<Element>>());
 }
 
+/// Its place in Element; npos for AnyKind.
+template <class T>
+constexpr std::size_t placeOfKind()
+{
+    std::size_t place = 0, found = std::variant_npos;
+    eachKind([&]<class K>() {
+        if (std::is_same_v<K, T>)
+            found = place;
+        ++place;
+    });
+    return found;
+}
+
 /// Whether the text form has elements of this kind: all but the settings, which stand at its head, and what is
 /// none.
 template <class T>

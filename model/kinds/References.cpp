@@ -8,18 +8,6 @@ namespace bolster {
 
 namespace {
 
-template <class T>
-constexpr std::size_t placeOf()
-{
-    std::size_t place = 0, found = std::variant_npos;
-    eachKind([&]<class K>() {
-        if (std::is_same_v<K, T>)
-            found = place;
-        ++place;
-    });
-    return found;
-}
-
 /// Walks over what refers to something and passes by all else.
 template <class Walker>
 class ReferenceWalker {
@@ -30,7 +18,7 @@ public:
     template <class T, class Ids>
     void field(const Field&, const Refers<T>& form, Ids& ids)
     {
-        self().refers(ids, Reference{{}, placeOf<T>(), form.need});
+        self().refers(ids, Reference{{}, placeOfKind<T>(), form.need});
     }
     template <class S>
     void group(const Field&, S& value)

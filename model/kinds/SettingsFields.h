@@ -51,7 +51,8 @@ struct Description<Settings> {
                 s.symmetry...);
         v.field({.key = "colourway",
                  .label = QT_TRANSLATE_NOOP("Field", "Colourway shown"),
-                 .meaning = "the one that is shown; without it each patch shows its own fabric"},
+                 .meaning = "the one that is shown; without it each patch shows its own fabric",
+                 .without = QT_TRANSLATE_NOOP("Field", "as made")},
                 Refers<Colourway>{Need::Shown, false}, s.colourway...);
     }
 };

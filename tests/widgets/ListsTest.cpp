@@ -203,32 +203,40 @@ TEST_F(ListsTest, TrimmedEdgesAndColourwaysAreListedAndHaveTheirForms)
 
 TEST(FieldText, SaysAPartOfAnElementInWords)
 {
-    EXPECT_EQ(fieldText("trim"), "Trim");
-    EXPECT_EQ(fieldValueText(R"({"stitch": "twin", "valley": false})"), "Stitching: twin, Valley: no");
-    EXPECT_EQ(fieldValueText(R"({"patch": 2, "from": 0, "to": 1})"), "Begins at: 0, patch: 2, Ends at: 1");
+    const Design design = twoSquares();
+    const Element seam = Seam{};
+    EXPECT_EQ(fieldText(seam, "trim"), "Trim");
+    EXPECT_EQ(fieldValueText(design, seam, "trim", R"({"stitch": "twin", "valley": false})"),
+              "Stitching: Twin rows, Valley: no");
+    EXPECT_EQ(fieldText(Element(Cushion{}), "enabled"), "Pushes the cover");
+    EXPECT_EQ(fieldText(Element(Scan{}), "enabled"), "Fit the cover to it");
 }
 
 TEST(FieldText, SaysValuesInTheWordsOfTheDesign)
 {
     const Design design = twoSquares();
-    const auto text = [&](const char* key, const char* json) { return fieldValueText(design, key, json); };
+    const auto text = [&](const Element& element, const char* key, const char* json) {
+        return fieldValueText(design, element, key, json);
+    };
     const QString first = displayName(design, firstSquare);
-    EXPECT_EQ(text("patch", "1"), displayName(design, ElementId{1}));
-    EXPECT_EQ(text("patches", ("[" + std::to_string(number(firstSquare)) + "]").c_str()), first);
-    EXPECT_EQ(
-        text("a", (R"({"patch": )" + std::to_string(number(firstSquare)) + R"(, "from": 0, "to": 1})").c_str()),
-        first + ", from 0 to 1");
-    EXPECT_EQ(text("edge_length", "12.123456"), "12.12 mm");
-    EXPECT_EQ(text("position", "[1.5, 0.333333]"), "1.5, 0.33 mm");
-    EXPECT_EQ(text("grain", "45"), "45\u00b0");
-    EXPECT_EQ(text("rotation", "[0.7071067811865476, 0.7071067811865476, 0, 0]"), "turned by 90\u00b0");
-    EXPECT_EQ(text("outline", R"({"degree": 1, "points": [[0, 0], [100, 0], [100, 50]]})"),
+    EXPECT_EQ(text(FixationSeam{}, "patch", "1"), displayName(design, ElementId{1}));
+    EXPECT_EQ(text(Cushion{}, "patches", ("[" + std::to_string(number(firstSquare)) + "]").c_str()), first);
+    EXPECT_EQ(text(Seam{}, "a",
+                   (R"({"patch": )" + std::to_string(number(firstSquare)) + R"(, "from": 0, "to": 1})").c_str()),
+              first + ", from 0 to 1");
+    EXPECT_EQ(text(Settings{}, "edge_length", "12.123456"), "12.12 mm");
+    EXPECT_EQ(text(Patch{}, "position", "[1.5, 0.333333]"), "1.5, 0.33 mm");
+    EXPECT_EQ(text(Patch{}, "grain", "45"), "45\u00b0");
+    EXPECT_EQ(text(Frame{}, "rotation", "[0.7071067811865476, 0.7071067811865476, 0, 0]"), "turned by 90\u00b0");
+    EXPECT_EQ(text(Patch{}, "outline", R"({"degree": 1, "points": [[0, 0], [100, 0], [100, 50]]})"),
               "3 points, 100 \u00d7 50 mm");
-    EXPECT_EQ(text("outline", R"({"degree": 3, "closed": true, "points": [[0, 0], [80, 0], [80, 80], [0, 80]]})"),
+    EXPECT_EQ(text(Patch{}, "outline",
+                   R"({"degree": 3, "closed": true, "points": [[0, 0], [80, 0], [80, 80], [0, 80]]})"),
               "4 points, 73.3 \u00d7 73.3 mm")
         << "the size of the curve, not of its control points";
-    EXPECT_EQ(text("colourway", ""), "as made");
-    EXPECT_EQ(text("trim", R"({"stitch": "twin", "stitch_length_mm": 4})"), "Stitching: twin, Stitch length: 4 mm");
+    EXPECT_EQ(text(Settings{}, "colourway", ""), "as made");
+    EXPECT_EQ(text(Seam{}, "trim", R"({"stitch": "twin", "stitch_length_mm": 4})"),
+              "Stitching: Twin rows, Stitch length: 4 mm");
     EXPECT_EQ(displayName(design, settingsId), "Design");
 }
 

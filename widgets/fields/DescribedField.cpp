@@ -1,14 +1,14 @@
 #include "DescribedField.h"
 
+#include "ElementText.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
 
 namespace bolster {
 
-namespace {
-
-QString suffixOf(Unit unit)
+QString unitSuffix(Unit unit)
 {
     switch (unit) {
     case Unit::Millimetres:
@@ -25,9 +25,11 @@ QString suffixOf(Unit unit)
     return {};
 }
 
+namespace {
+
 NumberBox::Range rangeOf(double least, double most, Unit unit, const NumberBoxing& box)
 {
-    return {suffixOf(unit), box.decimals, std::max(least, box.least), std::min(most, box.most), box.step};
+    return {unitSuffix(unit), box.decimals, std::max(least, box.least), std::min(most, box.most), box.step};
 }
 
 } // namespace
@@ -52,6 +54,32 @@ NumberBox::Range DescribedField::range() const
         return rangeOf(number->least, number->most, number->unit, number->box);
     return coordinates ? rangeOf(coordinates->least, coordinates->most, coordinates->unit, coordinates->box)
                        : NumberBox::Range{};
+}
+
+QString DescribedField::noneText()
+{
+    return QCoreApplication::translate("DescribedField", "none");
+}
+
+ElementChoice elementsToChoose(const Design& design, std::size_t kind, const QString& none)
+{
+    ElementChoice choice;
+    if (!none.isEmpty()) {
+        choice.ids.emplace_back();
+        choice.names << none;
+    }
+    for (const auto& [id, element] : design.elements())
+        if (element->index() == kind) {
+            choice.ids.push_back(id);
+            choice.names << displayName(design, id);
+        }
+    return choice;
+}
+
+int placeOf(const std::vector<ElementId>& ids, std::optional<ElementId> id)
+{
+    const auto found = id ? std::ranges::find(ids, *id) : ids.end();
+    return found == ids.end() ? -1 : static_cast<int>(found - ids.begin());
 }
 
 } // namespace bolster

@@ -60,63 +60,112 @@ public:
     }
 
     /// Names are each element's own.
-    void name(const QString& label) const
+    void name() const
     {
         if (several())
             return;
         m_form->addText(
-            label, [s = *this] { return QString::fromStdString(s.now().name); },
+            QCoreApplication::translate("Field", nameField.label),
+            [s = *this] { return QString::fromStdString(s.now().name); },
             [s = *this](const QString& text) {
                 s.m_document->commit(
                     edits::renameElement(s.m_document->design(), s.m_ids.front(), text.trimmed().toStdString()));
             });
     }
 
-    /// The field at the end of the path of members, as its kind describes it: a number, with a slider where it has
-    /// one, a mark, a choice, or a row of numbers.
+    template <class... Members>
+    static DescribedField fieldAt(Members... path)
+    {
+        const T probe{};
+        return describedField(probe, &at(probe, path...));
+    }
+
+    /// The field at the end of the path of members, as its kind describes it.
     template <class... Members>
     void field(Members... path) const
     {
-        const T probe{};
-        labelledField(describedField(probe, &at(probe, path...)).label(), path...);
+        labelledField(fieldAt(path...).label(), path...);
     }
 
     /// The same under another label.
     template <class... Members>
     void labelledField(const QString& label, Members... path) const
     {
-        using Value = std::decay_t<decltype(at(std::declval<const T&>(), path...))>;
-        const T probe{};
-        const DescribedField said = describedField(probe, &at(probe, path...));
-        const auto read = [s = *this, path...] { return s.shared([&](const T& t) { return at(t, path...); }); };
-        const auto write = [s = *this, verb = said.field.verb, path...](const Value& value) {
-            s.change(verb, [&](T& t) { at(t, path...) = value; });
+        row(
+            label, fieldAt(path...), [path...](auto& t) -> auto& { return at(t, path...); });
+    }
+
+    /// A choice among all elements that a field may refer to, after one for none of them where that has a name.
+    template <class... Members>
+    void reference(const QString& none, Members... path) const
+    {
+        const DescribedField said = fieldAt(path...);
+        referenceRow(
+            said.label(), said, none, [path...](auto& t) -> auto& { return at(t, path...); });
+    }
+
+    /// A colour; `title`, of the dialog, says what is coloured.
+    template <class... Members>
+    void colorField(const QString& title, Members... path) const
+    {
+        const DescribedField said = fieldAt(path...);
+        colorRow(
+            said.label(), title,
+            [s = *this, path...] { return s.shared([&](const T& t) { return at(t, path...); }); },
+            [s = *this, verb = said.field.verb, path...](const std::string& value) {
+                s.change(verb, [&](T& t) { at(t, path...) = value; });
+            });
+    }
+
+    /// Whether there is a row for such a field.
+    template <class Form, class Value>
+    static constexpr bool hasRow =
+        std::is_same_v<Form, Number> || std::is_same_v<Form, Flag> || std::is_same_v<Form, Words> ||
+        std::is_same_v<Form, Coordinates> || std::is_same_v<Form, Color> || std::is_same_v<Form, FileName> ||
+        std::is_same_v<Value, ElementId>;
+
+    /// A field by a function that finds it in an element: a number, with a slider where it has one, a mark, a
+    /// choice, a row of numbers, a colour, or the name of a file.
+    template <class At>
+    void row(const QString& label, const DescribedField& said, At at) const
+    {
+        using Value = ValueAt<At>;
+        const auto read = [s = *this, at] { return s.shared([&](const T& t) { return at(t); }); };
+        const auto write = [s = *this, verb = said.field.verb, at](const Value& value) {
+            s.change(verb, [&](T& t) { at(t) = value; });
         };
-        if constexpr (std::is_same_v<Value, bool>) {
+        if constexpr (std::is_same_v<Value, bool>)
             m_form->addCheck(label, read, write);
-        } else if constexpr (std::is_enum_v<Value>) {
-            m_form->addChoice(
-                label, said.choices(),
-                [read] {
-                    const std::optional<Value> shared = read();
-                    return shared ? static_cast<int>(*shared) : -1;
-                },
-                [write](int chosen) { write(static_cast<Value>(chosen)); });
-        } else if constexpr (!std::is_same_v<Value, double>) {
-            coordinates(label, said, path...);
-        } else if (said.hasSlider()) {
-            slider(label, said, read, write, path...);
-        } else {
+        else if constexpr (std::is_enum_v<Value> && !std::is_same_v<Value, ElementId>)
+            choiceRow(label, said.choices(), read, write);
+        else if constexpr (std::is_same_v<Value, ElementId>)
+            referenceRow(label, said, said.field.presence == Presence::Required ? QString() : said.noneText(), at);
+        else if constexpr (std::is_same_v<Value, std::string>)
+            colorOrFileRow(label, said, read, write);
+        else if constexpr (!std::is_same_v<Value, double>)
+            coordinates(label, said, at);
+        else if (said.hasSlider())
+            slider(label, said, read, write, at);
+        else
             m_form->addNumber(label, said.range(), read, write);
-        }
+    }
+
+    template <class At>
+    void textRow(const DescribedField& said, At at) const
+    {
+        m_form->addText(
+            said.label(),
+            [s = *this, at] { return s.shared([&](const T& t) { return QString::fromStdString(at(t)); }); },
+            [s = *this, verb = said.field.verb, at](const QString& text) {
+                s.change(verb, [&](T& t) { at(t) = text.toStdString(); });
+            });
     }
 
     /// A number without its unit.
     template <class... Members>
     void unitless(Members... path) const
     {
-        const T probe{};
-        const DescribedField said = describedField(probe, &at(probe, path...));
+        const DescribedField said = fieldAt(path...);
         NumberBox::Range range = said.range();
         range.unit.clear();
         m_form->addNumber(
@@ -131,8 +180,7 @@ public:
     template <class Enum, class... Members>
     void choiceBut(Enum last, Members... path) const
     {
-        const T probe{};
-        const DescribedField said = describedField(probe, &at(probe, path...));
+        const DescribedField said = fieldAt(path...);
         m_form->addChoice(
             said.label(), said.choices().first(static_cast<qsizetype>(last)),
             [s = *this, path...] {
@@ -164,16 +212,69 @@ private:
             return at(value.*member, rest...);
     }
 
+    template <class At>
+    using ValueAt = std::decay_t<std::invoke_result_t<At, const T&>>;
+
+    template <class Read, class Write>
+    void choiceRow(const QString& label, const QStringList& choices, const Read& read, const Write& write) const
+    {
+        using Value = typename std::invoke_result_t<Read>::value_type;
+        m_form->addChoice(
+            label, choices,
+            [read] {
+                const std::optional<Value> shared = read();
+                return shared ? static_cast<int>(*shared) : -1;
+            },
+            [write](int chosen) { write(static_cast<Value>(chosen)); });
+    }
+
+    template <class At>
+    void referenceRow(const QString& label, const DescribedField& said, const QString& none, At at) const
+    {
+        const auto [ids, names] = elementsToChoose(m_document->design(), said.refersTo, none);
+        m_form->addChoice(
+            label, names,
+            [s = *this, at, ids = ids] { return placeOf(ids, s.shared([&](const T& t) { return at(t); })); },
+            [s = *this, at, ids = ids, verb = said.field.verb](int chosen) {
+                s.change(verb, [&](T& t) { at(t) = ids[static_cast<std::size_t>(chosen)]; });
+            });
+    }
+
+    template <class Read, class Write>
+    void colorOrFileRow(const QString& label, const DescribedField& said, const Read& read,
+                        const Write& write) const
+    {
+        if (said.file) {
+            m_form->addInfo(label, [read] {
+                const std::optional<std::string> shared = read();
+                return shared ? QString::fromStdString(*shared) : variesText();
+            });
+            return;
+        }
+        colorRow(label, label, read, write);
+    }
+
+    template <class Read, class Write>
+    void colorRow(const QString& label, const QString& title, const Read& read, const Write& write) const
+    {
+        m_form->addColor(
+            label, title,
+            [read]() -> std::optional<QColor> {
+                const std::optional<std::string> shared = read();
+                return shared ? std::optional(QColor(QString::fromStdString(*shared))) : std::nullopt;
+            },
+            [write](const QColor& color) { write(color.name().toStdString()); });
+    }
+
     /// It shows its value while it is dragged, as one edit.
-    template <class Read, class Write, class... Members>
-    void slider(const QString& label, const DescribedField& said, const Read& read, const Write& write,
-                Members... path) const
+    template <class Read, class Write, class At>
+    void slider(const QString& label, const DescribedField& said, const Read& read, const Write& write, At at) const
     {
         const auto gesture = std::make_shared<std::unique_ptr<Gesture>>();
-        const auto preview = [s = *this, gesture, verb = said.field.verb, path...](double value) {
+        const auto preview = [s = *this, gesture, verb = said.field.verb, at](double value) {
             if (!*gesture || !(*gesture)->active())
                 *gesture = std::make_unique<Gesture>(*s.m_document);
-            (*gesture)->update(s.changed((*gesture)->start(), verb, [&](T& t) { at(t, path...) = value; }));
+            (*gesture)->update(s.changed((*gesture)->start(), verb, [&](T& t) { at(t) = value; }));
         };
         const auto finish = [gesture] {
             if (const std::unique_ptr<Gesture> finished = std::move(*gesture))
@@ -183,15 +284,14 @@ private:
         m_form->addSlider(label, said.range(), box.sliderLeast, box.sliderMost, read, write, preview, finish);
     }
 
-    template <class... Members>
-    void coordinates(const QString& label, const DescribedField& said, Members... path) const
+    template <class At>
+    void coordinates(const QString& label, const DescribedField& said, At at) const
     {
         m_form->addNumbers(
-            label, said.range(),
-            static_cast<int>(std::decay_t<decltype(at(std::declval<const T&>(), path...))>::RowsAtCompileTime),
-            [s = *this, path...](int i) { return s.shared([&](const T& t) { return at(t, path...)[i]; }); },
-            [s = *this, verb = said.field.verb, path...](int i, double number) {
-                s.change(verb, [&](T& t) { at(t, path...)[i] = number; });
+            label, said.range(), static_cast<int>(ValueAt<At>::RowsAtCompileTime),
+            [s = *this, at](int i) { return s.shared([&](const T& t) { return at(t)[i]; }); },
+            [s = *this, verb = said.field.verb, at](int i, double number) {
+                s.change(verb, [&](T& t) { at(t)[i] = number; });
             });
     }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "FrameAngles.h"
-#include "InspectorForms.h"
 #include "InspectorSubject.h"
 
 namespace bolster {
@@ -19,13 +18,14 @@ void addPlacementFields(PropertyForm& form, const InspectorSubject<T>& subject)
     else
         subject.field(&T::scale);
     subject.field(&T::position);
+    const DescribedField turned = InspectorSubject<T>::fieldAt(&T::rotation);
     form.addNumbers(
-        InspectorForms::tr("Rotation"), angleRange, 3,
+        turned.label(), angleRange, 3,
         [subject](int i) {
             return subject.shared([i](const T& t) { return anglesOf(t.rotation)[static_cast<std::size_t>(i)]; });
         },
-        [subject](int i, double value) {
-            subject.change(QT_TRANSLATE_NOOP("Message", "Turn %1"), [&](T& t) {
+        [subject, verb = turned.field.verb](int i, double value) {
+            subject.change(verb, [&](T& t) {
                 FrameAngles angles = anglesOf(t.rotation);
                 angles[static_cast<std::size_t>(i)] = value;
                 t.rotation = rotationOf(angles);

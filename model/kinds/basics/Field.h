@@ -57,6 +57,8 @@ struct Field {
     bool counts = true; ///< with the present values of the others; what does not is not checked
     /// Required unless one of these keys stands beside it.
     std::array<const char*, 2> unless{};
+    const char* alone = "";   ///< the label where no heading beside it says what it is of; else the label
+    const char* without = ""; ///< what it is called that there is none, if not the usual; context "Field"
 };
 
 /// Of all that have a name.

@@ -27,6 +27,8 @@ struct Description<Twin> {
     }
 };
 
-inline constexpr Field twinField{.key = "twin", .label = QT_TRANSLATE_NOOP("Field", "Mirror twin")};
+inline constexpr Field twinField{.key = "twin",
+                                 .label = QT_TRANSLATE_NOOP("Field", "Mirror twin"),
+                                 .without = QT_TRANSLATE_NOOP("Field", "none")};
 
 } // namespace bolster

@@ -24,31 +24,36 @@ struct Description<SeamTrim> {
             {.key = "stitch",
              .label = QT_TRANSLATE_NOOP("Field", "Stitches"),
              .meaning = "one row, of a seam on its first side, or a row on both sides, along an outline two inside",
-             .verb = stitching},
+             .verb = stitching,
+             .alone = QT_TRANSLATE_NOOP("Field", "Stitching")},
             Words{stitches, stitchLabels}, s.stitch...);
         v.field({.key = "thread",
                  .label = QT_TRANSLATE_NOOP("Field", "Thread"),
                  .meaning = "its colour",
-                 .verb = stitching},
+                 .verb = stitching,
+                 .alone = QT_TRANSLATE_NOOP("Field", "Thread colour")},
                 Color{}, s.thread...);
         v.field(
             {.key = "stitch_length_mm", .label = QT_TRANSLATE_NOOP("Field", "Stitch length"), .verb = stitching},
             Number{0.5, 100, Unit::Millimetres, {.step = 0.5}}, s.stitchLength...);
         v.field({.key = "stitch_distance_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Distance from the seam"),
-                 .verb = stitching},
+                 .verb = stitching,
+                 .alone = QT_TRANSLATE_NOOP("Field", "Stitch distance")},
                 Number{0, 100, Unit::Millimetres, {.step = 0.5}}, s.stitchDistance...);
         v.field({.key = "thread_width_mm", .label = QT_TRANSLATE_NOOP("Field", "Thread width"), .verb = stitching},
                 Number{0.05, 10, Unit::Millimetres, {.step = 0.1}}, s.threadWidth...);
         v.field({.key = "piping_radius_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Radius (0: none)"),
                  .meaning = "of the piping; 0: none",
-                 .verb = piping},
+                 .verb = piping,
+                 .alone = QT_TRANSLATE_NOOP("Field", "Piping radius")},
                 Number{0, 50, Unit::Millimetres, {.step = 0.5}}, s.pipingRadius...);
         v.field({.key = "piping_fabric",
                  .label = QT_TRANSLATE_NOOP("Field", "Fabric"),
                  .meaning = "of the piping; without it that of the patch",
-                 .verb = piping},
+                 .verb = piping,
+                 .alone = QT_TRANSLATE_NOOP("Field", "Piping fabric")},
                 Refers<Fabric>{Need::Seen}, s.pipingFabric...);
         v.field(
             {.key = "allowance_mm",
@@ -59,7 +64,8 @@ struct Description<SeamTrim> {
         v.field({.key = "valley",
                  .label = QT_TRANSLATE_NOOP("Field", "The cover dips into the seam"),
                  .meaning = "the cover dips into a seam between patches",
-                 .verb = QT_TRANSLATE_NOOP("Message", "Change the valley of %1")},
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change the valley of %1"),
+                 .alone = QT_TRANSLATE_NOOP("Field", "Valley")},
                 Flag{}, s.valley...);
     }
 };

@@ -1,7 +1,8 @@
-// What the inspector shows of mirror twins and of the mirror.
-#include "InspectorForms.h"
-#include "InspectorSubject.h"
-#include "PlacementFields.h"
+#include "TwinForm.h"
+
+#include "Document.h"
+#include "ElementText.h"
+#include "PropertyForm.h"
 #include "SelectionEdits.h"
 #include "TwinEdits.h"
 #include "Twins.h"
@@ -9,12 +10,6 @@
 #include <array>
 
 namespace bolster {
-
-namespace {
-
-const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
-
-} // namespace
 
 namespace {
 
@@ -52,7 +47,7 @@ Edit relinkedSewing(const Design& design, ElementId id)
 
 } // namespace
 
-void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
+void TwinForm::addMirroredSewing(PropertyForm& form, ElementId id) const
 {
     const Design& design = m_document.design();
     if (!design.find<Seam>(id) && !design.find<FixationSeam>(id) && !design.find<OutlineTrim>(id))
@@ -77,7 +72,7 @@ void InspectorForms::addMirroredSewing(PropertyForm& form, ElementId id) const
                        [this, id] { m_document.commit(releasedSewing(m_document.design(), id)); });
 }
 
-void InspectorForms::addTwin(PropertyForm& form, ElementId id) const
+void TwinForm::add(PropertyForm& form, ElementId id) const
 {
     addMirroredSewing(form, id);
     if (twinOf(m_document.design(), id) == settingsId)
@@ -97,35 +92,6 @@ void InspectorForms::addTwin(PropertyForm& form, ElementId id) const
             const Design& design = m_document.design();
             m_document.commit(edits::relinkPoints(design, id, releasedPoints(design, id)));
         });
-}
-
-void InspectorForms::addSymmetry(PropertyForm& form) const
-{
-    const auto change = [this](const std::function<void(std::optional<Symmetry>&)>& set) {
-        Settings settings = m_document.design().settings();
-        set(settings.symmetry);
-        m_document.commit(edits::changeSettings(m_document.design(), settings));
-    };
-    form.addCheck(
-        tr("Symmetric design"), [this] { return m_document.design().settings().symmetry.has_value(); },
-        [change](bool on) {
-            change([on](std::optional<Symmetry>& s) { s = on ? std::optional(Symmetry()) : std::nullopt; });
-        });
-    const auto row = [&](const QString& label, const NumberBox::Range& range, int count, auto member) {
-        form.addNumbers(
-            label, range, count, [this, member](int i) { return (symmetryOf(m_document.design()).*member)[i]; },
-            [change, member](int i, double value) {
-                change([&](std::optional<Symmetry>& s) {
-                    if (!s)
-                        s = Symmetry();
-                    ((*s).*member)[i] = value;
-                });
-            });
-    };
-    row(tr("Plane through"), lengthRange, 3, &Symmetry::planePoint);
-    row(tr("Normal"), directionRange, 3, &Symmetry::planeNormal);
-    row(tr("Axis through"), lengthRange, 2, &Symmetry::axisPoint);
-    row(tr("Direction"), directionRange, 2, &Symmetry::axisDirection);
 }
 
 } // namespace bolster

@@ -1,8 +1,8 @@
-// What the inspector says of a frame's mesh: its parts, those that a cushion takes, and how fine voxels can be.
+#include "FrameParts.h"
+
 #include "CushionVoxels.h"
 #include "FrameEdits.h"
 #include "FramePieces.h"
-#include "InspectorForms.h"
 #include "InspectorSubject.h"
 #include "Units.h"
 
@@ -31,7 +31,7 @@ const FramePiece& pieceOf(const FramePieces& pieces, int piece)
 
 QString partTitle(const std::string& name)
 {
-    return name.empty() ? InspectorForms::tr("Mesh") : QString::fromStdString(name);
+    return name.empty() ? FrameParts::tr("Mesh") : QString::fromStdString(name);
 }
 
 /// Width, depth and height of these pieces in the room.
@@ -42,7 +42,7 @@ QString placedSize(const Frame& frame, const FramePieces& pieces, const std::vec
         for (int corner = 0; corner < 8; ++corner)
             placed.extend(frame.placed(pieceOf(pieces, piece).box.corner(static_cast<Box3::CornerType>(corner))));
     const Vec3 sizes = placed.sizes();
-    return InspectorForms::tr("%1 \u00d7 %2 \u00d7 %3 mm")
+    return FrameParts::tr("%1 \u00d7 %2 \u00d7 %3 mm")
         .arg(decimalText(sizes.x(), 0, false), decimalText(sizes.y(), 0, false), decimalText(sizes.z(), 0, false));
 }
 
@@ -108,9 +108,9 @@ bool takes(const Cushion& cushion, const std::string& part)
 
 } // namespace
 
-void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
+void FrameParts::addShown(PropertyForm& form, ElementId id) const
 {
-    const FrameMeshPtr mesh = fileOf(m_files, id);
+    const FrameMeshPtr mesh = fileOf(m_sources.files, id);
     const Frame* frame = m_document.design().find<Frame>(id);
     if (!mesh || !frame)
         return;
@@ -150,7 +150,7 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
                                                  lines[static_cast<std::size_t>(at)].pieces, shown));
     };
     const auto pointed = [this, id, lines](int at) {
-        m_pointAtPieces(id, at < 0 ? std::vector<int>() : lines[static_cast<std::size_t>(at)].pieces);
+        m_wishes.pointAtPieces(id, at < 0 ? std::vector<int>() : lines[static_cast<std::size_t>(at)].pieces);
     };
     form.addChecks(tr("Parts"), checks, read, write, pointed);
     form.addButton(tr("Show a&ll parts"), [subject] {
@@ -164,13 +164,13 @@ void InspectorForms::addFrameParts(PropertyForm& form, ElementId id) const
     });
 }
 
-void InspectorForms::addCushionParts(PropertyForm& form, const Ids& ids) const
+void FrameParts::addPadded(PropertyForm& form, const std::vector<ElementId>& ids) const
 {
     const InspectorSubject<Cushion> cushion(m_document, ids, form);
     const Design& design = m_document.design();
     const std::optional<ElementId> id = cushion.shared([](const Cushion& c) { return c.frame; });
     const Frame* frame = id ? design.find<Frame>(*id) : nullptr;
-    const FrameMeshPtr mesh = frame ? fileOf(m_files, *id) : nullptr;
+    const FrameMeshPtr mesh = frame ? fileOf(m_sources.files, *id) : nullptr;
     if (!mesh)
         return;
     const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh);
@@ -198,7 +198,7 @@ void InspectorForms::addCushionParts(PropertyForm& form, const Ids& ids) const
         });
     };
     form.addChecks(tr("Padded parts"), checks, read, write, [this, frame = *id, parts](int at) {
-        m_pointAtPieces(frame, at < 0 ? std::vector<int>() : parts[static_cast<std::size_t>(at)].pieces);
+        m_wishes.pointAtPieces(frame, at < 0 ? std::vector<int>() : parts[static_cast<std::size_t>(at)].pieces);
     });
     form.addNote([cushion] {
         return cushion.shared([](const Cushion& c) { return c.parts.empty(); }) == true
@@ -207,12 +207,13 @@ void InspectorForms::addCushionParts(PropertyForm& form, const Ids& ids) const
     });
 }
 
-void InspectorForms::addVoxelNote(PropertyForm& form, ElementId id) const
+void FrameParts::addVoxelNote(PropertyForm& form, ElementId id) const
 {
     const auto finest = [this, id] {
         const Cushion* cushion = m_document.design().find<Cushion>(id);
         const Frame* frame = cushion ? m_document.design().find<Frame>(cushion->frame) : nullptr;
-        const FrameMeshPtr mesh = frame ? shownMesh(fileOf(m_files, cushion->frame), frame->hiddenParts) : nullptr;
+        const FrameMeshPtr mesh =
+            frame ? shownMesh(fileOf(m_sources.files, cushion->frame), frame->hiddenParts) : nullptr;
         return mesh ? fittingVoxel(*cushion, *frame, *mesh) : 0.0;
     };
     form.addNote(

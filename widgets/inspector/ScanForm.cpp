@@ -1,5 +1,6 @@
-// What the inspector shows of a scan.
-#include "InspectorForms.h"
+#include "ScanForm.h"
+
+#include "InspectorSubject.h"
 #include "PlacementFields.h"
 #include "ScanEdits.h"
 #include "Units.h"
@@ -8,34 +9,34 @@
 
 namespace bolster {
 
-void InspectorForms::addScan(PropertyForm& form, const Ids& ids) const
+void ScanForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Scan> scan(m_document, ids, form);
-    scan.name(tr("Name"));
+    scan.name();
     scan.info(tr("File"), [](const Design&, const Scan& s) { return QString::fromStdString(s.file); });
     if (!scan.several())
-        addScanSize(form, ids.front());
+        addContents(form, ids.front());
     scan.field(&Scan::enabled);
     scan.field(&Scan::strength);
     scan.field(&Scan::threshold);
     scan.field(&Scan::target);
     if (!scan.several())
-        addScanReport(form, ids.front());
+        addReport(form, ids.front());
     addPlacementFields(form, scan);
     if (scan.several())
         return;
     const ElementId id = ids.front();
-    form.addButton(tr("Place on &the cover"), [this, id] { m_scanWish(id, ScanWish::FitPlacement); });
-    addScanCuts(form, id);
-    form.addButton(tr("Choose an&other file \u2026"), [this, id] { m_chooseFile(id); });
+    form.addButton(tr("Place on &the cover"), [this, id] { m_wishes.workOnScan(id, ScanWish::FitPlacement); });
+    addCuts(form, id);
+    form.addButton(tr("Choose an&other file \u2026"), [this, id] { m_wishes.chooseFile(id); });
 }
 
-void InspectorForms::addScanSize(PropertyForm& form, ElementId id) const
+void ScanForm::addContents(PropertyForm& form, ElementId id) const
 {
     form.addInfo(tr("Contents"), [this, id] {
         const auto* scan = m_document.design().find<Scan>(id);
-        const auto found = m_files.clouds.find(id);
-        if (!scan || found == m_files.clouds.end())
+        const auto found = m_sources.files.clouds.find(id);
+        if (!scan || found == m_sources.files.clouds.end())
             return QStringLiteral("\u2013");
         const PointCloud& cloud = *found->second;
         const auto count = [](std::uint64_t number) { return QLocale().toString(static_cast<qulonglong>(number)); };
@@ -47,13 +48,13 @@ void InspectorForms::addScanSize(PropertyForm& form, ElementId id) const
     });
 }
 
-void InspectorForms::addScanReport(PropertyForm& form, ElementId id) const
+void ScanForm::addReport(PropertyForm& form, ElementId id) const
 {
     const auto row = [&](const QString& label, auto text) {
         form.addInfo(label, [this, id, text] {
-            const auto found = m_scanFigures.find(id);
-            return found == m_scanFigures.end() || found->second.coverage == 0 ? QStringLiteral("\u2013")
-                                                                               : text(found->second);
+            const auto found = m_sources.scanFigures.find(id);
+            return found == m_sources.scanFigures.end() || found->second.coverage == 0 ? QStringLiteral("\u2013")
+                                                                                       : text(found->second);
         });
     };
     const auto mm = [](double value) { return lengthText(value, 2); };
@@ -64,17 +65,18 @@ void InspectorForms::addScanReport(PropertyForm& form, ElementId id) const
     row(tr("Points"), [](const ScanFigures& f) { return QLocale().toString(static_cast<qlonglong>(f.points)); });
 }
 
-void InspectorForms::addScanCuts(PropertyForm& form, ElementId id) const
+void ScanForm::addCuts(PropertyForm& form, ElementId id) const
 {
     const InspectorSubject<Scan> scan(m_document, {id}, form);
     form.addNumber(
         tr("Floor at"), lengthRange, [scan] { return edits::floorOf(scan.now()).value_or(0); },
         [this, id](double height) { m_document.commit(edits::cutFloor(m_document.design(), id, height)); });
     scan.info(tr("Cuts"), [](const Design&, const Scan& s) { return QString::number(s.cuts.size()); });
-    form.addButton(tr("Cut awa&y \u2026"), [this, id] { m_scanWish(id, ScanWish::CutAway); });
-    form.addButton(tr("&Keep only \u2026"), [this, id] { m_scanWish(id, ScanWish::KeepOnly); });
-    form.addButton(tr("Keep aroun&d the cover"), [this, id] { m_scanWish(id, ScanWish::KeepAroundCover); });
-    form.addButton(tr("Remove a&ll cuts"), [this, id] { m_scanWish(id, ScanWish::ShowAll); });
+    form.addButton(tr("Cut awa&y \u2026"), [this, id] { m_wishes.workOnScan(id, ScanWish::CutAway); });
+    form.addButton(tr("&Keep only \u2026"), [this, id] { m_wishes.workOnScan(id, ScanWish::KeepOnly); });
+    form.addButton(tr("Keep aroun&d the cover"),
+                   [this, id] { m_wishes.workOnScan(id, ScanWish::KeepAroundCover); });
+    form.addButton(tr("Remove a&ll cuts"), [this, id] { m_wishes.workOnScan(id, ScanWish::ShowAll); });
 }
 
 } // namespace bolster

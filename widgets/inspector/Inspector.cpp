@@ -14,10 +14,10 @@ namespace bolster {
 
 Inspector::Inspector(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
     : QScrollArea(parent)
-    , m_forms(
-          document, selection, problems, [this](ElementId id) { emit fileWanted(id); },
-          [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); },
-          [this](ElementId id, const std::vector<int>& pieces) { emit framePiecesPointedAt(id, pieces); })
+    , m_forms(document, selection, problems,
+              {[this](ElementId id) { emit fileWanted(id); },
+               [this](ElementId id, ScanWish wish) { emit scanWish(id, wish); },
+               [this](ElementId id, const std::vector<int>& pieces) { emit framePiecesPointedAt(id, pieces); }})
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -50,21 +50,21 @@ void Inspector::focusFirst()
 
 void Inspector::setScanFigures(std::map<ElementId, ScanFigures> figures)
 {
-    m_forms.setScanFigures(std::move(figures));
+    m_forms.sources().scanFigures = std::move(figures);
     refresh();
 }
 
 void Inspector::setFabricPictures(std::map<ElementId, FabricPictures> pictures)
 {
-    m_forms.setFabricPictures(std::move(pictures));
+    m_forms.sources().fabricPictures = std::move(pictures);
     refresh();
 }
 
 /// A frame's file says which parts it has.
 void Inspector::setFiles(DesignFiles files)
 {
-    const bool others = files.meshes != m_forms.files().meshes;
-    m_forms.setFiles(std::move(files));
+    const bool others = files.meshes != m_forms.sources().files.meshes;
+    m_forms.sources().files = std::move(files);
     if (others)
         rebuild();
     else

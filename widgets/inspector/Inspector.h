@@ -40,7 +40,7 @@ private:
     void refresh();
 
     InspectorForms m_forms;
-    InspectorForms::Basis m_basis; ///< that the form was made for
+    std::vector<int> m_basis; ///< that the form was made for
     PropertyForm* m_form = nullptr;
 };
 

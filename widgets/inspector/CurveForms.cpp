@@ -1,9 +1,8 @@
-// What the inspector shows for curves drawn in patches.
-#include "InspectorForms.h"
+#include "CurveForms.h"
 
 #include "ArcLength.h"
-#include "InspectorSubject.h"
 #include "OrientationBoxes.h"
+#include "TrimFormRows.h"
 #include "Units.h"
 
 namespace bolster {
@@ -18,10 +17,19 @@ QString lengthOf(const BSpline<Dim>& curve)
 
 } // namespace
 
-void InspectorForms::addHandleCurve(PropertyForm& form, const Ids& ids) const
+void FixationCurveForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<FixationCurve> curve(m_document, ids, form);
+    curve.name();
+    curve.info(tr("Length"), [](const Design&, const FixationCurve& c) { return lengthOf(c.curve); });
+    curve.info(tr("Points"),
+               [](const Design&, const FixationCurve& c) { return QString::number(c.curve.pointCount()); });
+}
+
+void HandleCurveForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<HandleCurve> handle(m_document, ids, form);
-    handle.name(tr("Name"));
+    handle.name();
     handle.info(tr("Patch"),
                 [](const Design& design, const HandleCurve& h) { return displayName(design, h.patch); });
     handle.info(tr("In the pattern"), [](const Design&, const HandleCurve& h) { return lengthOf(h.curve); });
@@ -32,10 +40,10 @@ void InspectorForms::addHandleCurve(PropertyForm& form, const Ids& ids) const
     OrientationFields::add(form, handle);
 }
 
-void InspectorForms::addFancySeam(PropertyForm& form, const Ids& ids) const
+void FancySeamForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<FancySeam> seam(m_document, ids, form);
-    seam.name(tr("Name"));
+    seam.name();
     seam.info(tr("Patch"), [](const Design& design, const FancySeam& s) { return displayName(design, s.patch); });
     seam.field(&FancySeam::width);
     seam.field(&FancySeam::depth);
@@ -45,6 +53,7 @@ void InspectorForms::addFancySeam(PropertyForm& form, const Ids& ids) const
         return seam.shared([](const FancySeam& s) { return s.depth < 0; }) == true ? tr("It stands out: a welt.")
                                                                                    : QString();
     });
+    TrimRows::add(form, seam);
 }
 
 } // namespace bolster

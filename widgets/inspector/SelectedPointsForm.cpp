@@ -1,6 +1,6 @@
-// What the inspector shows of selected control points.
+#include "SelectedPointsForm.h"
+
 #include "Gesture.h"
-#include "InspectorForms.h"
 #include "LengthEdits.h"
 #include "PlacementFields.h"
 #include "PointPlaces.h"
@@ -27,7 +27,7 @@ std::optional<double> sharedCoordinate(const std::vector<Place>& places, int axi
 
 } // namespace
 
-void InspectorForms::addSelectedPoints(PropertyForm& form) const
+void SelectedPointsForm::add(PropertyForm& form) const
 {
     const Selection::Points& points = m_selection.points();
     Selection::Points inPattern, inSpace;
@@ -36,12 +36,12 @@ void InspectorForms::addSelectedPoints(PropertyForm& form) const
     if (points.size() > 1)
         form.addInfo(tr("Points"), [n = points.size()] { return QString::number(n); });
     if (!inPattern.empty())
-        addPatternPoints(form, inPattern);
+        addInPattern(form, inPattern);
     if (!inSpace.empty())
-        addSpacePoints(form, inSpace);
+        addInSpace(form, inSpace);
 }
 
-void InspectorForms::addPatternPoints(PropertyForm& form, const Selection::Points& points) const
+void SelectedPointsForm::addInPattern(PropertyForm& form, const Selection::Points& points) const
 {
     form.addNumbers(
         tr("Layout x, y"), lengthRange, 2,
@@ -66,7 +66,7 @@ void InspectorForms::addPatternPoints(PropertyForm& form, const Selection::Point
         });
 }
 
-void InspectorForms::addSpacePoints(PropertyForm& form, const Selection::Points& points) const
+void SelectedPointsForm::addInSpace(PropertyForm& form, const Selection::Points& points) const
 {
     form.addNumbers(
         tr("Space x, y, z"), lengthRange, 3,

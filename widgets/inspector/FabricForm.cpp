@@ -1,5 +1,4 @@
-// What the inspector shows of a fabric: its look, then how it behaves.
-#include "InspectorForms.h"
+#include "FabricForm.h"
 
 #include "FabricColors.h"
 #include "Icons.h"
@@ -21,45 +20,45 @@ auto sharedLook(const InspectorSubject<Fabric>& fabric, Read read)
 QString secondColorLabel(const std::optional<Kind>& kind)
 {
     if (kind == Kind::Woven)
-        return InspectorForms::tr("Weft");
+        return FabricForm::tr("Weft");
     if (kind == Kind::SmoothLeather || kind == Kind::GrainedLeather)
-        return InspectorForms::tr("Creases");
+        return FabricForm::tr("Creases");
     if (kind == Kind::Velvet)
-        return InspectorForms::tr("Depth of the pile");
-    return InspectorForms::tr("Other squares");
+        return FabricForm::tr("Depth of the pile");
+    return FabricForm::tr("Other squares");
 }
 
 QString scaleLabel(const std::optional<Kind>& kind)
 {
     if (!kind)
-        return InspectorForms::tr("Scale");
+        return FabricForm::tr("Scale");
     switch (*kind) {
     case Kind::Checker:
-        return InspectorForms::tr("Squares");
+        return FabricForm::tr("Squares");
     case Kind::SmoothLeather:
     case Kind::GrainedLeather:
-        return InspectorForms::tr("Grain size");
+        return FabricForm::tr("Grain size");
     case Kind::Woven:
-        return InspectorForms::tr("Repeat of the weave");
+        return FabricForm::tr("Repeat of the weave");
     case Kind::Velvet:
-        return InspectorForms::tr("Nap");
+        return FabricForm::tr("Nap");
     case Kind::Image:
-        return InspectorForms::tr("Width of the picture");
+        return FabricForm::tr("Width of the picture");
     case Kind::Plain:
         break;
     }
-    return InspectorForms::tr("Scale");
+    return FabricForm::tr("Scale");
 }
 
 } // namespace
 
-void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
+void FabricForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Fabric> fabric(m_document, ids, form);
     if (!fabric.several())
-        addFabricPictures(form, ids.front());
-    fabric.name(tr("Name"));
-    addFabricLook(form, ids);
+        addPictures(form, ids.front());
+    fabric.name();
+    addLook(form, ids);
     form.addHeading(tr("Behaviour"), icon(QStringLiteral("fabric")));
     fabric.field(&Fabric::stiffness);
     fabric.field(&Fabric::poisson);
@@ -69,49 +68,25 @@ void InspectorForms::addFabric(PropertyForm& form, const Ids& ids) const
     fabric.field(&Fabric::limits, &StretchLimits::shear);
 }
 
-void InspectorForms::addFabricPictures(PropertyForm& form, ElementId id) const
+void FabricForm::addPictures(PropertyForm& form, ElementId id) const
 {
     form.addPictures(tr("The fabric on a cushion and on a ball"),
                      tr("The fabric on a cushion and on a ball, at its real scale"), [this, id] {
-                         const auto found = m_fabricPictures.find(id);
+                         const auto found = m_sources.fabricPictures.find(id);
                          const FabricPictures drawn =
-                             found == m_fabricPictures.end() ? FabricPictures{} : found->second;
+                             found == m_sources.fabricPictures.end() ? FabricPictures{} : found->second;
                          return std::vector<QImage>{drawn.cushion, drawn.ball};
                      });
 }
 
-void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
+void FabricForm::addLook(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Fabric> fabric(m_document, ids, form);
     const std::optional<Kind> kind = sharedLook(fabric, [](const FabricLook& l) { return l.kind; });
-    addFabricKind(form, ids);
-    form.addColor(
-        tr("Colour"), tr("Colour of the fabric"),
-        [fabric] { return fabric.shared([](const Fabric& f) { return QColor(QString::fromStdString(f.color)); }); },
-        [fabric](const QColor& color) {
-            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the colour of %1"),
-                          [&](Fabric& f) { f.color = color.name().toStdString(); });
-        });
-    if (kind && kind != Kind::Plain && kind != Kind::Image) {
-        form.addColor(
-            secondColorLabel(kind), tr("Second colour of the fabric"),
-            [fabric] {
-                return fabric.shared(
-                    [](const Fabric& f) { return QColor(QString::fromStdString(secondColorShown(f))); });
-            },
-            [fabric](const QColor& color) {
-                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the second colour of %1"),
-                              [&](Fabric& f) { f.look.secondColor = color.name().toStdString(); });
-            });
-        form.addCheck(
-            tr("From the first colour"),
-            [fabric] { return sharedLook(fabric, [](const FabricLook& l) { return l.secondColor.empty(); }); },
-            [fabric](bool derived) {
-                fabric.change(QT_TRANSLATE_NOOP("Message", "Change the second colour of %1"), [&](Fabric& f) {
-                    f.look.secondColor = derived ? std::string() : secondColorShown(f);
-                });
-            });
-    }
+    addKind(form, ids);
+    fabric.colorField(tr("Colour of the fabric"), &Fabric::color);
+    if (kind && kind != Kind::Plain && kind != Kind::Image)
+        addSecondColor(form, ids, secondColorLabel(kind));
     fabric.field(&Fabric::look, &FabricLook::roughness);
     if (kind == Kind::Plain)
         return;
@@ -121,25 +96,46 @@ void InspectorForms::addFabricLook(PropertyForm& form, const Ids& ids) const
         fabric.field(&Fabric::look, &FabricLook::relief);
 }
 
-/// A picture needs a file first: then whoever chooses one changes the kind, too.
-void InspectorForms::addFabricKind(PropertyForm& form, const Ids& ids) const
+void FabricForm::addSecondColor(PropertyForm& form, const Ids& ids, const QString& label) const
 {
     const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    const char* const verb = fabric.fieldAt(&Fabric::look, &FabricLook::secondColor).field.verb;
+    form.addColor(
+        label, tr("Second colour of the fabric"),
+        [fabric] {
+            return fabric.shared(
+                [](const Fabric& f) { return QColor(QString::fromStdString(secondColorShown(f))); });
+        },
+        [fabric, verb](const QColor& color) {
+            fabric.change(verb, [&](Fabric& f) { f.look.secondColor = color.name().toStdString(); });
+        });
+    form.addCheck(
+        tr("From the first colour"),
+        [fabric] { return sharedLook(fabric, [](const FabricLook& l) { return l.secondColor.empty(); }); },
+        [fabric, verb](bool derived) {
+            fabric.change(verb,
+                          [&](Fabric& f) { f.look.secondColor = derived ? std::string() : secondColorShown(f); });
+        });
+}
+
+/// A picture needs a file first: then whoever chooses one changes the kind, too.
+void FabricForm::addKind(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Fabric> fabric(m_document, ids, form);
+    const DescribedField said = fabric.fieldAt(&Fabric::look, &FabricLook::kind);
     form.addChoice(
-        tr("Kind"),
-        {tr("Plain"), tr("Checker"), tr("Smooth leather"), tr("Grained leather"), tr("Woven"), tr("Velvet"),
-         tr("Picture \u2026")},
+        said.label(), said.choices(),
         [fabric] {
             return sharedLook(fabric, [](const FabricLook& l) { return static_cast<int>(l.kind); }).value_or(-1);
         },
-        [fabric, ids, chooseFile = m_chooseFile](int chosen) {
+        [fabric, ids, verb = said.field.verb, chooseFile = m_wishes.chooseFile](int chosen) {
             const auto kind = static_cast<Kind>(chosen);
             if (kind == Kind::Image) {
                 if (ids.size() == 1)
                     chooseFile(ids.front());
                 return;
             }
-            fabric.change(QT_TRANSLATE_NOOP("Message", "Change the kind of %1"), [&](Fabric& f) {
+            fabric.change(verb, [&](Fabric& f) {
                 if (f.look.kind == kind)
                     return;
                 FabricLook look = usualLook(kind);
@@ -153,7 +149,16 @@ void InspectorForms::addFabricKind(PropertyForm& form, const Ids& ids) const
     fabric.info(tr("File"), [](const Design&, const Fabric& f) { return QString::fromStdString(f.look.file); });
     if (ids.size() == 1)
         form.addButton(tr("Choose an&other picture \u2026"),
-                       [chooseFile = m_chooseFile, id = ids.front()] { chooseFile(id); });
+                       [chooseFile = m_wishes.chooseFile, id = ids.front()] { chooseFile(id); });
+}
+
+std::vector<int> FabricForm::rowsDependOn(const Ids& ids) const
+{
+    std::vector<int> kinds;
+    for (const ElementId id : ids)
+        if (const Fabric* fabric = m_document.design().find<Fabric>(id))
+            kinds.push_back(static_cast<int>(fabric->look.kind));
+    return kinds;
 }
 
 } // namespace bolster

@@ -1,0 +1,32 @@
+// What the inspector shows of a frame.
+#pragma once
+
+#include "ElementForm.h"
+
+#include <QCoreApplication>
+
+namespace bolster {
+
+class Document;
+
+class FrameForm : public ElementForm {
+    Q_DECLARE_TR_FUNCTIONS(FrameForm)
+
+public:
+    FrameForm(Document& document, const FormSources& sources, const FormWishes& wishes)
+        : m_document(document)
+        , m_sources(sources)
+        , m_wishes(wishes)
+    {}
+
+    void add(PropertyForm& form, const Ids& ids) const override;
+
+private:
+    void addMaterial(PropertyForm& form, const Ids& ids) const;
+
+    Document& m_document;
+    const FormSources& m_sources;
+    const FormWishes& m_wishes;
+};
+
+} // namespace bolster
