@@ -4,7 +4,6 @@
 #include "DesignCheck.h"
 #include "EditCheck.h"
 #include "ElementEdits.h"
-#include "FabricColors.h"
 #include "FabricShown.h"
 #include "PatchMerge.h"
 #include "PatchSplit.h"
@@ -475,17 +474,6 @@ TEST_F(LooksTest, AddedFabricsGetNamesOfTheirOwn)
     EXPECT_EQ(get<Fabric>(id).name, "Leather 2");
     copy.name = "Leather 2";
     EXPECT_EQ(get<Fabric>(id), copy);
-}
-
-TEST_F(LooksTest, SecondColoursAreDerivedUnlessGiven)
-{
-    EXPECT_EQ(secondColorShown(get<Fabric>(leather)), "#402010");
-    Fabric fabric;
-    fabric.color = "#808080";
-    fabric.look = usualLook(FabricLook::Kind::GrainedLeather);
-    EXPECT_LT(secondColorShown(fabric), fabric.color) << "creases are darker";
-    fabric.look = usualLook(FabricLook::Kind::Checker);
-    EXPECT_GT(secondColorShown(fabric), fabric.color);
 }
 
 } // namespace
