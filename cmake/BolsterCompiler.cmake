@@ -34,6 +34,13 @@ if(BOLSTER_SANITIZE)
     add_link_options(-fsanitize=${BOLSTER_SANITIZE})
 endif()
 
+if(BOLSTER_ODR)
+    # Only the objects are of use; a program that something else depends on is an empty file.
+    add_compile_options(-flto -fno-fat-lto-objects)
+    set(CMAKE_CXX_LINK_EXECUTABLE "\"${CMAKE_COMMAND}\" -E touch <TARGET>")
+    set(CMAKE_CXX_CREATE_STATIC_LIBRARY "${CMAKE_CXX_LINK_EXECUTABLE}")
+endif()
+
 function(bolster_listed_library name)
     cmake_parse_arguments(ARG "" "" "ROOTS;HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
     add_library(${name} STATIC ${ARG_SOURCES})
