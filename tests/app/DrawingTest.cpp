@@ -41,14 +41,14 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
         for (const QWidget* ruler : view.findChildren<PatternRuler*>())
             EXPECT_FALSE(ruler->isVisible() && ruler->geometry().intersects(hint.geometry()));
     };
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     auto& hint = *window.findChild<StartHint*>();
     auto& next = *window.findChild<NextStep*>();
     for (const int width : {1400, 900}) {
         window.resize(width, 640);
         ASSERT_TRUE(QTest::qWaitFor([&] { return window.width() == width; }));
         for (const bool rulers : {true, false}) {
-            window.actions().showRulers->setChecked(rulers);
+            window.command("draw.rulers")->setChecked(rulers);
             expectFree(hint);
         }
     }
@@ -56,7 +56,7 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     window.document().commit(edits::addPatch(window.document().design(), outline, "Seat"));
     window.patternView().fitAll();
     for (const bool rulers : {true, false}) {
-        window.actions().showRulers->setChecked(rulers);
+        window.command("draw.rulers")->setChecked(rulers);
         expectFree(next);
     }
     window.resize(1400, 640);
@@ -81,12 +81,12 @@ TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
 
 TEST_F(DrawingWindowTest, SnappingStaysAsItWasLeft)
 {
-    const bool before = window.actions().snapping->isChecked();
-    window.actions().snapping->trigger();
+    const bool before = window.command("draw.snapping")->isChecked();
+    window.command("draw.snapping")->trigger();
     EXPECT_EQ(window.patternView().snapping(), !before);
     MainWindow next;
-    EXPECT_EQ(next.actions().snapping->isChecked(), !before);
-    window.actions().snapping->trigger();
+    EXPECT_EQ(next.command("draw.snapping")->isChecked(), !before);
+    window.command("draw.snapping")->trigger();
     EXPECT_EQ(window.patternView().snapping(), before);
 }
 
