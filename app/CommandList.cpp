@@ -15,7 +15,7 @@ QString plain(QString text)
     return text.remove(u'&').remove(QStringLiteral("\u2026")).trimmed();
 }
 
-void collect(const QList<QAction*>& actions, const QString& path, QSet<QAction*>& seen, QList<Command>& commands)
+void collect(const QList<QAction*>& actions, const QString& path, QSet<QAction*>& seen, QList<MenuEntry>& commands)
 {
     for (QAction* action : actions) {
         if (action->isSeparator() || !action->isVisible() || seen.contains(action))
@@ -59,15 +59,15 @@ int wordScore(const QString& word, const QString& text)
 
 } // namespace
 
-QList<Command> commandsOf(const QMenuBar& bar)
+QList<MenuEntry> commandsOf(const QMenuBar& bar)
 {
-    QList<Command> commands;
+    QList<MenuEntry> commands;
     QSet<QAction*> seen;
     collect(bar.actions(), {}, seen, commands);
     return commands;
 }
 
-int matchScore(const QString& query, const Command& command)
+int matchScore(const QString& query, const MenuEntry& command)
 {
     const QString text = command.text.toCaseFolded();
     const QString path = command.path.toCaseFolded();

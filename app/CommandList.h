@@ -10,7 +10,7 @@ class QMenuBar;
 
 namespace bolster {
 
-struct Command {
+struct MenuEntry {
     QPointer<QAction> action;
     QString text; ///< without mnemonic and dots
     QString path; ///< "View > Look at the cover from", with a proper arrow
@@ -18,11 +18,11 @@ struct Command {
 
 /// The actions of all menus and submenus in their order, each once; menus that are filled when they open are filled
 /// first. Nothing has to be registered.
-QList<Command> commandsOf(const QMenuBar& bar);
+QList<MenuEntry> commandsOf(const QMenuBar& bar);
 
 /// How well the words of `query` are found in a command, at any place and in any order: 0 not at all; the beginning
 /// of a word counts more than its middle, that more than letters that follow each other, the text more than its
 /// menu.
-int matchScore(const QString& query, const Command& command);
+int matchScore(const QString& query, const MenuEntry& command);
 
 } // namespace bolster

@@ -1,5 +1,6 @@
 #include "CommandPalette.h"
 
+#include "Commands.h"
 #include "Icons.h"
 #include "ViewColors.h"
 
@@ -117,9 +118,10 @@ void CommandPalette::open()
     if (isVisible())
         return;
     const QStringList recent = QSettings().value(recentCommandsKey).toStringList();
-    const auto rank = [&recent](const Command& command) {
+    const auto rank = [&recent](const MenuEntry& command) {
         const qsizetype place = recent.indexOf(idOf(*command.action));
-        return place < 0 ? recent.size() : place;
+        const qsizetype found = place < 0 ? recent.indexOf(Commands::formerId(*command.action)) : place;
+        return found < 0 ? recent.size() : found;
     };
     m_commands = commandsOf(*m_window.menuBar());
     std::ranges::stable_sort(m_commands, {}, rank);
@@ -157,8 +159,8 @@ void CommandPalette::place()
 
 void CommandPalette::filter()
 {
-    QList<std::pair<int, Command>> found;
-    for (const Command& command : m_commands)
+    QList<std::pair<int, MenuEntry>> found;
+    for (const MenuEntry& command : m_commands)
         if (const int score = matchScore(m_field->text(), command); command.action && score > 0)
             found.append({score, command});
     std::ranges::stable_sort(found, std::greater(), [](const auto& entry) { return entry.first; });
@@ -187,6 +189,7 @@ void CommandPalette::run(int row)
     const QPointer<QAction> action = m_shown[row].action;
     QStringList recent = QSettings().value(recentCommandsKey).toStringList();
     recent.removeAll(idOf(*action));
+    recent.removeAll(Commands::formerId(*action));
     recent.prepend(idOf(*action));
     QSettings().setValue(recentCommandsKey, QStringList(recent.mid(0, mostRecentCommands)));
     close(true);

@@ -24,7 +24,7 @@ public:
     QLineEdit& field() { return *m_field; }
     QListWidget& list() { return *m_list; }
     /// The command of a row.
-    const Command& commandAt(int row) const { return m_shown[row]; }
+    const MenuEntry& commandAt(int row) const { return m_shown[row]; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,8 +39,8 @@ private:
     QMainWindow& m_window;
     QLineEdit* m_field;
     QListWidget* m_list;
-    QList<Command> m_commands; ///< recently used ones first
-    QList<Command> m_shown;
+    QList<MenuEntry> m_commands; ///< recently used ones first
+    QList<MenuEntry> m_shown;
     QPointer<QWidget> m_focusBefore;
 };
 

@@ -1,6 +1,6 @@
 #include "ContextMenus.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "Document.h"
 #include "FrameEdits.h"
 #include "Selection.h"
@@ -22,11 +22,11 @@ class ContextMenuFiller {
     Q_DECLARE_TR_FUNCTIONS(ContextMenus)
 
 public:
-    ContextMenuFiller(QMenu& menu, const Design& design, const Selection& selection, const Actions& actions)
+    ContextMenuFiller(QMenu& menu, const Design& design, const Selection& selection, Commands& commands)
         : m_menu(menu)
         , m_design(design)
         , m_selection(selection)
-        , m_actions(actions)
+        , m_commands(commands)
     {}
 
     void selectionInPattern()
@@ -45,7 +45,7 @@ public:
         sewing();
         if (has<Patch>()) {
             fabric();
-            group({m_actions.cut, m_actions.copy, m_actions.duplicate});
+            group({"edit.cut", "edit.copy", "edit.duplicate"});
         }
         hiding();
         rest();
@@ -53,25 +53,25 @@ public:
 
     void pattern()
     {
-        group(tools({PatternToolKind::Outline, PatternToolKind::Rectangle, PatternToolKind::Ellipse,
-                     PatternToolKind::Sew}));
-        group({m_actions.paste, m_actions.arrange});
-        group({m_actions.selectAll, m_actions.fitAll});
-        submenu(tr("&Show"), {m_actions.showGrid, m_actions.showLabels, m_actions.showSeams, m_actions.showPoints,
-                              m_actions.showMesh, m_actions.showRulers, m_actions.showGuides});
-        group({m_actions.snapping});
+        group({"tool.outline", "tool.rectangle", "tool.ellipse", "tool.sew"});
+        group({"edit.paste", "layout.arrange"});
+        group({"edit.select-all", "view.fit-all"});
+        submenu(tr("&Show"), {"layer.grid", "layer.labels", "layer.seams", "layer.points", "layer.mesh",
+                              "draw.rulers", "draw.guides"});
+        group({"draw.snapping"});
     }
 
     void space()
     {
-        group(m_actions.surfaceTools);
-        group({m_actions.importFrame, m_actions.insertCushion});
-        group({m_actions.fitAll, m_actions.perspective, m_actions.section});
-        submenu(tr("&Look from"), m_actions.standardViews);
-        submenu(tr("&Show"), {m_actions.showFrames, m_actions.showCurves, m_actions.showSeams, m_actions.showMesh,
-                              m_actions.showChecker, m_actions.showScans, m_actions.showGround});
-        submenu(tr("&Map"), m_actions.maps + QList{m_actions.showDeviation});
-        group({m_actions.showHidden});
+        group({"tool.draw-fixation"});
+        group({"file.import-frame", "insert.cushion"});
+        group({"view.fit-all", "view.perspective", "view.section"});
+        submenu(tr("&Look from"), m_commands.startingWith("view.from-"));
+        submenu(tr("&Show"), {"layer.frames", "layer.curves", "layer.seams", "layer.mesh", "layer.checker",
+                              "layer.scans", "layer.ground"});
+        submenu(tr("&Map"), m_commands.list({"map.strain", "map.along", "map.across", "map.shear", "map.curvature",
+                                             "map.thickness", "map.deviation"}));
+        group({"view.show-hidden"});
     }
 
 private:
@@ -89,6 +89,12 @@ private:
                 m_menu.addAction(action);
     }
 
+    void group(std::initializer_list<const char*> ids) { group(m_commands.list(ids)); }
+    void submenu(const QString& title, std::initializer_list<const char*> ids)
+    {
+        submenu(title, m_commands.list(ids));
+    }
+
     void submenu(const QString& title, const QList<QAction*>& actions)
     {
         const auto possible = [](const QAction* action) { return action->isEnabled(); };
@@ -100,42 +106,33 @@ private:
                 menu->addAction(action);
     }
 
-    QList<QAction*> tools(std::initializer_list<PatternToolKind> kinds) const
-    {
-        QList<QAction*> found;
-        for (QAction* action : m_actions.patternTools)
-            if (std::ranges::find(kinds, static_cast<PatternToolKind>(action->data().toInt())) != kinds.end())
-                found.append(action);
-        return found;
-    }
-
     void points()
     {
         if (m_selection.points().empty())
             return;
-        group({m_actions.makeCorner, m_actions.makeSmooth, m_actions.straighten});
-        group({m_actions.createFixation});
-        group({m_actions.releasePoints, m_actions.relinkPoints});
+        group({"shape.make-corner", "shape.make-smooth", "shape.straighten"});
+        group({"fixation.create"});
+        group({"twin.release-points", "twin.relink-points"});
     }
 
     void edges()
     {
         if (m_selection.edges().empty())
             return;
-        group({m_actions.edgeLength, m_actions.equalLengths});
-        group({m_actions.createFixation});
+        group({"shape.edge-length", "shape.equal-lengths"});
+        group({"fixation.create"});
     }
 
     void sewing()
     {
         if (has<Seam>()) {
-            group({m_actions.flipSeams, m_actions.swapSeamSides, m_actions.equalLengths});
-            submenu(tr("&Continuity"), m_actions.seamContinuities);
-            submenu(tr("&Match"), m_actions.seamMatches);
-            group({m_actions.mergePatches, m_actions.showSeamList});
+            group({"seam.flip", "seam.swap-sides", "shape.equal-lengths"});
+            submenu(tr("&Continuity"), m_commands.startingWith("seam.continuity-"));
+            submenu(tr("&Match"), m_commands.startingWith("seam.match-"));
+            group({"shape.merge-patches", "seam.list"});
         }
         if (has<FixationCurve>())
-            group(tools({PatternToolKind::Attach}));
+            group({"tool.attach"});
     }
 
     void patches()
@@ -143,44 +140,42 @@ private:
         if (!has<Patch>())
             return;
         fabric();
-        group({m_actions.cut, m_actions.copy, m_actions.paste, m_actions.duplicate});
-        submenu(tr("&Arrange"), QList{m_actions.turnLeft, m_actions.turnRight, m_actions.mirrorHorizontally,
-                                      m_actions.mirrorVertically} +
-                                    m_actions.align + m_actions.distribute + QList{m_actions.arrange});
-        group({m_actions.mergePatches});
+        group({"edit.cut", "edit.copy", "edit.paste", "edit.duplicate"});
+        submenu(tr("&Arrange"), m_commands.startingWith("layout."));
+        group({"shape.merge-patches"});
         hiding();
     }
 
-    void fabric() { group({m_actions.assignFabric, m_actions.editFabric}); }
-    void hiding() { group({m_actions.hideSelected, m_actions.isolate, m_actions.showHidden}); }
+    void fabric() { group({"fabric.assign", "fabric.edit"}); }
+    void hiding() { group({"view.hide", "view.isolate", "view.show-hidden"}); }
 
     /// What is no matter of patches, and what can be done with anything.
     void rest()
     {
-        group({m_actions.makeTwin, m_actions.linkTwins, m_actions.unlinkTwins});
+        group({"twin.make", "twin.link", "twin.unlink"});
         if (has<Frame>())
-            group({m_actions.insertCushion});
+            group({"insert.cushion"});
         if (has<Cushion>())
-            group(m_actions.insertFoam);
-        group({m_actions.rename, m_actions.fitSelection});
+            group(m_commands.startingWith("insert.foam-"));
+        group({"edit.rename", "view.fit-selection"});
         const auto ofPatch = [](const Selection::Edge& edge) { return edge.owner == edge.stretch.patch; };
         if (std::ranges::none_of(m_selection.edges(), ofPatch))
-            group({m_actions.remove});
+            group({"edit.delete"});
     }
 
     QMenu& m_menu;
     const Design& m_design;
     const Selection& m_selection;
-    const Actions& m_actions;
+    Commands& m_commands;
 };
 
 } // namespace
 
-ContextMenus::ContextMenus(Document& document, Selection& selection, Actions& actions, QWidget* window)
+ContextMenus::ContextMenus(Document& document, Selection& selection, Commands& commands, QWidget* window)
     : QObject(window)
     , m_document(document)
     , m_selection(selection)
-    , m_actions(actions)
+    , m_commands(commands)
     , m_window(window)
 {}
 
@@ -203,7 +198,7 @@ void ContextMenus::finish(QMenu& menu, const QPoint& global)
 void ContextMenus::showInPattern(const QPoint& global, bool onSomething)
 {
     QMenu* menu = begin();
-    ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_actions);
+    ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_commands);
     onSomething ? filler.selectionInPattern() : filler.pattern();
     finish(*menu, global);
 }
@@ -226,7 +221,7 @@ void ContextMenus::showInSurface(const QPoint& global, bool onSomething, const s
     QMenu* menu = begin();
     if (piece)
         addHiding(*menu, *piece);
-    ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_actions);
+    ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_commands);
     onSomething ? filler.selectionInSpace() : filler.space();
     finish(*menu, global);
 }

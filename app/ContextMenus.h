@@ -15,7 +15,7 @@ class QWidget;
 
 namespace bolster {
 
-class Actions;
+class Commands;
 class Document;
 class Selection;
 
@@ -32,7 +32,7 @@ class ContextMenus : public QObject {
     Q_OBJECT
 
 public:
-    ContextMenus(Document& document, Selection& selection, Actions& actions, QWidget* window);
+    ContextMenus(Document& document, Selection& selection, Commands& commands, QWidget* window);
 
     /// `onSomething`: what lies there is selected; else the view is meant.
     void showInPattern(const QPoint& global, bool onSomething);
@@ -48,7 +48,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    Actions& m_actions;
+    Commands& m_commands;
     QWidget* m_window;
 };
 

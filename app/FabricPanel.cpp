@@ -1,7 +1,7 @@
 #include "FabricPanel.h"
 
-#include "Actions.h"
 #include "ColourwayEdits.h"
+#include "Commands.h"
 #include "ElementText.h"
 #include "FabricLink.h"
 #include "Icons.h"
@@ -140,13 +140,13 @@ QString FabricPanel::mimeType()
     return QStringLiteral("application/x-bolster-fabric");
 }
 
-FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& link, Actions& actions,
+FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& link, Commands& commands,
                          QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_selection(selection)
     , m_link(link)
-    , m_actions(actions)
+    , m_commands(commands)
     , m_colourways(new QListWidget)
     , m_fabrics(new FabricList)
 {
@@ -175,21 +175,21 @@ FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& l
     layout->setSpacing(0);
     layout->addWidget(heading(tr("Colourway")));
     layout->addWidget(m_colourways);
-    layout->addWidget(buttons({{actions.newColourway, tr("New \u2026")},
-                               {actions.renameColourway, tr("Rename \u2026")},
-                               {actions.removeColourway, tr("Delete")},
-                               {actions.compareColourways, tr("Compare")}}));
-    layout->addWidget(
-        headingWith(tr("Fabrics: drag them onto patches"), {actions.fabricsOnCushions, actions.fabricsOnBalls}));
+    layout->addWidget(buttons({{commands["colourway.new"], tr("New \u2026")},
+                               {commands["colourway.rename"], tr("Rename \u2026")},
+                               {commands["colourway.delete"], tr("Delete")},
+                               {commands["colourway.compare"], tr("Compare")}}));
+    layout->addWidget(headingWith(tr("Fabrics: drag them onto patches"),
+                                  {commands["fabric.on-cushions"], commands["fabric.on-balls"]}));
     layout->addWidget(m_fabrics, 1);
-    layout->addWidget(buttons({{actions.newFabric, tr("New")},
-                               {actions.assignFabric, tr("Assign")},
-                               {actions.duplicateFabric, tr("Copy")},
-                               {actions.removeFabric, tr("Delete \u2026")}}));
+    layout->addWidget(buttons({{commands["fabric.new"], tr("New")},
+                               {commands["fabric.assign"], tr("Assign")},
+                               {commands["fabric.duplicate"], tr("Copy")},
+                               {commands["fabric.delete"], tr("Delete \u2026")}}));
 
     connect(&document, &Document::changed, this, &FabricPanel::fill);
     connect(&link, &FabricLink::changed, this, &FabricPanel::fillFabrics);
-    connect(actions.fabricsOnBalls, &QAction::toggled, this, &FabricPanel::fillFabrics);
+    connect(commands["fabric.on-balls"], &QAction::toggled, this, &FabricPanel::fillFabrics);
     connect(&selection, &Selection::changed, this, &FabricPanel::followSelection);
     connect(m_fabrics, &QListWidget::currentItemChanged, this,
             [this](const QListWidgetItem* item) { emit fabricChosen(idOf(item)); });
@@ -251,7 +251,7 @@ void FabricPanel::fillFabrics()
     const ElementId before = fabric();
     std::map<ElementId, FabricPictures> drawn = m_link.pictures();
     const QImage FabricPictures::*shape =
-        m_actions.fabricsOnBalls->isChecked() ? &FabricPictures::ball : &FabricPictures::cushion;
+        m_commands["fabric.on-balls"]->isChecked() ? &FabricPictures::ball : &FabricPictures::cushion;
     {
         const QSignalBlocker quiet(m_fabrics);
         while (m_fabrics->count() > static_cast<int>(ids.size()))
@@ -298,11 +298,11 @@ void FabricPanel::showMenu(const QPoint& at)
         return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addActions({m_actions.assignFabric, m_actions.editFabric, m_actions.fabricPicture});
+    menu->addActions({m_commands["fabric.assign"], m_commands["fabric.edit"], m_commands["fabric.picture"]});
     menu->addSeparator();
-    menu->addActions({m_actions.duplicateFabric, m_actions.renameFabric, m_actions.removeFabric});
+    menu->addActions({m_commands["fabric.duplicate"], m_commands["fabric.rename"], m_commands["fabric.delete"]});
     menu->addSeparator();
-    menu->addAction(m_actions.exportFabric);
+    menu->addAction(m_commands["fabric.export"]);
     menu->popup(m_fabrics->viewport()->mapToGlobal(at));
 }
 

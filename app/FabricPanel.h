@@ -10,7 +10,7 @@ class QListWidgetItem;
 
 namespace bolster {
 
-class Actions;
+class Commands;
 class FabricLink;
 class Selection;
 
@@ -19,7 +19,7 @@ class FabricPanel : public QWidget {
     Q_OBJECT
 
 public:
-    FabricPanel(Document& document, Selection& selection, FabricLink& link, Actions& actions,
+    FabricPanel(Document& document, Selection& selection, FabricLink& link, Commands& commands,
                 QWidget* parent = nullptr);
 
     /// What is chosen here: settingsId for none.
@@ -49,7 +49,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     FabricLink& m_link;
-    Actions& m_actions;
+    Commands& m_commands;
     QListWidget* m_colourways;
     QListWidget* m_fabrics;
 };

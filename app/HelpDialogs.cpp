@@ -1,6 +1,6 @@
 #include "HelpDialogs.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "Icons.h"
 #include "Units.h"
 
@@ -130,10 +130,10 @@ void showAbout(QWidget* parent)
     showText(parent, HelpDialogs::tr("About Bolster"), html, {460, 340});
 }
 
-void showShortcuts(QWidget* parent, const Actions& actions)
+void showShortcuts(QWidget* parent, const Commands& commands)
 {
     Rows keys;
-    for (const QAction* action : actions.findChildren<QAction*>()) {
+    for (const QAction* action : commands.all()) {
         if (action->shortcut().isEmpty())
             continue;
         QString name = action->iconText(); // "Undo", not what it would undo now

@@ -7,11 +7,11 @@ class QWidget;
 
 namespace bolster {
 
-class Actions;
+class Commands;
 
 void showAbout(QWidget* parent);
-/// Keys of all actions, and what the mouse does in the views.
-void showShortcuts(QWidget* parent, const Actions& actions);
+/// Keys of all commands, and what the mouse does in the views.
+void showShortcuts(QWidget* parent, const Commands& commands);
 void showFigures(QWidget* parent, const SolveReport& report);
 
 } // namespace bolster

@@ -1,15 +1,11 @@
-// The menu bar.
+// The menus of the menu bar. What is in them the tables of the commands say.
 #pragma once
-
-class QMainWindow;
 
 namespace bolster {
 
-class Actions;
-class Docks;
-class FileFlow;
+class Commands;
 
-/// Every action is in a menu.
-void buildMenus(QMainWindow& window, Actions& actions, FileFlow& files, Docks& docks);
+/// In their order.
+void addMainMenus(Commands& commands);
 
 } // namespace bolster

@@ -1,7 +1,8 @@
 #include "MainWindow.h"
 
-#include "Actions.h"
 #include "Banner.h"
+#include "CommandPalette.h"
+#include "Commands.h"
 #include "CoverLink.h"
 #include "Docks.h"
 #include "ElementsView.h"
@@ -12,7 +13,6 @@
 #include "FindingsLink.h"
 #include "HistoryPanel.h"
 #include "Inspector.h"
-#include "MainMenu.h"
 #include "MapLink.h"
 #include "PatternView.h"
 #include "PlainLabels.h"
@@ -21,13 +21,8 @@
 #include "SavedViews.h"
 #include "ScanLink.h"
 #include "SeamsView.h"
-#include "SelectionEdits.h"
-#include "Shortcuts.h"
 #include "SpotsPanel.h"
 #include "StatusLine.h"
-#include "Thumbnails.h"
-#include "Translated.h"
-#include "Units.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -48,6 +43,16 @@ const QString stateKey = QStringLiteral("window/state");
 const QString sizesKey = QStringLiteral("window/panes");
 constexpr int layoutVersion = 4; // larger when docks are added or renamed
 
+void fillToolBar(QToolBar& bar, Commands& commands)
+{
+    bar.setObjectName(QStringLiteral("tools"));
+    bar.setMovable(false);
+    bar.setIconSize({20, 20});
+    commands.fill(bar);
+    if (auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+        more->setToolTip(MainWindow::tr("More commands"));
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -60,7 +65,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_covers(std::make_unique<CoverLink>())
     , m_fabricLink(std::make_unique<FabricLink>(*m_session))
     , m_fabricCommands(new FabricCommands(*m_session, m_selection, this))
-    , m_actions(new Actions(this))
+    , m_commands(new Commands(*this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
     , m_surface(new SurfaceView(document(), m_surfaceSelection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
@@ -68,8 +73,8 @@ MainWindow::MainWindow(QWidget* parent)
     , m_inspector(new Inspector(document(), m_selection, m_problems))
     , m_problemList(new ProblemsView(m_problems))
     , m_seams(new SeamsView(document(), m_selection))
-    , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_actions))
-    , m_spots(new SpotsPanel(*m_maps, *m_actions))
+    , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_commands))
+    , m_spots(new SpotsPanel(*m_maps, *m_commands))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
@@ -78,28 +83,22 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setStatusBar(m_status);
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
-    buildToolBars();
+    auto* bar = addToolBar(tr("Tools"));
+    addMessages();
     m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
                                                           m_problemList, m_seams, m_fabricPanel, m_spots});
-    buildMenus(*this, *m_actions, *m_files, *m_docks);
+    m_palette = new CommandPalette(*this);
+    connectSession(); // before the areas: what they look at is up to date then
     connectDocument();
+    connectSolver();
+    addCommands();
+    fillToolBar(*bar, *m_commands);
     connectViews();
-    connectScans();
-    connectMaps();
+    connectContextMenus();
+    connectFiles();
     connectFindings();
-    connectSewing();
-    connectFixing();
-    connect3D();
-    connectDrawing();
-    connectTwins();
-    connectFabrics();
-    connectActions();
-    connectViewActions();
-    connectPattern();
-    connectPanels();
-    connectFirstSteps();
+    connectKeyboard();
     m_session->startNew();
-    applyLayers();
     restoreSize();
 }
 
@@ -115,28 +114,13 @@ void MainWindow::recover()
     m_files->recover();
 }
 
-void MainWindow::buildToolBars()
+QAction* MainWindow::command(const char* id)
 {
-    auto* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    bar->setIconSize({20, 20});
-    bar->addActions({m_actions->newDesign, m_actions->open, m_actions->save});
-    bar->addSeparator();
-    bar->addActions({m_actions->undo, m_actions->redo, m_actions->remove});
-    bar->addSeparator();
-    bar->addActions(m_actions->patternTools);
-    bar->addActions(m_actions->surfaceTools);
-    bar->addAction(m_actions->createFixation);
-    bar->addSeparator();
-    bar->addActions({m_actions->pause, m_actions->fitAll, m_actions->fitSelection, m_actions->perspective});
-    bar->addSeparator(); // what follows has keys and is in View > Layers: the first that a small window leaves out
-    bar->addActions({m_actions->showMesh, m_actions->showChecker, m_actions->showSeams, m_actions->showPoints,
-                     m_actions->showCurves, m_actions->showFrames, m_actions->showScans, m_actions->showDeviation,
-                     m_actions->showGrid, m_actions->snapping});
-    if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
-        more->setToolTip(tr("More commands"));
+    return (*m_commands)[id];
+}
 
+void MainWindow::addMessages()
+{
     addToolBarBreak();
     auto* messages = addToolBar(tr("Messages"));
     messages->setObjectName(QStringLiteral("messages"));
@@ -149,98 +133,6 @@ void MainWindow::buildToolBars()
     setContextMenuPolicy(Qt::NoContextMenu);
 }
 
-void MainWindow::connectDocument()
-{
-    connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
-    connect(m_session.get(), &DesignSession::leaving, this, &MainWindow::keepCamera);
-    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
-    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateEditActions); // saved now
-    connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
-        m_surface->shown().setFiles(m_session->files());
-        m_solver->setFiles(m_session->files());
-        m_inspector->setFiles(m_session->files());
-        m_actions->showScanColors->setVisible(m_surface->shown().hasScanColors());
-    });
-    connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
-        m_selection.set({id});
-        if (!m_solver->surface())
-            m_surface->navigation().fitAll();
-    });
-    connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
-    connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
-    connect(&document(), &Document::historyChanged, this, &MainWindow::updateEditActions);
-    connect(&document(), &Document::changed, this, [this] {
-        pruneSelection(m_selection, document().design());
-        pruneSelection(m_surfaceSelection, document().design());
-        m_covers->setDesign(document().design());
-        m_actions->undo->setEnabled(document().history().canUndo() || document().gestureRunning());
-    });
-    connect(&m_selection, &Selection::changed, this, &MainWindow::updateEditActions);
-
-    connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
-        m_pattern->shown().setSurface(surface);
-        m_scans->setSurface(surface);
-        m_maps->setSurface(surface);
-        if (surface && std::exchange(m_fitCover, false))
-            m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
-        m_actions->exportSurface->setEnabled(surface != nullptr);
-        m_actions->renderPicture->setEnabled(surface != nullptr);
-    });
-    connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
-    connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
-    connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
-        m_status->flashWithReason(
-            tr("The cover sprang by %1.").arg(lengthText(distance)),
-            tr("Folded cloth can lie in several ways, and where a drag leaves it depends on the way of "
-               "the pointer. What you see now follows from the design alone: whoever opens it sees "
-               "the same, and so do exports and pictures. If you want the other shape, tell the design: "
-               "hold the cloth there with a handle, or make the piece smaller until it needs no folds."));
-    });
-    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
-    connect(m_solver.get(), &SolverLink::fieldChanged, &m_surface->shown(), &ShownScene::setField);
-    connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
-    connect(&m_problems, &ProblemSet::changed, this, [this] {
-        m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));
-    });
-}
-
-void MainWindow::connectViews()
-{
-    connect(m_pattern, &PatternView::promptChanged, m_status, &StatusLine::setPrompt);
-    connect(m_surface, &SurfaceView::promptChanged, m_status, &StatusLine::setPrompt);
-    connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &SurfaceView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &SurfaceView::rendererNote, m_status, &StatusLine::setRendererNote);
-    connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
-        m_status->setCoordinates(
-            at ? tr("x %1   y %2 mm").arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true))
-               : QString());
-        m_status->setPrompt(m_pattern->prompt());
-    });
-    connect(m_surface, &SurfaceView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
-        m_status->setCoordinates(at ? tr("x %1   y %2   z %3 mm")
-                                          .arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true),
-                                               decimalText(at->z(), 1, true))
-                                    : QString());
-        m_status->setPrompt(m_surface->prompt());
-    });
-    connect(m_inspector, &Inspector::fileWanted, this, [this](ElementId id) {
-        if (document().design().find<Fabric>(id))
-            m_fabricCommands->choosePicture(id);
-        else
-            m_files->replaceFile(id);
-    });
-    connect(m_elements, &ElementsView::shown, this, &MainWindow::fitSelection);
-    connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
-    connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
-    connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
-    connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
-    connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
-        (kind == FileKind::Cloud ? m_actions->showScans : m_actions->showFrames)->setChecked(true);
-    });
-    connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
-}
-
 void MainWindow::designOpened()
 {
     m_banner->dismiss(); // it spoke about the last one
@@ -248,11 +140,10 @@ void MainWindow::designOpened()
     m_elements->scrollToTop();
     m_solver->forget(m_session->files());
     m_surface->shown().setFiles(m_session->files());
-    m_actions->showScanColors->setVisible(m_surface->shown().hasScanColors());
     m_pattern->navigation().fitAll();
     lookAtOpened();
     updateTitle();
-    updateEditActions();
+    m_commands->update();
 }
 
 /// From where it was looked at last; samples and new designs as they look best.
@@ -283,28 +174,6 @@ void MainWindow::updateTitle()
     setWindowModified(document().dirty());
 }
 
-void MainWindow::updateEditActions()
-{
-    const History& history = document().history();
-    const auto verb = [&](NodeId node) { return translated(history.node(node).edit.verb); };
-    const NodeId current = history.current();
-    m_actions->undo->setEnabled(history.canUndo() || document().gestureRunning()); // a drag is undone first
-    m_actions->undo->setText(history.canUndo() ? tr("&Undo: %1").arg(verb(current)) : tr("&Undo"));
-    m_actions->redo->setEnabled(history.canRedo());
-    m_actions->redo->setText(history.canRedo() ? tr("&Redo: %1").arg(verb(history.node(current).lastVisitedChild))
-                                               : tr("&Redo"));
-    m_actions->revert->setEnabled(m_files->hasSaved() && history.current() != document().saved());
-    m_actions->nameBranch->setEnabled(history.branchOf(current).has_value());
-
-    const bool any = !m_selection.elements().empty();
-    const bool patches = !selectedOf<Patch>(document().design(), m_selection.elements()).empty();
-    m_actions->remove->setEnabled(any);
-    m_actions->rename->setEnabled(m_selection.elements().size() == 1);
-    m_actions->selectNone->setEnabled(any);
-    m_actions->turnLeft->setEnabled(patches);
-    m_actions->turnRight->setEnabled(patches);
-}
-
 void MainWindow::updateProblems()
 {
     Problems all = m_session->problems();
@@ -324,7 +193,6 @@ void MainWindow::updateSolverState()
         updateProblems();
     const bool stale = m_solver->paused() && !m_solver->upToDate();
     m_surface->shown().setDimmed(status.state == SolverStatus::State::Failed || stale);
-    m_actions->report->setEnabled(m_solver->report().vertices > 0);
 }
 
 void MainWindow::showProblem(ElementId element)
@@ -335,12 +203,6 @@ void MainWindow::showProblem(ElementId element)
     }
     m_elements->reveal(element);
     m_pattern->navigation().fitSelection();
-}
-
-void MainWindow::fitSelection()
-{
-    m_pattern->navigation().fitSelection();
-    m_surface->navigation().fitSelection();
 }
 
 void MainWindow::restoreSize()

@@ -9,16 +9,16 @@
 
 #include <QMainWindow>
 
-#include <functional>
 #include <memory>
+#include <vector>
 
-class QMenu;
+class QAction;
 
 namespace bolster {
 
-class Actions;
 class Banner;
 class CommandPalette;
+class Commands;
 class Docks;
 class ElementsView;
 class FabricCommands;
@@ -28,17 +28,17 @@ class FileFlow;
 class FindingsLink;
 class HistoryPanel;
 class Inspector;
+class LayerCommands;
+class MapCommands;
 class MapLink;
 class PatternView;
 class ProblemsView;
 class CoverLink;
 class ScanLink;
-class Thumbnails;
 class SeamsView;
-class Shortcuts;
 class SpotsPanel;
 class StatusLine;
-enum class ScanWish;
+class ViewCommands;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -62,7 +62,9 @@ public:
     Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
     SurfaceView& surfaceView() { return *m_surface; }
-    Actions& actions() { return *m_actions; }
+    Commands& commands() { return *m_commands; }
+    /// By its id.
+    QAction* command(const char* id);
     SeamsView& seams() { return *m_seams; }
     Docks& docks() { return *m_docks; }
     CommandPalette& commandPalette() { return *m_palette; }
@@ -82,71 +84,28 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void buildToolBars();
+    /// Makes the commands of an area, which lives as long as the window.
+    template <class Area, class... Needs>
+    Area& addArea(Needs&&... needs);
+    void addMessages();
+    void addCommands();
+    void addViewCommands();
+    void addDesignCommands();
+    void connectSession();
     void connectDocument();
+    void connectSolver();
     void connectViews();
-    void connectActions();
-    void connectTools();
-    void updateToolActions();
-    void connectViewActions();
+    void connectContextMenus();
+    void connectFiles();
+    void connectFindings();
+    void connectKeyboard();
     void designOpened();
     void keepCamera();
     void lookAtOpened();
     void updateTitle();
-    void updateEditActions();
     void updateProblems();
     void updateSolverState();
-    void withCoverAtRest(const std::function<void()>& then);
-    void showMeasured();
-    const SurfaceMapPtr& mapShown() const;
-    void connectScans();
-    void workOnScan(ElementId scan, ScanWish wish);
-    void onTheScan(const std::function<void(ElementId)>& work);
-    void updateScanActions();
-    void connectSewing();
-    void updateSeamActions();
-    void connectFixing();
-    void createFixation();
-    void updateFixingActions();
-    void connect3D();
-    void linkViews();
-    void linkSelections();
-    void addOpacitySliders();
-    void fillSavedViews(QMenu& menu);
-    void saveView();
-    void update3DActions();
-    void connectDrawing();
-    void connectBackground();
-    void traceBackground(const QString& path);
-    void connectPanels();
-    void connectFirstSteps();
-    void showDrawn();
-    void compareWith(NodeId node);
-    void focusNextPart(bool forward);
-    void connectFabrics();
-    void fillFabricMenus();
-    void updateFabricActions();
-    void chooseFabric(ElementId fabric);
-    void editFabric(ElementId fabric);
-    void compareColourways();
-    void connectTwins();
-    void updateTwinActions();
-    void linkSelectedTwins();
-    void commitOrTell(const Edit& edit, const QString& problem);
-    void fitScanPlacement(ElementId scan);
-    void connectMaps();
-    void fillWorstSpots(QMenu& menu);
-    void showSpot(const CoverPoint& place);
-    void connectFindings();
-    void readMap(const std::optional<CoverPoint>& place);
-    void renderPicture();
-    void connectPattern();
-    void applyLayers();
-    void insert(const Edit& edit, const QString& problem);
-    void removeSelection();
-    void turnSelection(double degrees);
     void showProblem(ElementId element);
-    void fitSelection();
     void restoreSize();
     void storeLayout();
 
@@ -159,10 +118,9 @@ private:
     std::unique_ptr<MapLink> m_maps;
     std::unique_ptr<FindingsLink> m_findings;
     std::unique_ptr<CoverLink> m_covers;
-    std::unique_ptr<Thumbnails> m_thumbnails;
     std::unique_ptr<FabricLink> m_fabricLink;
     FabricCommands* m_fabricCommands;
-    Actions* m_actions;
+    Commands* m_commands;
     PatternView* m_pattern;
     SurfaceView* m_surface;
     QWidget* m_lastView = nullptr; ///< of these two, that had the keyboard; null: none yet
@@ -173,13 +131,14 @@ private:
     SeamsView* m_seams;
     FabricPanel* m_fabricPanel;
     SpotsPanel* m_spots;
-    std::optional<CoverPoint> m_mapPlace; ///< under the pointer
     StatusLine* m_status;
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;
-    std::unique_ptr<Shortcuts> m_shortcuts;
     FileFlow* m_files;
     std::unique_ptr<Docks> m_docks;
+    std::vector<std::unique_ptr<QObject>> m_areas; ///< of commands; they go first
+    ViewCommands* m_viewCommands = nullptr;
+    MapCommands* m_mapCommands = nullptr;
     bool m_fitCover = false; ///< the next surface is the first of its design
     bool m_arranged = false; ///< docks and tool bars are where they were at the last end
     bool m_workKept = false; ///< closing was agreed to

@@ -1,11 +1,12 @@
 #include "PatternCommands.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "CopyPaste.h"
 #include "Document.h"
 #include "ElementEdits.h"
 #include "ElementText.h"
 #include "LayoutEdits.h"
+#include "PatchEdits.h"
 #include "PatchShapeEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
@@ -41,78 +42,152 @@ QString droppedText(const Design& before, const std::vector<ElementId>& dropped)
 
 } // namespace
 
-PatternCommands::PatternCommands(Document& document, Selection& selection, Actions& actions, QObject* parent)
+PatternCommands::PatternCommands(Document& document, Selection& selection, Commands& commands, QObject* parent)
     : QObject(parent)
     , m_document(document)
     , m_selection(selection)
-    , m_actions(actions)
 {
-    connectClipboard();
-    connectLayout();
-    connectShapes();
-    connect(&selection, &Selection::changed, this, &PatternCommands::update);
-    connect(&document, &Document::historyChanged, this, &PatternCommands::update);
-    connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, &PatternCommands::updateClipboard);
-    update();
-    updateClipboard();
+    addClipboard(commands);
+    addTurns(commands);
+    addAlignment(commands);
+    addPoints(commands);
+    addEdges(commands);
+    connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this,
+            [&commands] { commands.update({"edit.paste"}); });
 }
 
-void PatternCommands::connectClipboard()
+void PatternCommands::addClipboard(Commands& commands)
 {
-    connect(m_actions.cut, &QAction::triggered, this, &PatternCommands::cut);
-    connect(m_actions.copy, &QAction::triggered, this, &PatternCommands::copy);
-    connect(m_actions.paste, &QAction::triggered, this, &PatternCommands::paste);
-    connect(m_actions.duplicate, &QAction::triggered, this, &PatternCommands::duplicate);
-}
-
-void PatternCommands::connectLayout()
-{
-    connect(m_actions.mirrorHorizontally, &QAction::triggered, this, [this] { mirror(true); });
-    connect(m_actions.mirrorVertically, &QAction::triggered, this, [this] { mirror(false); });
-    for (QAction* action : m_actions.align)
-        connect(action, &QAction::triggered, this, [this, action] {
-            m_document.cancelGesture();
-            commit(edits::alignPatches(m_document.design(), patches(),
-                                       static_cast<edits::Alignment>(action->data().toInt())));
-        });
-    for (QAction* action : m_actions.distribute)
-        connect(action, &QAction::triggered, this, [this, action] {
-            m_document.cancelGesture();
-            commit(edits::distributePatches(m_document.design(), patches(),
-                                            static_cast<edits::Direction>(action->data().toInt())));
-        });
-    connect(m_actions.arrange, &QAction::triggered, this, [this] {
-        m_document.cancelGesture();
-        const std::vector<ElementId> chosen = patches();
-        commit(edits::arrangePatches(m_document.design(), chosen.size() > 1 ? chosen : std::vector<ElementId>()));
-    });
-}
-
-void PatternCommands::update()
-{
-    const Design& design = m_document.design();
-    const std::vector<ElementId> chosen = patches();
-    const bool copies = edits::canCopy(design, selected());
-    for (QAction* action : {m_actions.cut, m_actions.copy, m_actions.duplicate})
-        action->setEnabled(copies);
-    for (QAction* action : {m_actions.mirrorHorizontally, m_actions.mirrorVertically})
-        action->setEnabled(!chosen.empty());
-    for (QAction* action : m_actions.align)
-        action->setEnabled(chosen.size() >= 2);
-    for (QAction* action : m_actions.distribute)
-        action->setEnabled(chosen.size() >= 3);
-    bool any = false;
-    design.each<Patch>([&](ElementId, const Patch&) { any = true; });
-    m_actions.arrange->setEnabled(any);
-    m_actions.mergePatches->setEnabled(seamToMerge().has_value());
-    updatePoints();
-}
-
-void PatternCommands::updateClipboard()
-{
-    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    const auto copies = [this] { return edits::canCopy(m_document.design(), selected()); };
     // What a text says is looked at when it is pasted: fetching it from another program can take long.
-    m_actions.paste->setEnabled(data && (data->hasFormat(mimeType) || data->hasText()));
+    const auto pastes = [] {
+        const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+        return data && (data->hasFormat(mimeType) || data->hasText());
+    };
+    commands.add({{.id = "edit.cut",
+                   .formerly = "cut",
+                   .text = tr("Cu&t"),
+                   .keys = {QKeySequence::Cut},
+                   .places = {"edit/2"},
+                   .enabled = copies,
+                   .does = [this] { cut(); }},
+                  {.id = "edit.copy",
+                   .formerly = "copy",
+                   .text = tr("&Copy"),
+                   .keys = {QKeySequence::Copy},
+                   .places = {"edit/2"},
+                   .enabled = copies,
+                   .does = [this] { copy(); }},
+                  {.id = "edit.paste",
+                   .formerly = "paste",
+                   .text = tr("&Paste"),
+                   .keys = {QKeySequence::Paste},
+                   .places = {"edit/2"},
+                   .enabled = pastes,
+                   .does = [this] { paste(); }},
+                  {.id = "edit.duplicate",
+                   .formerly = "duplicate",
+                   .text = tr("Dupl&icate"),
+                   .keys = {Qt::CTRL | Qt::Key_D},
+                   .places = {"edit/2"},
+                   .enabled = copies,
+                   .does = [this] { duplicate(); }}});
+}
+
+void PatternCommands::addTurns(Commands& commands)
+{
+    commands.add(MenuPlace{"pattern.arrange", tr("Arran&ge"), "pattern/2"});
+    const auto any = [this] { return !patches().empty(); };
+    commands.add({{.id = "layout.turn-left",
+                   .formerly = "turn-90-to-the-left",
+                   .text = tr("Turn 90\u00b0 to the &left"),
+                   .icon = "rotate-left",
+                   .keys = {Qt::CTRL | Qt::Key_L},
+                   .places = {"pattern.arrange/1"},
+                   .enabled = any,
+                   .does = [this] { turn(90); }},
+                  {.id = "layout.turn-right",
+                   .formerly = "turn-90-to-the-right",
+                   .text = tr("Turn 90\u00b0 to the &right"),
+                   .icon = "rotate-right",
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_L},
+                   .places = {"pattern.arrange/1"},
+                   .enabled = any,
+                   .does = [this] { turn(-90); }},
+                  {.id = "layout.mirror-horizontally",
+                   .formerly = "mirror-horizontally",
+                   .text = tr("Mirror hori&zontally"),
+                   .keys = {Qt::CTRL | Qt::Key_M},
+                   .places = {"pattern.arrange/1"},
+                   .enabled = any,
+                   .does = [this] { mirror(true); }},
+                  {.id = "layout.mirror-vertically",
+                   .formerly = "mirror-vertically",
+                   .text = tr("Mirror &vertically"),
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_M},
+                   .places = {"pattern.arrange/1"},
+                   .enabled = any,
+                   .does = [this] { mirror(false); }}});
+}
+
+void PatternCommands::addAlignment(Commands& commands)
+{
+    commands.add(MenuPlace{"pattern.align", tr("Al&ign"), "pattern.arrange/2"});
+    const auto align = [&](edits::Alignment alignment, const char* id, const char* formerly, const QString& text) {
+        commands.add({.id = id,
+                      .formerly = formerly,
+                      .text = text,
+                      .places = {"pattern.align/1"},
+                      .enabled = [this] { return patches().size() >= 2; },
+                      .does =
+                          [this, alignment] {
+                              m_document.cancelGesture();
+                              commit(edits::alignPatches(m_document.design(), patches(), alignment));
+                          }});
+    };
+    using edits::Alignment;
+    align(Alignment::Left, "layout.align-left", "left-edges", tr("&Left edges"));
+    align(Alignment::CentreX, "layout.align-column", "centres-in-a-column", tr("Centres in a &column"));
+    align(Alignment::Right, "layout.align-right", "right-edges", tr("&Right edges"));
+    align(Alignment::Top, "layout.align-top", "top-edges", tr("&Top edges"));
+    align(Alignment::CentreY, "layout.align-row", "centres-in-a-row", tr("Centres in a ro&w"));
+    align(Alignment::Bottom, "layout.align-bottom", "bottom-edges", tr("&Bottom edges"));
+
+    commands.add(MenuPlace{"pattern.distribute", tr("&Distribute"), "pattern.arrange/2"});
+    const auto distribute = [&](edits::Direction direction, const char* id, const char* formerly,
+                                const QString& text) {
+        commands.add({.id = id,
+                      .formerly = formerly,
+                      .text = text,
+                      .places = {"pattern.distribute/1"},
+                      .enabled = [this] { return patches().size() >= 3; },
+                      .does =
+                          [this, direction] {
+                              m_document.cancelGesture();
+                              commit(edits::distributePatches(m_document.design(), patches(), direction));
+                          }});
+    };
+    using edits::Direction;
+    distribute(Direction::Horizontal, "layout.distribute-horizontally", "horizontally", tr("&Horizontally"));
+    distribute(Direction::Vertical, "layout.distribute-vertically", "vertically", tr("&Vertically"));
+
+    const auto any = [this] {
+        bool found = false;
+        m_document.design().each<Patch>([&](ElementId, const Patch&) { found = true; });
+        return found;
+    };
+    commands.add({.id = "layout.arrange",
+                  .formerly = "arrange-automatically",
+                  .text = tr("Arrange &automatically"),
+                  .keys = {Qt::CTRL | Qt::Key_R},
+                  .places = {"pattern.arrange/2"},
+                  .enabled = any,
+                  .does = [this] {
+                      m_document.cancelGesture();
+                      const std::vector<ElementId> chosen = patches();
+                      commit(edits::arrangePatches(m_document.design(),
+                                                   chosen.size() > 1 ? chosen : std::vector<ElementId>()));
+                  }});
 }
 
 std::vector<ElementId> PatternCommands::selected() const
@@ -192,6 +267,21 @@ void PatternCommands::duplicate()
         return;
     const std::vector<ElementId> added = edits::addedPieces(edit);
     m_selection.set({added.begin(), added.end()});
+}
+
+/// About the middle of the selected patches.
+void PatternCommands::turn(double degrees)
+{
+    m_document.cancelGesture();
+    const std::vector<ElementId> chosen = patches();
+    Box2 box;
+    for (const ElementId id : chosen) {
+        const Patch& patch = *m_document.design().find<Patch>(id);
+        for (const Vec2& point : patch.outline.points())
+            box.extend(toLayout(patch, point));
+    }
+    if (!box.isEmpty())
+        m_document.commit(edits::turnPatches(m_document.design(), chosen, box.center(), degrees));
 }
 
 /// Horizontally: what was left comes to the right, about the middle of the selected patches.

@@ -11,7 +11,7 @@
 
 namespace bolster {
 
-class Actions;
+class Commands;
 class Document;
 class Selection;
 
@@ -19,7 +19,7 @@ class PatternCommands : public QObject {
     Q_OBJECT
 
 public:
-    PatternCommands(Document& document, Selection& selection, Actions& actions, QObject* parent = nullptr);
+    PatternCommands(Document& document, Selection& selection, Commands& commands, QObject* parent = nullptr);
 
 signals:
     /// The length of the selected edge is to be typed.
@@ -28,17 +28,18 @@ signals:
     void said(const QString& message);
 
 private:
-    void connectClipboard();
-    void connectLayout();
-    void connectShapes();
-    void update();
-    void updatePoints();
-    void updateClipboard();
+    void addClipboard(Commands& commands);
+    void addTurns(Commands& commands);
+    void addAlignment(Commands& commands);
+    void addPoints(Commands& commands);
+    void addEdges(Commands& commands);
+    bool hasPoints(bool corner) const;
 
     void copy();
     void cut();
     void paste();
     void duplicate();
+    void turn(double degrees);
     void mirror(bool horizontally);
     void makeCorners(bool corner);
     void straighten();
@@ -53,7 +54,6 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    Actions& m_actions;
     std::string m_clip; ///< what was copied or pasted last
     int m_pastes = 0;   ///< how many times: each one lies a step further
 };

@@ -1,5 +1,5 @@
 // Corners, straight stretches and merging.
-#include "Actions.h"
+#include "Commands.h"
 #include "CornerEdits.h"
 #include "Document.h"
 #include "Gesture.h"
@@ -29,35 +29,82 @@ std::map<ElementId, std::vector<int>> planePoints(const Design& design, const Se
 
 } // namespace
 
-void PatternCommands::connectShapes()
+void PatternCommands::addPoints(Commands& commands)
 {
-    connect(m_actions.makeCorner, &QAction::triggered, this, [this] { makeCorners(true); });
-    connect(m_actions.makeSmooth, &QAction::triggered, this, [this] { makeCorners(false); });
-    connect(m_actions.straighten, &QAction::triggered, this, &PatternCommands::straighten);
-    connect(m_actions.edgeLength, &QAction::triggered, this, &PatternCommands::edgeLengthWanted);
-    connect(m_actions.equalLengths, &QAction::triggered, this, &PatternCommands::equalise);
-    connect(m_actions.mergePatches, &QAction::triggered, this, &PatternCommands::merge);
+    commands.add(MenuPlace{"pattern.points", tr("Poin&ts and edges"), "pattern/2"});
+    const auto stretch = [this] {
+        const auto points = planePoints(m_document.design(), m_selection);
+        return points.size() == 1 && points.begin()->second.size() == 2;
+    };
+    commands.add({{.id = "shape.make-corner",
+                   .formerly = "make-corner",
+                   .text = tr("Make &corner"),
+                   .keys = {Qt::CTRL | Qt::Key_K},
+                   .places = {"pattern.points/1"},
+                   .enabled = [this] { return hasPoints(false); },
+                   .does = [this] { makeCorners(true); }},
+                  {.id = "shape.make-smooth",
+                   .formerly = "make-smooth",
+                   .text = tr("Make s&mooth"),
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_K},
+                   .places = {"pattern.points/1"},
+                   .enabled = [this] { return hasPoints(true); },
+                   .does = [this] { makeCorners(false); }},
+                  {.id = "shape.straighten",
+                   .formerly = "straighten",
+                   .text = tr("Strai&ghten"),
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_G},
+                   .places = {"pattern.points/1"},
+                   .enabled = stretch,
+                   .does = [this] { straighten(); }}});
 }
 
-void PatternCommands::updatePoints()
+void PatternCommands::addEdges(Commands& commands)
+{
+    const auto comparable = [this] {
+        return m_selection.edges().size() >= 2 ||
+               !selectedOf<Seam>(m_document.design(), m_selection.elements()).empty();
+    };
+    commands.add({{.id = "shape.edge-length",
+                   .formerly = "edge-length",
+                   .text = tr("Edge &length \u2026"),
+                   .keys = {Qt::Key_L},
+                   .tip = tr("Type the length of the selected edge"),
+                   .places = {"pattern.points/1"},
+                   .enabled = [this] { return !m_selection.edges().empty(); },
+                   .does = [this] { emit edgeLengthWanted(); }},
+                  {.id = "shape.equal-lengths",
+                   .formerly = "make-equally-long",
+                   .text = tr("Make e&qually long"),
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+                   .tip = tr("Makes the selected edges as long as the first one, or the second side of a seam as "
+                             "long as its first"),
+                   .places = {"pattern.points/1"},
+                   .enabled = comparable,
+                   .does = [this] { equalise(); }}});
+    commands.add(MenuPlace{"pattern.twins", tr("Mirror twi&ns"), "pattern/2"}); // filled by TwinCommands
+    commands.add({.id = "shape.merge-patches",
+                  .formerly = "merge-along-seam",
+                  .text = tr("Merge a&long seam"),
+                  .keys = {Qt::CTRL | Qt::Key_J},
+                  .places = {"pattern/2"},
+                  .enabled = [this] { return seamToMerge().has_value(); },
+                  .does = [this] { merge(); }});
+}
+
+/// Selected ones that are corners (ends of open curves do not count), or that are none.
+bool PatternCommands::hasPoints(bool corner) const
 {
     const Design& design = m_document.design();
-    const auto points = planePoints(design, m_selection);
-    bool corners = false, smooth = false;
-    for (const auto& [id, indices] : points)
+    for (const auto& [id, indices] : planePoints(design, m_selection))
         for (const int index : indices) {
             const BSpline2& curve = *planeCurve(*design.element(id));
             const bool end = !curve.closed() && (index == 0 || index == curve.pointCount() - 1);
-            const bool corner = edits::isCornerPoint(design, id, index);
-            corners |= corner && !end;
-            smooth |= !corner;
+            const bool isCorner = edits::isCornerPoint(design, id, index);
+            if (corner ? isCorner && !end : !isCorner)
+                return true;
         }
-    m_actions.makeCorner->setEnabled(smooth);
-    m_actions.makeSmooth->setEnabled(corners);
-    m_actions.straighten->setEnabled(points.size() == 1 && points.begin()->second.size() == 2);
-    const std::size_t edges = m_selection.edges().size();
-    m_actions.edgeLength->setEnabled(edges > 0);
-    m_actions.equalLengths->setEnabled(edges >= 2 || !selectedOf<Seam>(design, m_selection.elements()).empty());
+    return false;
 }
 
 void PatternCommands::makeCorners(bool corner)

@@ -1,6 +1,6 @@
 #include "Shortcuts.h"
 
-#include "Actions.h"
+#include "Commands.h"
 
 #include <QSettings>
 
@@ -18,14 +18,27 @@ bool clash(const QKeySequence& a, const QKeySequence& b)
            (a.matches(b) != QKeySequence::NoMatch || b.matches(a) != QKeySequence::NoMatch);
 }
 
+/// Once: what an older version has kept is kept under the command's own id now.
+void carryOver(QSettings& settings, const QAction& action)
+{
+    const QString former = Commands::formerId(action);
+    const QString old = group + former;
+    if (former.isEmpty() || !settings.contains(old))
+        return;
+    if (const QString now = group + action.objectName(); !settings.contains(now))
+        settings.setValue(now, settings.value(old));
+    settings.remove(old);
+}
+
 } // namespace
 
 Shortcuts::Shortcuts(const QList<QAction*>& actions)
 {
-    const QSettings settings;
+    QSettings settings;
     for (QAction* action : actions) {
         if (action->objectName().isEmpty())
             continue;
+        carryOver(settings, *action);
         m_actions.append(action);
         m_own.insert(action, action->shortcuts());
     }
@@ -75,7 +88,7 @@ bool Shortcuts::reserved(const QKeySequence& keys)
 void Shortcuts::apply(QAction& action, const QList<QKeySequence>& keys)
 {
     action.setShortcuts(keys);
-    Actions::describe(action);
+    Commands::describe(action);
 }
 
 void Shortcuts::set(QAction& action, const QKeySequence& keys)

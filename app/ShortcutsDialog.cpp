@@ -1,6 +1,6 @@
 #include "ShortcutsDialog.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "Icons.h"
 #include "Shortcuts.h"
 #include "ViewColors.h"
@@ -34,7 +34,7 @@ QString textOf(const QAction& action)
 
 } // namespace
 
-ShortcutsDialog::ShortcutsDialog(Shortcuts& shortcuts, const QList<Command>& commands, QWidget* parent)
+ShortcutsDialog::ShortcutsDialog(Shortcuts& shortcuts, const QList<MenuEntry>& commands, QWidget* parent)
     : QDialog(parent)
     , m_shortcuts(shortcuts)
     , m_search(new QLineEdit(this))
@@ -113,13 +113,13 @@ void ShortcutsDialog::build()
     resize(620, 620);
 }
 
-void ShortcutsDialog::fill(const QList<Command>& commands)
+void ShortcutsDialog::fill(const QList<MenuEntry>& commands)
 {
     QPixmap nothing(m_tree->style()->pixelMetric(QStyle::PM_SmallIconSize), 1); // texts stand below each other
     nothing.fill(Qt::transparent);
     const QIcon blank(nothing);
     QHash<QString, QTreeWidgetItem*> menus;
-    for (const Command& command : commands) {
+    for (const MenuEntry& command : commands) {
         if (!m_shortcuts.actions().contains(command.action))
             continue;
         QTreeWidgetItem*& menu = menus[command.path];
@@ -128,7 +128,7 @@ void ShortcutsDialog::fill(const QList<Command>& commands)
             menu->setFlags(Qt::ItemIsEnabled);
             menu->setExpanded(true);
         }
-        auto* item = new QTreeWidgetItem(menu, {Actions::plainText(*command.action)});
+        auto* item = new QTreeWidgetItem(menu, {Commands::plainText(*command.action)});
         item->setIcon(0, command.action->icon().isNull() ? blank : command.action->icon());
         item->setData(0, actionRole, QVariant::fromValue(static_cast<void*>(command.action.data())));
         showKeys(item);
@@ -211,7 +211,7 @@ void ShortcutsDialog::propose(const QKeySequence& pressed)
     if (Shortcuts::reserved(keys)) {
         note(tr("%1 is needed by the views and fields themselves.").arg(name), false);
     } else if (const QAction* holder = m_shortcuts.holder(keys, *action)) {
-        note(tr("%1 belongs to \u201c%2\u201d.").arg(name, Actions::plainText(*holder)), true);
+        note(tr("%1 belongs to \u201c%2\u201d.").arg(name, Commands::plainText(*holder)), true);
     } else {
         m_shortcuts.set(*action, keys);
         showKeys(m_tree->currentItem());

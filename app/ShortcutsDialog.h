@@ -22,11 +22,11 @@ class ShortcutsDialog : public QDialog {
 
 public:
     /// `commands`: all of the window; those that `shortcuts` does not know are left out.
-    ShortcutsDialog(Shortcuts& shortcuts, const QList<Command>& commands, QWidget* parent);
+    ShortcutsDialog(Shortcuts& shortcuts, const QList<MenuEntry>& commands, QWidget* parent);
 
 private:
     void build();
-    void fill(const QList<Command>& commands);
+    void fill(const QList<MenuEntry>& commands);
     void filter(const QString& text);
     void showKeys(QTreeWidgetItem* item);
     void showAllKeys();

@@ -1,6 +1,6 @@
 #include "SpotsPanel.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "Icons.h"
 #include "ViewColors.h"
 
@@ -45,15 +45,9 @@ int rowHeight(const QWidget& table)
     return table.fontMetrics().height() + 7;
 }
 
-QAction& strainMap(const Actions& actions)
-{
-    return **std::ranges::find(actions.maps, static_cast<int>(CoverMap::Kind::Strain),
-                               [](const QAction* map) { return map->data().toInt(); });
-}
-
 } // namespace
 
-SpotsPanel::SpotsPanel(const MapLink& maps, const Actions& actions, QWidget* parent)
+SpotsPanel::SpotsPanel(const MapLink& maps, Commands& commands, QWidget* parent)
     : QWidget(parent)
     , m_maps(maps)
     , m_list(new QWidget(this))
@@ -71,7 +65,7 @@ SpotsPanel::SpotsPanel(const MapLink& maps, const Actions& actions, QWidget* par
     m_summary->setContentsMargins(8, 0, 8, 4);
     m_summary->setWordWrap(true);
     buildTable();
-    buildHint(strainMap(actions));
+    buildHint(*commands["map.strain"]);
     auto* list = new QVBoxLayout(m_list);
     list->setContentsMargins(0, 0, 0, 0);
     list->setSpacing(0);

@@ -13,7 +13,7 @@ class QTreeWidgetItem;
 
 namespace bolster {
 
-class Actions;
+class Commands;
 
 /// Follows the map while the cover changes. Without a map of strain it says how to get one.
 class SpotsPanel : public QWidget {
@@ -22,7 +22,7 @@ class SpotsPanel : public QWidget {
 public:
     enum Column { Where, Value, Limit, ColumnCount };
 
-    SpotsPanel(const MapLink& maps, const Actions& actions, QWidget* parent = nullptr);
+    SpotsPanel(const MapLink& maps, Commands& commands, QWidget* parent = nullptr);
 
     /// A row for each of MapLink::spots().
     QTreeWidget& table() { return *m_table; }

@@ -156,21 +156,6 @@
     </message>
 </context>
 <context>
-    <name>ColourwayForm</name>
-    <message>
-        <source>Fabrics</source>
-        <translation>Stoffe</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>those of the patches</source>
-        <translation>die der Schnittteile</translation>
-    </message>
-</context>
-<context>
     <name>ContextMenus</name>
     <message>
         <source>&amp;Show</source>
@@ -198,49 +183,14 @@
     </message>
 </context>
 <context>
-    <name>CushionForm</name>
+    <name>CoverAtRest</name>
     <message>
-        <source>Cover of %1</source>
-        <translation>Bezug von %1</translation>
+        <source>As soon as the cover has come to rest …</source>
+        <translation>Sobald der Bezug zur Ruhe gekommen ist …</translation>
     </message>
     <message>
-        <source>Every cover</source>
-        <translation>Jeden Bezug</translation>
-    </message>
-    <message>
-        <source>Pushes</source>
-        <translation>Drückt</translation>
-    </message>
-    <message>
-        <source>The frame that is padded</source>
-        <translation>Das Gestell, das gepolstert wird</translation>
-    </message>
-    <message>
-        <source>Which cover the padding presses outwards</source>
-        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
-    </message>
-    <message>
-        <source>How thick the padding around the frame is</source>
-        <translation>Wie dick das Gestell gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
-    </message>
-    <message>
-        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
-        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
-    </message>
-    <message>
-        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
-        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
-    </message>
-</context>
-<context>
-    <name>DescribedField</name>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
+        <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
+        <translation>Das braucht den Bezug des jetzigen Entwurfs: zuerst die Berechnung weiterlaufen lassen („Anhalten“ ausschalten).</translation>
     </message>
 </context>
 <context>
@@ -283,6 +233,69 @@
     </message>
 </context>
 <context>
+    <name>DrawingCommands</name>
+    <message>
+        <source>&amp;Grid and snapping</source>
+        <translation>&amp;Raster und Einrasten</translation>
+    </message>
+    <message>
+        <source>S&amp;napping</source>
+        <translation>Ei&amp;nrasten</translation>
+    </message>
+    <message>
+        <source>&amp;Rulers</source>
+        <translation>L&amp;ineale</translation>
+    </message>
+    <message>
+        <source>Gui&amp;des</source>
+        <translation>H&amp;ilfslinien</translation>
+    </message>
+    <message>
+        <source>Remove all g&amp;uides</source>
+        <translation>Alle Hilfslinien entfern&amp;en</translation>
+    </message>
+    <message>
+        <source>Select with a &amp;loop</source>
+        <translation>Mit einer &amp;Schlinge auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Background picture</source>
+        <translation>&amp;Hintergrundbild</translation>
+    </message>
+    <message>
+        <source>&amp;Open picture …</source>
+        <translation>Bild ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Scale by two points</source>
+        <translation>Mit zwei Punkten &amp;skalieren</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Opacity %1</source>
+        <translation>Deckkraft %1</translation>
+    </message>
+    <message>
+        <source>Open a picture to trace</source>
+        <translation>Bild zum Nachzeichnen öffnen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.webp);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>DrawingKeys</name>
     <message>
         <source>&amp;Finish</source>
@@ -299,6 +312,49 @@
     <message>
         <source>&amp;Give up</source>
         <translation>&amp;Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommands</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Name this &amp;branch …</source>
+        <translation>Diesen &amp;Zweig benennen …</translation>
+    </message>
+    <message>
+        <source>Name the way that the history has gone since it forked</source>
+        <translation>Gibt dem Weg, den der Verlauf seit der letzten Gabelung genommen hat, einen Namen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all patches</source>
+        <translation>&amp;Alle Schnittteile auswählen</translation>
+    </message>
+    <message>
+        <source>Select n&amp;othing</source>
+        <translation>Nichts a&amp;uswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
     </message>
 </context>
 <context>
@@ -493,78 +549,150 @@
     </message>
 </context>
 <context>
-    <name>FabricForm</name>
+    <name>FabricMenu</name>
     <message>
-        <source>Weft</source>
-        <translation>Schuss</translation>
+        <source>&amp;New fabric</source>
+        <translation>&amp;Neuer Stoff</translation>
     </message>
     <message>
-        <source>Creases</source>
-        <translation>Furchen</translation>
+        <source>Adds leather, weave, velvet or another fabric to the library of the design</source>
+        <translation>Fügt der Sammlung des Entwurfs Leder, Gewebe, Samt oder einen anderen Stoff hinzu</translation>
     </message>
     <message>
-        <source>Depth of the pile</source>
-        <translation>Tiefe des Flors</translation>
+        <source>From a &amp;picture …</source>
+        <translation>Aus einem &amp;Bild …</translation>
     </message>
     <message>
-        <source>Other squares</source>
-        <translation>Übrige Felder</translation>
+        <source>A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR</source>
+        <translation>Ein Stoff, der wie ein Bild aussieht: PNG, JPEG, TIFF oder OpenEXR</translation>
     </message>
     <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
+        <source>&amp;Assign to selection</source>
+        <translation>Der &amp;Auswahl zuweisen</translation>
     </message>
     <message>
-        <source>Squares</source>
-        <translation>Felder</translation>
+        <source>Gives the selected patches the fabric that is chosen in the library</source>
+        <translation>Gibt den ausgewählten Schnittteilen den Stoff, der in der Sammlung gewählt ist</translation>
     </message>
     <message>
-        <source>Grain size</source>
-        <translation>Größe der Narbung</translation>
+        <source>Fabric p&amp;roperties</source>
+        <translation>Eigenschaften des &amp;Stoffs</translation>
     </message>
     <message>
-        <source>Repeat of the weave</source>
-        <translation>Rapport des Gewebes</translation>
+        <source>Shows kind, colours, size and limits of the fabric</source>
+        <translation>Zeigt Art, Farben, Größe und Grenzen des Stoffs</translation>
     </message>
     <message>
-        <source>Nap</source>
-        <translation>Strich</translation>
+        <source>Picture on the &amp;fabric …</source>
+        <translation>Bild auf &amp;dem Stoff …</translation>
     </message>
     <message>
-        <source>Width of the picture</source>
-        <translation>Breite des Bildes</translation>
+        <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
+        <translation>Lässt den Stoff wie ein Bild aussehen: PNG, JPEG, TIFF oder OpenEXR</translation>
     </message>
     <message>
-        <source>Behaviour</source>
-        <translation>Verhalten</translation>
+        <source>D&amp;uplicate fabric</source>
+        <translation>Stoff &amp;verdoppeln</translation>
     </message>
     <message>
-        <source>The fabric on a cushion and on a ball</source>
-        <translation>Der Stoff auf einem Kissen und auf einer Kugel</translation>
+        <source>Adds a copy of the fabric, to be changed</source>
+        <translation>Fügt eine Kopie des Stoffs hinzu, die geändert werden kann</translation>
     </message>
     <message>
-        <source>The fabric on a cushion and on a ball, at its real scale</source>
-        <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
+        <source>Rename fa&amp;bric …</source>
+        <translation>Stoff &amp;umbenennen …</translation>
     </message>
     <message>
-        <source>Colour of the fabric</source>
-        <translation>Farbe des Stoffs</translation>
+        <source>Gives the fabric another name</source>
+        <translation>Gibt dem Stoff einen anderen Namen</translation>
     </message>
     <message>
-        <source>Second colour of the fabric</source>
-        <translation>Zweite Farbe des Stoffs</translation>
+        <source>&amp;Delete fabric …</source>
+        <translation>Stoff &amp;löschen …</translation>
     </message>
     <message>
-        <source>From the first colour</source>
-        <translation>Aus der ersten Farbe</translation>
+        <source>Removes the fabric; asks what patches get instead</source>
+        <translation>Entfernt den Stoff; fragt, was Schnittteile stattdessen bekommen</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
+        <source>&amp;Import fabrics …</source>
+        <translation>Stoffe &amp;importieren …</translation>
     </message>
     <message>
-        <source>Choose an&amp;other picture …</source>
-        <translation>Anderes B&amp;ild wählen …</translation>
+        <source>Takes over the fabrics of a file, a design or a project</source>
+        <translation>Übernimmt die Stoffe einer Datei, eines Entwurfs oder eines Projekts</translation>
+    </message>
+    <message>
+        <source>&amp;Export fabric …</source>
+        <translation>Stoff &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the fabric to a file, its picture beside it</source>
+        <translation>Schreibt den Stoff in eine Datei, sein Bild daneben</translation>
+    </message>
+    <message>
+        <source>Pre&amp;views</source>
+        <translation>&amp;Vorschau</translation>
+    </message>
+    <message>
+        <source>On &amp;cushions</source>
+        <translation>Auf K&amp;issen</translation>
+    </message>
+    <message>
+        <source>Shows the fabrics of the library on cushions</source>
+        <translation>Zeigt die Stoffe der Bibliothek auf Kissen</translation>
+    </message>
+    <message>
+        <source>On &amp;balls</source>
+        <translation>Auf &amp;Kugeln</translation>
+    </message>
+    <message>
+        <source>Shows the fabrics of the library on balls</source>
+        <translation>Zeigt die Stoffe der Bibliothek auf Kugeln</translation>
+    </message>
+    <message>
+        <source>&amp;Show colourway</source>
+        <translation>Farbvariante &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Chooses which fabrics are seen; the shape stays</source>
+        <translation>Wählt, welche Stoffe zu sehen sind; die Form bleibt</translation>
+    </message>
+    <message>
+        <source>New &amp;colourway …</source>
+        <translation>Neue &amp;Farbvariante …</translation>
+    </message>
+    <message>
+        <source>Adds a set of fabrics for the patches; it begins as what is shown now</source>
+        <translation>Fügt einen Satz von Stoffen für die Schnittteile hinzu; er beginnt mit dem, was jetzt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me colourway …</source>
+        <translation>Farbvariante u&amp;mbenennen …</translation>
+    </message>
+    <message>
+        <source>Gives the colourway that is shown another name</source>
+        <translation>Gibt der gezeigten Farbvariante einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete colourway</source>
+        <translation>Farbvariante lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Removes the colourway that is shown</source>
+        <translation>Entfernt die gezeigte Farbvariante</translation>
+    </message>
+    <message>
+        <source>Compare c&amp;olourways …</source>
+        <translation>Farbvarianten ver&amp;gleichen …</translation>
+    </message>
+    <message>
+        <source>Shows two colourways side by side</source>
+        <translation>Zeigt zwei Farbvarianten nebeneinander</translation>
+    </message>
+    <message>
+        <source>As made</source>
+        <translation>Wie gefertigt</translation>
     </message>
 </context>
 <context>
@@ -616,21 +744,6 @@
     <message>
         <source>Plain</source>
         <translation>Einfarbig</translation>
-    </message>
-</context>
-<context>
-    <name>FancySeamForm</name>
-    <message>
-        <source>Patch</source>
-        <translation>Schnittteil</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>It stands out: a welt.</source>
-        <translation>Sie steht vor: ein Wulst.</translation>
     </message>
 </context>
 <context>
@@ -1059,48 +1172,80 @@
         <source> mm per unit</source>
         <translation>mm je Einheit</translation>
     </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>as made</source>
-        <translation>wie gefertigt</translation>
-    </message>
-    <message>
-        <source>Stitching</source>
-        <translation>Steppung</translation>
-    </message>
-    <message>
-        <source>Thread colour</source>
-        <translation>Garnfarbe</translation>
-    </message>
-    <message>
-        <source>Stitch distance</source>
-        <translation>Abstand der Stiche</translation>
-    </message>
-    <message>
-        <source>Piping radius</source>
-        <translation>Radius des Keders</translation>
-    </message>
-    <message>
-        <source>Piping fabric</source>
-        <translation>Stoff des Keders</translation>
-    </message>
-    <message>
-        <source>Valley</source>
-        <translation>Mulde</translation>
-    </message>
 </context>
 <context>
-    <name>FixationCurveForm</name>
+    <name>FileCommands</name>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
+        <source>&amp;Open …</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>&amp;Unsaved work</source>
+        <translation>Nicht &amp;gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples</source>
+        <translation>Beis&amp;piele</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save a &amp;copy</source>
+        <translation>&amp;Kopie speichern</translation>
+    </message>
+    <message>
+        <source>With &amp;everything …</source>
+        <translation>Mit &amp;allem …</translation>
+    </message>
+    <message>
+        <source>Without &amp;history …</source>
+        <translation>Ohne &amp;Verlauf …</translation>
+    </message>
+    <message>
+        <source>Without history and &amp;scans …</source>
+        <translation>Ohne Verlauf und &amp;Scans …</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to saved</source>
+        <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Import frame …</source>
+        <translation>Gestell &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Impor&amp;t scan …</source>
+        <translation>Scan imp&amp;ortieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Export surface …</source>
+        <translation>Oberfläche &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Export &amp;picture …</source>
+        <translation>&amp;Bild exportieren …</translation>
+    </message>
+    <message>
+        <source>Ren&amp;der picture …</source>
+        <translation>Bild be&amp;rechnen …</translation>
     </message>
 </context>
 <context>
@@ -1151,129 +1296,41 @@
     </message>
 </context>
 <context>
-    <name>FixationSeamForm</name>
+    <name>FixingCommands</name>
     <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
+        <source>&amp;Create fixation curve</source>
+        <translation>Fixierkurve an&amp;legen</translation>
     </message>
     <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
+        <source>Select two points of an outline first: what lies between them is fixed.</source>
+        <translation>Wählen Sie zuerst zwei Punkte eines Umrisses: Was dazwischen liegt, wird fixiert.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>Fixation %1</source>
+        <translation>Fixierung %1</translation>
     </message>
     <message>
-        <source>On the curve</source>
-        <translation>Auf der Kurve</translation>
-    </message>
-</context>
-<context>
-    <name>FoamForm</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Takes this shape out of the cushion instead of adding it</source>
-        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
-    </message>
-    <message>
-        <source>How thick the padding around this foam is</source>
-        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+        <source>There is no surface of this patch yet on which the curve could lie.</source>
+        <translation>Dieses Schnittteil hat noch keine Oberfläche, auf der die Kurve liegen könnte.</translation>
     </message>
 </context>
 <context>
-    <name>FrameForm</name>
+    <name>HelpCommands</name>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
+        <source>&amp;Find a command …</source>
+        <translation>&amp;Befehl suchen …</translation>
     </message>
     <message>
-        <source>Choose an&amp;other file …</source>
-        <translation>Andere Datei wäh&amp;len …</translation>
+        <source>&amp;Keys and mouse …</source>
+        <translation>&amp;Tasten und Maus …</translation>
     </message>
     <message>
-        <source>Colour of the frame</source>
-        <translation>Farbe des Gestells</translation>
-    </message>
-</context>
-<context>
-    <name>FrameParts</name>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
+        <source>&amp;Edit shortcuts …</source>
+        <translation>Tastenkürzel &amp;bearbeiten …</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
-        <source>Piece %1: %2</source>
-        <translation>Stück %1: %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n piece(s)</source>
-        <translation>
-            <numerusform>%1: %n Stück</numerusform>
-            <numerusform>%1: %n Stücke</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
-        <source>Show a&amp;ll parts</source>
-        <translation>A&amp;lle Teile zeigen</translation>
-    </message>
-    <message>
-        <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
-        <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
-    </message>
-    <message>
-        <source>%1: not in this frame</source>
-        <translation>%1: nicht in diesem Gestell</translation>
-    </message>
-    <message>
-        <source>Padded parts</source>
-        <translation>Gepolsterte Teile</translation>
-    </message>
-    <message>
-        <source>Without a mark, those parts are padded that the cover is fixed to.</source>
-        <translation>Ohne Haken werden die Teile gepolstert, an denen der Bezug befestigt ist.</translation>
-    </message>
-    <message>
-        <source>This frame is large: the smallest detail can be %1 here.</source>
-        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit kann hier %1 sein.</translation>
-    </message>
-</context>
-<context>
-    <name>HandleCurveForm</name>
-    <message>
-        <source>Patch</source>
-        <translation>Schnittteil</translation>
-    </message>
-    <message>
-        <source>In the pattern</source>
-        <translation>Im Schnitt</translation>
-    </message>
-    <message>
-        <source>In space</source>
-        <translation>Im Raum</translation>
-    </message>
-    <message>
-        <source>free</source>
-        <translation>frei</translation>
+        <source>&amp;About Bolster</source>
+        <translation>Ü&amp;ber Bolster</translation>
     </message>
 </context>
 <context>
@@ -1603,6 +1660,33 @@
     </message>
 </context>
 <context>
+    <name>InsertCommands</name>
+    <message>
+        <source>&amp;Cushion</source>
+        <translation>&amp;Polsterung</translation>
+    </message>
+    <message>
+        <source>&amp;Box of foam</source>
+        <translation>&amp;Quader aus Schaum</translation>
+    </message>
+    <message>
+        <source>C&amp;ylinder of foam</source>
+        <translation>&amp;Zylinder aus Schaum</translation>
+    </message>
+    <message>
+        <source>&amp;Sphere of foam</source>
+        <translation>&amp;Kugel aus Schaum</translation>
+    </message>
+    <message>
+        <source>Foam belongs to a cushion: insert one first.</source>
+        <translation>Schaum gehört zu einer Polsterung: fügen Sie zuerst eine ein.</translation>
+    </message>
+    <message>
+        <source>Cushioning needs a frame: import one first.</source>
+        <translation>Eine Polsterung braucht ein Gestell: importieren Sie zuerst eines.</translation>
+    </message>
+</context>
+<context>
     <name>InspectorForms</name>
     <message numerus="yes">
         <source>%n elements</source>
@@ -1610,6 +1694,591 @@
             <numerusform>%n Element</numerusform>
             <numerusform>%n Elemente</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1, %2 m² in all</source>
+        <translation>%1, zusammen %2 m²</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>%1, %2 m in all</source>
+        <translation>%1, zusammen %2 m</translation>
+    </message>
+    <message>
+        <source>Select something to see its properties.</source>
+        <translation>Wählen Sie etwas aus, um seine Eigenschaften zu sehen.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>First side</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Second side</source>
+        <translation>Zweite Seite</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>It keeps its text and is saved as it is.</source>
+        <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Gestell</translation>
+    </message>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Bezug von %1</translation>
+    </message>
+    <message>
+        <source>Every cover</source>
+        <translation>Jeden Bezug</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Drückt</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Cushion</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>It stands out: a welt.</source>
+        <translation>Sie steht vor: ein Wulst.</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1 quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Median, 95 %</source>
+        <translation>Median, 95 %</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Floor at</source>
+        <translation>Boden bei</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>On the curve</source>
+        <translation>Auf der Kurve</translation>
+    </message>
+    <message>
+        <source>Layout x, y</source>
+        <translation>Lage x, y</translation>
+    </message>
+    <message>
+        <source>Space x, y, z</source>
+        <translation>Raum x, y, z</translation>
+    </message>
+    <message>
+        <source>Twin of</source>
+        <translation>Zwilling von</translation>
+    </message>
+    <message>
+        <source>Exceptions</source>
+        <translation>Ausnahmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n released points</source>
+        <translation>
+            <numerusform>%n gelöster Punkt</numerusform>
+            <numerusform>%n gelöste Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Symmetric design</source>
+        <translation>Symmetrischer Entwurf</translation>
+    </message>
+    <message>
+        <source>Plane through</source>
+        <translation>Ebene durch</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Axis through</source>
+        <translation>Achse durch</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Length between</source>
+        <translation>Länge dazwischen</translation>
+    </message>
+    <message>
+        <source>Mirror image</source>
+        <translation>Spiegelbild</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sie selbst</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>those of the patches</source>
+        <translation>die der Schnittteile</translation>
+    </message>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Creases</source>
+        <translation>Furchen</translation>
+    </message>
+    <message>
+        <source>Depth of the pile</source>
+        <translation>Tiefe des Flors</translation>
+    </message>
+    <message>
+        <source>Other squares</source>
+        <translation>Übrige Felder</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Grain size</source>
+        <translation>Größe der Narbung</translation>
+    </message>
+    <message>
+        <source>Repeat of the weave</source>
+        <translation>Rapport des Gewebes</translation>
+    </message>
+    <message>
+        <source>Nap</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Verhalten</translation>
+    </message>
+    <message>
+        <source>From the first colour</source>
+        <translation>Aus der ersten Farbe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Schachbrett</translation>
+    </message>
+    <message>
+        <source>Smooth leather</source>
+        <translation>Glattleder</translation>
+    </message>
+    <message>
+        <source>Grained leather</source>
+        <translation>Genarbtes Leder</translation>
+    </message>
+    <message>
+        <source>Woven</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Velvet</source>
+        <translation>Samt</translation>
+    </message>
+    <message>
+        <source>Picture …</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points, one every %3</source>
+        <translation>%1 von %2 Punkten, einer alle %3</translation>
+    </message>
+    <message>
+        <source>The fabric on a cushion and on a ball</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel</translation>
+    </message>
+    <message>
+        <source>The fabric on a cushion and on a ball, at its real scale</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Länge der Kante</translation>
+    </message>
+    <message>
+        <source>Edge lengths</source>
+        <translation>Längen der Kanten</translation>
+    </message>
+    <message>
+        <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
+        <translation>%1 Kanten. Bei „Gleich lang machen“ bleibt die erste, wie sie ist: %2 an %3.</translation>
+    </message>
+    <message>
+        <source>Edge of</source>
+        <translation>Kante von</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other picture …</source>
+        <translation>Anderes B&amp;ild wählen …</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other file …</source>
+        <translation>Andere Datei wäh&amp;len …</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <translation>Schaum</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Piece %1: %2</source>
+        <translation>Stück %1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n Stück</numerusform>
+            <numerusform>%1: %n Stücke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
+        <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
+    </message>
+    <message>
+        <source>Place on &amp;the cover</source>
+        <translation>Am Be&amp;zug ausrichten</translation>
+    </message>
+    <message>
+        <source>Cut awa&amp;y …</source>
+        <translation>&amp;Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only …</source>
+        <translation>&amp;Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Keep aroun&amp;d the cover</source>
+        <translation>&amp;Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Remove a&amp;ll cuts</source>
+        <translation>Alle Schnitte en&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>Re-lin&amp;k to its mirror image</source>
+        <translation>Wieder mit dem Spiegelbild ver&amp;knüpfen</translation>
+    </message>
+    <message>
+        <source>Re&amp;lease from its mirror image</source>
+        <translation>&amp;Vom Spiegelbild lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Unlink from its twin</source>
+        <translation>Vom Zwilling t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Re-link all poi&amp;nts</source>
+        <translation>Alle &amp;Punkte wieder koppeln</translation>
+    </message>
+    <message>
+        <source>Colour of the fabric</source>
+        <translation>Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Second colour of the fabric</source>
+        <translation>Zweite Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Colour of the frame</source>
+        <translation>Farbe des Gestells</translation>
+    </message>
+    <message>
+        <source>Colour of the thread</source>
+        <translation>Farbe des Fadens</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll parts</source>
+        <translation>A&amp;lle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>The frame that is padded</source>
+        <translation>Das Gestell, das gepolstert wird</translation>
+    </message>
+    <message>
+        <source>Which cover the padding presses outwards</source>
+        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
+    </message>
+    <message>
+        <source>How thick the padding around the frame is</source>
+        <translation>Wie dick das Gestell gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
+        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
+    </message>
+    <message>
+        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
+        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
+    </message>
+    <message>
+        <source>Takes this shape out of the cushion instead of adding it</source>
+        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
+    </message>
+    <message>
+        <source>How thick the padding around this foam is</source>
+        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1: not in this frame</source>
+        <translation>%1: nicht in diesem Gestell</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Without a mark, those parts are padded that the cover is fixed to.</source>
+        <translation>Ohne Haken werden die Teile gepolstert, an denen der Bezug befestigt ist.</translation>
+    </message>
+    <message>
+        <source>This frame is large: the smallest detail can be %1 here.</source>
+        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit kann hier %1 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>LayerCommands</name>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Triangulation</source>
+        <translation>&amp;Triangulierung</translation>
+    </message>
+    <message>
+        <source>Chec&amp;ker</source>
+        <translation>Karo&amp;muster</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Gestell</translation>
+    </message>
+    <message>
+        <source>Control po&amp;ints</source>
+        <translation>&amp;Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>Sea&amp;ms and fixations</source>
+        <translation>&amp;Nähte und Fixierungen</translation>
+    </message>
+    <message>
+        <source>Fixation c&amp;urves</source>
+        <translation>&amp;Fixierkurven</translation>
+    </message>
+    <message>
+        <source>&amp;Handle curves</source>
+        <translation>&amp;Griffkurven</translation>
+    </message>
+    <message>
+        <source>Fanc&amp;y seams</source>
+        <translation>Zie&amp;rnähte</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Sca&amp;ns</source>
+        <translation>S&amp;cans</translation>
+    </message>
+    <message>
+        <source>Gr&amp;ound</source>
+        <translation>B&amp;oden</translation>
+    </message>
+    <message>
+        <source>Cushionin&amp;g</source>
+        <translation>Po&amp;lsterung</translation>
+    </message>
+    <message>
+        <source>Mirror image of the &amp;selection</source>
+        <translation>S&amp;piegelbild der Auswahl</translation>
+    </message>
+    <message>
+        <source>Symmetry &amp;axis and plane</source>
+        <translation>S&amp;ymmetrieachse und -ebene</translation>
+    </message>
+    <message>
+        <source>Pairs of co&amp;ver and scan</source>
+        <translation>Paare von &amp;Bezug und Scan</translation>
+    </message>
+    <message>
+        <source>Own &amp;colours of scans</source>
+        <translation>Eigene &amp;Farben der Scans</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Raster</translation>
     </message>
 </context>
 <context>
@@ -1623,28 +2292,12 @@
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt verwendet</translation>
-    </message>
-    <message>
-        <source>Sa&amp;mples</source>
-        <translation>Beis&amp;piele</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Look at the &amp;cover from</source>
-        <translation>&amp;Bezug ansehen von</translation>
-    </message>
-    <message>
-        <source>Th&amp;eme</source>
-        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>&amp;Pattern</source>
@@ -1663,22 +2316,6 @@
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Sa&amp;ved views</source>
-        <translation>Gespeicherte Ansich&amp;ten</translation>
-    </message>
-    <message>
-        <source>Al&amp;ign</source>
-        <translation>Aus&amp;richten</translation>
-    </message>
-    <message>
-        <source>&amp;Distribute</source>
-        <translation>&amp;Verteilen</translation>
-    </message>
-    <message>
-        <source>&amp;Background picture</source>
-        <translation>&amp;Hintergrundbild</translation>
-    </message>
-    <message>
         <source>Sea&amp;m</source>
         <translation>Na&amp;ht</translation>
     </message>
@@ -1687,56 +2324,63 @@
         <translation>&amp;Gestell</translation>
     </message>
     <message>
-        <source>La&amp;yers</source>
-        <translation>&amp;Ebenen</translation>
+        <source>F&amp;abric</source>
+        <translation>S&amp;toff</translation>
     </message>
     <message>
-        <source>&amp;Grid and snapping</source>
-        <translation>&amp;Raster und Einrasten</translation>
+        <source>S&amp;can</source>
+        <translation>S&amp;can</translation>
     </message>
-    <message>
-        <source>&amp;Opacity</source>
-        <translation>Dec&amp;kkraft</translation>
-    </message>
-    <message>
-        <source>Arran&amp;ge</source>
-        <translation>A&amp;nordnen</translation>
-    </message>
-    <message>
-        <source>Mirror twi&amp;ns</source>
-        <translation>Spiegel&amp;zwillinge</translation>
-    </message>
-    <message>
-        <source>&amp;Unsaved work</source>
-        <translation>Nicht &amp;gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>Save a &amp;copy</source>
-        <translation>&amp;Kopie speichern</translation>
-    </message>
+</context>
+<context>
+    <name>MapCommands</name>
     <message>
         <source>&amp;Map</source>
         <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Largest strain</source>
+        <translation>&amp;Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Strain al&amp;ong the grain</source>
+        <translation>Dehnung &amp;längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Strain a&amp;cross the grain</source>
+        <translation>Dehnung &amp;quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>&amp;Shear</source>
+        <translation>&amp;Scherung</translation>
+    </message>
+    <message>
+        <source>&amp;Mean curvature</source>
+        <translation>&amp;Mittlere Krümmung</translation>
+    </message>
+    <message>
+        <source>Distance to the &amp;frame</source>
+        <translation>Abstand zum G&amp;estell</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation from the scan</source>
+        <translation>A&amp;bweichung vom Scan</translation>
     </message>
     <message>
         <source>&amp;Worst spots</source>
         <translation>&amp;Schlimmste Stellen</translation>
     </message>
     <message>
-        <source>F&amp;abric</source>
-        <translation>S&amp;toff</translation>
+        <source>Show worst spots as a l&amp;ist</source>
+        <translation>Schlimmste Stellen als L&amp;iste zeigen</translation>
     </message>
     <message>
-        <source>Pre&amp;views</source>
-        <translation>&amp;Vorschau</translation>
+        <source>Show this place in both windows</source>
+        <translation>Diese Stelle in beiden Fenstern zeigen</translation>
     </message>
     <message>
-        <source>Poin&amp;ts and edges</source>
-        <translation>Pun&amp;kte und Kanten</translation>
-    </message>
-    <message>
-        <source>S&amp;can</source>
-        <translation>S&amp;can</translation>
+        <source>Choose a map of strain first</source>
+        <translation>Zuerst eine Karte der Dehnung wählen</translation>
     </message>
 </context>
 <context>
@@ -3776,17 +4420,6 @@
     </message>
 </context>
 <context>
-    <name>OutlineTrimForm</name>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
     <name>PatchDrawingTool</name>
     <message>
         <source>Patch %1</source>
@@ -3799,17 +4432,6 @@
     <message>
         <source>This cannot be a patch: %1</source>
         <translation>Das kann kein Schnittteil werden: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PatchForm</name>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
     </message>
 </context>
 <context>
@@ -3957,13 +4579,6 @@
     </message>
 </context>
 <context>
-    <name>PatternToolHost</name>
-    <message>
-        <source>%1 Let go here, and it goes back to where it was.</source>
-        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
-    </message>
-</context>
-<context>
     <name>PlacementGizmo</name>
     <message>
         <source>Turned by %1° – Ctrl snaps to 15°, Escape cancels</source>
@@ -3987,6 +4602,100 @@
     </message>
 </context>
 <context>
+    <name>SavedViewCommands</name>
+    <message>
+        <source>&amp;Save view …</source>
+        <translation>Ansicht &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Delete view</source>
+        <translation>Ansicht &amp;löschen</translation>
+    </message>
+    <message>
+        <source>View %1 deleted</source>
+        <translation>Ansicht %1 gelöscht</translation>
+    </message>
+    <message>
+        <source>Save view</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Name of the view; one of the same name is replaced:</source>
+        <translation>Name der Ansicht; eine mit demselben Namen wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>View %1 saved: View &gt; Saved views</source>
+        <translation>Ansicht %1 gespeichert: Ansicht &gt; Gespeicherte Ansichten</translation>
+    </message>
+</context>
+<context>
+    <name>ScanCommands</name>
+    <message>
+        <source>&amp;Place on the cover</source>
+        <translation>&amp;Am Bezug ausrichten</translation>
+    </message>
+    <message>
+        <source>Moves and turns the scan so that it lies on the cover as well as it can</source>
+        <translation>Verschiebt und dreht den Scan so, dass er möglichst gut am Bezug liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Cut away …</source>
+        <translation>&amp;Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in the 3D view over what is to be cut away of the scan</source>
+        <translation>In der 3D-Ansicht ein Rechteck über das aufziehen, was vom Scan weggeschnitten werden soll</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only …</source>
+        <translation>&amp;Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle in the 3D view around what is to be kept of the scan</source>
+        <translation>In der 3D-Ansicht ein Rechteck um das aufziehen, was vom Scan bleiben soll</translation>
+    </message>
+    <message>
+        <source>Keep &amp;around the cover</source>
+        <translation>&amp;Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Cuts away what is farther from the cover than the threshold</source>
+        <translation>Schneidet weg, was weiter vom Bezug entfernt ist als die Schwelle</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all cuts</source>
+        <translation>Alle Schnitte &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Brings back all that was cut away of the scan</source>
+        <translation>Holt alles zurück, was vom Scan weggeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Choose another &amp;file …</source>
+        <translation>Andere &amp;Datei wählen …</translation>
+    </message>
+    <message>
+        <source>Reads the scan from another file</source>
+        <translation>Liest den Scan aus einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>Select the scan that is meant.</source>
+        <translation>Wählen Sie den Scan aus, der gemeint ist.</translation>
+    </message>
+    <message>
+        <source>Placing the scan on the cover …</source>
+        <translation>Der Scan wird am Bezug ausgerichtet …</translation>
+    </message>
+    <message>
+        <source>Placing the scan on the cover: step %1</source>
+        <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
+    </message>
+</context>
+<context>
     <name>ScanCutTool</name>
     <message>
         <source>Drag a rectangle around what is to be kept of the scan. Esc ends.</source>
@@ -3998,104 +4707,6 @@
     </message>
 </context>
 <context>
-    <name>ScanForm</name>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Place on &amp;the cover</source>
-        <translation>Am Be&amp;zug ausrichten</translation>
-    </message>
-    <message>
-        <source>Choose an&amp;other file …</source>
-        <translation>Andere Datei wäh&amp;len …</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Inhalt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points, one every %3</source>
-        <translation>%1 von %2 Punkten, einer alle %3</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>%1 rms</source>
-        <translation>%1 quadr. Mittel</translation>
-    </message>
-    <message>
-        <source>Median, 95 %</source>
-        <translation>Median, 95 %</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Largest</source>
-        <translation>Größte</translation>
-    </message>
-    <message>
-        <source>Coverage</source>
-        <translation>Abdeckung</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Floor at</source>
-        <translation>Boden bei</translation>
-    </message>
-    <message>
-        <source>Cuts</source>
-        <translation>Schnitte</translation>
-    </message>
-    <message>
-        <source>Cut awa&amp;y …</source>
-        <translation>&amp;Wegschneiden …</translation>
-    </message>
-    <message>
-        <source>&amp;Keep only …</source>
-        <translation>&amp;Nur behalten …</translation>
-    </message>
-    <message>
-        <source>Keep aroun&amp;d the cover</source>
-        <translation>&amp;Umgebung des Bezugs behalten</translation>
-    </message>
-    <message>
-        <source>Remove a&amp;ll cuts</source>
-        <translation>Alle Schnitte en&amp;tfernen</translation>
-    </message>
-</context>
-<context>
-    <name>SeamForm</name>
-    <message>
-        <source>First side</source>
-        <translation>Erste Seite</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Second side</source>
-        <translation>Zweite Seite</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Mehrweite</translation>
-    </message>
-</context>
-<context>
     <name>SectionHandle</name>
     <message>
         <source>Section at %1 – Ctrl turns it by 15°, Escape puts it back</source>
@@ -4104,44 +4715,6 @@
     <message>
         <source>Drag to move the section, with Ctrl to turn it</source>
         <translation>Ziehen verschiebt die Schnittebene, mit Strg wird sie gedreht</translation>
-    </message>
-</context>
-<context>
-    <name>SelectedEdgesForm</name>
-    <message>
-        <source>Edge length</source>
-        <translation>Länge der Kante</translation>
-    </message>
-    <message>
-        <source>Edge lengths</source>
-        <translation>Längen der Kanten</translation>
-    </message>
-    <message>
-        <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
-        <translation>%1 Kanten. Bei „Gleich lang machen“ bleibt die erste, wie sie ist: %2 an %3.</translation>
-    </message>
-    <message>
-        <source>Edge of</source>
-        <translation>Kante von</translation>
-    </message>
-</context>
-<context>
-    <name>SelectedPointsForm</name>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Layout x, y</source>
-        <translation>Lage x, y</translation>
-    </message>
-    <message>
-        <source>Length between</source>
-        <translation>Länge dazwischen</translation>
-    </message>
-    <message>
-        <source>Space x, y, z</source>
-        <translation>Raum x, y, z</translation>
     </message>
 </context>
 <context>
@@ -4157,49 +4730,6 @@
     <message>
         <source>An edge cannot be removed: its points can, or with Esc the whole patch.</source>
         <translation>Eine Kante lässt sich nicht entfernen: ihre Punkte schon, oder nach Esc das ganze Schnittteil.</translation>
-    </message>
-</context>
-<context>
-    <name>SettingsForm</name>
-    <message>
-        <source>Patches</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, zusammen %2 m²</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, zusammen %2 m</translation>
-    </message>
-    <message>
-        <source>Select something to see its properties.</source>
-        <translation>Wählen Sie etwas aus, um seine Eigenschaften zu sehen.</translation>
-    </message>
-    <message>
-        <source>Symmetric design</source>
-        <translation>Symmetrischer Entwurf</translation>
-    </message>
-    <message>
-        <source>Plane through</source>
-        <translation>Ebene durch</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normale</translation>
-    </message>
-    <message>
-        <source>Axis through</source>
-        <translation>Achse durch</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
     </message>
 </context>
 <context>
@@ -4273,6 +4803,41 @@
     </message>
 </context>
 <context>
+    <name>SewingCommands</name>
+    <message>
+        <source>Show seam li&amp;st</source>
+        <translation>Naht&amp;liste zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Swap si&amp;des</source>
+        <translation>Seiten &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>C&amp;0 – an edge</source>
+        <translation>C&amp;0 – eine Kante</translation>
+    </message>
+    <message>
+        <source>C&amp;1 – smooth, texture too</source>
+        <translation>C&amp;1 – glatt, auch das Muster</translation>
+    </message>
+    <message>
+        <source>&amp;G1 – rounded</source>
+        <translation>&amp;G1 – gerundet</translation>
+    </message>
+    <message>
+        <source>Match by &amp;length</source>
+        <translation>Zuordnung nach &amp;Länge</translation>
+    </message>
+    <message>
+        <source>Match by &amp;parameter</source>
+        <translation>Zuordnung nach &amp;Parameter</translation>
+    </message>
+</context>
+<context>
     <name>SnapHints</name>
     <message>
         <source>Point</source>
@@ -4335,6 +4900,17 @@
     </message>
 </context>
 <context>
+    <name>SurfaceCommands</name>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Figures …</source>
+        <translation>&amp;Zahlen …</translation>
+    </message>
+</context>
+<context>
     <name>SurfaceSelectTool</name>
     <message>
         <source>There is a control point already.</source>
@@ -4366,72 +4942,101 @@
     </message>
 </context>
 <context>
-    <name>TrimRows</name>
+    <name>ToolCommands</name>
     <message>
-        <source>Stitching</source>
-        <translation>Steppung</translation>
+        <source>&amp;Select and move</source>
+        <translation>&amp;Auswählen und verschieben</translation>
     </message>
     <message>
-        <source>Colour of the thread</source>
-        <translation>Farbe des Fadens</translation>
+        <source>Draw &amp;outline</source>
+        <translation>&amp;Umriss zeichnen</translation>
     </message>
     <message>
-        <source>Piping</source>
-        <translation>Keder</translation>
+        <source>Draw &amp;rectangle</source>
+        <translation>&amp;Rechteck zeichnen</translation>
     </message>
     <message>
-        <source>As the patch</source>
-        <translation>Wie das Schnittteil</translation>
+        <source>Draw &amp;ellipse</source>
+        <translation>&amp;Ellipse zeichnen</translation>
+    </message>
+    <message>
+        <source>S&amp;plit patch</source>
+        <translation>Schnittteil &amp;teilen</translation>
+    </message>
+    <message>
+        <source>Draw &amp;handle curve</source>
+        <translation>&amp;Griffkurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw &amp;fancy seam</source>
+        <translation>&amp;Ziernaht zeichnen</translation>
+    </message>
+    <message>
+        <source>Se&amp;w</source>
+        <translation>&amp;Nähen</translation>
+    </message>
+    <message>
+        <source>&amp;Attach to fixation curve</source>
+        <translation>&amp;An Fixierkurve befestigen</translation>
+    </message>
+    <message>
+        <source>Stitch or pipe a seam</source>
+        <translation>Naht absteppen oder mit Keder versehen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Draw fixation curve</source>
+        <translation>&amp;Fixierkurve zeichnen</translation>
     </message>
 </context>
 <context>
-    <name>TwinForm</name>
+    <name>TwinCommands</name>
     <message>
-        <source>Mirror image</source>
-        <translation>Spiegelbild</translation>
+        <source>Make &amp;mirror twin</source>
+        <translation>&amp;Spiegelzwilling anlegen</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>gelöst</translation>
+        <source>Link as t&amp;wins</source>
+        <translation>Als &amp;Zwillinge koppeln</translation>
     </message>
     <message>
-        <source>itself</source>
-        <translation>sie selbst</translation>
+        <source>&amp;Unlink twins</source>
+        <translation>Z&amp;willinge trennen</translation>
     </message>
     <message>
-        <source>Re-lin&amp;k to its mirror image</source>
-        <translation>Wieder mit dem Spiegelbild ver&amp;knüpfen</translation>
+        <source>R&amp;elease points from the twin</source>
+        <translation>Punkte vom Zwilling &amp;lösen</translation>
     </message>
     <message>
-        <source>Re&amp;lease from its mirror image</source>
-        <translation>&amp;Vom Spiegelbild lösen</translation>
+        <source>Re-l&amp;ink points to the twin</source>
+        <translation>Punkte wieder an den Zwilling &amp;koppeln</translation>
     </message>
     <message>
-        <source>Twin of</source>
-        <translation>Zwilling von</translation>
+        <source>S&amp;ymmetry …</source>
+        <translation>S&amp;ymmetrie …</translation>
     </message>
     <message>
-        <source>Exceptions</source>
-        <translation>Ausnahmen</translation>
+        <source>%1, mirrored</source>
+        <translation>%1, gespiegelt</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n released points</source>
-        <translation>
-            <numerusform>%n gelöster Punkt</numerusform>
-            <numerusform>%n gelöste Punkte</numerusform>
-        </translation>
+        <source>Select patches or curves that have no twin yet.</source>
+        <translation>Schnittteile oder Kurven auswählen, die noch keinen Zwilling haben.</translation>
     </message>
     <message>
-        <source>&amp;Unlink from its twin</source>
-        <translation>Vom Zwilling t&amp;rennen</translation>
+        <source>Nothing that is selected has a twin.</source>
+        <translation>Nichts von dem, was ausgewählt ist, hat einen Zwilling.</translation>
     </message>
     <message>
-        <source>Re-link all poi&amp;nts</source>
-        <translation>Alle &amp;Punkte wieder koppeln</translation>
+        <source>Select points of a twin, or a seam on it, that still follow.</source>
+        <translation>Punkte eines Zwillings oder eine Naht daran auswählen, die noch folgen.</translation>
+    </message>
+    <message>
+        <source>No point that is selected has been released.</source>
+        <translation>Kein ausgewählter Punkt ist gelöst.</translation>
     </message>
 </context>
 <context>
@@ -4454,74 +5059,7 @@
     </message>
 </context>
 <context>
-    <name>UnusableForm</name>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>It keeps its text and is saved as it is.</source>
-        <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::Actions</name>
-    <message>
-        <source>&amp;New</source>
-        <translation>&amp;Neu</translation>
-    </message>
-    <message>
-        <source>&amp;Open …</source>
-        <translation>Ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as …</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>&amp;Import frame …</source>
-        <translation>Gestell &amp;importieren …</translation>
-    </message>
-    <message>
-        <source>&amp;Export surface …</source>
-        <translation>Oberfläche &amp;exportieren …</translation>
-    </message>
-    <message>
-        <source>Export &amp;picture …</source>
-        <translation>&amp;Bild exportieren …</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Re&amp;name</source>
-        <translation>&amp;Umbenennen</translation>
-    </message>
-    <message>
-        <source>Select &amp;all patches</source>
-        <translation>&amp;Alle Schnittteile auswählen</translation>
-    </message>
-    <message>
-        <source>Select n&amp;othing</source>
-        <translation>Nichts a&amp;uswählen</translation>
-    </message>
+    <name>ViewCommands</name>
     <message>
         <source>Show &amp;all</source>
         <translation>&amp;Alles zeigen</translation>
@@ -4529,6 +5067,10 @@
     <message>
         <source>Show &amp;selection</source>
         <translation>Aus&amp;wahl zeigen</translation>
+    </message>
+    <message>
+        <source>Look at the &amp;cover from</source>
+        <translation>&amp;Bezug ansehen von</translation>
     </message>
     <message>
         <source>&amp;Front</source>
@@ -4559,32 +5101,40 @@
         <translation>&amp;Dreiviertelansicht</translation>
     </message>
     <message>
+        <source>Sa&amp;ved views</source>
+        <translation>Gespeicherte Ansich&amp;ten</translation>
+    </message>
+    <message>
         <source>&amp;Perspective</source>
         <translation>&amp;Perspektive</translation>
     </message>
     <message>
-        <source>&amp;Triangulation</source>
-        <translation>&amp;Triangulierung</translation>
+        <source>Sec&amp;tion</source>
+        <translation>Schni&amp;ttebene</translation>
     </message>
     <message>
-        <source>&amp;Frame</source>
-        <translation>&amp;Gestell</translation>
+        <source>Lin&amp;k the views</source>
+        <translation>Ansichten verknü&amp;pfen</translation>
     </message>
     <message>
-        <source>Fixation c&amp;urves</source>
-        <translation>&amp;Fixierkurven</translation>
+        <source>Show the pointer&apos;s place in the other view, too</source>
+        <translation>Die Stelle unter dem Zeiger auch in der anderen Ansicht zeigen</translation>
     </message>
     <message>
-        <source>&amp;Grid</source>
-        <translation>&amp;Raster</translation>
+        <source>&amp;Hide selected</source>
+        <translation>Gewähltes &amp;ausblenden</translation>
     </message>
     <message>
-        <source>&amp;Labels</source>
-        <translation>&amp;Beschriftungen</translation>
+        <source>&amp;Isolate selected</source>
+        <translation>Nur Gewähltes &amp;zeigen</translation>
     </message>
     <message>
-        <source>Gr&amp;ound</source>
-        <translation>B&amp;oden</translation>
+        <source>Sho&amp;w hidden again</source>
+        <translation>Versteckte &amp;wieder zeigen</translation>
+    </message>
+    <message>
+        <source>Th&amp;eme</source>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -4599,257 +5149,32 @@
         <translation>&amp;Dunkel</translation>
     </message>
     <message>
-        <source>Turn 90° to the &amp;left</source>
-        <translation>Um 90° nach &amp;links drehen</translation>
+        <source>&amp;Opacity</source>
+        <translation>Dec&amp;kkraft</translation>
     </message>
     <message>
-        <source>Turn 90° to the &amp;right</source>
-        <translation>Um 90° nach &amp;rechts drehen</translation>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
     <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Anhalten</translation>
+        <source>Frames and foam</source>
+        <translation>Gestelle und Schaum</translation>
     </message>
     <message>
-        <source>&amp;Figures …</source>
-        <translation>&amp;Zahlen …</translation>
+        <source>Scans</source>
+        <translation>Scans</translation>
     </message>
     <message>
-        <source>&amp;Reset layout</source>
-        <translation>Anordnung &amp;zurücksetzen</translation>
+        <source>Opacity of frames and scans</source>
+        <translation>Deckkraft von Gestellen und Scans</translation>
     </message>
     <message>
-        <source>&amp;Keys and mouse …</source>
-        <translation>&amp;Tasten und Maus …</translation>
+        <source>Select patches, curves, frames, foam or scans to hide them.</source>
+        <translation>Wählen Sie Schnittteile, Kurven, Gestelle, Schaum oder Scans, um sie auszublenden.</translation>
     </message>
-    <message>
-        <source>&amp;About Bolster</source>
-        <translation>Ü&amp;ber Bolster</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Cushion</source>
-        <translation>&amp;Polsterung</translation>
-    </message>
-    <message>
-        <source>&amp;Box of foam</source>
-        <translation>&amp;Quader aus Schaum</translation>
-    </message>
-    <message>
-        <source>C&amp;ylinder of foam</source>
-        <translation>&amp;Zylinder aus Schaum</translation>
-    </message>
-    <message>
-        <source>&amp;Sphere of foam</source>
-        <translation>&amp;Kugel aus Schaum</translation>
-    </message>
-    <message>
-        <source>Draw &amp;handle curve</source>
-        <translation>&amp;Griffkurve zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw &amp;fancy seam</source>
-        <translation>&amp;Ziernaht zeichnen</translation>
-    </message>
-    <message>
-        <source>Pairs of co&amp;ver and scan</source>
-        <translation>Paare von &amp;Bezug und Scan</translation>
-    </message>
-    <message>
-        <source>&amp;Deviation from the scan</source>
-        <translation>A&amp;bweichung vom Scan</translation>
-    </message>
-    <message>
-        <source>Impor&amp;t scan …</source>
-        <translation>Scan imp&amp;ortieren …</translation>
-    </message>
-    <message>
-        <source>Chec&amp;ker</source>
-        <translation>Karo&amp;muster</translation>
-    </message>
-    <message>
-        <source>Control po&amp;ints</source>
-        <translation>&amp;Kontrollpunkte</translation>
-    </message>
-    <message>
-        <source>Sea&amp;ms and fixations</source>
-        <translation>&amp;Nähte und Fixierungen</translation>
-    </message>
-    <message>
-        <source>Sca&amp;ns</source>
-        <translation>S&amp;cans</translation>
-    </message>
-    <message>
-        <source>&amp;Select and move</source>
-        <translation>&amp;Auswählen und verschieben</translation>
-    </message>
-    <message>
-        <source>Draw &amp;outline</source>
-        <translation>&amp;Umriss zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw &amp;rectangle</source>
-        <translation>&amp;Rechteck zeichnen</translation>
-    </message>
-    <message>
-        <source>Draw &amp;ellipse</source>
-        <translation>&amp;Ellipse zeichnen</translation>
-    </message>
-    <message>
-        <source>S&amp;plit patch</source>
-        <translation>Schnittteil &amp;teilen</translation>
-    </message>
-    <message>
-        <source>Se&amp;w</source>
-        <translation>&amp;Nähen</translation>
-    </message>
-    <message>
-        <source>&amp;Attach to fixation curve</source>
-        <translation>&amp;An Fixierkurve befestigen</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>&amp;Flip</source>
-        <translation>&amp;Umkehren</translation>
-    </message>
-    <message>
-        <source>Swap si&amp;des</source>
-        <translation>Seiten &amp;tauschen</translation>
-    </message>
-    <message>
-        <source>C&amp;0 – an edge</source>
-        <translation>C&amp;0 – eine Kante</translation>
-    </message>
-    <message>
-        <source>C&amp;1 – smooth, texture too</source>
-        <translation>C&amp;1 – glatt, auch das Muster</translation>
-    </message>
-    <message>
-        <source>&amp;G1 – rounded</source>
-        <translation>&amp;G1 – gerundet</translation>
-    </message>
-    <message>
-        <source>Match by &amp;length</source>
-        <translation>Zuordnung nach &amp;Länge</translation>
-    </message>
-    <message>
-        <source>Match by &amp;parameter</source>
-        <translation>Zuordnung nach &amp;Parameter</translation>
-    </message>
-    <message>
-        <source>Show seam li&amp;st</source>
-        <translation>Naht&amp;liste zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Draw fixation curve</source>
-        <translation>&amp;Fixierkurve zeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Create fixation curve</source>
-        <translation>Fixierkurve an&amp;legen</translation>
-    </message>
-    <message>
-        <source>&amp;Handle curves</source>
-        <translation>&amp;Griffkurven</translation>
-    </message>
-    <message>
-        <source>Fanc&amp;y seams</source>
-        <translation>Zie&amp;rnähte</translation>
-    </message>
-    <message>
-        <source>Lin&amp;k the views</source>
-        <translation>Ansichten verknü&amp;pfen</translation>
-    </message>
-    <message>
-        <source>Show the pointer&apos;s place in the other view, too (%1)</source>
-        <translation>Die Stelle unter dem Zeiger auch in der anderen Ansicht zeigen (%1)</translation>
-    </message>
-    <message>
-        <source>&amp;Hide selected</source>
-        <translation>Gewähltes &amp;ausblenden</translation>
-    </message>
-    <message>
-        <source>&amp;Isolate selected</source>
-        <translation>Nur Gewähltes &amp;zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Save view …</source>
-        <translation>Ansicht &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>S&amp;napping</source>
-        <translation>Ei&amp;nrasten</translation>
-    </message>
-    <message>
-        <source>&amp;Rulers</source>
-        <translation>L&amp;ineale</translation>
-    </message>
-    <message>
-        <source>Gui&amp;des</source>
-        <translation>H&amp;ilfslinien</translation>
-    </message>
-    <message>
-        <source>Remove all g&amp;uides</source>
-        <translation>Alle Hilfslinien entfern&amp;en</translation>
-    </message>
-    <message>
-        <source>Select with a &amp;loop</source>
-        <translation>Mit einer &amp;Schlinge auswählen</translation>
-    </message>
-    <message>
-        <source>&amp;Open picture …</source>
-        <translation>Bild ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>&amp;Scale by two points</source>
-        <translation>Mit zwei Punkten &amp;skalieren</translation>
-    </message>
-    <message>
-        <source>&amp;Move</source>
-        <translation>&amp;Verschieben</translation>
-    </message>
-    <message>
-        <source>Opacity %1</source>
-        <translation>Deckkraft %1</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>Ent&amp;fernen</translation>
-    </message>
-    <message>
-        <source>Make &amp;mirror twin</source>
-        <translation>&amp;Spiegelzwilling anlegen</translation>
-    </message>
-    <message>
-        <source>Link as t&amp;wins</source>
-        <translation>Als &amp;Zwillinge koppeln</translation>
-    </message>
-    <message>
-        <source>&amp;Unlink twins</source>
-        <translation>Z&amp;willinge trennen</translation>
-    </message>
-    <message>
-        <source>R&amp;elease points from the twin</source>
-        <translation>Punkte vom Zwilling &amp;lösen</translation>
-    </message>
-    <message>
-        <source>Re-l&amp;ink points to the twin</source>
-        <translation>Punkte wieder an den Zwilling &amp;koppeln</translation>
-    </message>
-    <message>
-        <source>S&amp;ymmetry …</source>
-        <translation>S&amp;ymmetrie …</translation>
-    </message>
+</context>
+<context>
+    <name>WindowCommands</name>
     <message>
         <source>&amp;Next part of the window</source>
         <translation>&amp;Nächster Teil des Fensters</translation>
@@ -4859,376 +5184,8 @@
         <translation>&amp;Voriger Teil des Fensters</translation>
     </message>
     <message>
-        <source>&amp;Find a command …</source>
-        <translation>&amp;Befehl suchen …</translation>
-    </message>
-    <message>
-        <source>&amp;Edit shortcuts …</source>
-        <translation>Tastenkürzel &amp;bearbeiten …</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t</source>
-        <translation>A&amp;usschneiden</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Paste</source>
-        <translation>&amp;Einfügen</translation>
-    </message>
-    <message>
-        <source>Dupl&amp;icate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>Mirror hori&amp;zontally</source>
-        <translation>&amp;Waagrecht spiegeln</translation>
-    </message>
-    <message>
-        <source>Mirror &amp;vertically</source>
-        <translation>&amp;Senkrecht spiegeln</translation>
-    </message>
-    <message>
-        <source>&amp;Left edges</source>
-        <translation>&amp;Linke Kanten</translation>
-    </message>
-    <message>
-        <source>Centres in a &amp;column</source>
-        <translation>&amp;Mitten untereinander</translation>
-    </message>
-    <message>
-        <source>&amp;Right edges</source>
-        <translation>&amp;Rechte Kanten</translation>
-    </message>
-    <message>
-        <source>&amp;Top edges</source>
-        <translation>&amp;Obere Kanten</translation>
-    </message>
-    <message>
-        <source>Centres in a ro&amp;w</source>
-        <translation>M&amp;itten nebeneinander</translation>
-    </message>
-    <message>
-        <source>&amp;Bottom edges</source>
-        <translation>&amp;Untere Kanten</translation>
-    </message>
-    <message>
-        <source>&amp;Horizontally</source>
-        <translation>&amp;Waagrecht</translation>
-    </message>
-    <message>
-        <source>&amp;Vertically</source>
-        <translation>&amp;Senkrecht</translation>
-    </message>
-    <message>
-        <source>Arrange &amp;automatically</source>
-        <translation>&amp;Automatisch anordnen</translation>
-    </message>
-    <message>
-        <source>Make &amp;corner</source>
-        <translation>&amp;Ecke machen</translation>
-    </message>
-    <message>
-        <source>Make s&amp;mooth</source>
-        <translation>&amp;Glatt machen</translation>
-    </message>
-    <message>
-        <source>Strai&amp;ghten</source>
-        <translation>Ge&amp;rade machen</translation>
-    </message>
-    <message>
-        <source>Cushionin&amp;g</source>
-        <translation>Po&amp;lsterung</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w hidden again</source>
-        <translation>Versteckte &amp;wieder zeigen</translation>
-    </message>
-    <message>
-        <source>Sec&amp;tion</source>
-        <translation>Schni&amp;ttebene</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>An&amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Merge a&amp;long seam</source>
-        <translation>Entlang der Naht ver&amp;einen</translation>
-    </message>
-    <message>
-        <source>Mirror image of the &amp;selection</source>
-        <translation>S&amp;piegelbild der Auswahl</translation>
-    </message>
-    <message>
-        <source>Symmetry &amp;axis and plane</source>
-        <translation>S&amp;ymmetrieachse und -ebene</translation>
-    </message>
-    <message>
-        <source>With &amp;everything …</source>
-        <translation>Mit &amp;allem …</translation>
-    </message>
-    <message>
-        <source>Without &amp;history …</source>
-        <translation>Ohne &amp;Verlauf …</translation>
-    </message>
-    <message>
-        <source>Without history and &amp;scans …</source>
-        <translation>Ohne Verlauf und &amp;Scans …</translation>
-    </message>
-    <message>
-        <source>Re&amp;vert to saved</source>
-        <translation>Auf &amp;Gespeichertes zurücksetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Largest strain</source>
-        <translation>&amp;Größte Dehnung</translation>
-    </message>
-    <message>
-        <source>Strain al&amp;ong the grain</source>
-        <translation>Dehnung &amp;längs des Fadenlaufs</translation>
-    </message>
-    <message>
-        <source>Strain a&amp;cross the grain</source>
-        <translation>Dehnung &amp;quer zum Fadenlauf</translation>
-    </message>
-    <message>
-        <source>&amp;Shear</source>
-        <translation>&amp;Scherung</translation>
-    </message>
-    <message>
-        <source>&amp;Mean curvature</source>
-        <translation>&amp;Mittlere Krümmung</translation>
-    </message>
-    <message>
-        <source>Distance to the &amp;frame</source>
-        <translation>Abstand zum G&amp;estell</translation>
-    </message>
-    <message>
-        <source>Stitch or pipe a seam</source>
-        <translation>Naht absteppen oder mit Keder versehen</translation>
-    </message>
-    <message>
-        <source>&amp;New fabric</source>
-        <translation>&amp;Neuer Stoff</translation>
-    </message>
-    <message>
-        <source>Adds leather, weave, velvet or another fabric to the library of the design</source>
-        <translation>Fügt der Sammlung des Entwurfs Leder, Gewebe, Samt oder einen anderen Stoff hinzu</translation>
-    </message>
-    <message>
-        <source>From a &amp;picture …</source>
-        <translation>Aus einem &amp;Bild …</translation>
-    </message>
-    <message>
-        <source>A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR</source>
-        <translation>Ein Stoff, der wie ein Bild aussieht: PNG, JPEG, TIFF oder OpenEXR</translation>
-    </message>
-    <message>
-        <source>&amp;Import fabrics …</source>
-        <translation>Stoffe &amp;importieren …</translation>
-    </message>
-    <message>
-        <source>Takes over the fabrics of a file, a design or a project</source>
-        <translation>Übernimmt die Stoffe einer Datei, eines Entwurfs oder eines Projekts</translation>
-    </message>
-    <message>
-        <source>&amp;Export fabric …</source>
-        <translation>Stoff &amp;exportieren …</translation>
-    </message>
-    <message>
-        <source>Writes the fabric to a file, its picture beside it</source>
-        <translation>Schreibt den Stoff in eine Datei, sein Bild daneben</translation>
-    </message>
-    <message>
-        <source>&amp;Assign to selection</source>
-        <translation>Der &amp;Auswahl zuweisen</translation>
-    </message>
-    <message>
-        <source>Gives the selected patches the fabric that is chosen in the library</source>
-        <translation>Gibt den ausgewählten Schnittteilen den Stoff, der in der Sammlung gewählt ist</translation>
-    </message>
-    <message>
-        <source>Fabric p&amp;roperties</source>
-        <translation>Eigenschaften des &amp;Stoffs</translation>
-    </message>
-    <message>
-        <source>Shows kind, colours, size and limits of the fabric</source>
-        <translation>Zeigt Art, Farben, Größe und Grenzen des Stoffs</translation>
-    </message>
-    <message>
-        <source>Picture on the &amp;fabric …</source>
-        <translation>Bild auf &amp;dem Stoff …</translation>
-    </message>
-    <message>
-        <source>Lets the fabric look like a picture: PNG, JPEG, TIFF or OpenEXR</source>
-        <translation>Lässt den Stoff wie ein Bild aussehen: PNG, JPEG, TIFF oder OpenEXR</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate fabric</source>
-        <translation>Stoff &amp;verdoppeln</translation>
-    </message>
-    <message>
-        <source>Adds a copy of the fabric, to be changed</source>
-        <translation>Fügt eine Kopie des Stoffs hinzu, die geändert werden kann</translation>
-    </message>
-    <message>
-        <source>Rename fa&amp;bric …</source>
-        <translation>Stoff &amp;umbenennen …</translation>
-    </message>
-    <message>
-        <source>Gives the fabric another name</source>
-        <translation>Gibt dem Stoff einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>&amp;Delete fabric …</source>
-        <translation>Stoff &amp;löschen …</translation>
-    </message>
-    <message>
-        <source>Removes the fabric; asks what patches get instead</source>
-        <translation>Entfernt den Stoff; fragt, was Schnittteile stattdessen bekommen</translation>
-    </message>
-    <message>
-        <source>New &amp;colourway …</source>
-        <translation>Neue &amp;Farbvariante …</translation>
-    </message>
-    <message>
-        <source>Adds a set of fabrics for the patches; it begins as what is shown now</source>
-        <translation>Fügt einen Satz von Stoffen für die Schnittteile hinzu; er beginnt mit dem, was jetzt zu sehen ist</translation>
-    </message>
-    <message>
-        <source>&amp;Show colourway</source>
-        <translation>Farbvariante &amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Chooses which fabrics are seen; the shape stays</source>
-        <translation>Wählt, welche Stoffe zu sehen sind; die Form bleibt</translation>
-    </message>
-    <message>
-        <source>Rena&amp;me colourway …</source>
-        <translation>Farbvariante u&amp;mbenennen …</translation>
-    </message>
-    <message>
-        <source>Gives the colourway that is shown another name</source>
-        <translation>Gibt der gezeigten Farbvariante einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>De&amp;lete colourway</source>
-        <translation>Farbvariante lös&amp;chen</translation>
-    </message>
-    <message>
-        <source>Removes the colourway that is shown</source>
-        <translation>Entfernt die gezeigte Farbvariante</translation>
-    </message>
-    <message>
-        <source>Compare c&amp;olourways …</source>
-        <translation>Farbvarianten ver&amp;gleichen …</translation>
-    </message>
-    <message>
-        <source>Shows two colourways side by side</source>
-        <translation>Zeigt zwei Farbvarianten nebeneinander</translation>
-    </message>
-    <message>
-        <source>Name this &amp;branch …</source>
-        <translation>Diesen &amp;Zweig benennen …</translation>
-    </message>
-    <message>
-        <source>Name the way that the history has gone since it forked (%1)</source>
-        <translation>Gibt dem Weg, den der Verlauf seit der letzten Gabelung genommen hat, einen Namen (%1)</translation>
-    </message>
-    <message>
-        <source>Show worst spots as a l&amp;ist</source>
-        <translation>Schlimmste Stellen als L&amp;iste zeigen</translation>
-    </message>
-    <message>
-        <source>On &amp;cushions</source>
-        <translation>Auf K&amp;issen</translation>
-    </message>
-    <message>
-        <source>Shows the fabrics of the library on cushions</source>
-        <translation>Zeigt die Stoffe der Bibliothek auf Kissen</translation>
-    </message>
-    <message>
-        <source>On &amp;balls</source>
-        <translation>Auf &amp;Kugeln</translation>
-    </message>
-    <message>
-        <source>Shows the fabrics of the library on balls</source>
-        <translation>Zeigt die Stoffe der Bibliothek auf Kugeln</translation>
-    </message>
-    <message>
-        <source>Ren&amp;der picture …</source>
-        <translation>Bild be&amp;rechnen …</translation>
-    </message>
-    <message>
-        <source>&amp;Place on the cover</source>
-        <translation>&amp;Am Bezug ausrichten</translation>
-    </message>
-    <message>
-        <source>Moves and turns the scan so that it lies on the cover as well as it can</source>
-        <translation>Verschiebt und dreht den Scan so, dass er möglichst gut am Bezug liegt</translation>
-    </message>
-    <message>
-        <source>&amp;Cut away …</source>
-        <translation>&amp;Wegschneiden …</translation>
-    </message>
-    <message>
-        <source>Drag a rectangle in the 3D view over what is to be cut away of the scan</source>
-        <translation>In der 3D-Ansicht ein Rechteck über das aufziehen, was vom Scan weggeschnitten werden soll</translation>
-    </message>
-    <message>
-        <source>&amp;Keep only …</source>
-        <translation>&amp;Nur behalten …</translation>
-    </message>
-    <message>
-        <source>Drag a rectangle in the 3D view around what is to be kept of the scan</source>
-        <translation>In der 3D-Ansicht ein Rechteck um das aufziehen, was vom Scan bleiben soll</translation>
-    </message>
-    <message>
-        <source>Keep &amp;around the cover</source>
-        <translation>&amp;Umgebung des Bezugs behalten</translation>
-    </message>
-    <message>
-        <source>Cuts away what is farther from the cover than the threshold</source>
-        <translation>Schneidet weg, was weiter vom Bezug entfernt ist als die Schwelle</translation>
-    </message>
-    <message>
-        <source>&amp;Remove all cuts</source>
-        <translation>Alle Schnitte &amp;entfernen</translation>
-    </message>
-    <message>
-        <source>Brings back all that was cut away of the scan</source>
-        <translation>Holt alles zurück, was vom Scan weggeschnitten wurde</translation>
-    </message>
-    <message>
-        <source>Choose another &amp;file …</source>
-        <translation>Andere &amp;Datei wählen …</translation>
-    </message>
-    <message>
-        <source>Reads the scan from another file</source>
-        <translation>Liest den Scan aus einer anderen Datei</translation>
-    </message>
-    <message>
-        <source>Edge &amp;length …</source>
-        <translation>&amp;Länge der Kante …</translation>
-    </message>
-    <message>
-        <source>Type the length of the selected edge (%1)</source>
-        <translation>Die Länge der gewählten Kante eingeben (%1)</translation>
-    </message>
-    <message>
-        <source>Make e&amp;qually long</source>
-        <translation>Gleich lang &amp;machen</translation>
-    </message>
-    <message>
-        <source>Makes the selected edges as long as the first one, or the second side of a seam as long as its first (%1)</source>
-        <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste (%1)</translation>
-    </message>
-    <message>
-        <source>Own &amp;colours of scans</source>
-        <translation>Eigene &amp;Farben der Scans</translation>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -5236,13 +5193,6 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::CanvasChoice</name>
-    <message>
-        <source>Drawn in software</source>
-        <translation>In Software gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -5575,6 +5525,134 @@
 <context>
     <name>bolster::FieldText</name>
     <message>
+        <source>First stretch</source>
+        <translation>Erster Abschnitt</translation>
+    </message>
+    <message>
+        <source>Second stretch</source>
+        <translation>Zweiter Abschnitt</translation>
+    </message>
+    <message>
+        <source>Bending length</source>
+        <translation>Biegelänge</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Continuity</source>
+        <translation>Stetigkeit</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Mesh edges</source>
+        <translation>Netzkanten</translation>
+    </message>
+    <message>
+        <source>Switched on</source>
+        <translation>Eingeschaltet</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Beginnt bei</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Poisson parameter</source>
+        <translation>Poissonzahl</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Runs backwards</source>
+        <translation>Läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Curve in space</source>
+        <translation>Kurve im Raum</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Endet bei</translation>
+    </message>
+    <message>
+        <source>Mirror twin</source>
+        <translation>Spiegelzwilling</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Wrong side out</source>
+        <translation>Linke Seite außen</translation>
+    </message>
+    <message>
         <source>usual</source>
         <translation>wie üblich</translation>
     </message>
@@ -5586,13 +5664,108 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message numerus="yes">
+        <source>%n points</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
+        <source>Across the grain</source>
+        <translation>Quer zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Along the grain</source>
+        <translation>Längs des Fadenlaufs</translation>
+    </message>
+    <message>
+        <source>Colourway shown</source>
+        <translation>Gezeigte Farbvariante</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Strain limits</source>
+        <translation>Dehnungsgrenzen</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Piping fabric</source>
+        <translation>Stoff des Keders</translation>
+    </message>
+    <message>
+        <source>Piping radius</source>
+        <translation>Radius des Keders</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Second colour</source>
+        <translation>Zweite Farbe</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Scherung</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Stitch distance</source>
+        <translation>Abstand der Stiche</translation>
+    </message>
+    <message>
+        <source>Stitch length</source>
+        <translation>Stichlänge</translation>
+    </message>
+    <message>
+        <source>Thread colour</source>
+        <translation>Garnfarbe</translation>
+    </message>
+    <message>
+        <source>Thread width</source>
+        <translation>Garnstärke</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <translation>Verzierung</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Mulde</translation>
+    </message>
+    <message>
         <source>turned by %1</source>
         <translation>um %1 gedreht</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
     <message numerus="yes">
         <source>%n points, %1 mm</source>
@@ -5604,6 +5777,38 @@
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>as made</source>
+        <translation>wie gefertigt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Padding</source>
+        <translation>Polsterung</translation>
+    </message>
+    <message>
+        <source>Slanted faces</source>
+        <translation>Schräge Flächen</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Smallest detail</source>
+        <translation>Kleinste Einzelheit</translation>
+    </message>
+    <message>
+        <source>press like straight ones</source>
+        <translation>drücken wie gerade</translation>
+    </message>
+    <message>
+        <source>press harder</source>
+        <translation>drücken stärker</translation>
     </message>
 </context>
 <context>
@@ -6169,136 +6374,8 @@
         <translation>%1[*] – Bolster</translation>
     </message>
     <message>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Cushioning needs a frame: import one first.</source>
-        <translation>Eine Polsterung braucht ein Gestell: importieren Sie zuerst eines.</translation>
-    </message>
-    <message>
-        <source>Foam belongs to a cushion: insert one first.</source>
-        <translation>Schaum gehört zu einer Polsterung: fügen Sie zuerst eine ein.</translation>
-    </message>
-    <message>
-        <source>Placing the scan on the cover …</source>
-        <translation>Der Scan wird am Bezug ausgerichtet …</translation>
-    </message>
-    <message>
-        <source>Placing the scan on the cover: step %1</source>
-        <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
-    </message>
-    <message>
-        <source>Select patches, curves, frames, foam or scans to hide them.</source>
-        <translation>Wählen Sie Schnittteile, Kurven, Gestelle, Schaum oder Scans, um sie auszublenden.</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Frames and foam</source>
-        <translation>Gestelle und Schaum</translation>
-    </message>
-    <message>
-        <source>Scans</source>
-        <translation>Scans</translation>
-    </message>
-    <message>
-        <source>&amp;Delete view</source>
-        <translation>Ansicht &amp;löschen</translation>
-    </message>
-    <message>
-        <source>View %1 deleted</source>
-        <translation>Ansicht %1 gelöscht</translation>
-    </message>
-    <message>
-        <source>Save view</source>
-        <translation>Ansicht speichern</translation>
-    </message>
-    <message>
-        <source>Name of the view; one of the same name is replaced:</source>
-        <translation>Name der Ansicht; eine mit demselben Namen wird ersetzt:</translation>
-    </message>
-    <message>
-        <source>View %1</source>
-        <translation>Ansicht %1</translation>
-    </message>
-    <message>
-        <source>View %1 saved: View &gt; Saved views</source>
-        <translation>Ansicht %1 gespeichert: Ansicht &gt; Gespeicherte Ansichten</translation>
-    </message>
-    <message>
-        <source>Open a picture to trace</source>
-        <translation>Bild zum Nachzeichnen öffnen</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.bmp *.webp);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Select two points of an outline first: what lies between them is fixed.</source>
-        <translation>Wählen Sie zuerst zwei Punkte eines Umrisses: Was dazwischen liegt, wird fixiert.</translation>
-    </message>
-    <message>
-        <source>Fixation %1</source>
-        <translation>Fixierung %1</translation>
-    </message>
-    <message>
-        <source>There is no surface of this patch yet on which the curve could lie.</source>
-        <translation>Dieses Schnittteil hat noch keine Oberfläche, auf der die Kurve liegen könnte.</translation>
-    </message>
-    <message>
-        <source>%1, mirrored</source>
-        <translation>%1, gespiegelt</translation>
-    </message>
-    <message>
-        <source>Select patches or curves that have no twin yet.</source>
-        <translation>Schnittteile oder Kurven auswählen, die noch keinen Zwilling haben.</translation>
-    </message>
-    <message>
-        <source>Nothing that is selected has a twin.</source>
-        <translation>Nichts von dem, was ausgewählt ist, hat einen Zwilling.</translation>
-    </message>
-    <message>
-        <source>Select points of a twin, or a seam on it, that still follow.</source>
-        <translation>Punkte eines Zwillings oder eine Naht daran auswählen, die noch folgen.</translation>
-    </message>
-    <message>
-        <source>No point that is selected has been released.</source>
-        <translation>Kein ausgewählter Punkt ist gelöst.</translation>
-    </message>
-    <message>
-        <source>Opacity of frames and scans</source>
-        <translation>Deckkraft von Gestellen und Scans</translation>
-    </message>
-    <message>
         <source>%1 It is back where it was.</source>
         <translation>%1 Es ist wieder, wo es war.</translation>
-    </message>
-    <message>
-        <source>Show this place in both windows</source>
-        <translation>Diese Stelle in beiden Fenstern zeigen</translation>
-    </message>
-    <message>
-        <source>Choose a map of strain first</source>
-        <translation>Zuerst eine Karte der Dehnung wählen</translation>
-    </message>
-    <message>
-        <source>As made</source>
-        <translation>Wie gefertigt</translation>
     </message>
     <message>
         <source>More commands</source>
@@ -6315,18 +6392,6 @@
     <message>
         <source>%1[*] (read-only) – Bolster</source>
         <translation>%1[*] (schreibgeschützt) – Bolster</translation>
-    </message>
-    <message>
-        <source>As soon as the cover has come to rest …</source>
-        <translation>Sobald der Bezug zur Ruhe gekommen ist …</translation>
-    </message>
-    <message>
-        <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
-        <translation>Das braucht den Bezug des jetzigen Entwurfs: zuerst die Berechnung weiterlaufen lassen („Anhalten“ ausschalten).</translation>
-    </message>
-    <message>
-        <source>Select the scan that is meant.</source>
-        <translation>Wählen Sie den Scan aus, der gemeint ist.</translation>
     </message>
 </context>
 <context>
@@ -6491,6 +6556,126 @@
         <source>They are equally long already.</source>
         <translation>Sie sind schon gleich lang.</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>A&amp;usschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Arran&amp;ge</source>
+        <translation>A&amp;nordnen</translation>
+    </message>
+    <message>
+        <source>Turn 90° to the &amp;left</source>
+        <translation>Um 90° nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn 90° to the &amp;right</source>
+        <translation>Um 90° nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Mirror hori&amp;zontally</source>
+        <translation>&amp;Waagrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;vertically</source>
+        <translation>&amp;Senkrecht spiegeln</translation>
+    </message>
+    <message>
+        <source>Al&amp;ign</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>&amp;Left edges</source>
+        <translation>&amp;Linke Kanten</translation>
+    </message>
+    <message>
+        <source>Centres in a &amp;column</source>
+        <translation>&amp;Mitten untereinander</translation>
+    </message>
+    <message>
+        <source>&amp;Right edges</source>
+        <translation>&amp;Rechte Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Top edges</source>
+        <translation>&amp;Obere Kanten</translation>
+    </message>
+    <message>
+        <source>Centres in a ro&amp;w</source>
+        <translation>M&amp;itten nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom edges</source>
+        <translation>&amp;Untere Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute</source>
+        <translation>&amp;Verteilen</translation>
+    </message>
+    <message>
+        <source>&amp;Horizontally</source>
+        <translation>&amp;Waagrecht</translation>
+    </message>
+    <message>
+        <source>&amp;Vertically</source>
+        <translation>&amp;Senkrecht</translation>
+    </message>
+    <message>
+        <source>Arrange &amp;automatically</source>
+        <translation>&amp;Automatisch anordnen</translation>
+    </message>
+    <message>
+        <source>Poin&amp;ts and edges</source>
+        <translation>Pun&amp;kte und Kanten</translation>
+    </message>
+    <message>
+        <source>Make &amp;corner</source>
+        <translation>&amp;Ecke machen</translation>
+    </message>
+    <message>
+        <source>Make s&amp;mooth</source>
+        <translation>&amp;Glatt machen</translation>
+    </message>
+    <message>
+        <source>Strai&amp;ghten</source>
+        <translation>Ge&amp;rade machen</translation>
+    </message>
+    <message>
+        <source>Edge &amp;length …</source>
+        <translation>&amp;Länge der Kante …</translation>
+    </message>
+    <message>
+        <source>Type the length of the selected edge</source>
+        <translation>Die Länge der gewählten Kante eingeben</translation>
+    </message>
+    <message>
+        <source>Make e&amp;qually long</source>
+        <translation>Gleich lang &amp;machen</translation>
+    </message>
+    <message>
+        <source>Makes the selected edges as long as the first one, or the second side of a seam as long as its first</source>
+        <translation>Macht die gewählten Kanten so lang wie die erste, oder die zweite Seite einer Naht so lang wie ihre erste</translation>
+    </message>
+    <message>
+        <source>Mirror twi&amp;ns</source>
+        <translation>Spiegel&amp;zwillinge</translation>
+    </message>
+    <message>
+        <source>Merge a&amp;long seam</source>
+        <translation>Entlang der Naht ver&amp;einen</translation>
+    </message>
 </context>
 <context>
     <name>bolster::PatternRuler</name>
@@ -6501,6 +6686,21 @@
     <message>
         <source>Drag to the right for an upright guide. Marks move level guides; drag them off to remove them.</source>
         <translation>Nach rechts ziehen für eine senkrechte Hilfslinie. Marken verschieben waagrechte Hilfslinien; hinausgezogen verschwinden sie.</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PatternView</name>
+    <message>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+    </message>
+    <message>
+        <source>%1 Let go here, and it goes back to where it was.</source>
+        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
+    </message>
+    <message>
+        <source>Edge: %1</source>
+        <translation>Kante: %1</translation>
     </message>
 </context>
 <context>
@@ -6866,13 +7066,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::ShownPattern</name>
-    <message>
-        <source>Edge: %1</source>
-        <translation>Kante: %1</translation>
-    </message>
-</context>
-<context>
     <name>bolster::SpotsPanel</name>
     <message>
         <source>Worst spots</source>
@@ -7069,6 +7262,17 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
+    <name>bolster::SurfaceView</name>
+    <message>
+        <source>Drawn in software</source>
+        <translation>In Software gezeichnet</translation>
+    </message>
+    <message>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+    </message>
+</context>
+<context>
     <name>bolster::SurfaceViewCube</name>
     <message>
         <source>FRONT</source>
@@ -7100,10 +7304,26 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::ToolHost</name>
+    <name>bolster::T</name>
     <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Garn</translation>
+    </message>
+    <message>
+        <source>As the patch</source>
+        <translation>Wie das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Piping</source>
+        <translation>Keder</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
     </message>
 </context>
 <context>

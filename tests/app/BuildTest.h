@@ -58,7 +58,7 @@ private:
         for (int i = 0; i < steps; ++i)
             designer.key(Qt::Key_Z, Qt::ControlModifier);
         EXPECT_EQ(writeDesign(design()), writeDesign(m_empty));
-        EXPECT_FALSE(window.actions().undo->isEnabled());
+        EXPECT_FALSE(window.command("edit.undo")->isEnabled());
         for (int i = 0; i < steps; ++i)
             designer.key(Qt::Key_Y, Qt::ControlModifier);
         EXPECT_EQ(writeDesign(design()), writeDesign(built));

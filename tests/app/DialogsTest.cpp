@@ -38,7 +38,7 @@ protected:
     }
     static QAction* withKeys(MainWindow& window, const QKeySequence& keys)
     {
-        for (QAction* action : window.actions().findChildren<QAction*>())
+        for (QAction* action : window.commands().findChildren<QAction*>())
             if (action->shortcuts().contains(keys))
                 return action;
         return nullptr;
@@ -68,7 +68,7 @@ protected:
 
 TEST_F(DialogsTest, NothingComesUpInFrontOfTheImportDialog)
 {
-    window.actions().importFrame->trigger();
+    window.command("file.import-frame")->trigger();
     auto* files = opened<QFileDialog>();
     ASSERT_TRUE(files);
     const int loops = QThread::currentThread()->loopLevel();
@@ -175,7 +175,7 @@ TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
     window.session().save(m_folder.filePath("my.sofa.bolster"), [&](const Message&) { saved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, 30000));
     ASSERT_TRUE(waitUntilSolved());
-    window.actions().renderPicture->trigger();
+    window.command("file.render-picture")->trigger();
     auto* dialog = opened<RenderDialog>();
     ASSERT_TRUE(dialog);
     for (QAbstractButton* button : dialog->findChild<QDialogButtonBox*>()->buttons())
@@ -198,8 +198,8 @@ TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
 
 TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
 {
-    EXPECT_EQ(withKeys(window, QKeySequence::Print), window.actions().renderPicture);
-    EXPECT_FALSE(window.actions().pause->shortcuts().isEmpty());
+    EXPECT_EQ(withKeys(window, QKeySequence::Print), window.command("file.render-picture"));
+    EXPECT_FALSE(window.command("surface.pause")->shortcuts().isEmpty());
     ASSERT_TRUE(open(sample("trapezoid")));
     ASSERT_TRUE(waitUntilSolved());
     window.patternView().setFocus();
@@ -218,18 +218,18 @@ TEST_F(DialogsTest, OneToolIsLit)
     ASSERT_TRUE(open(sample("box-cushion")));
     const auto lit = [&] {
         QStringList found;
-        for (const QAction* action : window.actions().patternTools + window.actions().surfaceTools)
+        for (const QAction* action : window.commands().startingWith("tool."))
             if (action->isChecked())
                 found << action->objectName();
         return found;
     };
-    QAction* select = window.actions().patternTools.front();
-    QAction* draw = window.actions().surfaceTools.front();
+    QAction* select = window.command("tool.select");
+    QAction* draw = window.command("tool.draw-fixation");
     EXPECT_EQ(lit(), QStringList{select->objectName()});
     draw->trigger();
     EXPECT_EQ(lit(), QStringList{draw->objectName()});
-    window.actions().sew->trigger();
-    EXPECT_EQ(lit(), QStringList{window.actions().sew->objectName()});
+    window.command("tool.sew")->trigger();
+    EXPECT_EQ(lit(), QStringList{window.command("tool.sew")->objectName()});
     EXPECT_EQ(window.surfaceView().tool(), SurfaceToolKind::Select);
     draw->trigger();
     EXPECT_EQ(lit(), QStringList{draw->objectName()});
@@ -273,7 +273,7 @@ TEST_F(DialogsTest, AFinishedPictureLeavesNothingToCancel)
 {
     ASSERT_TRUE(open(sample("trapezoid")));
     ASSERT_TRUE(waitUntilSolved());
-    window.actions().renderPicture->trigger();
+    window.command("file.render-picture")->trigger();
     auto* dialog = opened<RenderDialog>();
     ASSERT_TRUE(dialog);
     const auto has = [&](const QString& text) {

@@ -92,7 +92,7 @@ TEST_F(DragTest, MovesAControlPointOfAnOutline)
     EXPECT_NEAR(moved.x(), by.x() / scale, 1e-6);
     EXPECT_NEAR(moved.y(), -by.y() / scale, 1e-6);
 
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_TRUE(window.document().design() == before);
     EXPECT_FALSE(window.document().dirty());
 }
@@ -135,7 +135,7 @@ TEST_F(DragTest, MovesAControlPointOfAFixationCurve)
     ASSERT_EQ(window.document().history().count(), 2);
     EXPECT_FALSE(*window.document().design().find<FixationCurve>(curve) == *before.find<FixationCurve>(curve));
 
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_TRUE(window.document().design() == before);
 
     // Undo by its keys, in the middle of a drag: Z alone would keep it to an axis.

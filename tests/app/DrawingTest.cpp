@@ -37,18 +37,18 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     PatternView& view = window.patternView();
     const auto expectFree = [&](const QWidget& hint) {
         ASSERT_TRUE(hint.isVisible());
-        EXPECT_FALSE(scaleBarPlace(view.navigation().transform(), view.size()).intersects(hint.geometry()));
+        EXPECT_FALSE(scaleBarPlace(view.transform(), view.size()).intersects(hint.geometry()));
         for (const QWidget* ruler : view.findChildren<PatternRuler*>())
             EXPECT_FALSE(ruler->isVisible() && ruler->geometry().intersects(hint.geometry()));
     };
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     auto& hint = *window.findChild<StartHint*>();
     auto& next = *window.findChild<NextStep*>();
     for (const int width : {1400, 900}) {
         window.resize(width, 640);
         ASSERT_TRUE(QTest::qWaitFor([&] { return window.width() == width; }));
         for (const bool rulers : {true, false}) {
-            window.actions().showRulers->setChecked(rulers);
+            window.command("draw.rulers")->setChecked(rulers);
             expectFree(hint);
         }
     }
@@ -56,7 +56,7 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     window.document().commit(edits::addPatch(window.document().design(), outline, "Seat"));
     window.patternView().navigation().fitAll();
     for (const bool rulers : {true, false}) {
-        window.actions().showRulers->setChecked(rulers);
+        window.command("draw.rulers")->setChecked(rulers);
         expectFree(next);
     }
     window.resize(1400, 640);
@@ -74,19 +74,19 @@ TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
     QTest::keyClicks(&view, QStringLiteral("3 m x 2 m"));
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
-    const Box2 seen = view.navigation().transform().visible(view.size());
+    const Box2 seen = view.transform().visible(view.size());
     EXPECT_GT(seen.sizes().x(), 3000);
     EXPECT_GT(seen.sizes().y(), 2000);
 }
 
 TEST_F(DrawingWindowTest, SnappingStaysAsItWasLeft)
 {
-    const bool before = window.actions().snapping->isChecked();
-    window.actions().snapping->trigger();
+    const bool before = window.command("draw.snapping")->isChecked();
+    window.command("draw.snapping")->trigger();
     EXPECT_EQ(window.patternView().aids().snapping(), !before);
     MainWindow next;
-    EXPECT_EQ(next.actions().snapping->isChecked(), !before);
-    window.actions().snapping->trigger();
+    EXPECT_EQ(next.command("draw.snapping")->isChecked(), !before);
+    window.command("draw.snapping")->trigger();
     EXPECT_EQ(window.patternView().aids().snapping(), before);
 }
 

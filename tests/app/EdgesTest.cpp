@@ -97,7 +97,7 @@ TEST_F(EdgesTest, AFancySeamStaysOnTheEdgeThatIsDragged)
     };
     ASSERT_LT(outline("Seat").closest(ends().second).distance, 1e-6) << "snapped";
 
-    window.actions().snapping->setChecked(false);
+    window.command("draw.snapping")->setChecked(false);
     designer.click({300, 400}); // the edge
     designer.drag({300, 400}, {300, 460});
     EXPECT_GT(size("Seat").y(), 450);
@@ -106,7 +106,7 @@ TEST_F(EdgesTest, AFancySeamStaysOnTheEdgeThatIsDragged)
     EXPECT_NEAR(ends().first.y(), 0, 1e-6);
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_NEAR(ends().second.y(), 400, 1e-6);
-    window.actions().snapping->setChecked(true);
+    window.command("draw.snapping")->setChecked(true);
 }
 
 TEST_F(EdgesTest, TheSizeOfAPatchIsTyped)
@@ -150,12 +150,12 @@ TEST_F(EdgesTest, AClickSelectsAnEdgeAndItsLengthIsTyped)
 TEST_F(EdgesTest, SelectedEdgesBecomeEquallyLong)
 {
     drawTwo();
-    EXPECT_FALSE(window.actions().equalLengths->isEnabled());
+    EXPECT_FALSE(window.command("shape.equal-lengths")->isEnabled());
     designer.click({0, 200});                      // 400
     designer.click({560, 100}, Qt::ShiftModifier); // 200
     designer.click({700, 200}, Qt::ShiftModifier); // 300, shares a corner
     ASSERT_EQ(window.selection().edges().size(), 3u);
-    ASSERT_TRUE(window.actions().equalLengths->isEnabled());
+    ASSERT_TRUE(window.command("shape.equal-lengths")->isEnabled());
     designer.key(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     for (const Selection::Edge& edge : window.selection().edges())
         EXPECT_NEAR(edits::edgeLength(design(), edge.stretch), 400, 1e-4);
@@ -173,7 +173,7 @@ TEST_F(EdgesTest, TheSidesOfASeamBecomeEquallyLong)
     designer.click({500, 200});
     ASSERT_EQ(window.selection().edges().size(), 1u);
     designer.key(Qt::Key_Escape); // the seam alone
-    ASSERT_TRUE(window.actions().equalLengths->isEnabled());
+    ASSERT_TRUE(window.command("shape.equal-lengths")->isEnabled());
     designer.choose(
         {QStringLiteral("Pattern"), QStringLiteral("Points and edges"), QStringLiteral("Make equally long")});
     EXPECT_NEAR(edits::edgeLength(design(), {named("Side"), 3, 0}), 400, 1e-6);
@@ -240,9 +240,9 @@ TEST_F(EdgesTest, TheRightButtonOffersWhatIsDoneWithWhatLiesThere)
     QMenu* menu = rightClick({250, 200});
     ASSERT_TRUE(menu);
     EXPECT_EQ(window.selection().elements(), Selection::Elements{named("Seat")});
-    EXPECT_TRUE(menu->actions().contains(window.actions().duplicate)) << "the same action as in the menu bar";
-    EXPECT_TRUE(menu->actions().contains(window.actions().remove));
-    EXPECT_FALSE(menu->actions().contains(window.actions().flipSeams));
+    EXPECT_TRUE(menu->actions().contains(window.command("edit.duplicate"))) << "the same action as in the menu bar";
+    EXPECT_TRUE(menu->actions().contains(window.command("edit.delete")));
+    EXPECT_FALSE(menu->actions().contains(window.command("seam.flip")));
     for (const QAction* action : menu->actions())
         EXPECT_TRUE(action->isEnabled()) << action->text().toStdString();
     menu->close();
@@ -250,20 +250,21 @@ TEST_F(EdgesTest, TheRightButtonOffersWhatIsDoneWithWhatLiesThere)
     menu = rightClick({250, 0});
     ASSERT_TRUE(menu);
     EXPECT_EQ(window.selection().edges().size(), 1u);
-    EXPECT_EQ(menu->actions().value(1), window.actions().edgeLength) << entries(*menu).join(u'|').toStdString();
+    EXPECT_EQ(menu->actions().value(1), window.command("shape.edge-length"))
+        << entries(*menu).join(u'|').toStdString();
     menu->close();
 
     designer.click({250, 200});
     menu = rightClick({0, 0}); // a corner
     ASSERT_TRUE(menu);
     EXPECT_EQ(window.selection().points().size(), 1u);
-    EXPECT_TRUE(menu->actions().contains(window.actions().makeSmooth));
+    EXPECT_TRUE(menu->actions().contains(window.command("shape.make-smooth")));
     menu->close();
 
     menu = rightClick({530, 300}); // nothing
     ASSERT_TRUE(menu);
     EXPECT_EQ(window.selection().points().size(), 1u) << "the selection is left alone";
-    EXPECT_TRUE(menu->actions().contains(window.actions().selectAll));
+    EXPECT_TRUE(menu->actions().contains(window.command("edit.select-all")));
     menu->close();
 }
 
@@ -344,13 +345,13 @@ TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)
     ASSERT_TRUE(menu);
     ASSERT_EQ(window.selection().elements().size(), 1u);
     EXPECT_TRUE(design().find<Patch>(*window.selection().elements().begin()));
-    EXPECT_TRUE(menu->actions().contains(window.actions().hideSelected));
+    EXPECT_TRUE(menu->actions().contains(window.command("view.hide")));
     menu->close();
 
     QTest::mouseClick(&view, Qt::RightButton, {}, QPoint(5, 5));
     menu = contextMenu();
     ASSERT_TRUE(menu);
-    EXPECT_TRUE(menu->actions().contains(window.actions().fitAll));
+    EXPECT_TRUE(menu->actions().contains(window.command("view.fit-all")));
     menu->close();
 
     const double before = view.navigation().camera().azimuth;

@@ -113,7 +113,7 @@ protected:
 
 TEST_F(FabricTest, PresetsAreDrawnWhenTheirMenuIsSeen)
 {
-    QMenu* menu = window.actions().newFabric->menu();
+    QMenu* menu = window.command("fabric.new")->menu();
     const QAction* first = menu->actions().front();
     QTest::qWait(300);
     EXPECT_TRUE(first->icon().isNull()) << "nobody has asked for them";
@@ -134,7 +134,7 @@ TEST_F(FabricTest, PresetsAreBakedAndShownInTheLibrary)
     EXPECT_GT(middle.red(), middle.blue() + 30) << "cognac";
     EXPECT_TRUE(window.fabricLink().maps().at(leather)->complete());
     EXPECT_EQ(window.fabricPanel().fabrics().count(), static_cast<int>(all<Fabric>().size()));
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_FALSE(design().find<Fabric>(leather));
     EXPECT_EQ(window.fabricPanel().fabrics().count(), static_cast<int>(all<Fabric>().size()));
 }
@@ -144,7 +144,7 @@ TEST_F(FabricTest, AFabricDroppedOnAPatchOfThePatternIsWhatItIsMadeOf)
     const ElementId leather = preset(0), patch = all<Patch>().front();
     ASSERT_TRUE(drop(window.patternView(), middle(patch), leather));
     EXPECT_EQ(design().find<Patch>(patch)->fabric, leather);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_NE(design().find<Patch>(patch)->fabric, leather);
     EXPECT_FALSE(drop(window.patternView(), {2, 2}, leather)) << "beside everything";
 }
@@ -165,11 +165,11 @@ TEST_F(FabricTest, AFabricDroppedOnTheCoverIsWhatThePatchIsMadeOf)
 TEST_F(FabricTest, SelectedPatchesGetWhatIsChosenInTheLibrary)
 {
     const ElementId weave = preset(5);
-    EXPECT_FALSE(window.actions().assignFabric->isEnabled());
+    EXPECT_FALSE(window.command("fabric.assign")->isEnabled());
     const std::vector<ElementId> patches = all<Patch>();
     window.selection().set({patches[0], patches[1]});
-    EXPECT_TRUE(window.actions().assignFabric->isEnabled());
-    window.actions().assignFabric->trigger();
+    EXPECT_TRUE(window.command("fabric.assign")->isEnabled());
+    window.command("fabric.assign")->trigger();
     EXPECT_EQ(design().find<Patch>(patches[0])->fabric, weave);
     EXPECT_EQ(design().find<Patch>(patches[1])->fabric, weave);
     EXPECT_NE(design().find<Patch>(patches[2])->fabric, weave);
@@ -181,7 +181,7 @@ TEST_F(FabricTest, ColourwaysSwitchWithAClickAndChangeOnlyWhatIsSeen)
     const ElementId own = design().find<Patch>(patch)->fabric;
     const std::size_t before = all<Colourway>().size();
     answerInput(QStringLiteral("Summer"));
-    window.actions().newColourway->trigger();
+    window.command("colourway.new")->trigger();
     ASSERT_TRUE(inputAnswered());
     const std::vector<ElementId> colourways = all<Colourway>();
     ASSERT_EQ(colourways.size(), before + 1);
@@ -197,17 +197,17 @@ TEST_F(FabricTest, ColourwaysSwitchWithAClickAndChangeOnlyWhatIsSeen)
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(0)).center());
     EXPECT_EQ(design().settings().colourway, settingsId);
     EXPECT_EQ(fabricShown(design(), patch), own);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(fabricShown(design(), patch), leather);
     EXPECT_EQ(list.currentRow(), last);
 
-    window.actions().compareColourways->trigger();
+    window.command("colourway.compare")->trigger();
     auto* compared = window.findChild<ColourwayWindow*>();
     ASSERT_TRUE(compared);
     EXPECT_EQ(compared->choice(0).currentText(), QStringLiteral("As made"));
     EXPECT_EQ(compared->choice(1).currentText(), QStringLiteral("Summer"));
     compared->close();
-    window.actions().removeColourway->trigger();
+    window.command("colourway.delete")->trigger();
     EXPECT_EQ(all<Colourway>().size(), before);
     EXPECT_EQ(list.count(), last);
 }
@@ -218,21 +218,21 @@ TEST_F(FabricTest, AFabricInUseIsNotDeletedWithoutAsking)
     ASSERT_TRUE(drop(window.patternView(), middle(patch), leather));
     window.selection().set({leather});
     answerInput(std::nullopt);
-    window.actions().remove->trigger();
+    window.command("edit.delete")->trigger();
     EXPECT_TRUE(inputAnswered());
     EXPECT_TRUE(design().find<Fabric>(leather));
 
     const ElementId velvet = preset(8);
     window.selection().set({leather});
     answerInput(QString::fromStdString(design().find<Fabric>(velvet)->name));
-    window.actions().removeFabric->trigger();
+    window.command("fabric.delete")->trigger();
     EXPECT_TRUE(inputAnswered());
     EXPECT_FALSE(design().find<Fabric>(leather));
     EXPECT_EQ(design().find<Patch>(patch)->fabric, velvet);
 
     const ElementId spare = preset(3);
     window.selection().set({spare});
-    window.actions().removeFabric->trigger(); // nobody has it
+    window.command("fabric.delete")->trigger(); // nobody has it
     EXPECT_FALSE(design().find<Fabric>(spare));
 }
 
@@ -314,21 +314,22 @@ TEST_F(FabricTest, TheLibraryShowsCushionsOrBallsAsItWasLeft)
     ASSERT_TRUE(baked());
     const QListWidgetItem& item = *window.fabricPanel().fabrics().currentItem();
     const auto icon = [&] { return item.icon().pixmap(84).toImage(); };
-    auto* cushions = window.fabricPanel().findChild<QToolButton*>(window.actions().fabricsOnCushions->objectName());
-    auto* balls = window.fabricPanel().findChild<QToolButton*>(window.actions().fabricsOnBalls->objectName());
+    auto* cushions =
+        window.fabricPanel().findChild<QToolButton*>(window.command("fabric.on-cushions")->objectName());
+    auto* balls = window.fabricPanel().findChild<QToolButton*>(window.command("fabric.on-balls")->objectName());
     ASSERT_TRUE(cushions && balls);
     EXPECT_TRUE(cushions->isChecked());
     EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 255) << "the corner of a cushion";
 
     QTest::mouseClick(balls, Qt::LeftButton);
     EXPECT_FALSE(cushions->isChecked());
-    EXPECT_TRUE(window.actions().fabricsOnBalls->isChecked());
+    EXPECT_TRUE(window.command("fabric.on-balls")->isChecked());
     EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 0) << "beside a ball";
     EXPECT_EQ(icon().pixelColor(42, 42).alpha(), 255);
     EXPECT_EQ(window.fabricPanel().fabric(), leather) << "what is chosen stays";
     {
         MainWindow next;
-        EXPECT_TRUE(next.actions().fabricsOnBalls->isChecked());
+        EXPECT_TRUE(next.command("fabric.on-balls")->isChecked());
     }
     QTest::mouseClick(cushions, Qt::LeftButton);
     EXPECT_EQ(icon().pixelColor(6, 6).alpha(), 255);

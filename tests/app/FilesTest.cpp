@@ -238,7 +238,7 @@ TEST_F(FilesTest, WhatWasOpenLatelyIsListedWithItsFolderUntilTheListIsCleared)
     EXPECT_TRUE(menu.actions()[0]->text().endsWith("two")) << qPrintable(menu.actions()[0]->text());
     EXPECT_TRUE(menu.actions()[1]->text().endsWith("one")) << qPrintable(menu.actions()[1]->text());
 
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     auto* hint = window.findChild<StartHint*>();
     ASSERT_TRUE(hint && hint->isVisible());
     const auto links = [&] {
@@ -319,9 +319,9 @@ TEST_F(FilesTest, AnImportedFrameIsKeptBeforeAndAfterSaving)
     const OpenedDesign opened = openDesign(home);
     EXPECT_EQ(opened.files.meshes.size(), 1U);
 
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_TRUE(window.session().files().meshes.empty());
-    window.actions().redo->trigger();
+    window.command("edit.redo")->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().files().meshes.size() == 1; }, 5000));
 }
 

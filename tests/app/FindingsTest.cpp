@@ -63,7 +63,7 @@ TEST_F(FindingsTest, WhatIsWrongIsSaidAndAClickGoesThere)
     EXPECT_EQ(crossShown(), first.place.has_value());
     emit button()->menu()->aboutToShow();
     EXPECT_EQ(button()->menu()->actions().size(), static_cast<int>(window.findings().findings().size()));
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     ASSERT_TRUE(waitUntilKnown());
     EXPECT_EQ(mood(), StatusLine::Mood::Good);
 }

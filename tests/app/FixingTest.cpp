@@ -30,9 +30,9 @@ protected:
 
 TEST_F(FixingTest, TwoPointsOfAnOutlineGiveAFixationCurveWhereTheCoverIs)
 {
-    EXPECT_FALSE(window.actions().createFixation->isEnabled());
+    EXPECT_FALSE(window.command("fixation.create")->isEnabled());
     window.selection().set({top}, {{top, 0}, {top, 1}});
-    ASSERT_TRUE(window.actions().createFixation->isEnabled());
+    ASSERT_TRUE(window.command("fixation.create")->isEnabled());
     const SurfaceMesh before = *window.solver().surface();
     QTest::keyClick(&window, Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_EQ(curveCount(), 2);
@@ -54,14 +54,14 @@ TEST_F(FixingTest, TwoPointsOfAnOutlineGiveAFixationCurveWhereTheCoverIs)
 TEST_F(FixingTest, WhatIsHiddenComesBack)
 {
     window.selection().set({front});
-    window.actions().hideSelected->trigger();
+    window.command("view.hide")->trigger();
     EXPECT_EQ(window.surfaceView().visibility().hidden(), std::set<ElementId>{front});
-    EXPECT_TRUE(window.actions().showHidden->isEnabled());
+    EXPECT_TRUE(window.command("view.show-hidden")->isEnabled());
     window.selection().set({top});
-    window.actions().isolate->trigger();
+    window.command("view.isolate")->trigger();
     EXPECT_FALSE(window.surfaceView().visibility().hidden().contains(top));
     EXPECT_TRUE(window.surfaceView().visibility().hidden().contains(front));
-    window.actions().showHidden->trigger();
+    window.command("view.show-hidden")->trigger();
     EXPECT_TRUE(window.surfaceView().visibility().hidden().empty());
     EXPECT_FALSE(window.document().dirty()) << "it is no part of the design";
 }
@@ -73,16 +73,15 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
     move(window.patternView(), middle, Qt::NoButton);
     EXPECT_TRUE(mark->isVisible());
     EXPECT_EQ(window.selection().hovered(), top);
-    window.actions().linkViews->trigger();
+    window.command("view.link")->trigger();
     EXPECT_FALSE(mark->isVisible());
     move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
     EXPECT_FALSE(mark->isVisible());
-    const Vec2 cover =
-        *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
+    const Vec2 cover = *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     move(window.patternView(), {2, 2}, Qt::NoButton);
     move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
     EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";
-    window.actions().linkViews->trigger();
+    window.command("view.link")->trigger();
     press(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
     release(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
     EXPECT_EQ(window.selection().elements().size(), 1u) << "what is selected is selected everywhere";
@@ -98,7 +97,7 @@ TEST_F(FixingTest, ViewsAreSavedByName)
     EXPECT_EQ(found->azimuth, window.surfaceView().navigation().camera().azimuth);
     window.surfaceView().navigation().setStandardView(SurfaceView::StandardView::Top);
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().navigation().camera().elevation > 1.5; }));
-    auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("saved-views"));
+    auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("view.saved"));
     emit menu->aboutToShow();
     menu->actions().front()->trigger();
     EXPECT_TRUE(QTest::qWaitFor(
@@ -130,10 +129,10 @@ TEST_F(FixingTest, LastViewsAreKeptOfTheLatestFiles)
 
 TEST_F(FixingTest, TheSectionIsSwitchedInTheMenuAndInItsPanel)
 {
-    window.actions().section->trigger();
+    window.command("view.section")->trigger();
     EXPECT_TRUE(window.surfaceView().shown().scene().section);
     emit window.surfaceView().sectionClosed();
-    EXPECT_FALSE(window.actions().section->isChecked());
+    EXPECT_FALSE(window.command("view.section")->isChecked());
     EXPECT_FALSE(window.surfaceView().shown().scene().section);
 }
 

@@ -1,5 +1,5 @@
 // Frames in the window: cushions that fit them, and parts of them that are left out.
-#include "Actions.h"
+#include "Commands.h"
 #include "MeshImport.h"
 #include "StatusLine.h"
 #include "WindowTest.h"
@@ -135,7 +135,7 @@ TEST_F(FrameTest, APieceIsLeftOutWhereItIsClicked)
     const ElementId id =
         addFrame("o Seat\n" + box(500, false) + "o Pillow\nv 0 0 600\nv 500 0 600\nv 0 500 900\nf 9 10 11\n", 1);
     SurfaceView& view = window.surfaceView();
-    window.actions().fitAll->trigger();
+    window.command("view.fit-all")->trigger();
     const auto pixelOf = [&](const Vec3& place) {
         const auto pixel = view.navigation().camera().pixel(place);
         return pixel ? QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())) : QPoint();

@@ -164,7 +164,7 @@ TEST_F(FullDiskTest, OneTriesAgainOrSavesElsewhereWithoutBeginningAnew)
         disk.makeRoom();
         return again;
     });
-    window.actions().save->trigger();
+    window.command("file.save")->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
     EXPECT_EQ(failures, 1);
     EXPECT_TRUE(openProject(path).design == window.document().design());

@@ -63,7 +63,7 @@ TEST_F(KeyboardTest, MenusHaveEachMnemonicOnce)
 TEST_F(KeyboardTest, CommandsHaveTooltipsAndShortcutsOfTheirOwn)
 {
     QMap<QString, QString> taken;
-    for (const Command& command : commandsOf(*window.menuBar())) {
+    for (const MenuEntry& command : commandsOf(*window.menuBar())) {
         EXPECT_FALSE(command.action->toolTip().isEmpty()) << command.text.toStdString();
         for (const QKeySequence& keys : command.action->shortcuts()) {
             const QString name = keys.toString();
@@ -81,7 +81,7 @@ TEST_F(KeyboardTest, EveryActionIsInAMenu)
     for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>())
         for (const QAction* action : menu->actions())
             offered.insert(action);
-    for (const QAction* action : window.actions().findChildren<QAction*>(Qt::FindDirectChildrenOnly))
+    for (const QAction* action : window.commands().findChildren<QAction*>(Qt::FindDirectChildrenOnly))
         EXPECT_TRUE(offered.contains(action)) << action->objectName().toStdString();
 }
 
@@ -168,7 +168,7 @@ TEST_F(KeyboardTest, F2NamesAVersionInTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     window.selection().set({ElementId{2}});
-    window.actions().turnLeft->trigger();
+    window.command("layout.turn-left")->trigger();
     Docks::reveal(window.docks().history);
     HistoryView& history = window.findChild<HistoryPanel*>()->view();
     history.setFocus();
@@ -185,12 +185,12 @@ TEST_F(KeyboardTest, ShiftF2NamesTheBranchOfTheHistory)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     window.selection().set({ElementId{2}});
-    EXPECT_FALSE(window.actions().nameBranch->isEnabled());
-    window.actions().turnLeft->trigger();
-    window.actions().undo->trigger();
-    window.actions().turnRight->trigger();
-    window.actions().turnRight->trigger();
-    ASSERT_TRUE(window.actions().nameBranch->isEnabled());
+    EXPECT_FALSE(window.command("edit.name-branch")->isEnabled());
+    window.command("layout.turn-left")->trigger();
+    window.command("edit.undo")->trigger();
+    window.command("layout.turn-right")->trigger();
+    window.command("layout.turn-right")->trigger();
+    ASSERT_TRUE(window.command("edit.name-branch")->isEnabled());
     key(Qt::Key_F2, Qt::ShiftModifier);
     EXPECT_EQ(part(), window.docks().history);
     HistoryView& history = window.findChild<HistoryPanel*>()->view();

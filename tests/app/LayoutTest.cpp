@@ -37,7 +37,7 @@ void expectTitlesOnce(MainWindow& window, const char* when)
 
 TEST_F(WindowTest, EachPartSaysItsTitleOnce)
 {
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     const Docks& docks = window.docks();
     expectTitlesOnce(window, "at first");
     for (QDockWidget* dock : {docks.history, docks.seams, docks.fabrics})
@@ -57,14 +57,14 @@ TEST_F(WindowTest, EachPartSaysItsTitleOnce)
         QTest::qWait(100);
         expectTitlesOnce(again, "after a start");
         if (start > 0)
-            again.actions().resetLayout->trigger(); // kept for other tests
+            again.command("window.reset-layout")->trigger(); // kept for other tests
         again.close();
     }
 }
 
 TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
 {
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     QTest::qWait(100);
     window.close(); // keeps the arrangement
     std::vector<int> heights;
@@ -83,7 +83,7 @@ TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
 
 TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
 {
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     QTest::qWait(100);
     window.close();
     std::vector<int> widths;
@@ -105,7 +105,7 @@ TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
 
 TEST_F(WindowTest, AWindowMadeSmallAndLargeAgainIsAsItWas)
 {
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     QTest::qWait(100);
     const auto sizes = [&] {
         QList<QSize> found;
@@ -146,7 +146,7 @@ protected:
 /// What the docks get is never quite what their share of a larger window would be.
 TEST_F(WindowTest, ALargerWindowIsLaidOutOnce)
 {
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
     QTest::qWait(100);
     window.resize(1500, 960);
     QTest::qWait(300);
@@ -168,10 +168,10 @@ TEST_F(WindowTest, ImportantCommandsAreSeenInASmallWindowAndTheOthersHaveAButton
         const QWidget* button = bar->widgetForAction(action);
         return button && button->isVisible() && bar->rect().contains(button->geometry());
     };
-    const Actions& actions = window.actions();
     for (QAction* action :
-         actions.patternTools + actions.surfaceTools +
-             QList<QAction*>{actions.save, actions.undo, actions.redo, actions.pause, actions.fitAll})
+         window.commands().startingWith("tool.") +
+             QList<QAction*>{window.command("file.save"), window.command("edit.undo"), window.command("edit.redo"),
+                             window.command("surface.pause"), window.command("view.fit-all")})
         EXPECT_TRUE(seen(action)) << action->objectName().toStdString();
 
     window.resize(800, 600);
@@ -183,7 +183,7 @@ TEST_F(WindowTest, ImportantCommandsAreSeenInASmallWindowAndTheOthersHaveAButton
     EXPECT_FALSE(more->icon().isNull());
     EXPECT_FALSE(more->toolTip().isEmpty());
     QTest::mouseClick(more, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return seen(actions.showGrid); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen(window.command("layer.grid")); }));
 }
 
 TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
@@ -214,13 +214,13 @@ TEST_F(WindowTest, UndoTakesBackTheFirstDragOfAllWhileItGoesOn)
     press(window.patternView(), at);
     move(window.patternView(), at + QPoint(20, 20), Qt::LeftButton);
     ASSERT_TRUE(window.document().gestureRunning());
-    EXPECT_TRUE(window.actions().undo->isEnabled());
-    window.actions().undo->trigger();
+    EXPECT_TRUE(window.command("edit.undo")->isEnabled());
+    window.command("edit.undo")->trigger();
     EXPECT_FALSE(window.document().gestureRunning());
     EXPECT_TRUE(window.document().design() == before);
     release(window.patternView(), at + QPoint(20, 20));
     EXPECT_FALSE(window.document().dirty());
-    EXPECT_FALSE(window.actions().undo->isEnabled());
+    EXPECT_FALSE(window.command("edit.undo")->isEnabled());
 }
 
 } // namespace

@@ -119,12 +119,12 @@ TEST_F(NothingLostTest, ABranchAndItsNameAreAskedAboutWhenOneStandsAtWhatWasSave
     ASSERT_TRUE(open(sample("box-cushion")));
     change();
     saveAs(path);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     window.selection().set({firstPatch()});
-    window.actions().remove->trigger();
+    window.command("edit.delete")->trigger();
     ASSERT_EQ(document().history().count(), 3);
     QListView& history = *window.findChild<HistoryView*>();
-    QMetaObject::invokeMethod(&window, [&] { window.actions().nameBranch->trigger(); });
+    QMetaObject::invokeMethod(&window, [&] { window.command("edit.name-branch")->trigger(); });
     ASSERT_TRUE(QTest::qWaitFor([&] { return history.findChild<QLineEdit*>() != nullptr; }, 5000));
     QTest::keyClicks(history.findChild<QLineEdit*>(), "Without a lid");
     QTest::keyClick(history.findChild<QLineEdit*>(), Qt::Key_Return);
@@ -158,7 +158,7 @@ TEST_F(NothingLostTest, WhereOneStandsIsRememberedWithoutAQuestion)
     openAgain(path);
     EXPECT_EQ(document().history().current(), 1);
     EXPECT_TRUE(window.isWindowModified());
-    window.actions().revert->trigger();
+    window.command("file.revert")->trigger();
     EXPECT_EQ(document().history().current(), 2);
     EXPECT_FALSE(window.isWindowModified());
     closeWindow();
@@ -197,7 +197,7 @@ TEST_F(NothingLostTest, TheNameOfAVersionOfADesignThatNothingWasDoneToIsSaved)
     saveAs(path);
     EXPECT_FALSE(document().dirty());
     EXPECT_EQ(openProject(path).history.node(0).name, "Empty");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     document().nameVersion(0, "Nothing yet");
     answerAndRead(QMessageBox::Discard);
     closeWindow();
@@ -209,9 +209,9 @@ TEST_F(NothingLostTest, ATextDoesNotSwallowBranches)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     change();
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     window.selection().set({firstPatch()});
-    window.actions().remove->trigger();
+    window.command("edit.delete")->trigger();
     saveAs(folder.filePath("box.json"));
     EXPECT_FALSE(window.isWindowModified());
     whenABoxHas([this](QMessageBox& box) {
@@ -249,10 +249,10 @@ protected:
         for (int i = 0; i < steps; ++i) {
             switch (pick(10)) {
             case 0:
-                window.actions().undo->trigger();
+                window.command("edit.undo")->trigger();
                 break;
             case 1:
-                window.actions().redo->trigger();
+                window.command("edit.redo")->trigger();
                 break;
             case 2:
                 document().jumpTo(anyNode());
@@ -295,7 +295,7 @@ protected:
         if (closing)
             window.close();
         else
-            window.actions().newDesign->trigger();
+            window.command("file.new")->trigger();
         EXPECT_TRUE(QTest::qWaitFor([&] { return closing ? !window.isVisible() : opened; }, 60000));
         delete asked;
         QObject::disconnect(connection);

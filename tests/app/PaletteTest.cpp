@@ -46,9 +46,9 @@ TEST_F(PaletteTest, FindsByPartsOfWordsAndDoesWithEnter)
     EXPECT_GT(palette().list().count(), 40);
     type("tri");
     EXPECT_EQ(first(), "Triangulation");
-    const bool before = window.actions().showMesh->isChecked();
+    const bool before = window.command("layer.mesh")->isChecked();
     key(Qt::Key_Return);
-    EXPECT_NE(window.actions().showMesh->isChecked(), before);
+    EXPECT_NE(window.command("layer.mesh")->isChecked(), before);
     EXPECT_FALSE(palette().isVisible());
     EXPECT_TRUE(window.patternView().hasFocus());
 
@@ -77,16 +77,16 @@ TEST_F(PaletteTest, OffersFirstWhatWasDoneLast)
     EXPECT_EQ(first(), "Grid");
     EXPECT_EQ(row(1), "Ground");
     key(Qt::Key_Down);
-    const bool before = window.actions().showGround->isChecked();
+    const bool before = window.command("layer.ground")->isChecked();
     key(Qt::Key_Return);
-    EXPECT_NE(window.actions().showGround->isChecked(), before);
-    window.actions().showGround->setChecked(true);
-    window.actions().showGrid->setChecked(true);
+    EXPECT_NE(window.command("layer.ground")->isChecked(), before);
+    window.command("layer.ground")->setChecked(true);
+    window.command("layer.grid")->setChecked(true);
 }
 
 TEST_F(PaletteTest, ShowsWhatCannotBeDoneAndDoesNotDoIt)
 {
-    ASSERT_FALSE(window.actions().remove->isEnabled());
+    ASSERT_FALSE(window.command("edit.delete")->isEnabled());
     openPalette();
     type("delete");
     ASSERT_EQ(first(), "Delete");
@@ -112,13 +112,13 @@ TEST_F(PaletteTest, FindsWhatIsAddedToAMenuLater)
 TEST_F(PaletteTest, ActionsHaveIdsOfTheirOwn)
 {
     QSet<QString> ids;
-    for (const QAction* action : window.actions().findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
+    for (const QAction* action : window.commands().findChildren<QAction*>(Qt::FindDirectChildrenOnly)) {
         EXPECT_FALSE(action->objectName().isEmpty());
         EXPECT_FALSE(ids.contains(action->objectName())) << action->objectName().toStdString();
         ids.insert(action->objectName());
     }
-    EXPECT_EQ(window.actions().importFrame->objectName(), "import-frame");
-    EXPECT_EQ(window.actions().standardViews.front()->objectName(), "front");
+    EXPECT_EQ(window.command("file.import-frame")->objectName(), "file.import-frame");
+    EXPECT_EQ(window.command("view.from-front")->objectName(), "view.from-front");
 }
 
 } // namespace

@@ -49,22 +49,22 @@ TEST_F(PatternTest, DuplicatesCopiesAndPastes)
 {
     const Design before = design();
     const ElementId top = patchNamed("Top");
-    EXPECT_FALSE(window.actions().copy->isEnabled());
+    EXPECT_FALSE(window.command("edit.copy")->isEnabled());
     window.selection().set({top});
     key(Qt::Key_D, Qt::ControlModifier);
     ASSERT_EQ(patchCount(), 6);
     EXPECT_EQ(window.selection().elements(), Selection::Elements{patchNamed("Top 2")});
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(design(), before);
 
     window.selection().set({top});
-    window.actions().copy->trigger();
+    window.command("edit.copy")->trigger();
     EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("bolster-design"));
     EXPECT_TRUE(
         QGuiApplication::clipboard()->mimeData()->hasFormat(QStringLiteral("application/x-bolster-design+json")));
-    ASSERT_TRUE(window.actions().paste->isEnabled());
-    window.actions().paste->trigger();
-    window.actions().paste->trigger();
+    ASSERT_TRUE(window.command("edit.paste")->isEnabled());
+    window.command("edit.paste")->trigger();
+    window.command("edit.paste")->trigger();
     ASSERT_EQ(patchCount(), 7);
     const Patch &second = *design().find<Patch>(patchNamed("Top 2")),
                 &third = *design().find<Patch>(patchNamed("Top 3"));
@@ -72,9 +72,9 @@ TEST_F(PatternTest, DuplicatesCopiesAndPastes)
     EXPECT_NE(second.position, third.position);
     EXPECT_EQ(window.selection().elements(), Selection::Elements{patchNamed("Top 3")});
 
-    window.actions().cut->trigger();
+    window.command("edit.cut")->trigger();
     EXPECT_EQ(patchCount(), 6);
-    window.actions().paste->trigger();
+    window.command("edit.paste")->trigger();
     EXPECT_EQ(patchCount(), 7) << "it comes back";
 }
 
@@ -82,16 +82,16 @@ TEST_F(PatternTest, MirrorsAlignsAndArranges)
 {
     const ElementId top = patchNamed("Top"), right = patchNamed("Right"), front = patchNamed("Front");
     window.selection().set({top});
-    EXPECT_FALSE(window.actions().align.front()->isEnabled());
-    window.actions().mirrorHorizontally->trigger();
+    EXPECT_FALSE(window.command("layout.align-left")->isEnabled());
+    window.command("layout.mirror-horizontally")->trigger();
     EXPECT_LT(design().find<Patch>(top)->outline.signedArea(), 0);
     window.selection().set({top, right, front});
-    window.actions().align.front()->trigger();
+    window.command("layout.align-left")->trigger();
     const auto left = [&](ElementId id) { return edits::layoutBox(*design().find<Patch>(id)).min().x(); };
     EXPECT_NEAR(left(top), left(right), 1e-6);
-    EXPECT_TRUE(window.actions().distribute.front()->isEnabled());
+    EXPECT_TRUE(window.command("layout.distribute-horizontally")->isEnabled());
     window.selection().clear();
-    window.actions().arrange->trigger();
+    window.command("layout.arrange")->trigger();
     EXPECT_GT(std::abs(left(top) - left(right)), 1);
 }
 
@@ -99,15 +99,15 @@ TEST_F(PatternTest, MakesCornersSmoothAndBack)
 {
     const ElementId top = patchNamed("Top");
     window.selection().set({top}, {{top, 2}});
-    EXPECT_FALSE(window.actions().makeCorner->isEnabled());
-    ASSERT_TRUE(window.actions().makeSmooth->isEnabled());
-    window.actions().makeSmooth->trigger();
+    EXPECT_FALSE(window.command("shape.make-corner")->isEnabled());
+    ASSERT_TRUE(window.command("shape.make-smooth")->isEnabled());
+    window.command("shape.make-smooth")->trigger();
     EXPECT_EQ(design().find<Patch>(top)->outline.degree(), 3);
     ASSERT_EQ(window.selection().points().size(), 1u) << "the point stays selected";
     const int point = window.selection().points().begin()->second;
     EXPECT_EQ(design().find<Patch>(top)->outline.points()[static_cast<std::size_t>(point)], Vec2(500, 500));
-    ASSERT_TRUE(window.actions().makeCorner->isEnabled());
-    window.actions().makeCorner->trigger();
+    ASSERT_TRUE(window.command("shape.make-corner")->isEnabled());
+    window.command("shape.make-corner")->trigger();
     EXPECT_EQ(design().find<Patch>(top)->outline.corners().size(), 4u);
 }
 
@@ -127,13 +127,13 @@ TEST_F(PatternTest, SplitsByDrawingAndMergesAgain)
     const ElementId piece = patchNamed("Top 2");
     EXPECT_EQ(window.selection().elements(), (Selection::Elements{top, piece}));
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.patternView().tool() == PatternToolKind::Select; }, 5000));
-    EXPECT_NE(window.actions().undo->text().indexOf("Top"), -1);
+    EXPECT_NE(window.command("edit.undo")->text().indexOf("Top"), -1);
 
-    ASSERT_TRUE(window.actions().mergePatches->isEnabled());
-    window.actions().mergePatches->trigger();
+    ASSERT_TRUE(window.command("shape.merge-patches")->isEnabled());
+    window.command("shape.merge-patches")->trigger();
     EXPECT_EQ(patchCount(), 5);
-    window.actions().undo->trigger();
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(design(), before);
 }
 

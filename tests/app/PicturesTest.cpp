@@ -20,10 +20,20 @@ class PicturesTest : public WindowTest {
 protected:
     QAction* map(CoverMap::Kind kind)
     {
-        for (QAction* action : window.actions().maps)
-            if (action->data().toInt() == static_cast<int>(kind))
-                return action;
-        return nullptr;
+        switch (kind) {
+        case CoverMap::Kind::Along:
+            return window.command("map.along");
+        case CoverMap::Kind::Across:
+            return window.command("map.across");
+        case CoverMap::Kind::Shear:
+            return window.command("map.shear");
+        case CoverMap::Kind::Curvature:
+            return window.command("map.curvature");
+        case CoverMap::Kind::Thickness:
+            return window.command("map.thickness");
+        default:
+            return window.command("map.strain");
+        }
     }
     bool measured()
     {
@@ -63,7 +73,7 @@ TEST_F(PicturesTest, AMapShowsItsNumbersAndWorstSpots)
     EXPECT_TRUE(worst.text.contains(u'%')) << worst.text.toStdString();
     EXPECT_TRUE(MapLink::reading(*shown, worst.place).contains(u'%'));
 
-    auto* spots = window.menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots"));
+    auto* spots = window.menuBar()->findChild<QMenu*>(QStringLiteral("map.worst"));
     ASSERT_TRUE(spots);
     emit spots->aboutToShow();
     EXPECT_EQ(spots->actions().size(), static_cast<qsizetype>(window.maps().spots().size()));

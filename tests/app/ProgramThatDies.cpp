@@ -1,6 +1,6 @@
 #include "ProgramThatDies.h"
 
-#include "Actions.h"
+#include "Commands.h"
 #include "ElementEdits.h"
 #include "MainWindow.h"
 
@@ -54,7 +54,7 @@ int workAndDie(const QStringList& wanted)
     };
     edit(wanted.at(1).toInt());
     for (int i = 0; i < wanted.at(2).toInt(); ++i)
-        window.actions().undo->trigger();
+        window.command("edit.undo")->trigger();
     edit(wanted.at(3).toInt());
     raise(SIGKILL);
     return 1;

@@ -134,7 +134,7 @@ TEST_F(ProjectFilesTest, ComeBackWithTheirHistoryAndTheirFiles)
     ASSERT_TRUE(open(sample("armchair")));
     change(4);
     window.document().nameVersion(2, "Good one");
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     const Design design = window.document().design();
     const QString path = folder.filePath("chair.bolster");
     EXPECT_EQ(save(path).english(), "");
@@ -150,10 +150,10 @@ TEST_F(ProjectFilesTest, ComeBackWithTheirHistoryAndTheirFiles)
     EXPECT_FALSE(window.banner().shown()) << qPrintable(window.banner().text());
     EXPECT_EQ(window.document().history().count(), 5);
     EXPECT_EQ(window.document().history().node(2).name, "Good one");
-    window.actions().redo->trigger();
+    window.command("edit.redo")->trigger();
     EXPECT_EQ(window.document().design().settings().edgeLength, design.settings().edgeLength + 1);
-    while (window.actions().undo->isEnabled())
-        window.actions().undo->trigger();
+    while (window.command("edit.undo")->isEnabled())
+        window.command("edit.undo")->trigger();
     EXPECT_EQ(window.document().history().current(), 0);
     EXPECT_TRUE(waitUntilSolved());
 }
@@ -164,7 +164,7 @@ TEST_F(ProjectFilesTest, TheWorkOfAKilledProgramIsThereAtTheNextStart)
     const double edge = window.document().design().settings().edgeLength;
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
 
     ASSERT_TRUE(ProgramThatDies::run(path, 5, 2));
     EXPECT_EQ(journals(), 1);
@@ -174,7 +174,7 @@ TEST_F(ProjectFilesTest, TheWorkOfAKilledProgramIsThereAtTheNextStart)
     EXPECT_EQ(window.session().path(), path);
     EXPECT_TRUE(window.document().dirty());
     EXPECT_EQ(window.document().design().settings().edgeLength, edge + 3);
-    window.actions().redo->trigger();
+    window.command("edit.redo")->trigger();
     EXPECT_EQ(window.document().design().settings().edgeLength, edge + 4) << "redo came back, too";
 
     const auto buttons = window.banner().findChildren<QAbstractButton*>();
@@ -191,7 +191,7 @@ TEST_F(ProjectFilesTest, RestoringThatTakesLongSaysSoAndCanBeCancelled)
     ASSERT_TRUE(open(sample("box-cushion")));
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     const Design before = window.document().design();
     ASSERT_TRUE(ProgramThatDies::run(path, 5, 0));
     whileTheDiskIsSlow([&] { triggerUnsaved(); }, true);
@@ -220,13 +220,13 @@ TEST_F(ProjectFilesTest, TheBannerCountsWhatIsNotInTheFileAndGoesWithIt)
     change(10);
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
 
     ASSERT_TRUE(ProgramThatDies::run(path, 0, 3, 4)); // away from what was saved
     window.recover();
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
     EXPECT_TRUE(window.banner().text().startsWith("4 unsaved edits")) << qPrintable(window.banner().text());
-    window.actions().save->trigger();
+    window.command("file.save")->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !window.banner().shown(); }, 30000));
     EXPECT_FALSE(window.document().dirty());
     EXPECT_EQ(openProject(path).history.count(), 15);
@@ -237,7 +237,7 @@ TEST_F(ProjectFilesTest, CopiesOfFilesDoNotPileUpWhenProgramsAreKilled)
     ASSERT_TRUE(open(sample("armchair")));
     const QString path = folder.filePath("chair.bolster");
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     const auto copies = [] {
         return QDir(stateFolder("untitled")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size();
     };
@@ -251,9 +251,9 @@ TEST_F(ProjectFilesTest, CopiesOfFilesDoNotPileUpWhenProgramsAreKilled)
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown(); }, 30000));
     EXPECT_EQ(copies(), 2) << "that of the work that is restored, and its lock";
     EXPECT_EQ(window.session().files().meshes.size(), 1U);
-    window.actions().save->trigger();
+    window.command("file.save")->trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window.document().dirty(); }, 30000));
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     EXPECT_TRUE(areGone());
     answer(QMessageBox::Ok);
     window.open(folder.filePath("nothing.bolster")); // cannot be opened
@@ -291,7 +291,7 @@ protected:
         path = folder.filePath("box.bolster");
         ASSERT_EQ(save(path).english(), "");
         saved = window.document().design();
-        window.actions().newDesign->trigger();
+        window.command("file.new")->trigger();
         ASSERT_TRUE(ProgramThatDies::run(path, 5, 0));
         journal = QDir(stateFolder("journals")).entryInfoList({"*.bolster"}).value(0).filePath();
     }
@@ -472,7 +472,7 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
         EXPECT_FALSE(window.document().hasUnsavedWork());
     }
     change();
-    window.actions().revert->trigger();
+    window.command("file.revert")->trigger();
     EXPECT_EQ(window.document().history().current(), 0);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_TRUE(standing() == own);
@@ -483,18 +483,18 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
 
 TEST_F(ProjectFilesTest, OnlyWhatIsInAFileCanBeRevertedToIt)
 {
-    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a new design";
+    EXPECT_FALSE(window.command("file.revert")->isEnabled()) << "a new design";
     ASSERT_TRUE(open(sample("box-cushion")));
     change();
-    EXPECT_FALSE(window.actions().revert->isEnabled()) << "a sample is nobody's file";
+    EXPECT_FALSE(window.command("file.revert")->isEnabled()) << "a sample is nobody's file";
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    EXPECT_FALSE(window.actions().revert->isEnabled()) << "nothing has changed since";
+    EXPECT_FALSE(window.command("file.revert")->isEnabled()) << "nothing has changed since";
     change();
-    EXPECT_TRUE(window.actions().revert->isEnabled());
-    window.actions().revert->trigger();
+    EXPECT_TRUE(window.command("file.revert")->isEnabled());
+    window.command("file.revert")->trigger();
     EXPECT_EQ(window.document().history().current(), 1);
-    EXPECT_FALSE(window.actions().revert->isEnabled());
+    EXPECT_FALSE(window.command("file.revert")->isEnabled());
 }
 
 TEST_F(ProjectFilesTest, WhatIsDiscardedLiesInTheBin)
@@ -561,7 +561,7 @@ protected:
         const QString other =
             folder.filePath(QFileInfo(path).completeBaseName() + " (other)." + QFileInfo(path).suffix());
         pressInBox("Keep the other file");
-        window.actions().save->trigger();
+        window.command("file.save")->trigger();
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window.isWindowModified(); }, 30000));
         EXPECT_EQ(bytesOf(other), stranger);
         EXPECT_TRUE(openDesignOrProject(path).design == window.document().design());
@@ -663,7 +663,7 @@ TEST_F(ProjectFilesTest, WhatSomebodyElseHasSavedBecomesABranch)
             }
     });
     pressing.start(20);
-    window.actions().save->trigger();
+    window.command("file.save")->trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.banner().shown() && !window.document().dirty(); }, 30000));
     EXPECT_TRUE(window.document().design() == mine);
     const History& history = window.document().history();
@@ -894,7 +894,7 @@ TEST_F(ProjectFilesTest, WhatCanBeReadOfADamagedOneIsRecovered)
     change(40);
     const Design design = window.document().design();
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     QFile file(path);
     ASSERT_TRUE(file.open(QFile::ReadWrite));
     const QByteArray whole = file.readAll();
@@ -931,7 +931,7 @@ TEST_F(ProjectFilesTest, RevertingIsAStepInTheHistory)
     ASSERT_EQ(save(folder.filePath("box.bolster")).english(), "");
     const Design saved = window.document().design();
     change(3);
-    window.actions().revert->trigger();
+    window.command("file.revert")->trigger();
     EXPECT_TRUE(window.document().design() == saved);
     EXPECT_EQ(window.document().history().count(), 4);
 }
@@ -977,7 +977,7 @@ TEST_F(ProjectFilesTest, WhatIsWrongIsSaidInASentenceThatNamesTheFile)
     change(40);
     const QString path = folder.filePath("box.bolster");
     ASSERT_EQ(save(path).english(), "");
-    window.actions().newDesign->trigger();
+    window.command("file.new")->trigger();
     QFile file(path);
     ASSERT_TRUE(file.open(QFile::ReadWrite));
     file.seek(file.readAll().lastIndexOf("Change the settings"));

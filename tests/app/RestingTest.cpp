@@ -124,7 +124,7 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
     const SolveResult alone =
         solveResting({window.document().design(), window.session().files()}, {.lenient = true});
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
     EXPECT_LE(sprang.count(), 1) << "undo is no surprise";
@@ -222,7 +222,7 @@ TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)
         QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
     });
     answer.start(50);
-    window.actions().exportSurface->trigger();
+    window.command("file.export-surface")->trigger();
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }, 60000));
     const SolveResult alone =
         solveResting({window.document().design(), window.session().files()}, {.lenient = true});
@@ -233,19 +233,19 @@ TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)
 
 TEST_F(RestingTest, WhileThePauseLastsAnExportSaysWhatIsMissing)
 {
-    window.actions().pause->trigger();
+    window.command("surface.pause")->trigger();
     window.document().commit(
         edits::moveCurvePoints(window.document().design(), crease, std::array{8}, Vec3(0, 0, 12)));
-    window.actions().exportSurface->trigger();
+    window.command("file.export-surface")->trigger();
     EXPECT_TRUE(window.statusLine().findChild<ElidedLabel*>()->fullText().contains(QStringLiteral("Pause")));
     EXPECT_FALSE(QApplication::activeModalWidget());
-    window.actions().pause->trigger();
+    window.command("surface.pause")->trigger();
     EXPECT_TRUE(waitUntilAtRest());
 }
 
 TEST_F(RestingTest, ThereIsNoCommandToSettle)
 {
-    for (const QAction* action : window.actions().findChildren<QAction*>())
+    for (const QAction* action : window.commands().findChildren<QAction*>())
         EXPECT_FALSE(action->text().contains(QStringLiteral("ettle"))) << action->text().toStdString();
 }
 

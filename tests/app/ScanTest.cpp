@@ -1,7 +1,7 @@
 #include "WindowTest.h"
 
-#include "Actions.h"
 #include "CloudImport.h"
+#include "Commands.h"
 #include "ElementEdits.h"
 #include "Inspector.h"
 #include "MapLegend.h"
@@ -43,7 +43,7 @@ TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
     ASSERT_TRUE(waitUntilSolved());
     ASSERT_TRUE(measured([](const ScanFigures& f) { return f.rms > 0 && f.rms < 3; }));
 
-    window.actions().showDeviation->trigger();
+    window.command("map.deviation")->trigger();
     const SurfaceMapPtr map = window.scans().map();
     ASSERT_TRUE(map);
     EXPECT_EQ(map->values.size(), window.solver().surface()->positions.size());
@@ -108,7 +108,7 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     wish(ScanWish::KeepOnly); // and a change of mind
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_EQ(scan().cuts.size(), 2U);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(scan().cuts.size(), 1U);
 }
 
@@ -116,8 +116,8 @@ TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)
 {
     ASSERT_TRUE(open(sample("room-scan")));
     ASSERT_TRUE(waitUntilSolved());
-    const Actions& actions = window.actions();
-    for (const QAction* action : {actions.placeScan, actions.cutScan, actions.keepScan, actions.keepAroundCover})
+    for (const QAction* action :
+         window.commands().list({"scan.place", "scan.cut", "scan.keep", "scan.keep-around-cover"}))
         EXPECT_FALSE(action->shortcut().isEmpty()) << action->objectName().toStdString();
     window.patternView().setFocus();
     window.selection().clear();
@@ -142,9 +142,9 @@ TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape); // nobody counts them
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
     EXPECT_TRUE(window.selection().contains(scanId()));
-    actions.removeCuts->trigger();
+    window.command("scan.remove-cuts")->trigger();
     EXPECT_TRUE(scan().cuts.empty());
-    EXPECT_FALSE(actions.removeCuts->isEnabled());
+    EXPECT_FALSE(window.command("scan.remove-cuts")->isEnabled());
 }
 
 TEST_F(ScanTest, AnImportedScanComesBackWithItsDesign)
@@ -162,9 +162,9 @@ TEST_F(ScanTest, AnImportedScanComesBackWithItsDesign)
                     .empty());
     EXPECT_EQ(window.session().files().clouds.count(scanId()), 1U);
     EXPECT_TRUE(window.selection().contains(scanId()));
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_TRUE(window.session().files().clouds.empty());
-    window.actions().redo->trigger();
+    window.command("edit.redo")->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().files().clouds.size() == 1; }, 5000));
 }
 

@@ -48,7 +48,7 @@ TEST_F(SewingTest, SewsABox)
 
     QTest::keyClick(&window.patternView(), Qt::Key_W);
     ASSERT_EQ(window.patternView().tool(), PatternToolKind::Sew);
-    EXPECT_TRUE(window.actions().sew->isChecked());
+    EXPECT_TRUE(window.command("tool.sew")->isChecked());
     for (const auto& [id, seam] : expected) {
         click(middleOf(seam.a));
         click(middleOf(seam.b));
@@ -69,23 +69,23 @@ TEST_F(SewingTest, TheMenuChangesTheSelectedSeams)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     const auto before = seams();
-    EXPECT_FALSE(window.actions().flipSeams->isEnabled());
-    window.actions().showSeamList->trigger();
+    EXPECT_FALSE(window.command("seam.flip")->isEnabled());
+    window.command("seam.list")->trigger();
     EXPECT_TRUE(window.seams().isVisible());
     window.seams().table().selectAll();
     EXPECT_EQ(window.selection().elements().size(), before.size());
-    EXPECT_TRUE(window.actions().seamContinuities[0]->isChecked());
+    EXPECT_TRUE(window.command("seam.continuity-c0")->isChecked());
 
-    window.actions().seamContinuities[2]->trigger();
+    window.command("seam.continuity-g1")->trigger();
     for (const auto& [id, seam] : seams())
         EXPECT_EQ(seam.continuity, Continuity::G1);
-    EXPECT_TRUE(window.actions().seamContinuities[2]->isChecked());
-    EXPECT_FALSE(window.actions().seamContinuities[0]->isChecked());
-    window.actions().undo->trigger();
+    EXPECT_TRUE(window.command("seam.continuity-g1")->isChecked());
+    EXPECT_FALSE(window.command("seam.continuity-c0")->isChecked());
+    window.command("edit.undo")->trigger();
     window.selection().set({before.front().first});
-    window.actions().flipSeams->trigger();
+    window.command("seam.flip")->trigger();
     EXPECT_EQ(seams().front().second.reversed, !before.front().second.reversed);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(seams(), before);
 }
 

@@ -23,7 +23,7 @@ protected:
 
     ShortcutsDialog* dialog()
     {
-        window.actions().editShortcuts->trigger();
+        window.command("help.edit-shortcuts")->trigger();
         auto* found = window.findChild<ShortcutsDialog*>();
         EXPECT_TRUE(found && QTest::qWaitForWindowExposed(found));
         return found;
@@ -58,17 +58,17 @@ TEST_F(ShortcutsTest, AreTakenAtOnceKeptAndReset)
     ShortcutsDialog& keys = *dialog();
     choose(keys, "Isolate selected");
     pressKeys(keys, Qt::Key_Y, Qt::AltModifier);
-    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Alt+Y"));
-    EXPECT_EQ(window.actions().isolate->toolTip(), "Isolate selected (Alt+Y)");
-    EXPECT_EQ(QSettings().value("shortcuts/isolate-selected").toString(), "Alt+Y");
+    EXPECT_EQ(window.command("view.isolate")->shortcut(), QKeySequence("Alt+Y"));
+    EXPECT_EQ(window.command("view.isolate")->toolTip(), "Isolate selected (Alt+Y)");
+    EXPECT_EQ(QSettings().value("shortcuts/view.isolate").toString(), "Alt+Y");
     {
         MainWindow again;
-        EXPECT_EQ(again.actions().isolate->shortcut(), QKeySequence("Alt+Y")) << "at the next start";
-        EXPECT_EQ(again.actions().isolate->toolTip(), "Isolate selected (Alt+Y)");
+        EXPECT_EQ(again.command("view.isolate")->shortcut(), QKeySequence("Alt+Y")) << "at the next start";
+        EXPECT_EQ(again.command("view.isolate")->toolTip(), "Isolate selected (Alt+Y)");
     }
     button(keys, "&Reset")->click();
-    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Shift+I"));
-    EXPECT_FALSE(QSettings().contains("shortcuts/isolate-selected")) << "only differences are kept";
+    EXPECT_EQ(window.command("view.isolate")->shortcut(), QKeySequence("Shift+I"));
+    EXPECT_FALSE(QSettings().contains("shortcuts/view.isolate")) << "only differences are kept";
     keys.close();
 }
 
@@ -77,15 +77,15 @@ TEST_F(ShortcutsTest, OfAnotherCommandAreTakenOverOnlyOnWish)
     ShortcutsDialog& keys = *dialog();
     choose(keys, "Isolate selected");
     pressKeys(keys, Qt::Key_Y, Qt::ControlModifier); // the second one of redo
-    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Shift+I"));
+    EXPECT_EQ(window.command("view.isolate")->shortcut(), QKeySequence("Shift+I"));
     ASSERT_TRUE(button(keys, "&Take them over")->isVisible());
     button(keys, "&Take them over")->click();
-    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Ctrl+Y"));
-    EXPECT_EQ(window.actions().redo->shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+Shift+Z")});
+    EXPECT_EQ(window.command("view.isolate")->shortcut(), QKeySequence("Ctrl+Y"));
+    EXPECT_EQ(window.command("edit.redo")->shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+Shift+Z")});
     pressKeys(keys, Qt::Key_Left, Qt::NoModifier);
-    EXPECT_EQ(window.actions().isolate->shortcut(), QKeySequence("Ctrl+Y")) << "the arrows move things";
+    EXPECT_EQ(window.command("view.isolate")->shortcut(), QKeySequence("Ctrl+Y")) << "the arrows move things";
     button(keys, "Reset &all")->click();
-    EXPECT_EQ(window.actions().redo->shortcuts().size(), 2);
+    EXPECT_EQ(window.command("edit.redo")->shortcuts().size(), 2);
     EXPECT_TRUE(QSettings().allKeys().filter("shortcuts/").isEmpty());
     keys.close();
 }

@@ -26,10 +26,20 @@ protected:
 
     QAction* map(CoverMap::Kind kind)
     {
-        for (QAction* action : window.actions().maps)
-            if (action->data().toInt() == static_cast<int>(kind))
-                return action;
-        return nullptr;
+        switch (kind) {
+        case CoverMap::Kind::Along:
+            return window.command("map.along");
+        case CoverMap::Kind::Across:
+            return window.command("map.across");
+        case CoverMap::Kind::Shear:
+            return window.command("map.shear");
+        case CoverMap::Kind::Curvature:
+            return window.command("map.curvature");
+        case CoverMap::Kind::Thickness:
+            return window.command("map.thickness");
+        default:
+            return window.command("map.strain");
+        }
     }
     const std::vector<MapLink::Spot>& spots() { return window.maps().spots(); }
     bool listStrain()
@@ -114,7 +124,7 @@ TEST_F(SpotsTest, AMapHasOneLegend)
     window.docks().cover->toggleViewAction()->trigger();
     EXPECT_TRUE(onCover->isVisible());
     EXPECT_FALSE(onPattern->isVisible());
-    window.actions().resetLayout->trigger();
+    window.command("window.reset-layout")->trigger();
 }
 
 TEST_F(SpotsTest, TheNumberUnderARestingPointerFollowsTheCover)
@@ -130,7 +140,7 @@ TEST_F(SpotsTest, TheNumberUnderARestingPointerFollowsTheCover)
     pressed.pressure += 0.4;
     window.document().commit({{}, {{worst.place.patch, nullptr, makeElement(pressed)}}});
     ASSERT_TRUE(QTest::qWaitFor([&] { return legend->reading() != first; }, 60000)) << qPrintable(first);
-    window.actions().undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return legend->reading() == first; }, 60000))
         << qPrintable(legend->reading());
 }
@@ -138,7 +148,7 @@ TEST_F(SpotsTest, TheNumberUnderARestingPointerFollowsTheCover)
 TEST_F(SpotsTest, WithoutAMapItIsSaidHowToGetOne)
 {
     EXPECT_FALSE(window.docks().spots->isVisible()) << "not before somebody asks for it";
-    window.actions().showSpotList->trigger();
+    window.command("map.spot-list")->trigger();
     ASSERT_TRUE(window.docks().spots->isVisible());
     EXPECT_FALSE(table().isVisible());
     EXPECT_TRUE(hint()->isVisible());
@@ -211,7 +221,7 @@ TEST_F(SpotsTest, WalkingThroughTheListShowsThePlacesInBothWindows)
     QTest::keyClick(&table(), Qt::Key_Return);
     EXPECT_TRUE(marksThe(spots()[1].place)) << "once more";
 
-    auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("worst-spots"));
+    auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("map.worst"));
     emit menu->aboutToShow();
     menu->actions()[2]->trigger();
     EXPECT_TRUE(marksThe(spots()[2].place)) << "the menu does the same";

@@ -19,49 +19,47 @@ protected:
 TEST_F(TwinTest, MakesReleasesAndUnlinksTwins)
 {
     ASSERT_TRUE(open(sample("pillow")));
-    Actions& actions = window.actions();
-    EXPECT_FALSE(actions.makeTwin->isEnabled());
+    EXPECT_FALSE(window.command("twin.make")->isEnabled());
     const Design before = window.document().design();
     const ElementId patch = anyPatch();
     window.selection().set({patch});
-    ASSERT_TRUE(actions.makeTwin->isEnabled());
-    actions.makeTwin->trigger();
+    ASSERT_TRUE(window.command("twin.make")->isEnabled());
+    window.command("twin.make")->trigger();
     const ElementId twin = twinOf(window.document().design(), patch);
     ASSERT_NE(twin, settingsId);
     EXPECT_EQ(window.document().history().count(), 2) << "one step";
     EXPECT_TRUE(window.selection().contains(twin));
-    EXPECT_FALSE(actions.makeTwin->isEnabled());
-    EXPECT_FALSE(actions.releasePoints->isEnabled());
+    EXPECT_FALSE(window.command("twin.make")->isEnabled());
+    EXPECT_FALSE(window.command("twin.release-points")->isEnabled());
 
     window.selection().set({patch}, {{patch, 0}});
-    ASSERT_TRUE(actions.releasePoints->isEnabled());
-    EXPECT_FALSE(actions.relinkPoints->isEnabled());
-    actions.releasePoints->trigger();
+    ASSERT_TRUE(window.command("twin.release-points")->isEnabled());
+    EXPECT_FALSE(window.command("twin.relink-points")->isEnabled());
+    window.command("twin.release-points")->trigger();
     EXPECT_EQ(releasedPoints(window.document().design(), twin), std::vector{0});
-    ASSERT_TRUE(actions.relinkPoints->isEnabled());
-    actions.relinkPoints->trigger();
+    ASSERT_TRUE(window.command("twin.relink-points")->isEnabled());
+    window.command("twin.relink-points")->trigger();
     EXPECT_TRUE(releasedPoints(window.document().design(), twin).empty());
 
-    actions.unlinkTwins->trigger();
+    window.command("twin.unlink")->trigger();
     EXPECT_EQ(twinOf(window.document().design(), patch), settingsId);
     window.selection().set({patch, twin});
-    ASSERT_TRUE(actions.linkTwins->isEnabled());
-    actions.linkTwins->trigger();
+    ASSERT_TRUE(window.command("twin.link")->isEnabled());
+    window.command("twin.link")->trigger();
     EXPECT_EQ(twinOf(window.document().design(), patch), twin);
     for (int i = 0; i < 5; ++i)
-        actions.undo->trigger();
+        window.command("edit.undo")->trigger();
     EXPECT_TRUE(window.document().design() == before);
 }
 
 TEST_F(TwinTest, SeamsFollowAreReleasedAndRelinked)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
-    Actions& actions = window.actions();
     Document& document = window.document();
     std::vector<ElementId> patches;
     document.design().each<Patch>([&](ElementId id, const Patch&) { patches.push_back(id); });
     window.selection().set({patches.begin(), patches.end()});
-    actions.makeTwin->trigger();
+    window.command("twin.make")->trigger();
     ElementId seam{};
     document.design().each<Seam>([&](ElementId id, const Seam&) {
         if (seam == ElementId{})
@@ -72,21 +70,21 @@ TEST_F(TwinTest, SeamsFollowAreReleasedAndRelinked)
     const auto continuity = [&](ElementId id) { return document.design().find<Seam>(id)->continuity; };
 
     window.selection().set({seam});
-    actions.seamContinuities.last()->trigger();
+    window.command("seam.continuity-g1")->trigger();
     EXPECT_EQ(continuity(mirrored), Continuity::G1);
-    actions.undo->trigger();
+    window.command("edit.undo")->trigger();
     EXPECT_EQ(continuity(seam), Continuity::C0) << "one step for both";
     EXPECT_EQ(continuity(mirrored), Continuity::C0);
 
-    ASSERT_TRUE(actions.releasePoints->isEnabled());
-    actions.releasePoints->trigger();
+    ASSERT_TRUE(window.command("twin.release-points")->isEnabled());
+    window.command("twin.release-points")->trigger();
     EXPECT_TRUE(edits::sewingReleased(document.design(), seam));
-    actions.seamContinuities.last()->trigger();
+    window.command("seam.continuity-g1")->trigger();
     EXPECT_EQ(continuity(mirrored), Continuity::C0);
-    ASSERT_TRUE(actions.relinkPoints->isEnabled());
-    actions.relinkPoints->trigger();
+    ASSERT_TRUE(window.command("twin.relink-points")->isEnabled());
+    window.command("twin.relink-points")->trigger();
     EXPECT_EQ(continuity(seam), Continuity::C0);
-    EXPECT_FALSE(actions.relinkPoints->isEnabled());
+    EXPECT_FALSE(window.command("twin.relink-points")->isEnabled());
 }
 
 } // namespace

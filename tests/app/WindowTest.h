@@ -1,8 +1,8 @@
 // A main window with helpers for tests that use it like a person: by pointer and keys.
 #pragma once
 
-#include "Actions.h"
 #include "Banner.h"
+#include "Commands.h"
 #include "Docks.h"
 #include "MainWindow.h"
 #include "PatternView.h"

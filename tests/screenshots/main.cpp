@@ -1,6 +1,6 @@
 // Opens a design in the real window, waits for its surface, and writes a picture of the window:
 //   bolster_screenshot DESIGN PICTURE.png [options]
-#include "Actions.h"
+#include "Commands.h"
 #include "Docks.h"
 #include "MainWindow.h"
 #include "PatchEdits.h"
@@ -67,9 +67,9 @@ void arrange(MainWindow& window, const QCommandLineParser& parser, const Options
     const QStringList size = parser.value(options.size).split('x');
     window.resize(size.value(0).toInt(), size.value(1).toInt());
     window.docks().reset();
-    window.actions().showMesh->setChecked(parser.isSet(options.mesh));
-    window.actions().showDeviation->setChecked(parser.isSet(options.deviation));
-    window.actions().showField->setChecked(parser.isSet(options.field));
+    window.command("layer.mesh")->setChecked(parser.isSet(options.mesh));
+    window.command("map.deviation")->setChecked(parser.isSet(options.deviation));
+    window.command("layer.field")->setChecked(parser.isSet(options.field));
     Selection::Elements selected;
     for (const QString& id : parser.value(options.select).split(',', Qt::SkipEmptyParts))
         selected.insert(ElementId{id.toInt()});
@@ -118,9 +118,9 @@ int run(QApplication& application)
     else
         window.patternView().navigation().fitAll();
     const QString dialog = parser.value(options.dialog);
-    const Actions& actions = window.actions();
-    for (const auto& [name, action] : {std::pair("figures", actions.report), std::pair("keys", actions.shortcuts),
-                                       std::pair("about", actions.about)})
+    for (const auto& [name, action] :
+         {std::pair("figures", window.command("surface.figures")), std::pair("keys", window.command("help.keys")),
+          std::pair("about", window.command("help.about"))})
         if (dialog == name)
             action->trigger();
     if (parser.isSet(options.problems))

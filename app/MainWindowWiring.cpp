@@ -1,0 +1,312 @@
+// Who hears of what: between document, solver, views, panels and commands.
+#include "CommandPalette.h"
+#include "Commands.h"
+#include "ContextMenus.h"
+#include "CoverAtRest.h"
+#include "CoverLink.h"
+#include "Docks.h"
+#include "DrawingCommands.h"
+#include "EditCommands.h"
+#include "ElementsView.h"
+#include "FabricCommands.h"
+#include "FabricLink.h"
+#include "FabricMenu.h"
+#include "FileCommands.h"
+#include "FileFlow.h"
+#include "FindingsLink.h"
+#include "FirstSteps.h"
+#include "FixingCommands.h"
+#include "HelpCommands.h"
+#include "InsertCommands.h"
+#include "Inspector.h"
+#include "LayerCommands.h"
+#include "MainMenu.h"
+#include "MainWindow.h"
+#include "MapCommands.h"
+#include "PatternCommands.h"
+#include "PatternView.h"
+#include "ProblemsView.h"
+#include "SavedViewCommands.h"
+#include "ScanCommands.h"
+#include "ScanLink.h"
+#include "SeamsView.h"
+#include "SelectionEdits.h"
+#include "SewingCommands.h"
+#include "StatusLine.h"
+#include "SurfaceCommands.h"
+#include "ToolCommands.h"
+#include "Translated.h"
+#include "TwinCommands.h"
+#include "Units.h"
+#include "VersionCommands.h"
+#include "ViewCommands.h"
+#include "ViewLink.h"
+#include "WindowCommands.h"
+
+#include <QApplication>
+
+namespace bolster {
+
+namespace {
+
+/// None where the frame is of one piece.
+std::optional<PieceOfFrame> pieceAt(const SurfaceView& view, const QPoint& global, const Design& design,
+                                    const DesignFiles& files)
+{
+    const SurfaceHit hit = view.hit(view.mapFromGlobal(global));
+    const auto mesh = files.meshes.find(hit.element);
+    const Frame* frame = design.find<Frame>(hit.element);
+    if (hit.kind != SurfaceHit::Kind::Frame || !frame || mesh == files.meshes.end() || !mesh->second)
+        return std::nullopt;
+    const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh->second);
+    const std::optional<int> piece =
+        pieces->ofShown(*mesh->second, pieces->hiddenBy(*mesh->second, frame->hiddenParts), hit.triangle);
+    if (!piece || pieces->pieces.size() < 2)
+        return std::nullopt;
+    return PieceOfFrame{hit.element, mesh->second, *piece};
+}
+
+} // namespace
+
+template <class Area, class... Needs>
+Area& MainWindow::addArea(Needs&&... needs)
+{
+    m_areas.push_back(std::make_unique<Area>(std::forward<Needs>(needs)...));
+    return static_cast<Area&>(*m_areas.back());
+}
+
+/// The order of the areas is that of their commands in the menus that they share.
+void MainWindow::addCommands()
+{
+    Commands& commands = *m_commands;
+    addMainMenus(commands);
+    auto& cover = addArea<CoverAtRest>(document(), *m_solver, *m_status);
+    addArea<FileCommands>(commands, *m_files, *m_session, *m_solver, cover, *m_surface, *m_fabricLink, *this);
+    addArea<EditCommands>(commands, document(), m_selection, *m_docks, *m_elements, *m_history, *m_fabricCommands,
+                          *m_status);
+    addViewCommands();
+    addArea<InsertCommands>(commands, *m_session, m_selection, *m_solver, *m_status);
+    addArea<ToolCommands>(commands, *m_pattern, *m_surface, *m_docks);
+    addDesignCommands();
+    addArea<SurfaceCommands>(commands, *m_solver, cover, *this);
+    addArea<WindowCommands>(commands, *m_docks, *m_inspector);
+    auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
+    addArea<FirstSteps>(commands, *m_session, m_selection, *m_solver, *m_pattern, *m_surface, *m_files);
+    addArea<VersionCommands>(*m_session, *m_solver, *m_fabricLink, *m_surface, *m_history, *this);
+    SewingCommands::fillTable(m_seams->table(), commands);
+    commands.buildMenus();
+    commands.update();
+    help.loadKeys();
+    connect(&m_selection, &Selection::changed, &help, [&commands] { commands.update(); });
+    connect(&document(), &Document::historyChanged, &help, [&commands] { commands.update(); });
+    connect(m_session.get(), &DesignSession::titleChanged, &help, [&commands] { commands.update(); }); // saved
+}
+
+void MainWindow::addViewCommands()
+{
+    Commands& commands = *m_commands;
+    m_viewCommands =
+        &addArea<ViewCommands>(commands, document(), m_selection, *m_pattern, *m_surface, *m_elements, *m_status);
+    addArea<SavedViewCommands>(commands, *m_surface, *m_status, *this);
+    addArea<LayerCommands>(commands, *m_pattern, *m_surface, *m_solver);
+    m_mapCommands = &addArea<MapCommands>(commands, *m_maps, *m_scans, *m_pattern, *m_surface, *m_inspector,
+                                          *m_docks, *m_spots);
+    addArea<DrawingCommands>(commands, *m_pattern, *m_status, *this);
+    addArea<ViewLink>(m_selection, m_surfaceSelection, *m_pattern, *m_surface, *commands["view.link"]);
+}
+
+void MainWindow::addDesignCommands()
+{
+    Commands& commands = *m_commands;
+    auto& pattern = addArea<PatternCommands>(document(), m_selection, commands);
+    connect(&pattern, &PatternCommands::said, m_status, &StatusLine::flash);
+    connect(&pattern, &PatternCommands::edgeLengthWanted, this, [this] {
+        Docks::reveal(m_docks->inspector);
+        m_inspector->focusFirst();
+    });
+    addArea<TwinCommands>(commands, document(), m_selection, *m_docks, *m_status);
+    addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
+    addArea<FabricMenu>(commands,
+                        FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
+                                          *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});
+    addArea<FixingCommands>(commands, document(), m_selection, *m_solver, *m_status);
+    addArea<ScanCommands>(commands, document(), m_selection, *m_scans, *m_files, *m_surface, *m_inspector,
+                          *m_status, *this);
+}
+
+void MainWindow::connectSession()
+{
+    connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
+    connect(m_session.get(), &DesignSession::leaving, this, &MainWindow::keepCamera);
+    connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
+    connect(m_session.get(), &DesignSession::filesChanged, this, [this] {
+        m_surface->shown().setFiles(m_session->files());
+        m_solver->setFiles(m_session->files());
+        m_inspector->setFiles(m_session->files());
+        m_commands->update({"layer.scan-colors"});
+    });
+    connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
+        m_selection.set({id});
+        if (!m_solver->surface())
+            m_surface->navigation().fitAll();
+    });
+    connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);
+    connect(&m_problems, &ProblemSet::changed, this, [this] {
+        m_status->setProblems(m_problems.count(Severity::Error), m_problems.count(Severity::Warning));
+    });
+}
+
+void MainWindow::connectDocument()
+{
+    connect(&document(), &Document::dirtyChanged, this, &QWidget::setWindowModified);
+    connect(&document(), &Document::changed, this, [this] {
+        pruneSelection(m_selection, document().design());
+        pruneSelection(m_surfaceSelection, document().design());
+        m_covers->setDesign(document().design());
+    });
+    connect(&document(), &Document::refused, this, [this](const Message& why) {
+        m_status->flash(tr("%1 It is back where it was.").arg(translated(why)));
+    });
+    connect(&document(), &Document::noted, this,
+            [this](const Message& note) { m_status->flash(translated(note)); });
+    connect(&document(), &Document::changed, this, [this] {
+        if (document().gestureRunning())
+            m_status->flash({}); // what was said about the last drag would hide what this one says
+        else
+            m_status->forgetReason();
+    });
+}
+
+void MainWindow::connectSolver()
+{
+    connect(m_solver.get(), &SolverLink::surfaceChanged, this, [this](const SurfaceMeshPtr& surface) {
+        m_pattern->shown().setSurface(surface);
+        m_scans->setSurface(surface);
+        m_maps->setSurface(surface);
+        if (surface && std::exchange(m_fitCover, false))
+            m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
+    });
+    connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
+    connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
+    connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
+        m_status->flashWithReason(
+            tr("The cover sprang by %1.").arg(lengthText(distance)),
+            tr("Folded cloth can lie in several ways, and where a drag leaves it depends on the way of "
+               "the pointer. What you see now follows from the design alone: whoever opens it sees "
+               "the same, and so do exports and pictures. If you want the other shape, tell the design: "
+               "hold the cloth there with a handle, or make the piece smaller until it needs no folds."));
+    });
+    connect(m_covers.get(), &CoverLink::refined, &m_surface->shown(), &ShownScene::setCover);
+    connect(m_solver.get(), &SolverLink::fieldChanged, &m_surface->shown(), &ShownScene::setField);
+    connect(m_solver.get(), &SolverLink::statusChanged, this, &MainWindow::updateSolverState);
+    connect(m_fabricLink.get(), &FabricLink::changed, this, [this] {
+        m_pattern->shown().setFabricColors(m_fabricLink->colors());
+        m_surface->shown().setFabricMaps(m_fabricLink->maps());
+        m_inspector->setFabricPictures(m_fabricLink->pictures());
+        updateProblems();
+    });
+}
+
+void MainWindow::connectViews()
+{
+    connect(m_pattern, &PatternView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_surface, &SurfaceView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &SurfaceView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &SurfaceView::rendererNote, m_status, &StatusLine::setRendererNote);
+    connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
+        m_status->setCoordinates(
+            at ? tr("x %1   y %2 mm").arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true))
+               : QString());
+        m_status->setPrompt(m_pattern->prompt());
+    });
+    connect(m_surface, &SurfaceView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
+        m_status->setCoordinates(at ? tr("x %1   y %2   z %3 mm")
+                                          .arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true),
+                                               decimalText(at->z(), 1, true))
+                                    : QString());
+        m_status->setPrompt(m_surface->prompt());
+    });
+    connect(m_session.get(), &DesignSession::opened, this, [this] { m_surface->visibility().setHidden({}); });
+    connect(m_elements, &ElementsView::shown, m_viewCommands, &ViewCommands::fitSelection);
+    connect(m_seams, &SeamsView::shown, m_viewCommands, &ViewCommands::fitSelection);
+    connect(m_problemList, &ProblemsView::chosen, this, &MainWindow::showProblem);
+}
+
+void MainWindow::connectContextMenus()
+{
+    auto* menus = new ContextMenus(document(), m_selection, *m_commands, this);
+    connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
+    connect(m_surface, &SurfaceView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
+        menus->showInSurface(at, onSomething,
+                             onSomething
+                                 ? pieceAt(*m_surface, at, m_session->document().design(), m_session->files())
+                                 : std::nullopt);
+    });
+    connect(m_pattern, &PatternView::toolMenuWanted, menus,
+            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_pattern, at, keys); });
+    connect(m_surface, &SurfaceView::toolMenuWanted, menus,
+            [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_surface, at, keys); });
+}
+
+void MainWindow::connectFiles()
+{
+    connect(m_inspector, &Inspector::fileWanted, this, [this](ElementId id) {
+        if (document().design().find<Fabric>(id))
+            m_fabricCommands->choosePicture(id);
+        else
+            m_files->replaceFile(id);
+    });
+    connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+    connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
+    connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
+    connect(m_fabricCommands, &FabricCommands::done, m_status, &StatusLine::flash);
+    connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen
+        command(kind == FileKind::Cloud ? "layer.scans" : "layer.frames")->setChecked(true);
+    });
+    connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
+}
+
+void MainWindow::connectFindings()
+{
+    // What is not on the screen yet is not called good.
+    const auto update = [this] {
+        const bool seen = m_surface->pictures(m_solver->surface());
+        m_status->setFindings(m_findings->findings(), seen && m_findings->known());
+    };
+    connect(m_findings.get(), &FindingsLink::changed, this, update);
+    // A window that is destroyed hides its docks, when the findings are gone.
+    connect(m_surface, &SurfaceView::pictured, m_findings.get(), update);
+    connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
+    connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
+    connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {
+        if (!document().design().element(finding.element))
+            return;
+        m_selection.set({finding.element});
+        if (finding.place)
+            m_mapCommands->showSpot({finding.place->patch, finding.place->outline});
+        else
+            m_viewCommands->fitSelection();
+    });
+}
+
+void MainWindow::connectKeyboard()
+{
+    connect(m_elements, &ElementsView::propertiesWanted, this, [this] {
+        Docks::reveal(m_docks->inspector);
+        m_inspector->focusFirst();
+    });
+    // Keys mean the view again in which one was before, not the next field.
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, QWidget* now) {
+        if (now == m_pattern || now == m_surface)
+            m_lastView = now;
+    });
+    connect(
+        m_inspector, &Inspector::typed, this,
+        [this] { (m_lastView ? m_lastView : m_pattern)->setFocus(Qt::OtherFocusReason); }, Qt::QueuedConnection);
+    const QList<QDockWidget*> parts = m_docks->all();
+    for (qsizetype i = 1; i < parts.size(); ++i)
+        setTabOrder(parts[i - 1]->widget(), parts[i]->widget());
+}
+
+} // namespace bolster

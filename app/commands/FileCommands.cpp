@@ -1,0 +1,176 @@
+#include "FileCommands.h"
+
+#include "Ask.h"
+#include "Commands.h"
+#include "CoverAtRest.h"
+#include "FabricLink.h"
+#include "FileFlow.h"
+#include "RenderDialog.h"
+#include "SolverLink.h"
+#include "SurfaceView.h"
+
+namespace bolster {
+
+FileCommands::FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
+                           CoverAtRest& cover, SurfaceView& surface, FabricLink& fabrics, QWidget& window)
+    : m_files(files)
+    , m_session(session)
+    , m_solver(solver)
+    , m_cover(cover)
+    , m_surface(surface)
+    , m_fabrics(fabrics)
+    , m_window(window)
+{
+    addOpening(commands);
+    addSaving(commands);
+    addExchange(commands);
+    connect(&solver, &SolverLink::surfaceChanged, this, [&commands] {
+        commands.update({"file.export-surface", "file.render-picture"});
+    });
+}
+
+void FileCommands::addOpening(Commands& commands)
+{
+    commands.add({{.id = "file.new",
+                   .formerly = "new",
+                   .text = tr("&New"),
+                   .icon = "new",
+                   .keys = {QKeySequence::New},
+                   .places = {"file/1"},
+                   .bar = 101,
+                   .does = [this] { m_files.startNew(); }},
+                  {.id = "file.open",
+                   .formerly = "open",
+                   .text = tr("&Open \u2026"),
+                   .icon = "open",
+                   .keys = {QKeySequence::Open},
+                   .places = {"file/1"},
+                   .bar = 102,
+                   .does = [this] { m_files.open(); }},
+                  {.id = "file.quit",
+                   .formerly = "quit",
+                   .text = tr("&Quit"),
+                   .keys = {Qt::CTRL | Qt::Key_Q},
+                   .places = {"file/5"},
+                   .does = [this] { m_window.close(); }}});
+    commands.add(
+        MenuPlace{"file.recent", tr("Open &recent"), "file/1", [this](QMenu& menu) { m_files.fillRecent(menu); }});
+    commands.add(MenuPlace{"file.unsaved", tr("&Unsaved work"), "file/1",
+                           [this](QMenu& menu) { m_files.fillUnsaved(menu); }});
+    commands.add(MenuPlace{"file.samples", tr("Sa&mples"), "file/1"});
+    m_files.fillSamples(*commands.menu("file.samples"));
+}
+
+void FileCommands::addSaving(Commands& commands)
+{
+    commands.add({{.id = "file.save",
+                   .formerly = "save",
+                   .text = tr("&Save"),
+                   .icon = "save",
+                   .keys = {QKeySequence::Save},
+                   .places = {"file/2"},
+                   .bar = 103,
+                   .does = [this] { m_files.save(); }},
+                  {.id = "file.save-as",
+                   .formerly = "save-as",
+                   .text = tr("Save &as \u2026"),
+                   .icon = "save-as",
+                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_S},
+                   .places = {"file/2"},
+                   .does = [this] { m_files.saveAs(); }}});
+    commands.add(MenuPlace{"file.copy", tr("Save a &copy"), "file/2"});
+    commands.add({{.id = "file.copy-everything",
+                   .formerly = "with-everything",
+                   .text = tr("With &everything \u2026"),
+                   .places = {"file.copy/1"},
+                   .does = [this] { m_files.saveCopy({}); }},
+                  {.id = "file.copy-without-history",
+                   .formerly = "without-history",
+                   .text = tr("Without &history \u2026"),
+                   .places = {"file.copy/1"},
+                   .does = [this] { m_files.saveCopy({.withHistory = false}); }},
+                  {.id = "file.copy-without-scans",
+                   .formerly = "without-history-and-scans",
+                   .text = tr("Without history and &scans \u2026"),
+                   .places = {"file.copy/1"},
+                   .does = [this] { m_files.saveCopy({.withHistory = false, .withScans = false}); }},
+                  {.id = "file.revert",
+                   .formerly = "revert-to-saved",
+                   .text = tr("Re&vert to saved"),
+                   .places = {"file/2"},
+                   .enabled =
+                       [this] {
+                           const Document& document = m_session.document();
+                           return m_files.hasSaved() && document.history().current() != document.saved();
+                       },
+                   .does = [this] { m_files.revert(); }}});
+}
+
+void FileCommands::addExchange(Commands& commands)
+{
+    const auto covered = [this] { return m_solver.surface() != nullptr; };
+    commands.add(
+        {{.id = "file.import-frame",
+          .formerly = "import-frame",
+          .text = tr("&Import frame \u2026"),
+          .icon = "import-frame",
+          .keys = {Qt::CTRL | Qt::Key_I},
+          .places = {"file/3"},
+          .does = [this] { m_files.importFrame(); }},
+         {.id = "file.import-scan",
+          .formerly = "import-scan",
+          .text = tr("Impor&t scan \u2026"),
+          .icon = "import-scan",
+          .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_I},
+          .places = {"file/3"},
+          .does = [this] { m_files.importScan(); }},
+         {.id = "file.export-surface",
+          .formerly = "export-surface",
+          .text = tr("&Export surface \u2026"),
+          .icon = "export",
+          .keys = {Qt::CTRL | Qt::Key_E},
+          .places = {"file/4"},
+          .enabled = covered,
+          .does = [this] { m_cover.then([this] { m_files.exportSurface(m_solver.surface()); }); }},
+         {.id = "file.export-picture",
+          .formerly = "export-picture",
+          .text = tr("Export &picture \u2026"),
+          .icon = "picture",
+          .places = {"file/4"},
+          .does = [this] { exportPicture(); }},
+         {.id = "file.render-picture",
+          .formerly = "render-picture",
+          .text = tr("Ren&der picture \u2026"),
+          .icon = "picture",
+          .keys = {QKeySequence(Qt::Key_F12), QKeySequence(QKeySequence::Print)}, // there is nothing else to print
+          .places = {"file/4"},
+          .enabled = covered,
+          .does = [this] { m_cover.then([this] { renderPicture(); }); }}});
+}
+
+void FileCommands::exportPicture()
+{
+    const auto take = [this] { m_files.exportPicture(m_surface.grabPicture()); };
+    if (m_solver.surface())
+        m_cover.then(take);
+    else
+        take();
+}
+
+void FileCommands::renderPicture()
+{
+    const SurfaceMeshPtr& surface = m_solver.surface();
+    if (!surface)
+        return;
+    RenderDialog::Subject subject{surface,
+                                  m_session.document().design(),
+                                  m_session.files(),
+                                  m_fabrics.baker(),
+                                  m_fabrics.bakedByNow(),
+                                  m_session.title(),
+                                  m_surface.navigation().camera(),
+                                  m_files.proposedPicture()};
+    openDialog(new RenderDialog(std::move(subject), &m_window));
+}
+
+} // namespace bolster

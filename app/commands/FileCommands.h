@@ -1,0 +1,42 @@
+// The File menu.
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+
+class QWidget;
+
+namespace bolster {
+
+class Commands;
+class CoverAtRest;
+class DesignSession;
+class FabricLink;
+class FileFlow;
+class SolverLink;
+class SurfaceView;
+
+class FileCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(FileCommands)
+
+public:
+    FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
+                 CoverAtRest& cover, SurfaceView& surface, FabricLink& fabrics, QWidget& window);
+
+private:
+    void addOpening(Commands& commands);
+    void addSaving(Commands& commands);
+    void addExchange(Commands& commands);
+    void exportPicture();
+    void renderPicture();
+
+    FileFlow& m_files;
+    DesignSession& m_session;
+    SolverLink& m_solver;
+    CoverAtRest& m_cover;
+    SurfaceView& m_surface;
+    FabricLink& m_fabrics;
+    QWidget& m_window;
+};
+
+} // namespace bolster

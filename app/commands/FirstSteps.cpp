@@ -1,0 +1,74 @@
+#include "FirstSteps.h"
+
+#include "Commands.h"
+#include "DesignSession.h"
+#include "FileFlow.h"
+#include "FreeCover.h"
+#include "LayoutEdits.h"
+#include "NextStep.h"
+#include "PatternView.h"
+#include "Selection.h"
+#include "SelectionEdits.h"
+#include "StartHint.h"
+#include "SurfaceView.h"
+
+namespace bolster {
+
+FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
+                       PatternView& pattern, SurfaceView& surface, FileFlow& files)
+    : m_session(session)
+    , m_selection(selection)
+    , m_pattern(pattern)
+    , m_surface(surface)
+{
+    hintAtStart(commands, files);
+    showFreeCover(solver);
+    hintAtNext(commands);
+    connect(&pattern, &PatternView::toolChanged, this, [this](PatternToolKind kind) {
+        if (kind == PatternToolKind::Select)
+            showDrawn();
+    });
+}
+
+void FirstSteps::hintAtStart(Commands& commands, FileFlow& files)
+{
+    auto* hint = new StartHint(m_session.document(), m_pattern);
+    connect(hint, &StartHint::rectangleWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
+    connect(hint, &StartHint::outlineWanted, this, [this] { m_pattern.setTool(PatternToolKind::Outline); });
+    connect(hint, &StartHint::frameWanted, commands["file.import-frame"], &QAction::trigger);
+    connect(hint, &StartHint::openWanted, this, [&files] { files.open(); });
+    connect(hint, &StartHint::fileWanted, this, [&files](const QString& path) { files.open(path); });
+    connect(&m_pattern, &PatternView::toolChanged, hint,
+            [hint](PatternToolKind kind) { hint->setDrawing(kind != PatternToolKind::Select); });
+}
+
+void FirstSteps::showFreeCover(SolverLink& solver)
+{
+    auto* freeCover = new FreeCover(m_session.document(), solver, m_surface, this);
+    connect(&m_session, &DesignSession::opened, freeCover,
+            [this, freeCover] { freeCover->begin(m_surface.navigation().hasReturned()); });
+}
+
+void FirstSteps::hintAtNext(Commands& commands)
+{
+    auto* next = new NextStep(m_session.document(), m_pattern);
+    connect(next, &NextStep::drawWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
+    connect(next, &NextStep::sewWanted, this, [this] { m_pattern.setTool(PatternToolKind::Sew); });
+    connect(next, &NextStep::fixationWanted, this, [this] { m_surface.setTool(SurfaceToolKind::DrawFixation); });
+    connect(next, &NextStep::attachWanted, this, [this] { m_pattern.setTool(PatternToolKind::Attach); });
+    connect(next, &NextStep::selectAllWanted, commands["edit.select-all"], &QAction::trigger);
+}
+
+/// What was drawn with typed lengths can be larger than the view.
+void FirstSteps::showDrawn()
+{
+    const Design& design = m_session.document().design();
+    const Box2 seen = m_pattern.navigation().transform().visible(m_pattern.size());
+    for (const ElementId id : selectedOf<Patch>(design, m_selection.elements()))
+        if (!seen.contains(edits::layoutBox(*design.find<Patch>(id)))) {
+            m_pattern.navigation().fitAll();
+            return;
+        }
+}
+
+} // namespace bolster

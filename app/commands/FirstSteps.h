@@ -1,0 +1,33 @@
+// What the window does for those who begin a design.
+#pragma once
+
+#include <QObject>
+
+namespace bolster {
+
+class Commands;
+class DesignSession;
+class FileFlow;
+class PatternView;
+class Selection;
+class SolverLink;
+class SurfaceView;
+
+class FirstSteps : public QObject {
+public:
+    FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
+               PatternView& pattern, SurfaceView& surface, FileFlow& files);
+
+private:
+    void hintAtStart(Commands& commands, FileFlow& files);
+    void showFreeCover(SolverLink& solver);
+    void hintAtNext(Commands& commands);
+    void showDrawn();
+
+    DesignSession& m_session;
+    Selection& m_selection;
+    PatternView& m_pattern;
+    SurfaceView& m_surface;
+};
+
+} // namespace bolster

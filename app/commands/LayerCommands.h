@@ -1,0 +1,34 @@
+// What the views show: View > Layers, and the grid.
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+
+namespace bolster {
+
+class Commands;
+class PatternView;
+class SolverLink;
+class SurfaceView;
+
+class LayerCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(LayerCommands)
+
+public:
+    LayerCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, SolverLink& solver);
+
+    /// Shows what is checked.
+    void apply();
+
+private:
+    void add();
+    void addOfScans();
+    bool on(const char* id);
+
+    Commands& m_commands;
+    PatternView& m_pattern;
+    SurfaceView& m_surface;
+    SolverLink& m_solver;
+};
+
+} // namespace bolster

@@ -1,0 +1,32 @@
+// The views that the user has saved under names.
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace bolster {
+
+class Commands;
+class StatusLine;
+class SurfaceView;
+
+class SavedViewCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(SavedViewCommands)
+
+public:
+    SavedViewCommands(Commands& commands, SurfaceView& surface, StatusLine& status, QWidget& window);
+
+private:
+    void fill(QMenu& menu, QAction* save);
+    void save();
+
+    SurfaceView& m_surface;
+    StatusLine& m_status;
+    QWidget& m_window;
+};
+
+} // namespace bolster

@@ -1,0 +1,47 @@
+// The Scan menu, and the same wishes from the properties of a scan.
+#pragma once
+
+#include "ElementId.h"
+
+#include <QCoreApplication>
+#include <QObject>
+
+#include <functional>
+
+namespace bolster {
+
+class Commands;
+class Document;
+class FileFlow;
+class Inspector;
+class ScanLink;
+enum class ScanWish;
+class Selection;
+class StatusLine;
+class SurfaceView;
+
+class ScanCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(ScanCommands)
+
+public:
+    ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans, FileFlow& files,
+                 SurfaceView& surface, Inspector& inspector, StatusLine& status, QWidget& window);
+
+private:
+    void add();
+    std::function<void()> wishes(ScanWish wish);
+    void onTheScan(const std::function<void(ElementId)>& work);
+    void work(ElementId scan, ScanWish wish);
+    void fitPlacement(ElementId scan);
+
+    Commands& m_commands;
+    Document& m_document;
+    Selection& m_selection;
+    ScanLink& m_scans;
+    FileFlow& m_files;
+    SurfaceView& m_surface;
+    StatusLine& m_status;
+    QWidget& m_window;
+};
+
+} // namespace bolster

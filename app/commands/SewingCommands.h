@@ -1,0 +1,48 @@
+// The Seam menu, and the same in the list of seams.
+#pragma once
+
+#include "ElementId.h"
+#include "Seam.h"
+
+#include <QCoreApplication>
+#include <QObject>
+
+#include <functional>
+#include <vector>
+
+class QTreeView;
+
+namespace bolster {
+
+class Commands;
+class Design;
+class Docks;
+class Document;
+struct Edit;
+class Selection;
+
+class SewingCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(SewingCommands)
+
+public:
+    SewingCommands(Commands& commands, Document& document, Selection& selection, const Docks& docks);
+
+    /// The menu of the right button.
+    static void fillTable(QTreeView& table, Commands& commands);
+
+private:
+    using Seams = std::vector<ElementId>;
+
+    void addSides(Commands& commands);
+    void addContinuities(Commands& commands);
+    void addMatches(Commands& commands);
+    Seams seams() const;
+    bool all(const std::function<bool(const Seam&)>& has) const;
+    /// A command that edits the selected seams.
+    std::function<void()> editing(std::function<Edit(const Design&, const Seams&)> edit);
+
+    Document& m_document;
+    Selection& m_selection;
+};
+
+} // namespace bolster

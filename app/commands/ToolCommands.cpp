@@ -1,0 +1,119 @@
+#include "ToolCommands.h"
+
+#include "Commands.h"
+#include "Docks.h"
+#include "PatternView.h"
+
+#include <QShortcut>
+
+namespace bolster {
+
+ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, const Docks& docks)
+    : m_pattern(pattern)
+    , m_surface(surface)
+{
+    add(commands);
+    addInSurface(commands);
+    connectViews(commands);
+    // Escape ends it from a list, too: what has the keyboard is easily overlooked.
+    for (QDockWidget* list : {docks.elements, docks.history, docks.seams, docks.fabrics, docks.spots})
+        connect(new QShortcut(QKeySequence(Qt::Key_Escape), list, nullptr, nullptr, Qt::WidgetWithChildrenShortcut),
+                &QShortcut::activated, this, &ToolCommands::end);
+}
+
+void ToolCommands::add(Commands& commands)
+{
+    using Kind = PatternToolKind;
+    const struct {
+        Kind kind;
+        const char* id;
+        const char* formerly;
+        QString text;
+        const char* icon;
+        QKeySequence keys;
+    } tools[] = {
+        {Kind::Select, "tool.select", "select-and-move", tr("&Select and move"), "select", Qt::Key_V},
+        {Kind::Outline, "tool.outline", "draw-outline", tr("Draw &outline"), "outline", Qt::Key_O},
+        {Kind::Rectangle, "tool.rectangle", "draw-rectangle", tr("Draw &rectangle"), "rectangle",
+         Qt::SHIFT | Qt::Key_R},
+        {Kind::Ellipse, "tool.ellipse", "draw-ellipse", tr("Draw &ellipse"), "ellipse", Qt::SHIFT | Qt::Key_E},
+        {Kind::Split, "tool.split", "split-patch", tr("S&plit patch"), "split", Qt::Key_K},
+        {Kind::HandleCurve, "tool.handle-curve", "draw-handle-curve", tr("Draw &handle curve"), "handle-curve",
+         Qt::Key_H},
+        {Kind::FancySeam, "tool.fancy-seam", "draw-fancy-seam", tr("Draw &fancy seam"), "fancy-seam", Qt::Key_N},
+        {Kind::Sew, "tool.sew", "sew", tr("Se&w"), "sew", Qt::Key_W},
+        {Kind::Attach, "tool.attach", "attach-to-fixation-curve", tr("&Attach to fixation curve"), "attach",
+         Qt::SHIFT | Qt::Key_A},
+        {Kind::Trim, "tool.trim", "stitch-or-pipe-a-seam", tr("Stitch or pipe a seam"), "outline-trim",
+         Qt::SHIFT | Qt::Key_T},
+        {Kind::Measure, "tool.measure", "measure", tr("&Measure"), "measure", Qt::SHIFT | Qt::Key_M},
+    };
+    int bar = 301;
+    for (const auto& row : tools) {
+        QList<const char*> places{"pattern/1"};
+        if (row.kind == Kind::Sew)
+            places.append("seam/1");
+        commands.add({.id = row.id,
+                      .formerly = row.formerly,
+                      .text = row.text,
+                      .icon = row.icon,
+                      .keys = {row.keys},
+                      .places = places,
+                      .bar = bar++,
+                      .checked = [this, kind = row.kind] { return isOn(kind); },
+                      .does = [this, kind = row.kind] { begin(kind); }});
+    }
+}
+
+void ToolCommands::addInSurface(Commands& commands)
+{
+    commands.add({.id = "tool.draw-fixation",
+                  .formerly = "draw-fixation-curve",
+                  .text = tr("&Draw fixation curve"),
+                  .icon = "draw-fixation",
+                  .keys = {Qt::SHIFT | Qt::Key_F},
+                  .places = {"frame/1"},
+                  .bar = 320,
+                  .checked = [this] { return isOn(SurfaceToolKind::DrawFixation); },
+                  .does =
+                      [this] {
+                          const bool on = isOn(SurfaceToolKind::DrawFixation);
+                          m_surface.setTool(on ? SurfaceToolKind::Select : SurfaceToolKind::DrawFixation);
+                      }});
+}
+
+/// Whoever begins a tool in one view has ended the one in the other.
+void ToolCommands::connectViews(Commands& commands)
+{
+    connect(&m_pattern, &PatternView::toolChanged, this, [this, &commands](PatternToolKind now) {
+        if (now != PatternToolKind::Select)
+            m_surface.setTool(SurfaceToolKind::Select);
+        commands.update();
+    });
+    connect(&m_surface, &SurfaceView::toolChanged, this, [this, &commands](SurfaceToolKind now) {
+        if (now != SurfaceToolKind::Select)
+            m_pattern.setTool(PatternToolKind::Select);
+        commands.update();
+    });
+}
+
+bool ToolCommands::isOn(PatternToolKind kind) const
+{
+    return m_surface.tool() == SurfaceToolKind::Select && m_pattern.tool() == kind;
+}
+
+/// Or ends it, when it is the present one.
+void ToolCommands::begin(PatternToolKind kind)
+{
+    const bool on = isOn(kind);
+    m_surface.setTool(SurfaceToolKind::Select);
+    m_pattern.setTool(on ? PatternToolKind::Select : kind);
+}
+
+void ToolCommands::end()
+{
+    m_pattern.setTool(PatternToolKind::Select);
+    m_surface.setTool(SurfaceToolKind::Select);
+}
+
+} // namespace bolster

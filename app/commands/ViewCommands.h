@@ -1,0 +1,44 @@
+// Where the views look, and what they leave out.
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+
+namespace bolster {
+
+class Commands;
+class Document;
+class ElementsView;
+class PatternView;
+class Selection;
+class StatusLine;
+class SurfaceView;
+
+class ViewCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(ViewCommands)
+
+public:
+    ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
+                 SurfaceView& surface, ElementsView& elements, StatusLine& status);
+
+    /// What is selected fills both views.
+    void fitSelection();
+
+private:
+    void addFitting(Commands& commands);
+    void addStandardViews(Commands& commands);
+    void addCamera(Commands& commands);
+    void addHiding(Commands& commands);
+    void addThemes(Commands& commands);
+    void addOpacities(Commands& commands);
+    void hideSelected();
+
+    Document& m_document;
+    Selection& m_selection;
+    PatternView& m_pattern;
+    SurfaceView& m_surface;
+    ElementsView& m_elements;
+    StatusLine& m_status;
+};
+
+} // namespace bolster

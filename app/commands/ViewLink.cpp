@@ -1,0 +1,43 @@
+#include "ViewLink.h"
+
+#include "PatternView.h"
+#include "Selection.h"
+#include "SurfaceView.h"
+
+#include <QAction>
+
+namespace bolster {
+
+ViewLink::ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, SurfaceView& surface,
+                   const QAction& linked)
+    : m_linked(linked)
+{
+    follow(selection, surfaceSelection);
+    follow(surfaceSelection, selection);
+    connect(&surface, &SurfaceView::coverPointed, this, [this, &pattern](const std::optional<CoverPoint>& point) {
+        pattern.showPlace(m_linked.isChecked() ? point : std::nullopt);
+    });
+    connect(&pattern, &PatternView::patchPointed, this, [this, &surface](const std::optional<CoverPoint>& point) {
+        surface.showPlace(m_linked.isChecked() ? point : std::nullopt);
+    });
+    connect(&surface, &SurfaceView::coverClicked, this, [this, &pattern](const CoverPoint& point) {
+        if (m_linked.isChecked())
+            pattern.reveal(point);
+    });
+    connect(&pattern, &PatternView::patchClicked, this, [this, &surface](const CoverPoint& point) {
+        if (m_linked.isChecked())
+            surface.reveal(point);
+    });
+}
+
+void ViewLink::follow(Selection& from, Selection& to)
+{
+    connect(&from, &Selection::changed, this,
+            [&from, &to] { to.set(from.elements(), from.points(), from.edges()); });
+    connect(&from, &Selection::hoverChanged, this, [this, &from, &to] {
+        if (m_linked.isChecked())
+            to.hover(from.hovered());
+    });
+}
+
+} // namespace bolster
