@@ -21,7 +21,7 @@ public:
 
     /// What can be done now, for the status bar.
     virtual QString prompt() const = 0;
-    /// Prompt, cursor or what the tool draws has changed.
+    /// Prompt, cursor or what the tool draws has changed: `refreshed`.
     virtual void refresh() = 0;
     /// Handles an event. What is thrown then is said; the design is again what it was before the gesture.
     bool guard(const std::function<bool()>& handle);
@@ -31,7 +31,6 @@ public:
 signals:
     void kindChanged();
     void promptChanged(const QString& prompt);
-    /// Refreshed.
     void refreshed();
     void contextMenuWanted(const QPoint& global, bool onSomething);
     /// Instead, while a tool has begun something.
@@ -78,6 +77,17 @@ public:
             m_view.setFocus();
         emit kindChanged();
         refresh();
+    }
+
+    /// What the host says is said by the view.
+    template <class View>
+    void speakThrough(View& view)
+    {
+        connect(this, &ToolHost::kindChanged, &view, [this, &view] { emit view.toolChanged(m_kind); });
+        connect(this, &ToolHost::promptChanged, &view, &View::promptChanged);
+        connect(this, &ToolHost::contextMenuWanted, &view, &View::contextMenuWanted);
+        connect(this, &ToolHost::toolMenuWanted, &view, &View::toolMenuWanted);
+        connect(this, &ToolHost::failed, &view, &View::failed);
     }
 
     QString prompt() const override { return m_tool->prompt(); }

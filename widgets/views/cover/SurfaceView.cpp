@@ -62,11 +62,7 @@ void SurfaceView::wireScene()
 
 void SurfaceView::wireTools()
 {
-    connect(&m_tools, &ToolHost::kindChanged, this, [this] { emit toolChanged(m_tools.kind()); });
-    connect(&m_tools, &ToolHost::promptChanged, this, &SurfaceView::promptChanged);
-    connect(&m_tools, &ToolHost::contextMenuWanted, this, &SurfaceView::contextMenuWanted);
-    connect(&m_tools, &ToolHost::toolMenuWanted, this, &SurfaceView::toolMenuWanted);
-    connect(&m_tools, &ToolHost::failed, this, &SurfaceView::failed);
+    m_tools.speakThrough(*this);
     connect(&m_section, &SectionControl::closed, this, &SurfaceView::sectionClosed);
     connect(&m_section, &SectionControl::entered, this, [this] { m_tools.tool().leave(); });
     connect(&m_section, &SectionControl::handleChanged, this, [this] {

@@ -2,7 +2,6 @@
 
 #include "Document.h"
 #include "PatternRulers.h"
-#include "ProblemSet.h"
 #include "Selection.h"
 #include "SelectionSteps.h"
 
@@ -57,11 +56,7 @@ void PatternView::wire()
     connect(&m_margins, &PatternMargins::pointerMoved, this, &PatternView::pointerMoved);
     connect(this, &PatternView::pointerMoved, &m_margins, &PatternMargins::showPointer);
     connect(&m_tools, &ToolHost::refreshed, this, &PatternView::refreshed);
-    connect(&m_tools, &ToolHost::kindChanged, this, [this] { emit toolChanged(m_tools.kind()); });
-    connect(&m_tools, &ToolHost::promptChanged, this, &PatternView::promptChanged);
-    connect(&m_tools, &ToolHost::contextMenuWanted, this, &PatternView::contextMenuWanted);
-    connect(&m_tools, &ToolHost::toolMenuWanted, this, &PatternView::toolMenuWanted);
-    connect(&m_tools, &ToolHost::failed, this, &PatternView::failed);
+    m_tools.speakThrough(*this);
 }
 
 void PatternView::refreshed()
