@@ -211,30 +211,6 @@
         <source>Pushes</source>
         <translation>Drückt</translation>
     </message>
-    <message>
-        <source>The frame that is padded</source>
-        <translation>Das Gestell, das gepolstert wird</translation>
-    </message>
-    <message>
-        <source>Which cover the padding presses outwards</source>
-        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
-    </message>
-    <message>
-        <source>How thick the padding around the frame is</source>
-        <translation>Wie dick das Gestell gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
-    </message>
-    <message>
-        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
-        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
-    </message>
-    <message>
-        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
-        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
-    </message>
 </context>
 <context>
     <name>DescribedField</name>
@@ -1091,6 +1067,42 @@
         <source>Valley</source>
         <translation>Mulde</translation>
     </message>
+    <message>
+        <source>The frame that is padded</source>
+        <translation>Das Gestell, das gepolstert wird</translation>
+    </message>
+    <message>
+        <source>Which cover the padding presses outwards</source>
+        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
+    </message>
+    <message>
+        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
+        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
+    </message>
+    <message>
+        <source>How thick the padding around the frame is</source>
+        <translation>Wie dick das Gestell gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
+        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
+    </message>
+    <message>
+        <source>How thick the padding around this foam is</source>
+        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>Takes this shape out of the cushion instead of adding it</source>
+        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
+    </message>
 </context>
 <context>
     <name>FixationCurveForm</name>
@@ -1174,18 +1186,6 @@
     <message>
         <source>File</source>
         <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Takes this shape out of the cushion instead of adding it</source>
-        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
-    </message>
-    <message>
-        <source>How thick the padding around this foam is</source>
-        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
     </message>
 </context>
 <context>
@@ -4359,7 +4359,7 @@
     </message>
 </context>
 <context>
-    <name>TrimRows</name>
+    <name>TrimSection</name>
     <message>
         <source>Stitching</source>
         <translation>Steppung</translation>
