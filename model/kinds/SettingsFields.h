@@ -10,6 +10,7 @@ struct Colourway;
 
 template <>
 struct Description<Symmetry> {
+    static constexpr const char* section = "see [twins](#twins)";
     template <class V, class... S>
     static void of(V& v, S&... s)
     {

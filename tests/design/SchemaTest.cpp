@@ -1,5 +1,6 @@
 // The schema that is committed is the one that the descriptions give.
 #include "DesignSchema.h"
+#include "FieldTables.h"
 #include "TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,22 @@ TEST(DesignSchema, IsTheCommittedOne)
     committed << std::ifstream(path).rdbuf();
     EXPECT_EQ(committed.str(), designSchema())
         << "run this test with BOLSTER_WRITE_SCHEMA=1 and look at what differs";
+}
+
+/// BOLSTER_WRITE_TABLES=1 writes them anew.
+TEST(FieldTables, AreTheCommittedOnes)
+{
+    const std::string path = test::sourceFolder() + "/docs/design-json.md";
+    std::ostringstream committed;
+    committed << std::ifstream(path).rdbuf();
+    if (std::getenv("BOLSTER_WRITE_TABLES"))
+        std::ofstream(path) << withFieldTables(committed.str());
+    else
+        EXPECT_EQ(committed.str(), withFieldTables(committed.str()))
+            << "run this test with BOLSTER_WRITE_TABLES=1 and look at what differs";
+    const auto schema = nlohmann::json::parse(designSchema());
+    for (const std::string kind : schema["properties"]["elements"]["items"]["properties"]["kind"]["enum"])
+        EXPECT_NE(committed.str().find("<!-- fields of " + kind + " -->"), std::string::npos) << kind;
 }
 
 TEST(DesignSchema, SaysLimitsDefaultsAndWords)

@@ -39,6 +39,11 @@ QString DescribedField::label() const
     return QCoreApplication::translate("Field", field.label);
 }
 
+QString DescribedField::tip() const
+{
+    return *field.tip ? QCoreApplication::translate("Field", field.tip) : QString();
+}
+
 QStringList DescribedField::choices() const
 {
     QStringList list;

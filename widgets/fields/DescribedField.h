@@ -24,6 +24,7 @@ struct DescribedField {
     bool file = false;
 
     QString label() const;
+    QString tip() const;
     QStringList choices() const;
     /// Of a number, or of each of the coordinates.
     NumberBox::Range range() const;

@@ -84,11 +84,11 @@ public:
         {
             return fieldByNumber<Value>(element, number);
         };
-        if constexpr (std::is_same_v<Value, std::string> && std::is_same_v<Form, Text>) {
-            if (std::string_view(f.key) == nameField.key)
-                m_subject.name();
-            else
-                m_subject.textRow(described(f, form), at);
+        if constexpr (std::is_same_v<Form, Text>) {
+            if constexpr (requires(const T& named) { named.name; })
+                if (std::string_view(f.key) == nameField.key)
+                    return m_subject.name();
+            m_subject.textRow(described(f, form), at);
         } else if constexpr (InspectorSubject<T>::template hasRow<Form, Value>) {
             const DescribedField said = described(f, form);
             m_subject.row(said.label(), said, at);

@@ -9,6 +9,8 @@
 #include "PropertyForm.h"
 #include "SelectionEdits.h"
 
+#include <QCoreApplication>
+
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -148,6 +150,7 @@ public:
             slider(label, said, read, write, at);
         else
             m_form->addNumber(label, said.range(), read, write);
+        explain(said);
     }
 
     template <class At>
@@ -210,6 +213,12 @@ private:
             return value.*member;
         else
             return at(value.*member, rest...);
+    }
+
+    void explain(const DescribedField& said) const
+    {
+        if (const QString tip = said.tip(); !tip.isEmpty())
+            m_form->explain(tip);
     }
 
     template <class At>

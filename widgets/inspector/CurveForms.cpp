@@ -2,7 +2,7 @@
 
 #include "ArcLength.h"
 #include "OrientationBoxes.h"
-#include "TrimFormRows.h"
+#include "TrimSection.h"
 #include "Units.h"
 
 namespace bolster {
@@ -53,7 +53,7 @@ void FancySeamForm::add(PropertyForm& form, const Ids& ids) const
         return seam.shared([](const FancySeam& s) { return s.depth < 0; }) == true ? tr("It stands out: a welt.")
                                                                                    : QString();
     });
-    TrimRows::add(form, seam);
+    TrimSection::add(form, seam);
 }
 
 } // namespace bolster

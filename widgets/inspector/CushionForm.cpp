@@ -43,19 +43,14 @@ void CushionForm::add(PropertyForm& form, const Ids& ids) const
     cushion.name();
     cushion.field(&Cushion::enabled);
     cushion.reference({}, &Cushion::frame);
-    form.explain(tr("The frame that is padded"));
     const FrameParts parts(m_document, m_sources, m_wishes);
     parts.addPadded(form, ids);
     addCoverChoice(form, ids);
-    form.explain(tr("Which cover the padding presses outwards"));
+    form.explain(cushion.fieldAt(&Cushion::patches).tip());
     cushion.field(&Cushion::dilation);
-    form.explain(tr("How thick the padding around the frame is"));
     cushion.field(&Cushion::strength);
-    form.explain(tr("How hard the padding presses the cover outwards; from about 2 on it gives no more"));
     cushion.field(&Cushion::distance);
-    form.explain(tr("How padding presses that is aslant to width, depth and height: harder fills the cover more"));
     cushion.field(&Cushion::voxel);
-    form.explain(tr("How finely the frame is looked at: what is thinner may stay without padding"));
     if (!cushion.several())
         parts.addVoxelNote(form, ids.front());
 }

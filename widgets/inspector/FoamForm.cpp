@@ -18,11 +18,8 @@ void FoamForm::add(PropertyForm& form, const Ids& ids) const
     }
     addPlacementFields(form, foam);
     foam.field(&Foam::cut);
-    form.explain(tr("Takes this shape out of the cushion instead of adding it"));
     foam.field(&Foam::dilation);
-    form.explain(tr("How thick the padding around this foam is"));
     foam.field(&Foam::strength);
-    form.explain(tr("How hard this foam presses the cover outwards; from about 2 on it gives no more"));
 }
 
 } // namespace bolster

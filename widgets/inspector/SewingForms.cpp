@@ -2,7 +2,7 @@
 
 #include "ArcLength.h"
 #include "OrientationBoxes.h"
-#include "TrimFormRows.h"
+#include "TrimSection.h"
 #include "Units.h"
 
 namespace bolster {
@@ -26,7 +26,7 @@ void SeamForm::add(PropertyForm& form, const Ids& ids) const
     seam.field(&Seam::continuity);
     seam.field(&Seam::match);
     seam.field(&Seam::reversed);
-    TrimRows::add(form, seam);
+    TrimSection::add(form, seam);
 }
 
 void FixationSeamForm::addCurveChoice(PropertyForm& form, const Ids& ids) const
@@ -69,7 +69,7 @@ void FixationSeamForm::add(PropertyForm& form, const Ids& ids) const
     fixation.field(&FixationSeam::match);
     fixation.field(&FixationSeam::reversed);
     OrientationFields::add(form, fixation);
-    TrimRows::add(form, fixation);
+    TrimSection::add(form, fixation);
 }
 
 void OutlineTrimForm::add(PropertyForm& form, const Ids& ids) const
@@ -78,7 +78,7 @@ void OutlineTrimForm::add(PropertyForm& form, const Ids& ids) const
     trimmed.info(tr("Outline"), [](const Design& design, const OutlineTrim& t) {
         return tr("%1, %2").arg(displayName(design, t.stretch.patch), lengthText(stretchLength(design, t.stretch)));
     });
-    TrimRows::add(form, trimmed);
+    TrimSection::add(form, trimmed);
 }
 
 } // namespace bolster

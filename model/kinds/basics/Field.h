@@ -51,6 +51,7 @@ struct Field {
     const char* key = "";     ///< of the text form
     const char* label = "";   ///< in forms and lists, to be translated in the context "Field"
     const char* meaning = ""; ///< a phrase for documents and schema
+    const char* tip = "";     ///< a sentence for who waits with the pointer over it, context "Field"
     const char* verb = "";    ///< of its edit, with the element's name as %1, in the context "Message"
     SolveCost cost = SolveCost::Nothing;
     Presence presence = Presence::Unusual;
@@ -188,6 +189,7 @@ struct KindNames {
 ///   static constexpr KindNames names: of kinds
 ///   static constexpr const char* added: of kinds, the verb of adding one, with its name as %1
 ///   static SolveCost comes(const T&): of kinds, what one that comes or goes asks of the solver
+///   static constexpr const char* section: of parts, where docs/design-json.md is about it
 ///   static constexpr const char* wrong: of parts, what is said where there is something else than an object
 ///   static T usual(const T&): where a field decides the usual values of the others; `of` calls v.usual(s...)
 ///   template <class V, class... S> static void of(V& v, S&... s)

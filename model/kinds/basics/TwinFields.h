@@ -10,6 +10,7 @@ struct AnyKind; // that of the element itself
 
 template <>
 struct Description<Twin> {
+    static constexpr const char* section = "see [twins](#twins)";
     template <class V, class... S>
     static void of(V& v, S&... s)
     {

@@ -8,6 +8,7 @@ namespace bolster {
 
 template <>
 struct Description<FabricLook> {
+    static constexpr const char* section = "see [looks](#looks)";
     static constexpr const char* kinds[] = {"plain", "checker", "smooth_leather", "grained_leather",
                                             "woven", "velvet",  "image"};
     static constexpr const char* kindLabels[] = {

@@ -29,6 +29,7 @@ struct Description<Cushion> {
         v.field(nameField, Text{}, s.name...);
         v.field({.key = "frame",
                  .label = QT_TRANSLATE_NOOP("Field", "Frame"),
+                 .tip = QT_TRANSLATE_NOOP("Field", "The frame that is padded"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the frame of %1"),
                  .cost = cost,
                  .presence = Presence::Required},
@@ -43,30 +44,39 @@ struct Description<Cushion> {
                  .meaning =
                      "a list of ids of patches: it pushes what they are sewn to, and nothing else; without it "
                      "everything",
+                 .tip = QT_TRANSLATE_NOOP("Field", "Which cover the padding presses outwards"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change what %1 pushes"),
                  .cost = cost},
                 Refers<Patch>{Need::Listed}, s.patches...);
         v.field({.key = "voxel_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Smallest detail"),
                  .meaning = "edge of the voxels",
+                 .tip = QT_TRANSLATE_NOOP(
+                     "Field", "How finely the frame is looked at: what is thinner may stay without padding"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the smallest detail of %1"),
                  .cost = cost},
                 Number{0.5, 100, Unit::Millimetres}, s.voxel...);
         v.field({.key = "dilation_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Padding"),
                  .meaning = "how thick the padding is, rounded to whole voxels",
+                 .tip = QT_TRANSLATE_NOOP("Field", "How thick the padding around the frame is"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the padding of %1"),
                  .cost = cost},
                 Number{0, 1000, Unit::Millimetres, {.step = 5, .sliderMost = 100}}, s.dilation...);
         v.field({.key = "strength",
                  .label = QT_TRANSLATE_NOOP("Field", "Strength"),
                  .meaning = "scales the force; from about 2 on the cover gives no more",
+                 .tip = QT_TRANSLATE_NOOP(
+                     "Field", "How hard the padding presses the cover outwards; from about 2 on it gives no more"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the strength of %1"),
                  .cost = cost},
                 Number{0, 10, Unit::None, {.step = 0.1, .decimals = 3, .sliderMost = 2}}, s.strength...);
         v.field({.key = "distance",
                  .label = QT_TRANSLATE_NOOP("Field", "Slanted faces"),
                  .meaning = "how depth is measured: along the axes of the frame's file, or straight",
+                 .tip = QT_TRANSLATE_NOOP(
+                     "Field",
+                     "How padding presses that is aslant to width, depth and height: harder fills the cover more"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the slanted faces of %1"),
                  .cost = cost},
                 Words{distances, distanceLabels}, s.distance...);

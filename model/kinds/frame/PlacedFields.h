@@ -151,6 +151,7 @@ struct Description<Foam> {
         v.field({.key = "dilation_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Padding"),
                  .meaning = "padding around it",
+                 .tip = QT_TRANSLATE_NOOP("Field", "How thick the padding around this foam is"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the padding of %1"),
                  .cost = SolveCost::Retarget},
                 Number{0, 1000, Unit::Millimetres, {.step = 5, .sliderMost = 100}}, s.dilation...);
@@ -159,12 +160,15 @@ struct Description<Foam> {
                  .meaning =
                      "scales the force where it lies; where bodies overlap, that of the one with the larger id "
                      "counts",
+                 .tip = QT_TRANSLATE_NOOP(
+                     "Field", "How hard this foam presses the cover outwards; from about 2 on it gives no more"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the strength of %1"),
                  .cost = SolveCost::Retarget},
                 Number{0, 10, Unit::None, {.step = 0.1, .decimals = 3, .sliderMost = 2}}, s.strength...);
         v.field({.key = "cut",
                  .label = QT_TRANSLATE_NOOP("Field", "Cut away"),
                  .meaning = "taken away, with its padding, from the frame and from all foam that is added",
+                 .tip = QT_TRANSLATE_NOOP("Field", "Takes this shape out of the cushion instead of adding it"),
                  .verb = QT_TRANSLATE_NOOP("Message", "Add or cut %1"),
                  .cost = SolveCost::Retarget},
                 Flag{}, s.cut...);

@@ -30,6 +30,7 @@ struct Description<Seam> {
                 s.a...);
         v.group({.key = "b",
                  .label = QT_TRANSLATE_NOOP("Field", "Second stretch"),
+                 .meaning = "on the patch of the first one they must not overlap",
                  .cost = SolveCost::Resew,
                  .presence = Presence::Required},
                 s.b...);

@@ -10,6 +10,7 @@ struct Patch;
 
 template <>
 struct Description<Stretch> {
+    static constexpr const char* section = "a [stretch](#stretches)";
     static constexpr const char* wrong =
         QT_TRANSLATE_NOOP("Message", "must be a stretch in braces, with patch, from and to");
 

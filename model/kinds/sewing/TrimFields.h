@@ -10,6 +10,7 @@ struct Fabric;
 
 template <>
 struct Description<SeamTrim> {
+    static constexpr const char* section = "see [trims](#trims)";
     static constexpr const char* stitches[] = {"none", "single", "twin"};
     static constexpr const char* stitchLabels[] = {QT_TRANSLATE_NOOP("Field", "None"),
                                                    QT_TRANSLATE_NOOP("Field", "Single row"),

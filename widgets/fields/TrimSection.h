@@ -4,10 +4,12 @@
 #include "Icons.h"
 #include "InspectorSubject.h"
 
+#include <QCoreApplication>
+
 namespace bolster {
 
-class TrimRows {
-    Q_DECLARE_TR_FUNCTIONS(TrimRows)
+class TrimSection {
+    Q_DECLARE_TR_FUNCTIONS(TrimSection)
 
 public:
     /// T has a member `trim`.
@@ -16,7 +18,7 @@ public:
 };
 
 template <class T>
-void TrimRows::add(PropertyForm& form, const InspectorSubject<T>& subject)
+void TrimSection::add(PropertyForm& form, const InspectorSubject<T>& subject)
 {
     const auto field = [&](auto member) { subject.field(&T::trim, member); };
     form.addHeading(tr("Stitching"), icon(QStringLiteral("seam")));
