@@ -2,7 +2,6 @@
 
 #include "Crosshair.h"
 #include "Document.h"
-#include "FabricShown.h"
 #include "FramePieces.h"
 #include "GlCanvas.h"
 #include "MeshShape.h"
@@ -68,7 +67,7 @@ SurfaceView::SurfaceView(Document& document, Selection& selection, QWidget* pare
     setMinimumSize(160, 120);
     for (QWidget* above : std::initializer_list<QWidget*>{m_legend, m_cube, m_sectionPanel})
         above->raise(); // what comes and goes with the pointer never covers them
-    m_scene.colors = ViewColors::of(palette());
+    m_scene.setColors(ViewColors::of(palette()));
     m_flight.setDuration(260);
     m_flight.setEasingCurve(QEasingCurve::InOutCubic);
     m_flight.setStartValue(0.0);
@@ -207,8 +206,8 @@ void SurfaceView::setField(FieldPicturePtr field)
 
 void SurfaceView::setMap(SurfaceMapPtr map)
 {
+    m_legend->setMap(map);
     m_scene.map = std::move(map);
-    m_legend->setMap(m_scene.map);
     updateScans();
     draw(false);
 }
@@ -310,7 +309,7 @@ void SurfaceView::updateScans()
 
 void SurfaceView::updateFrames()
 {
-    std::vector<SurfaceScene::FrameLook> frames;
+    std::vector<Scene::FrameLook> frames;
     std::vector<ElementId> ids;
     if (layerVisible(Layer::Frames))
         m_document.design().each<Frame>([&](ElementId id, const Frame& frame) {
@@ -330,13 +329,13 @@ void SurfaceView::updateFrames()
             ids.push_back(id);
         }
     m_frameIds = ids;
-    if (frames == m_scene.frames)
+    if (std::ranges::equal(frames, m_scene.frames, &Scene::FrameLook::sameFrame))
         return;
     m_scene.frames = std::move(frames);
     m_frameShapes.setFrames(m_scene.frames, ids);
     keepSkins();
     m_frameBox.setEmpty();
-    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
+    for (const Scene::FrameLook& frame : m_scene.frames)
         for (const Vec3& p : placedPoints(frame))
             if (p.allFinite())
                 m_frameBox.extend(p);
@@ -347,7 +346,7 @@ Vec3 SurfaceView::middleOf(ElementId id) const
 {
     for (std::size_t i = 0; i < m_frameIds.size(); ++i)
         if (m_frameIds[i] == id) {
-            const SurfaceScene::FrameLook& look = m_scene.frames[i];
+            const Scene::FrameLook& look = m_scene.frames[i];
             return look.placement.placed(look.mesh->boundingBox().center());
         }
     if (const Box3 scan = m_scanPoints.box(id); !scan.isEmpty() && layerVisible(Layer::Scans))
@@ -359,21 +358,18 @@ Vec3 SurfaceView::middleOf(ElementId id) const
 
 void SurfaceView::updateLooks()
 {
-    m_scene.patches.clear();
-    if (!m_scene.surface)
-        return;
-    for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
-        const ElementId shown = fabricShown(m_document.design(), range.patch);
-        const Fabric* fabric = m_document.design().find<Fabric>(shown);
+    m_scene.patches = patchLooks(m_document.design(), m_document.design().settings().colourway,
+                                 [this](ElementId fabric, const Fabric&) {
+                                     const auto maps = m_scene.fabrics.find(fabric);
+                                     return maps != m_scene.fabrics.end() ? maps->second : nullptr;
+                                 });
+    m_scene.tints.clear();
+    for (const Scene::PatchLook& look : m_scene.patches) {
         QColor tint = m_scene.colors.accent;
-        tint.setAlphaF(m_selection.contains(range.patch)                                          ? 0.14F
-                       : m_selection.hovered() == range.patch || m_mirrored.contains(range.patch) ? 0.07F
-                                                                                                  : 0);
-        const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
-        const auto maps = m_scene.fabrics.find(shown);
-        const auto* patch = m_document.design().find<Patch>(range.patch);
-        m_scene.patches.push_back({range.patch, color, tint, maps != m_scene.fabrics.end() ? maps->second : nullptr,
-                                   patch && fabric ? clothTurn(*patch, *fabric) : 0});
+        tint.setAlphaF(m_selection.contains(look.patch)                                         ? 0.14F
+                       : m_selection.hovered() == look.patch || m_mirrored.contains(look.patch) ? 0.07F
+                                                                                                : 0);
+        m_scene.tints[look.patch] = tint;
     }
 }
 
@@ -657,7 +653,7 @@ void SurfaceView::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) {
-        m_scene.colors = ViewColors::of(palette());
+        m_scene.setColors(ViewColors::of(palette()));
         updateScans();
         updateLooks();
         updateMarks();

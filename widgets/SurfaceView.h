@@ -247,7 +247,7 @@ private:
     /// What of frames is seen beside the cover; made beside the GUI thread.
     struct Skins {
         SurfaceMeshPtr surface; ///< may be null
-        std::vector<SurfaceScene::FrameLook> frames;
+        std::vector<Scene::FrameLook> frames;
         std::vector<ElementId> ids; ///< of the frames
     };
     struct MadeSkin {

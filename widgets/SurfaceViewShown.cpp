@@ -126,15 +126,19 @@ SurfaceView::Skins SurfaceView::skinsOf(const Skins& wanted, std::stop_token sto
 
 void SurfaceView::requestSkins()
 {
-    if (!m_skinsFit)
-        m_skinJob.request({m_scene.surface, m_scene.frames, m_frameIds}, true);
+    if (m_skinsFit)
+        return;
+    Skins wanted{m_scene.surface, m_scene.frames, m_frameIds};
+    for (Scene::FrameLook& frame : wanted.frames)
+        frame.skin = nullptr;
+    m_skinJob.request(std::move(wanted), true);
 }
 
 /// Besides these, those under the whole cover are kept: it comes back when nothing of it is hidden any more.
 void SurfaceView::takeSkins(const Skins& made)
 {
     for (std::size_t f = 0; f < made.frames.size(); ++f) {
-        const SurfaceScene::FrameLook& frame = made.frames[f];
+        const Scene::FrameLook& frame = made.frames[f];
         std::vector<MadeSkin>& known = m_skins[made.ids[f]];
         std::erase_if(known, [&](const MadeSkin& other) {
             return other.mesh != frame.mesh || other.cover == made.surface || other.cover != m_surface;
@@ -152,7 +156,7 @@ const SurfaceView::MadeSkin* SurfaceView::skinOf(std::size_t frame) const
     const auto found = m_skins.find(m_frameIds[frame]);
     if (found == m_skins.end())
         return nullptr;
-    const SurfaceScene::FrameLook& look = m_scene.frames[frame];
+    const Scene::FrameLook& look = m_scene.frames[frame];
     const MadeSkin* newest = nullptr;
     for (const MadeSkin& made : found->second) {
         if (made.mesh != look.mesh)
@@ -167,18 +171,17 @@ const SurfaceView::MadeSkin* SurfaceView::skinOf(std::size_t frame) const
 /// Of frames that were hidden, have moved or changed their colour the skin is kept until there is a better one.
 void SurfaceView::useSkins()
 {
-    m_scene.frameSkins.assign(m_scene.frames.size(), nullptr);
     m_scene.skinned = m_scene.surface;
     m_skinsFit = true;
     bool any = false;
     for (std::size_t f = 0; f < m_scene.frames.size(); ++f) {
         const MadeSkin* made = skinOf(f);
+        m_scene.frames[f].skin = made ? made->skin : nullptr;
         m_skinsFit = m_skinsFit && made && made->cover == m_scene.surface &&
                      made->skin->placement == m_scene.frames[f].placement;
         if (!made)
             continue;
         any = true;
-        m_scene.frameSkins[f] = made->skin;
         if (made->cover != m_scene.surface)
             m_scene.skinned = made->cover;
     }
@@ -190,7 +193,7 @@ void SurfaceView::keepSkins()
 {
     std::erase_if(m_skins, [this](const auto& known) { return !m_document.design().element(known.first); });
     useSkins();
-    if (std::ranges::find(m_scene.frameSkins, FrameSkinPtr()) != m_scene.frameSkins.end())
+    if (std::ranges::find(m_scene.frames, FrameSkinPtr(), &Scene::FrameLook::skin) != m_scene.frames.end())
         requestSkins();
 }
 

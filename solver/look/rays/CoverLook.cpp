@@ -75,7 +75,7 @@ void SurfacePoint::wear(const FabricSampler& maps, const ClothFrame& cloth, cons
     normal = (normal + lean.x() * cloth.x + lean.y() * cloth.y).normalized();
 }
 
-CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
+CoverLook::CoverLook(const Scene& scene, const Vec3& origin)
     : m_checker(scene.checker)
     , m_checkerSize(static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20))
 {
@@ -89,8 +89,8 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
         takeCover(*scene.cover, *mesh.topology, origin);
     else
         takeSurface(mesh, origin);
-    if (scene.vertexColors.size() == count) {
-        for (const auto& [r, g, b, a] : scene.vertexColors)
+    if (scene.map && scene.map->fits(*mesh.topology) && scene.map->values.size() == count) {
+        for (const auto& [r, g, b, a] : scene.map->colors())
             m_mapColors.push_back(Eigen::Vector4f(r, g, b, a) / 255);
         if (scene.cover)
             m_mapColors = scene.cover->topology->carriedOver(m_mapColors);
@@ -132,7 +132,7 @@ void CoverLook::takeCover(const CoverMesh& cover, const SurfaceTopology& shown, 
     m_relief = known ? cover.relief : seamRelief(Design(), topology);
 }
 
-void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse)
+void CoverLook::takeLooks(const Scene& scene, std::size_t trianglesPerCoarse)
 {
     std::map<FabricMapsPtr, std::shared_ptr<const FabricSampler>> samplers;
     m_patchOfTriangle.assign(m_triangles.size(), 0);
@@ -141,8 +141,8 @@ void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoa
         const std::size_t end = std::min(m_triangles.size(), first + trianglesPerCoarse * range.triangleCount);
         for (std::size_t t = first; t < end; ++t)
             m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_cloths.size());
-        const auto look = std::ranges::find(scene.looks, range.patch, &PreviewScene::PatchLook::patch);
-        const PreviewScene::PatchLook shown = look != scene.looks.end() ? *look : PreviewScene::PatchLook{};
+        const auto look = std::ranges::find(scene.patches, range.patch, &Scene::PatchLook::patch);
+        const Scene::PatchLook shown = look != scene.patches.end() ? *look : Scene::PatchLook{};
         const Vec3f color = linearColor(shown.color);
         Cloth cloth{m_checker ? Vec3f((1.6f * color.array() + 0.03f).min(1.f)) : color,
                     m_checker ? Vec3f(0.85f * color) : color};

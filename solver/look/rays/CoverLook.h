@@ -29,7 +29,7 @@ struct SurfacePoint {
 class CoverLook {
 public:
     /// `origin` is subtracted from all positions, so that single precision is enough.
-    CoverLook(const PreviewScene& scene, const Vec3& origin);
+    CoverLook(const Scene& scene, const Vec3& origin);
 
     const std::vector<Vec3f>& points() const { return m_points; }
     const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return m_triangles; }
@@ -46,7 +46,7 @@ private:
     };
     void takeSurface(const SurfaceMesh& mesh, const Vec3& origin);
     void takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin);
-    void takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse);
+    void takeLooks(const Scene& scene, std::size_t trianglesPerCoarse);
 
     void dress(const RayHit& hit, const std::optional<ClothFrame>& pattern, SurfacePoint& point) const;
     float checker(const ClothFrame& pattern) const;

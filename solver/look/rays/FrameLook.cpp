@@ -26,16 +26,7 @@ float woodTone(const Vec3f& at)
 
 } // namespace
 
-std::vector<Vec3> placedPoints(const PreviewScene::FrameLook& frame)
-{
-    std::vector<Vec3> points;
-    if (frame.mesh)
-        for (const Vec3& p : frame.mesh->points)
-            points.push_back(frame.placement.placed(p));
-    return points;
-}
-
-FrameLook::FrameLook(const PreviewScene::FrameLook& frame, const Vec3& origin)
+FrameLook::FrameLook(const Scene::FrameLook& frame, const Vec3& origin)
     : m_skin(frame.skin)
     , m_kind(frame.material.kind)
     , m_color(linearColor(colorShown(frame.material)))
