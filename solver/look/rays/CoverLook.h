@@ -5,6 +5,7 @@
 #include "HitFrame.h"
 #include "PreviewRenderer.h"
 #include "SeamRelief.h"
+#include "Shading.h"
 
 namespace bolster {
 
@@ -20,6 +21,9 @@ struct SurfacePoint {
     float sheen = 0;     ///< of fibres, 0 to 1
     float specular = 0;  ///< share of light that is reflected straight on; 0.04 for leather and lacquer
 
+    /// What the surface is like there.
+    shading::Cloth cloth() const;
+    void take(const shading::Cloth& cloth);
     /// Takes the look of a fabric; its relief leans the normal on demand. `toTile` turns the cloth's frame into
     /// that of the maps, `behind` is seen through holes.
     void wear(const FabricSampler& maps, const ClothFrame& cloth, const Eigen::Matrix2f& toTile,

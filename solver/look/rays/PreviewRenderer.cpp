@@ -262,7 +262,7 @@ void PreviewRenderer::Prepared::drawTile(const Job& job, int x0, int y0, Preview
                 job.options.quick ? tile.unshadowed(x, y) : tile.resolved(x, y, job.lens.pixelSize(pixel.position));
             const std::size_t at =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-            const Light light{seen.head<3>(), job.options.transparent ? 1 - seen.w() : 1};
+            const PixelLight light{seen.head<3>(), job.options.transparent ? 1 - seen.w() : 1};
             std::ranges::copy(displayed(light, x, y), image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * at));
             if (job.options.light)
                 std::copy_n(std::array{light.color.x(), light.color.y(), light.color.z(), light.opacity}.begin(), 4,
