@@ -13,10 +13,7 @@ public:
     Picture render(const Request& request, std::stop_token stop) override;
 
 private:
-    /// What the prepared scene was made of, to tell whether it can be used again.
-    bool prepared(const Request& request) const;
-
-    std::optional<Request> m_last;
+    Scene m_scene; ///< that was prepared
     std::optional<PreviewRenderer> m_renderer;
 };
 

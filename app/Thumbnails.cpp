@@ -2,7 +2,6 @@
 
 #include "Background.h"
 #include "DesignSession.h"
-#include "FabricShown.h"
 #include "PreviewRenderer.h"
 #include "SolverLink.h"
 #include "SurfaceView.h"
@@ -25,19 +24,16 @@ constexpr int pictureHeight = 144;
 constexpr std::size_t mostInMemory = 500;
 constexpr std::size_t mostWaiting = 50;
 
-PreviewScene sceneOf(const SurfaceMeshPtr& surface, const Design& design)
+Scene sceneOf(const SurfaceMeshPtr& surface, const Design& design)
 {
-    PreviewScene scene;
+    Scene scene;
     scene.surface = surface;
-    design.each<Patch>([&](ElementId id, const Patch&) {
-        const Fabric* fabric = design.find<Fabric>(fabricShown(design, id));
-        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
-    });
+    scene.patches = patchLooks(design, design.settings().colourway);
     return scene;
 }
 
 /// Without a background: the list in which it is shown is light or dark.
-QByteArray pngOf(const PreviewScene& scene, const Camera& camera)
+QByteArray pngOf(const Scene& scene, const Camera& camera)
 {
     PreviewOptions options;
     options.width = pictureWidth;

@@ -29,14 +29,11 @@ bool isDevice(const QString& path)
     return QFileInfo::exists(path) && !QFileInfo(path).isFile();
 }
 
-PreviewScene scene(const SurfaceMeshPtr& surface, const Design& design)
+Scene scene(const SurfaceMeshPtr& surface, const Design& design)
 {
-    PreviewScene scene;
+    Scene scene;
     scene.surface = surface;
-    design.each<Patch>([&](ElementId id, const Patch& patch) {
-        const Fabric* fabric = design.find<Fabric>(patch.fabric);
-        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
-    });
+    scene.patches = patchLooks(design, settingsId);
     return scene;
 }
 

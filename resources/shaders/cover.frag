@@ -1,5 +1,5 @@
 #version 330 core
-#include "studio.glsl"
+#include "lit.glsl"
 #include "fabric.glsl"
 
 uniform vec3 lightTone; // of the checker, linear
@@ -18,20 +18,11 @@ in vec3 seamDistances;
 in vec2 seamShape;
 out vec4 color;
 
-// Mean of a square wave of period 2 over a window of this width.
-float wave(float at, float width)
-{
-    width = max(width, 1e-4);
-    vec2 ends = at + vec2(-0.5, 0.5) * width;
-    vec2 integral = 1.0 - abs(ends - 2.0 * floor(ends / 2.0) - 1.0);
-    return width > 8.0 ? 0.0 : (integral.y - integral.x) / width;
-}
-
 vec3 checker()
 {
     vec2 at = cloth / square;
     vec2 width = fwidth(at);
-    return mix(darkTone, lightTone, 0.5 + 0.5 * wave(at.x, width.x) * wave(at.y, width.y));
+    return mix(darkTone, lightTone, 0.5 + 0.5 * squareWave(at.x, width.x) * squareWave(at.y, width.y));
 }
 
 // How dark it is in the valley of a seam, and how the normal leans there: SeamProfile of SeamRelief.h. What is
@@ -68,15 +59,10 @@ void main()
     vec3 even = normalize(side * eyeNormal), n = even;
     Cloth seen = fabric(square > 0.0 ? checker() : darkTone, cloth, eyePosition, !quick && gl_FrontFacing, n);
     seen.color = mix(seen.color, pow(map.rgb, vec3(2.2)), map.a);
-    if (gl_FrontFacing) {
-        float dark = pressed(even, n);
-        seen.color *= 1.0 - 0.72 * dark;
-        seen.sheen *= 1.0 - dark;
-        seen.specular *= 1.0 - dark;
-    } else { // the lining: the cover's colour, but greyed
-        float grey = dot(seen.color, vec3(0.2126, 0.7152, 0.0722));
-        seen = Cloth(0.25 * seen.color + 0.12 + 0.35 * grey, 0.9, 0.0, 0.02);
-    }
+    if (gl_FrontFacing)
+        seen = inValley(seen, pressed(even, n));
+    else
+        seen = lining(seen.color);
     vec3 shown = displayed(studio(seen, n, towardsEye(eyePosition), gl_FrontFacing ? open.x : open.y));
     shown = mix(shown, tint.rgb, tint.a);
     color = vec4(mix(shown, veil.rgb, veil.a), 1.0);

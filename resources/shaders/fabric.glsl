@@ -1,4 +1,4 @@
-// The maps of a fabric. Comes after studio.glsl.
+// The maps of a fabric. Comes after lit.glsl.
 uniform bool textured;
 uniform sampler2D colorMap;
 uniform sampler2D reliefMap; // normal, roughness
@@ -34,7 +34,7 @@ Cloth fabric(vec3 plain, vec2 place, vec3 position, bool relief, inout vec3 n)
     if (relief) {
         vec3 slope = 2.0 * map.xyz - 1.0;
         float spread = 1.0 - min(1.0, dot(slope, slope)); // mip-maps mean over different normals
-        seen.roughness = pow(clamp(pow(map.a, 4.0) + 0.5 * spread, 0.0, 1.0), 0.25);
+        seen.roughness = roughened(pow(map.a, 4.0), 0.5 * spread);
         n = bent(n, position, tile, slope);
     }
     return seen;

@@ -1,5 +1,5 @@
 #version 330 core
-#include "studio.glsl"
+#include "lit.glsl"
 
 uniform vec3 material; // linear
 uniform int kind;      // as FrameMaterial::Kind: plain, wood, metal, plastic, foam
@@ -9,28 +9,11 @@ in vec3 eyeNormal;
 in vec3 grainPlace; // mm, z along the grain
 out vec4 color;
 
-// How much darker wood is there: the same as in FrameLook.cpp.
+// Rings closer than pixels are one tone.
 float woodTone(vec3 at)
 {
-    float wave = 6.0 * sin(at.z / 180.0 + 0.7) + 2.5 * sin(at.z / 47.0 + at.x / 31.0);
-    float ring = length(vec2(at.x + 55.0 + wave, 0.6 * at.y + 18.0 + 0.5 * wave)) / 7.0;
-    float late = smoothstep(0.35, 0.95, fract(ring)) * (1.0 - smoothstep(0.95, 1.0, fract(ring)));
-    float fibre = sin(2.1 * at.x + 3.0 * sin(at.z / 23.0)) * sin(2.6 * at.y + at.z / 17.0);
-    float near = 1.0 - smoothstep(0.3, 0.8, fwidth(ring)); // rings closer than pixels are one tone
-    return mix(0.12, 0.34 * late + 0.05 * fibre, near);
-}
-
-Cloth surfaceOf(vec3 at)
-{
-    if (kind == 1)
-        return Cloth(material * (1.0 - woodTone(at)), 0.42, 0.0, 0.04);
-    if (kind == 2)
-        return Cloth(0.35 * material, 0.3, 0.0, 0.55);
-    if (kind == 3)
-        return Cloth(material, 0.36, 0.0, 0.04);
-    if (kind == 4)
-        return Cloth(material, 1.0, 0.25, 0.02);
-    return Cloth(material, 0.5, 0.0, 0.04);
+    float rings = woodRings(at.x, at.y, at.z);
+    return mix(0.12, woodTone(rings, at.x, at.y, at.z), 1.0 - smoothstep(0.3, 0.8, fwidth(rings)));
 }
 
 void main()
@@ -41,6 +24,6 @@ void main()
         n = -n;
     float silhouette = pow(1.0 - clamp(dot(n, toEye), 0.0, 1.0), 2.0);
     float alpha = mix(opacity, min(1.0, 1.35 * opacity), silhouette);
-    vec3 shown = displayed(studio(surfaceOf(grainPlace), n, toEye, 1.0));
+    vec3 shown = displayed(studio(frameSurface(kind, material, woodTone(grainPlace)), n, toEye, 1.0));
     color = vec4(shown * alpha, alpha);
 }

@@ -1,5 +1,5 @@
 #version 330 core
-#include "studio.glsl"
+#include "lit.glsl"
 #include "fabric.glsl"
 
 uniform vec3 material; // of thread and of plain fabric, linear

@@ -29,10 +29,9 @@ SurfaceScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const 
         scene.cover = SurfaceRefiner().refine(surface, 2);
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
         const Fabric* fabric = design.find<Fabric>(range.fabric);
-        SurfaceScene::PatchLook look;
-        look.patch = range.patch;
-        look.fabric = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
-        look.tint = Qt::transparent;
+        Scene::PatchLook look{range.patch};
+        if (fabric)
+            look.color = fabric->color;
         if (options.isSet("fabric"))
             look.maps = test::wovenFabric();
         scene.patches.push_back(look);
@@ -40,7 +39,7 @@ SurfaceScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const 
     QPalette palette;
     palette.setColor(QPalette::Base, options.isSet("dark") ? QColor(40, 42, 46) : QColor(240, 240, 240));
     palette.setColor(QPalette::Text, options.isSet("dark") ? Qt::white : Qt::black);
-    scene.colors = ViewColors::of(palette);
+    scene.setColors(ViewColors::of(palette));
     scene.checker = options.isSet("checker");
     for (const SurfaceTopology::Chain& chain : surface->topology->seams) {
         SurfaceLine line;

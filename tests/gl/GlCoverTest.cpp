@@ -161,11 +161,7 @@ protected:
         surface.create();
         painter = std::make_unique<GlPainter>(surface);
         request.scene.surface = flatSquare();
-        SurfaceScene::PatchLook look;
-        look.patch = patchId;
-        look.fabric = QColor(120, 120, 120);
-        look.tint = QColor(0, 0, 0, 0);
-        request.scene.patches = {look};
+        request.scene.patches = {{patchId, "#787878"}};
         request.scene.checker = false;
         request.scene.ground = false;
         request.scene.box = Box3(Vec3(0, 0, -1), Vec3(200, 200, 100));
@@ -192,16 +188,8 @@ protected:
     /// What the ray renderer makes of the same scene.
     PreviewImage traced(bool quick = true)
     {
-        PreviewScene scene;
-        scene.surface = request.scene.surface;
-        scene.cover = request.scene.cover;
-        scene.trims = request.scene.trims;
-        scene.piping = request.scene.fabrics;
+        Scene scene = request.scene; // without what only windows draw
         scene.checker = scene.ground = false;
-        for (const SurfaceScene::FrameLook& frame : request.scene.frames)
-            scene.frames.push_back({frame.mesh, frame.placement, frame.material});
-        for (const SurfaceScene::PatchLook& look : request.scene.patches)
-            scene.looks.push_back({look.patch, look.fabric.name().toStdString(), look.maps, look.turn});
         const Camera& camera = request.camera;
         const PreviewView view(camera);
         PreviewOptions options;
@@ -312,10 +300,10 @@ TEST_F(GlCover, PatchesAtTheSamePlaceDoNotShowThroughEachOther)
     }
     mesh->topology = topology;
     request.scene.surface = mesh;
-    request.scene.patches[0].fabric = QColor(200, 30, 30);
+    request.scene.patches[0].color = "#c81e1e";
     request.scene.patches.push_back(request.scene.patches[0]);
     request.scene.patches.back().patch = other;
-    request.scene.patches.back().fabric = QColor(30, 30, 200);
+    request.scene.patches.back().color = "#1e1ec8";
     request.camera.perspective = true;
     for (const double turn : {0.1, 0.7, 1.3}) {
         request.camera.azimuth = turn;
@@ -334,7 +322,7 @@ TEST_F(GlCover, PatchesAtTheSamePlaceDoNotShowThroughEachOther)
 
 TEST_F(GlCover, MapsOfTheSolversMeshLieOnTheRefinedCover)
 {
-    auto map = std::make_shared<SurfaceMap>();
+    auto map = std::make_shared<VertexMap>();
     map->topology = request.scene.surface->topology;
     map->values = {2, -2, 2, -2}; // the middle is between two that are red
     map->limit = 2;
@@ -349,12 +337,12 @@ TEST_F(GlCover, MapsOfTheSolversMeshLieOnTheRefinedCover)
 
 TEST_F(GlCover, WhatIsOverItsLimitIsAsDarkAsTheLegendSays)
 {
-    auto map = std::make_shared<SurfaceMap>();
+    auto map = std::make_shared<VertexMap>();
     map->topology = request.scene.surface->topology;
     map->values = {3, 3, 3, 3};
     map->limit = 4;
     const auto colorWith = [&](float allowed, bool refined) {
-        auto limited = std::make_shared<SurfaceMap>(*map);
+        auto limited = std::make_shared<VertexMap>(*map);
         limited->allowed.assign(4, allowed);
         request.scene.map = limited;
         request.scene.cover = refined ? pyramid(request.scene.surface, 0) : nullptr;
@@ -427,7 +415,7 @@ TEST_F(GlCover, SeamsLookAsInPicturesWhateverTheTriangles)
 {
     const auto acrossSeam = [&](int cells) {
         request.scene.surface = twoHalves(cells);
-        SurfaceScene::PatchLook other = request.scene.patches[0];
+        Scene::PatchLook other = request.scene.patches[0];
         other.patch = ElementId{3};
         request.scene.patches.resize(1);
         request.scene.patches.push_back(other);
@@ -456,13 +444,13 @@ TEST_F(GlCover, SeamsLookAsInPicturesWhateverTheTriangles)
 TEST_F(GlCover, TheLightIsThatOfPictures)
 {
     request.scene.surface = dome();
-    SurfaceScene::PatchLook other = request.scene.patches[0];
+    Scene::PatchLook other = request.scene.patches[0];
     other.patch = ElementId{3};
     request.scene.patches.push_back(other);
     for (const double elevation : {90.0, 35.0}) {
         request.camera.elevation = elevation * std::numbers::pi / 180;
-        for (const QColor& color : {QColor(120, 120, 120), QColor(90, 40, 20)}) {
-            request.scene.patches[0].fabric = request.scene.patches[1].fabric = color;
+        for (const char* color : {"#787878", "#5a2814"}) {
+            request.scene.patches[0].color = request.scene.patches[1].color = color;
             const QImage drawn = picture();
             const PreviewImage expected = traced();
             int worst = 0;
@@ -474,7 +462,7 @@ TEST_F(GlCover, TheLightIsThatOfPictures)
                                       std::abs(qGreen(seen) - expected.rgba[at + 1]),
                                       std::abs(qBlue(seen) - expected.rgba[at + 2])});
                 }
-            EXPECT_LE(worst, 8) << elevation << ' ' << color.name().toStdString();
+            EXPECT_LE(worst, 8) << elevation << ' ' << color;
         }
     }
 }
@@ -491,12 +479,12 @@ std::shared_ptr<const TriangleMesh> plate(double height)
 
 TEST_F(GlCover, SolidFramesHideWhatIsBehindThemWhicheverWayTheirTrianglesRun)
 {
-    request.scene.patches[0].fabric = QColor(200, 40, 40);
+    request.scene.patches[0].color = "#c82828";
     const QRgb cloth = picture().pixel(200, 200);
     const auto placed = [&](double height, double opacity) {
         const auto mesh = plate(height);
         request.scene.frames = {{mesh, {}, {FrameMaterial::Kind::Plastic, "#2040c0"}, opacity}};
-        request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+        request.scene.frames[0].skin = FrameSkins(nullptr).skin(*mesh, {});
         request.scene.skinned = request.scene.surface;
         const QImage drawn = picture();
         EXPECT_NEAR(qBlue(drawn.pixel(170, 230)), qBlue(drawn.pixel(230, 170)), 3) << "both triangles are seen";
@@ -512,10 +500,10 @@ TEST_F(GlCover, SolidFramesHideWhatIsBehindThemWhicheverWayTheirTrianglesRun)
 
 TEST_F(GlCover, WhatLiesUnderTheCoverIsNotSeenFromFarAway)
 {
-    request.scene.patches[0].fabric = QColor(200, 40, 40);
+    request.scene.patches[0].color = "#c82828";
     const auto mesh = plate(-4);
     request.scene.frames = {{mesh, {}, {FrameMaterial::Kind::Plastic, "#2040c0"}}};
-    request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+    request.scene.frames[0].skin = FrameSkins(nullptr).skin(*mesh, {});
     request.scene.skinned = request.scene.surface;
     request.camera.elevation = 0.2;
     const double near = request.camera.distance;
@@ -543,7 +531,7 @@ TEST_F(GlCover, FramesInAMaterialLookAsInPictures)
           FrameMaterial{FrameMaterial::Kind::Metal, {}}, FrameMaterial{FrameMaterial::Kind::Plastic, {}},
           FrameMaterial{FrameMaterial::Kind::Foam, {}}}) {
         request.scene.frames = {{mesh, {}, material}};
-        request.scene.frameSkins = {FrameSkins(nullptr).skin(*mesh, {})};
+        request.scene.frames[0].skin = FrameSkins(nullptr).skin(*mesh, {});
         request.scene.skinned = request.scene.surface;
         const QImage drawn = picture();
         const PreviewImage rays = traced();

@@ -97,8 +97,7 @@ TEST_P(FrameUnderCover, DoesNotStandOutOfIt)
         openDesign(QString::fromStdString(test::samplesFolder() + "/" + GetParam().name + ".json"));
     const SolveResult solved = solveResting({opened.design, opened.files}, {});
     ASSERT_TRUE(solved.surface);
-    for (const PreviewScene::FrameLook& frame :
-         framesForPicture(opened.design, opened.files, solved.surface.get())) {
+    for (const Scene::FrameLook& frame : framesForPicture(opened.design, opened.files, solved.surface.get())) {
         const Sights sights = sightsOf(*solved.surface, *frame.skin, GetParam().from);
         EXPECT_GT(sights.cover, 1000);
         EXPECT_LE(sights.spoilt, sights.cover / 5000) << "of " << sights.cover;

@@ -52,7 +52,7 @@ FabricMapsPtr baked(ElementId, const Fabric& fabric)
     return bakeFabric(fabric);
 }
 
-PreviewImage drawn(const PreviewScene& scene, int pictureWidth = width, int pictureHeight = height)
+PreviewImage drawn(const Scene& scene, int pictureWidth = width, int pictureHeight = height)
 {
     PreviewOptions options;
     options.width = pictureWidth;

@@ -31,12 +31,12 @@ FabricMapsPtr stripes(double size, int pixels = 64)
     return maps;
 }
 
-PreviewScene striped(const SurfaceMeshPtr& surface, double size, double turn = 0)
+Scene striped(const SurfaceMeshPtr& surface, double size, double turn = 0)
 {
-    PreviewScene scene;
+    Scene scene;
     scene.surface = surface;
     scene.checker = false;
-    scene.looks = {{surface->topology->patches.front().patch, "#808080", stripes(size), turn}};
+    scene.patches = {{surface->topology->patches.front().patch, "#808080", stripes(size), turn}};
     return scene;
 }
 
@@ -114,8 +114,8 @@ TEST(FabricPicture, FarTexturesBecomeTheirMeanLight)
 
 TEST(FabricPicture, IsTheSameOnAnyNumberOfThreads)
 {
-    const PreviewScene scene = striped(corner(300), 7);
-    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    const Scene scene = striped(corner(300), 7);
+    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = sized(160, 120, 4);
     options.light = true;
     options.threads = 1;
@@ -128,8 +128,8 @@ TEST(FabricPicture, IsTheSameOnAnyNumberOfThreads)
 
 TEST(FabricPicture, TransparentPicturesKeepTheShadow)
 {
-    const PreviewScene scene = striped(corner(300), 20);
-    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    const Scene scene = striped(corner(300), 20);
+    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = sized(160, 120, 4);
     options.transparent = true;
     const PreviewImage image = renderPreview(scene, view, options);
@@ -146,10 +146,10 @@ TEST(FabricPicture, WritesEveryFormatWithNotes)
 {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bolster-picture-file-test";
     std::filesystem::create_directories(folder);
-    const PreviewScene scene = striped(corner(300), 20);
+    const Scene scene = striped(corner(300), 20);
     PreviewOptions options = sized(64, 48, 1);
     options.light = true;
-    const PreviewImage image = renderPreview(scene, scene.threeQuarterView(4.0 / 3), options);
+    const PreviewImage image = renderPreview(scene, threeQuarterView(scene, 4.0 / 3), options);
     const PictureNotes notes{"seat.bolster", "0123abcd", "front"};
     for (const auto& [name, bits] : {std::pair("a.png", 8), std::pair("a.tif", 16), std::pair("a.exr", 16)}) {
         const std::string path = (folder / name).string();
@@ -177,8 +177,8 @@ TEST(FabricPicture, WritesEveryFormatWithNotes)
 
 TEST(FabricPicture, SheetsHaveAllPicturesAndTheirNames)
 {
-    const PreviewScene scene = striped(corner(300), 20);
-    const PreviewImage image = renderPreview(scene, scene.threeQuarterView(4.0 / 3), sized(160, 120, 1));
+    const Scene scene = striped(corner(300), 20);
+    const PreviewImage image = renderPreview(scene, threeQuarterView(scene, 4.0 / 3), sized(160, 120, 1));
     const std::vector<SheetPicture> pictures = {{image, "Cognac"}, {image, "Gr\u00fcn"}, {image, ""}};
     std::string problem;
     const PreviewImage sheet = contactSheet(pictures, false, problem);

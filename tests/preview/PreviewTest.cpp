@@ -25,17 +25,17 @@ PreviewOptions small(int samples = 4)
     return options;
 }
 
-PreviewScene sceneOf(SurfaceMeshPtr surface)
+Scene sceneOf(SurfaceMeshPtr surface)
 {
-    PreviewScene scene;
+    Scene scene;
     scene.surface = std::move(surface);
     return scene;
 }
 
 TEST(Preview, IsTheSameOnAnyNumberOfThreads)
 {
-    const PreviewScene scene = sceneOf(corner(300));
-    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    const Scene scene = sceneOf(corner(300));
+    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     options.threads = 1;
@@ -50,8 +50,8 @@ TEST(Preview, IsTheSameOnAnyNumberOfThreads)
 
 TEST(Preview, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
 {
-    PreviewScene scene = sceneOf(corner(300));
-    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    Scene scene = sceneOf(corner(300));
+    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     const PreviewImage coarse = renderPreview(scene, view, options);
@@ -74,9 +74,9 @@ TEST(Preview, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
 
 TEST(Preview, ASectionShowsWhatLiesBehindIt)
 {
-    PreviewScene scene = sceneOf(corner(300));
+    Scene scene = sceneOf(corner(300));
     const Box3 box = scene.boundingBox();
-    const PreviewView view = scene.threeQuarterView(4.0 / 3);
+    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     const auto seen = [&] {
@@ -84,13 +84,13 @@ TEST(Preview, ASectionShowsWhatLiesBehindIt)
         return std::count_if(image.depth.begin(), image.depth.end(), [](float d) { return std::isfinite(d); });
     };
     const auto whole = seen();
-    scene.section = PreviewScene::Section{Vec3::UnitX(), box.center().x()};
+    scene.section = SectionPlane{Vec3::UnitX(), box.center().x()};
     const auto half = seen();
     EXPECT_GT(half, 0);
     EXPECT_LT(half, whole);
-    scene.section = PreviewScene::Section{Vec3::UnitX(), box.max().x() + 1};
+    scene.section = SectionPlane{Vec3::UnitX(), box.max().x() + 1};
     EXPECT_EQ(seen(), whole);
-    scene.section = PreviewScene::Section{Vec3::UnitX(), box.min().x() - 1};
+    scene.section = SectionPlane{Vec3::UnitX(), box.min().x() - 1};
     EXPECT_EQ(seen(), 0);
 }
 
@@ -98,7 +98,7 @@ TEST(Preview, CancelledIsEmpty)
 {
     std::stop_source stop;
     stop.request_stop();
-    const PreviewScene scene = sceneOf(corner(300));
+    const Scene scene = sceneOf(corner(300));
     EXPECT_TRUE(renderPreview(scene, {}, small(), stop.get_token()).empty());
     EXPECT_TRUE(PreviewRenderer(scene).render({}, small(), stop.get_token()).empty());
 }
@@ -129,7 +129,7 @@ TEST(Preview, SurvivesPointsThatAreNoNumbers)
         m.positions[17] = {1e300, 0, 0};
         m.normals[40] = Eigen::Vector3f::Constant(std::nanf(""));
     });
-    const PreviewScene scene = sceneOf(mesh);
+    const Scene scene = sceneOf(mesh);
     EXPECT_NEAR(scene.boundingBox().sizes().x(), 100, 1e-9);
     const PreviewImage image = renderPreview(scene, fromAbove({50, 50, 0}, 1, 120), small());
     EXPECT_LT(brightness(image, 80, 40), 200); // the other triangles are there
@@ -148,7 +148,7 @@ TEST(Preview, IgnoresAMeshWhoseArraysDoNotFit)
 
 TEST(Preview, CheckerHasItsRealSize)
 {
-    PreviewScene scene = sceneOf(flatPatch(400, 400));
+    Scene scene = sceneOf(flatPatch(400, 400));
     scene.checkerSize = 20;
     PreviewOptions options = small();
     options.width = 400;
@@ -172,7 +172,7 @@ TEST(Preview, CheckerHasItsRealSize)
 
 TEST(Preview, FarCheckerBecomesItsMean)
 {
-    PreviewScene scene = sceneOf(flatPatch(8000, 8000));
+    Scene scene = sceneOf(flatPatch(8000, 8000));
     const PreviewImage image = renderPreview(scene, fromAbove({4000, 4000, 0}, 47, 120), small());
     int lowest = 255, highest = 0;
     for (int x = 40; x < 120; ++x) {
@@ -184,8 +184,8 @@ TEST(Preview, FarCheckerBecomesItsMean)
 
 TEST(Preview, ShowsPatchColorsAndTheLining)
 {
-    PreviewScene scene = sceneOf(flatPatch(400, 400));
-    scene.looks = {{ElementId{2}, "#c02020"}};
+    Scene scene = sceneOf(flatPatch(400, 400));
+    scene.patches = {{ElementId{2}, "#c02020"}};
     scene.checker = false;
     const auto redness = [&](double elevation) {
         PreviewView view = fromAbove({200, 200, 0}, 1, 120);
@@ -200,7 +200,7 @@ TEST(Preview, ShowsPatchColorsAndTheLining)
 
 TEST(Preview, CornersAreDarkerThanOpenPlaces)
 {
-    PreviewScene scene = sceneOf(corner(300));
+    Scene scene = sceneOf(corner(300));
     scene.checker = false;
     PreviewView view = fromAbove({150, 200, 0}, 3, 120);
     view.azimuth = 2.5; // the key light comes from behind the back
@@ -213,7 +213,7 @@ TEST(Preview, CornersAreDarkerThanOpenPlaces)
 
 TEST(Preview, SeamsAreDarkLines)
 {
-    PreviewScene scene = sceneOf(corner(300));
+    Scene scene = sceneOf(corner(300));
     scene.checker = false;
     const PreviewImage image = renderPreview(scene, fromAbove({150, 290, 0}, 0.5, 120), small());
     // The seam runs along y = 300, 20 pixels above the middle.
@@ -223,7 +223,7 @@ TEST(Preview, SeamsAreDarkLines)
 
 TEST(Preview, GivesDepths)
 {
-    const PreviewScene scene = sceneOf(flatPatch(40, 40));
+    const Scene scene = sceneOf(flatPatch(40, 40));
     PreviewOptions options = small();
     options.depth = true;
     const PreviewView view = fromAbove({20, 20, 0}, 1, 120);
@@ -237,7 +237,7 @@ TEST(Preview, ShowsFramesInGrey)
     auto frame = std::make_shared<TriangleMesh>();
     frame->points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     frame->triangles = {{0, 1, 2}};
-    PreviewScene scene;
+    Scene scene;
     scene.frames.push_back({frame, {100, {5, 0, 0}}});
     EXPECT_NEAR(scene.boundingBox().max().x(), 105, 1e-9);
     const PreviewImage image = renderPreview(scene, fromAbove({30, 30, 0}, 1, 120), small());
@@ -251,7 +251,7 @@ TEST(Preview, FramesAreSolidUnlessTheyShallBeSeenThrough)
     auto frame = std::make_shared<TriangleMesh>();
     frame->points = {{0, 0, 0}, {400, 0, 0}, {400, 400, 0}, {0, 400, 0}};
     frame->triangles = {{0, 1, 2}, {0, 2, 3}};
-    PreviewScene scene = sceneOf(flatPatch(400, 400));
+    Scene scene = sceneOf(flatPatch(400, 400));
     scene.ground = scene.checker = false;
     const PreviewView view = fromAbove({200, 200, 0}, 1, 120);
     const auto redness = [&] {
@@ -276,7 +276,7 @@ TEST(Preview, FramesHaveTheLookOfTheirMaterial)
     frame->points = {{-200, -200, 0}, {200, -200, 0}, {200, 200, 0}, {-200, 200, 0}};
     frame->triangles = {{0, 1, 2}, {0, 2, 3}};
     frame->parts = {{"plate", 0, 2}};
-    PreviewScene scene;
+    Scene scene;
     scene.ground = false;
     const auto pixels = [&](const FrameMaterial& material) {
         scene.frames = {{frame, {}, material}};

@@ -176,7 +176,7 @@ TEST(FrameShapes, AreHitWhereTheFrameStands)
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->points = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}; // in the file's plane y = 0
     mesh->triangles = {{0, 1, 2}};
-    SurfaceScene::FrameLook look{mesh, {}};
+    Scene::FrameLook look{mesh, {}};
     look.placement.scale = 100;
     look.placement.position = {0, 0, 50};
     look.placement.rotation = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX()); // the file's y points up

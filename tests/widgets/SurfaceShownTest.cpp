@@ -68,7 +68,8 @@ TEST_F(SurfaceShown, HiddenPatchesAreNeitherDrawnNorHit)
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(kindAt({300, 100, 50}), SurfaceHit::Kind::Curve) << "curves stay";
     EXPECT_TRUE(QTest::qWaitFor([&] {
-        return log->count() > 0 && log->last().surface && log->last().surface->topology->patches.size() == 1;
+        return log->count() > 0 && log->last().scene.surface &&
+               log->last().scene.surface->topology->patches.size() == 1;
     }));
     EXPECT_EQ(view.shown().surface()->topology->patches.size(), 2u) << "the surface itself is whole";
     view.visibility().setHidden({curveId});
@@ -97,13 +98,13 @@ TEST_F(SurfaceShown, TheRefinedCoverIsDrawnWhileItsSurfaceIsShown)
 {
     const CoverMeshPtr cover = raisedCover(view.shown().surface(), 5);
     const auto drawn = [&](const CoverMeshPtr& wanted) {
-        return QTest::qWaitFor([&] { return log->count() > 0 && log->last().cover == wanted; });
+        return QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.cover == wanted; });
     };
     view.shown().setCover(cover);
     EXPECT_TRUE(drawn(cover));
     view.visibility().setHidden({rightPatch});
     EXPECT_TRUE(QTest::qWaitFor([&] {
-        return log->last().cover == cover && log->last().surface->topology->patches.size() == 1;
+        return log->last().scene.cover == cover && log->last().scene.surface->topology->patches.size() == 1;
     })) << "its patches are those of the surface";
     view.visibility().setHidden({});
     EXPECT_NEAR(view.hit(pixel({80, 50, 0})).position.z(), 0, 0.01) << "hits are the solver's";
@@ -111,8 +112,8 @@ TEST_F(SurfaceShown, TheRefinedCoverIsDrawnWhileItsSurfaceIsShown)
     view.shown().setSurface(moved);
     EXPECT_TRUE(drawn(nullptr));
     view.shown().setCover(cover);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->last().surface == moved; }));
-    EXPECT_FALSE(log->last().cover) << "too late: the surface has moved meanwhile";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->last().scene.surface == moved; }));
+    EXPECT_FALSE(log->last().scene.cover) << "too late: the surface has moved meanwhile";
     view.visibility().setLayerVisible(SurfaceView::Layer::Cover, false);
     view.shown().setCover(raisedCover(moved, 5));
     EXPECT_TRUE(drawn(nullptr));
@@ -140,14 +141,14 @@ TEST_F(SurfaceShown, StitchesOfHiddenPatchesAreHiddenWithThem)
         return QTest::qWaitFor([&] {
             if (log->count() == 0)
                 return false;
-            const auto last = log->last().trims;
+            const auto last = log->last().scene.trims;
             return last && last->parts.size() == parts && last->triangles.size() == parts;
         });
     };
     EXPECT_TRUE(drawn(3));
     view.visibility().setHidden({rightPatch});
     EXPECT_TRUE(drawn(1)) << "piping between both is gone, too, as their seam is";
-    EXPECT_EQ(log->last().trims->parts[0].patch, leftPatch);
+    EXPECT_EQ(log->last().scene.trims->parts[0].patch, leftPatch);
     view.visibility().setHidden({});
     EXPECT_TRUE(drawn(3));
 }
@@ -194,7 +195,7 @@ TEST_F(SurfaceShown, TheSectionCutsPicturesLinesAndHits)
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Nothing);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_TRUE(
-        QTest::qWaitFor([&] { return log->count() > 0 && log->last().section == view.shown().scene().section; }));
+        QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.section == view.shown().scene().section; }));
     view.shown().setSection(SectionPlane{-Vec3::UnitX(), -150});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Nothing);
@@ -383,9 +384,9 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
         (void)QTest::qWaitFor([&] {
             const std::lock_guard lock(log->mutex);
             for (auto i = static_cast<std::size_t>(after); i < log->requests.size() && !found; ++i)
-                if (const auto& request = log->requests[i]; request.surface &&
-                                                            request.surface->topology->patches.size() == patches &&
-                                                            request.frames.size() == frames)
+                if (const auto& request = log->requests[i];
+                    request.scene.surface && request.scene.surface->topology->patches.size() == patches &&
+                    request.scene.frames.size() == frames)
                     found = request;
             return found.has_value();
         });
@@ -393,19 +394,19 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
     };
     const auto skinned = [&](const FrameSkinPtr& other) {
         return QTest::qWaitFor([&] {
-            return log->count() > 0 && !log->last().frames.empty() && log->last().frames[0].skin &&
-                   log->last().frames[0].skin != other;
+            return log->count() > 0 && !log->last().scene.frames.empty() && log->last().scene.frames[0].skin &&
+                   log->last().scene.frames[0].skin != other;
         });
     };
     ASSERT_TRUE(skinned(nullptr));
-    const FrameSkinPtr whole = log->last().frames[0].skin;
+    const FrameSkinPtr whole = log->last().scene.frames[0].skin;
     view.visibility().setHidden({id});
     ASSERT_TRUE(picture(0, 2, 0));
     int before = log->count();
     view.visibility().setHidden({});
     auto again = picture(before, 2, 1);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->frames[0].skin, whole);
+    EXPECT_EQ(again->scene.frames[0].skin, whole);
 
     view.visibility().setHidden({leftPatch});
     ASSERT_TRUE(skinned(whole)) << "what lies under the other one comes out";
@@ -413,13 +414,13 @@ TEST_F(SurfaceShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
     view.visibility().setHidden({});
     again = picture(before, 2, 1);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->frames[0].skin, whole);
+    EXPECT_EQ(again->scene.frames[0].skin, whole);
 }
 
 TEST_F(SurfaceShown, OpacityOfFramesReachesThePicture)
 {
     view.shown().setFrameOpacity(0.9);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().frameOpacity == 0.9; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.frameOpacity == 0.9; }));
 }
 
 TEST_F(SurfaceShown, ThePointUnderThePointerIsKnownInBothViews)

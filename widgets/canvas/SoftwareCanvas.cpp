@@ -43,31 +43,13 @@ SoftwareCanvas::~SoftwareCanvas() = default;
 SoftwareRenderer::Request SoftwareCanvas::request(bool moving) const
 {
     SoftwareRenderer::Request request;
-    request.surface = m_scene.surface;
-    request.cover = m_scene.cover;
-    request.trims = m_scene.trims;
-    const QColor veil = mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5);
-    for (const SurfaceScene::PatchLook& look : m_scene.patches) {
-        // Only outlines show what is selected: they need no new picture.
-        if (m_scene.dimmed)
-            request.looks.push_back({look.patch, mixed(look.fabric, veil, 0.5)});
-        else
-            request.looks.push_back({look.patch, look.fabric, look.maps, look.turn});
-    }
-    request.fabrics = m_scene.fabrics;
-    request.frames = m_scene.frames;
-    for (std::size_t f = 0; f < std::min(request.frames.size(), m_scene.frameSkins.size()); ++f)
-        request.frames[f].skin = m_scene.frameSkins[f];
-    request.frameOpacity = m_scene.frameOpacity;
-    request.section = m_scene.section;
-    request.map = m_scene.map;
+    request.scene = m_scene; // without its marks
+    if (m_scene.dimmed)
+        for (Scene::PatchLook& look : request.scene.patches)
+            look = {look.patch, mixed(colorOf(look.color), m_scene.veil(), 0.5).name().toStdString()};
     request.camera = m_camera;
     const double scale = devicePixelRatioF() * (moving ? movingScale : 1);
     request.camera.size = Vec2((width() * scale), (height() * scale)).array().round().max(1.0);
-    request.backgroundTop = m_scene.backgroundTop();
-    request.backgroundBottom = m_scene.backgroundBottom();
-    request.checker = m_scene.checker;
-    request.ground = m_scene.ground;
     request.moving = moving;
     return request;
 }
@@ -108,7 +90,7 @@ void SoftwareCanvas::received(Picture picture)
         return; // a picture was grabbed meanwhile
     m_asked.reset();
     if (!picture.result.image.isNull()) {
-        const bool other = picture.request.surface != m_picture.request.surface;
+        const bool other = picture.request.scene.surface != m_picture.request.scene.surface;
         m_picture = std::move(picture);
         update();
         if (other)
@@ -122,8 +104,8 @@ void SoftwareCanvas::paintPicture(QPainter& painter, const Picture& picture, con
 {
     if (picture.result.image.isNull()) {
         QLinearGradient gradient(0, 0, 0, height());
-        gradient.setColorAt(0, m_scene.backgroundTop());
-        gradient.setColorAt(1, m_scene.backgroundBottom());
+        gradient.setColorAt(0, colorOf(m_scene.backgroundTop));
+        gradient.setColorAt(1, colorOf(m_scene.backgroundBottom));
         painter.fillRect(rect(), gradient);
     } else {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);

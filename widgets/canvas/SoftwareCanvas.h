@@ -2,6 +2,7 @@
 // over.
 #pragma once
 
+#include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 #include "SurfaceJob.h"
 
@@ -27,7 +28,7 @@ public:
     QWidget& widget() override { return *this; }
     void refresh(bool moving) override;
     bool drawsOcclusion() const override { return false; } ///< the renderer finds its own
-    SurfaceMeshPtr shown() const override { return m_picture.request.surface; }
+    SurfaceMeshPtr shown() const override { return m_picture.request.scene.surface; }
     QImage grab() override;
 
 protected:

@@ -1,6 +1,7 @@
 // Lines and handles painted over a picture without OpenGL.
 #pragma once
 
+#include "Camera.h"
 #include "SurfaceScene.h"
 
 class QPainter;

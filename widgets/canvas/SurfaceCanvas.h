@@ -1,6 +1,7 @@
 // What the 3D view draws on: OpenGL, or software where there is none.
 #pragma once
 
+#include "Camera.h"
 #include "SurfaceScene.h"
 
 #include <QImage>

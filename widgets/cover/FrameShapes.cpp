@@ -15,7 +15,7 @@ FrameShapes::FrameShapes(std::function<void()> ready)
     })
 {}
 
-void FrameShapes::setFrames(const std::vector<SurfaceScene::FrameLook>& frames, const std::vector<ElementId>& ids)
+void FrameShapes::setFrames(const std::vector<Scene::FrameLook>& frames, const std::vector<ElementId>& ids)
 {
     m_frames.clear();
     All wanted;

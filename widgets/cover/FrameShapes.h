@@ -37,7 +37,7 @@ public:
     /// `ready` is called when there is something new.
     explicit FrameShapes(std::function<void()> ready);
 
-    void setFrames(const std::vector<SurfaceScene::FrameLook>& frames, const std::vector<ElementId>& ids);
+    void setFrames(const std::vector<Scene::FrameLook>& frames, const std::vector<ElementId>& ids);
     /// For each frame; null until it is known.
     std::vector<ShapePtr> shapes() const;
     /// The nearest hit of the frames whose shape is known.
@@ -53,7 +53,7 @@ private:
     using All = std::vector<Known>;
     struct Placed {
         ElementId id{};
-        SurfaceScene::FrameLook look;
+        Scene::FrameLook look;
     };
 
     static All find(const All& wanted, std::stop_token stop);

@@ -1,6 +1,7 @@
 // What lies under the pointer in the 3D view.
 #pragma once
 
+#include "Camera.h"
 #include "FrameShapes.h"
 #include "SurfaceCurves.h"
 #include "SurfaceScene.h"

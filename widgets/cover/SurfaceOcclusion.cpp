@@ -171,7 +171,7 @@ std::shared_ptr<const SurfaceOcclusion> SurfaceOcclusion::of(const Input& input,
 {
     auto result = std::make_shared<SurfaceOcclusion>();
     Obstacles all;
-    for (const SoftwareRenderer::Request::FrameLook& frame : input.frames)
+    for (const Scene::FrameLook& frame : input.frames)
         if (frame.mesh)
             all.add(*frame.mesh, frame.placement);
     if (input.surface)

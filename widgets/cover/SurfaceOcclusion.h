@@ -1,7 +1,7 @@
 // How much of the sky each place sees: soft shadows that cost nothing while looking around.
 #pragma once
 
-#include "SoftwareRenderer.h"
+#include "Scene.h"
 
 #include <memory>
 #include <stop_token>
@@ -14,7 +14,7 @@ struct SurfaceOcclusion {
     /// What stands in the light.
     struct Input {
         SurfaceMeshPtr surface; ///< may be null
-        std::vector<SoftwareRenderer::Request::FrameLook> frames;
+        std::vector<Scene::FrameLook> frames;
         float floor = 0; ///< height of the ground
     };
     /// A square raster of the ground, row by row from the lowest y.

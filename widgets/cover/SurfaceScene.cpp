@@ -1,7 +1,5 @@
 #include "SurfaceScene.h"
 
-#include <algorithm>
-
 namespace bolster {
 
 QColor SurfaceScene::PointsLook::colorOf(std::size_t point) const
@@ -13,30 +11,26 @@ QColor SurfaceScene::PointsLook::colorOf(std::size_t point) const
     return shade;
 }
 
-const SurfaceScene::PatchLook* SurfaceScene::look(ElementId patch) const
+SurfaceScene::SurfaceScene()
 {
-    const auto found = std::find_if(patches.begin(), patches.end(),
-                                    [patch](const PatchLook& look) { return look.patch == patch; });
-    return found != patches.end() ? &*found : nullptr;
+    setColors({});
 }
 
-QColor SurfaceScene::backgroundTop() const
+void SurfaceScene::setColors(const ViewColors& of)
 {
-    return colors.dark ? QColor(0x43, 0x48, 0x50) : QColor(0xd8, 0xdd, 0xe3);
+    colors = of;
+    backgroundTop = of.dark ? "#434850" : "#d8dde3";
+    backgroundBottom = of.dark ? "#26292e" : "#f6f7f8";
 }
 
-QColor SurfaceScene::backgroundBottom() const
+QColor SurfaceScene::veil() const
 {
-    return colors.dark ? QColor(0x26, 0x29, 0x2e) : QColor(0xf6, 0xf7, 0xf8);
+    return mixed(colorOf(backgroundTop), colorOf(backgroundBottom), 0.5);
 }
 
-std::vector<Vec3> placedPoints(const SurfaceScene::FrameLook& frame)
+QColor colorOf(const std::string& written)
 {
-    std::vector<Vec3> points;
-    if (frame.mesh)
-        for (const Vec3& p : frame.mesh->points)
-            points.push_back(frame.placement.placed(p));
-    return points;
+    return QColor(QString::fromStdString(written));
 }
 
 } // namespace bolster

@@ -123,7 +123,7 @@ void GlCanvas::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     if (m_picture.image.isNull())
-        painter.fillRect(rect(), mixed(m_scene.backgroundTop(), m_scene.backgroundBottom(), 0.5));
+        painter.fillRect(rect(), m_scene.veil());
     else // of another size only while the view is being resized
         painter.drawImage(QRectF(rect()), m_picture.image);
 }

@@ -6,7 +6,6 @@ namespace bolster {
 
 namespace {
 
-constexpr float checkerSquare = 20; ///< mm
 constexpr float plainRoughness = 0.62F;
 constexpr float plainSheen = 0.12F;
 constexpr int places = 8;      ///< one behind the other, for patches that lie in the same place
@@ -50,11 +49,12 @@ void GlCover::updateRelief(const SurfaceScene& scene)
 
 void GlCover::setCloth(const SurfaceScene& scene, ElementId patch, bool quick)
 {
-    const SurfaceScene::PatchLook* look = scene.look(patch);
-    const Eigen::Vector3f color = linearLight(look ? look->fabric : QColor(0x7a, 0x4a, 0x2b));
+    const Scene::PatchLook* look = scene.look(patch);
+    const auto tint = scene.tints.find(patch);
+    const Eigen::Vector3f color = linearLight(colorOf(look ? look->color : Scene::PatchLook{}.color));
     m_program.set("lightTone", Eigen::Vector3f((1.6F * color.array() + 0.03F).min(1.F)));
     m_program.set("darkTone", Eigen::Vector3f((scene.checker ? 0.85F : 1.F) * color));
-    m_program.set("tint", look ? look->tint : QColor(0, 0, 0, 0));
+    m_program.set("tint", tint != scene.tints.end() ? tint->second : QColor(0, 0, 0, 0));
     m_program.set("plainRoughness", plainRoughness);
     m_program.set("sheen", plainSheen);
     m_fabrics.wear(m_program, look && !scene.checker ? look->maps : nullptr, look ? look->turn : 0, quick);
@@ -68,11 +68,11 @@ void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
     m_program.use();
     view.setTransforms(m_program);
     view.setLights(m_program);
-    m_program.set("square", scene.checker ? checkerSquare : 0.F);
+    m_program.set("square", scene.checker ? static_cast<float>(scene.checkerSize) : 0.F);
     m_program.set("quick", quick);
     m_program.set("seamProfile", Eigen::Vector4f(SeamProfile::valleyDepth, SeamProfile::valleyReach,
                                                  SeamProfile::bulgeHeight, SeamProfile::bulgeReach));
-    QColor veil = mixed(scene.backgroundTop(), scene.backgroundBottom(), 0.5);
+    QColor veil = scene.veil();
     veil.setAlphaF(scene.dimmed ? 0.45F : 0.F);
     m_program.set("veil", veil);
 

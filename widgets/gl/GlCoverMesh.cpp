@@ -17,7 +17,7 @@ GlCoverMesh::GlCoverMesh(GlFunctions& gl)
     bindColumns(gl, m_normals, 3 * sizeof(float), {{1, 3, GL_FLOAT, 0}});
     bindColumns(gl, m_cloth, 2 * sizeof(float), {{2, 2, GL_FLOAT, 0}});
     bindColumns(gl, m_openness, 2 * sizeof(float), {{3, 2, GL_FLOAT, 0}});
-    bindColumns(gl, m_mapColors, sizeof(SurfaceMap::Rgba), {{4, 4, GL_UNSIGNED_BYTE, 0}});
+    bindColumns(gl, m_mapColors, sizeof(VertexMap::Rgba), {{4, 4, GL_UNSIGNED_BYTE, 0}});
     bindColumns(gl, m_seamDistances, 3 * sizeof(float), {{5, 3, GL_FLOAT, 0}});
     bindColumns(gl, m_seamShapes, 2 * sizeof(float), {{6, 2, GL_FLOAT, 0}});
 }
@@ -83,7 +83,7 @@ void GlCoverMesh::putTopology(const std::vector<Eigen::Vector2f>& cloth,
 {
     m_cloth.put(cloth, QOpenGLBuffer::StaticDraw);
     m_openness.put(std::vector<Eigen::Vector2f>(cloth.size(), {1, 1}), QOpenGLBuffer::DynamicDraw);
-    m_mapColors.put(std::vector<SurfaceMap::Rgba>(cloth.size()), QOpenGLBuffer::DynamicDraw);
+    m_mapColors.put(std::vector<VertexMap::Rgba>(cloth.size()), QOpenGLBuffer::DynamicDraw);
     m_map.reset();
     m_occlusion.reset();
     m_relief.reset();
@@ -93,13 +93,13 @@ void GlCoverMesh::putTopology(const std::vector<Eigen::Vector2f>& cloth,
     m_edgeCount = 0;
 }
 
-void GlCoverMesh::putMap(const SurfaceMapPtr& map)
+void GlCoverMesh::putMap(const VertexMapPtr& map)
 {
     if (!m_coarse || map == m_map)
         return;
     m_map = map;
     const bool fits = map && map->fits(*m_coarse) && map->values.size() == m_coarse->vertexCount();
-    std::vector<SurfaceMap::Rgba> colors(m_fine ? m_fine->vertexCount() : m_coarse->vertexCount());
+    std::vector<VertexMap::Rgba> colors(m_fine ? m_fine->vertexCount() : m_coarse->vertexCount());
     if (fits) {
         // Colours are carried over, not values: where stretched meets pressed these would pass through zero.
         std::vector<Eigen::Vector4f> ofCoarse;

@@ -4,8 +4,8 @@
 #include "CoverMesh.h"
 #include "GlBuffer.h"
 #include "SeamRelief.h"
-#include "SurfaceMap.h"
 #include "SurfaceOcclusion.h"
+#include "VertexMap.h"
 
 #include <functional>
 
@@ -21,7 +21,7 @@ public:
     void put(const CoverMeshPtr& cover);
     void forget();
     /// Nothing where the map is of another topology.
-    void putMap(const SurfaceMapPtr& map);
+    void putMap(const VertexMapPtr& map);
     /// Keeps what there is where it is of an older topology: the next one is on its way.
     void putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion);
 
@@ -64,7 +64,7 @@ private:
     SurfaceMeshPtr m_surface;
     CoverMeshPtr m_cover;
     std::shared_ptr<const SurfaceOcclusion> m_occlusion;
-    SurfaceMapPtr m_map;
+    VertexMapPtr m_map;
     SeamReliefPtr m_relief;
 };
 

@@ -15,7 +15,7 @@ namespace bolster {
 /// A context must be current whenever it is used or destroyed.
 class GlFabrics {
 public:
-    /// Binds a fabric's maps for a program with fabric.glsl: turned by so many radians, as SurfaceScene::PatchLook
+    /// Binds a fabric's maps for a program with fabric.glsl: turned by so many radians, as Scene::PatchLook
     /// says. Without maps it wears what the program has been told. `quick`: something moves.
     void wear(GlProgram& program, const FabricMapsPtr& maps, double turn, bool quick);
     /// Forgets all others.

@@ -36,9 +36,12 @@ GlFrames::GlFrames(GlFunctions& gl)
 
 void GlFrames::update(const SurfaceScene& scene)
 {
-    if (m_skins == scene.frameSkins)
+    std::vector<FrameSkinPtr> skins;
+    for (const Scene::FrameLook& frame : scene.frames)
+        skins.push_back(frame.skin);
+    if (m_skins == skins)
         return;
-    m_skins = scene.frameSkins;
+    m_skins = std::move(skins);
     std::vector<FrameSkin::Corner> corners;
     for (const FrameSkinPtr& skin : m_skins)
         if (skin)
@@ -67,11 +70,11 @@ void GlFrames::drawAll(const SurfaceScene& scene, Part part)
     for (std::size_t f = 0; f < std::min(m_skins.size(), scene.frames.size()); ++f) {
         if (!m_skins[f])
             continue;
-        const SurfaceScene::FrameLook& frame = scene.frames[f];
+        const Scene::FrameLook& frame = scene.frames[f];
         const std::size_t count = m_skins[f]->corners.size();
         if (partOf(scene, f) == part) {
             m_program.set("moved", movedSince(m_skins[f]->placement, frame.placement));
-            m_program.set("material", linearLight(QColor(QString::fromStdString(colorShown(frame.material)))));
+            m_program.set("material", linearLight(colorOf(colorShown(frame.material))));
             m_program.set("kind", static_cast<int>(frame.material.kind));
             m_program.set("opacity",
                           part == Part::Solid ? 1.F : static_cast<float>(frame.opacity * scene.frameOpacity));

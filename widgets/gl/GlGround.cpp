@@ -44,8 +44,8 @@ void GlGround::draw(const SurfaceScene& scene, const Camera& camera, const GlVie
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDepthMask(GL_FALSE);
     m_backgroundProgram.use();
-    m_backgroundProgram.set("top", displayed(scene.backgroundTop()));
-    m_backgroundProgram.set("bottom", displayed(scene.backgroundBottom()));
+    m_backgroundProgram.set("top", displayed(colorOf(scene.backgroundTop)));
+    m_backgroundProgram.set("bottom", displayed(colorOf(scene.backgroundBottom)));
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     const bool fromAbove = camera.perspective ? camera.eye().z() > scene.floor : camera.elevation > 0;
     if (scene.ground && !scene.box.isEmpty() && fromAbove)

@@ -1,8 +1,9 @@
 #include "GlProgram.h"
 
+#include "LinearLight.h"
+
 #include <QFile>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace bolster {
@@ -20,7 +21,7 @@ QByteArray resource(const char* name)
 QByteArray shaderSource(const char* name)
 {
     QByteArray text = resource(name);
-    for (const char* part : {"studio.glsl", "fabric.glsl"})
+    for (const char* part : {"lit.glsl", "studio.glsl", "materials.glsl", "fabric.glsl"})
         text.replace(QByteArray("#include \"") + part + '"', resource(part));
     return text;
 }
@@ -81,8 +82,7 @@ void GlProgram::set(const char* name, const QColor& value)
 
 Eigen::Vector3f linearLight(const QColor& color)
 {
-    const auto linear = [](float s) { return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F); };
-    return {linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
+    return {toLinear(color.redF()), toLinear(color.greenF()), toLinear(color.blueF())};
 }
 
 } // namespace bolster

@@ -31,7 +31,7 @@ void GlTrims::draw(const SurfaceScene& scene, const GlView& view, bool quick)
     for (const TrimMesh::Part& part : m_trims->parts) {
         const auto maps = scene.fabrics.find(part.fabric);
         const bool textured = maps != scene.fabrics.end() && !scene.checker;
-        m_program.set("material", linearLight(QColor(QString::fromStdString(part.color))));
+        m_program.set("material", linearLight(colorOf(part.color)));
         m_program.set("plainRoughness", 0.6F);
         m_program.set("sheen", 0.F);
         m_fabrics.wear(m_program, textured ? maps->second : nullptr, 0, quick);

@@ -1,6 +1,7 @@
 // What all parts of an OpenGL picture share: camera, light, size.
 #pragma once
 
+#include "Camera.h"
 #include "GlProgram.h"
 #include "SurfaceScene.h"
 

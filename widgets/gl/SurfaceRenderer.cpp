@@ -31,7 +31,7 @@ void SurfaceRenderer::update(const SurfaceScene& scene)
     m_points.update(scene);
     m_marks.update(scene);
     std::set<FabricMapsPtr> used;
-    for (const SurfaceScene::PatchLook& look : scene.patches)
+    for (const Scene::PatchLook& look : scene.patches)
         used.insert(look.maps);
     for (const auto& [id, maps] : scene.fabrics)
         used.insert(maps);

@@ -1,6 +1,5 @@
 #include "ShownCover.h"
 
-#include "FabricShown.h"
 #include "Selection.h"
 
 #include <utility>
@@ -32,21 +31,17 @@ void ShownCover::update(bool shown, const std::set<ElementId>& unseen)
 
 void ShownCover::updateLooks(const Design& design, const Selection& selection, const std::set<ElementId>& mirrored)
 {
-    m_scene.patches.clear();
-    if (!m_scene.surface)
-        return;
-    for (const SurfaceTopology::PatchRange& range : m_scene.surface->topology->patches) {
-        const ElementId shown = fabricShown(design, range.patch);
-        const Fabric* fabric = design.find<Fabric>(shown);
+    m_scene.patches = patchLooks(design, design.settings().colourway, [this](ElementId fabric, const Fabric&) {
+        const auto maps = m_scene.fabrics.find(fabric);
+        return maps != m_scene.fabrics.end() ? maps->second : nullptr;
+    });
+    m_scene.tints.clear();
+    for (const Scene::PatchLook& look : m_scene.patches) {
         QColor tint = m_scene.colors.accent;
-        tint.setAlphaF(selection.contains(range.patch)                                        ? 0.14F
-                       : selection.hovered() == range.patch || mirrored.contains(range.patch) ? 0.07F
-                                                                                              : 0);
-        const QColor color = fabric ? QColor(QString::fromStdString(fabric->color)) : QColor(0x7a, 0x4a, 0x2b);
-        const auto maps = m_scene.fabrics.find(shown);
-        const auto* patch = design.find<Patch>(range.patch);
-        m_scene.patches.push_back({range.patch, color, tint, maps != m_scene.fabrics.end() ? maps->second : nullptr,
-                                   patch && fabric ? clothTurn(*patch, *fabric) : 0});
+        tint.setAlphaF(selection.contains(look.patch)                                       ? 0.14F
+                       : selection.hovered() == look.patch || mirrored.contains(look.patch) ? 0.07F
+                                                                                            : 0);
+        m_scene.tints[look.patch] = tint;
     }
 }
 

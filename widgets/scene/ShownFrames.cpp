@@ -3,6 +3,7 @@
 #include "FramePieces.h"
 #include "SurfaceVisibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,7 +25,7 @@ bool ShownFrames::update(const Design& design, const DesignFiles& files, const S
 {
     const bool shown = visibility.layerVisible(SurfaceVisibility::Layer::Frames);
     const std::set<ElementId>& hidden = visibility.hidden();
-    std::vector<SurfaceScene::FrameLook> frames;
+    std::vector<Scene::FrameLook> frames;
     m_ids.clear();
     if (shown)
         design.each<Frame>([&](ElementId id, const Frame& frame) {
@@ -43,13 +44,13 @@ bool ShownFrames::update(const Design& design, const DesignFiles& files, const S
             frames.push_back({mesh, foam, {FrameMaterial::Kind::Foam}, foam.cut ? opacityOfCuts : 1});
             m_ids.push_back(id);
         }
-    if (frames == m_scene.frames)
+    if (std::ranges::equal(frames, m_scene.frames, &Scene::FrameLook::sameFrame))
         return false;
     m_scene.frames = std::move(frames);
     m_shapes.setFrames(m_scene.frames, m_ids);
     m_skins.framesChanged(design);
     m_box.setEmpty();
-    for (const SurfaceScene::FrameLook& frame : m_scene.frames)
+    for (const Scene::FrameLook& frame : m_scene.frames)
         for (const Vec3& p : placedPoints(frame))
             if (p.allFinite())
                 m_box.extend(p);
@@ -60,7 +61,7 @@ std::optional<Vec3> ShownFrames::middleOf(ElementId id) const
 {
     for (std::size_t i = 0; i < m_ids.size(); ++i)
         if (m_ids[i] == id) {
-            const SurfaceScene::FrameLook& look = m_scene.frames[i];
+            const Scene::FrameLook& look = m_scene.frames[i];
             return look.placement.placed(look.mesh->boundingBox().center());
         }
     return std::nullopt;

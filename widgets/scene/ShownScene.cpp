@@ -185,7 +185,7 @@ void ShownScene::setScanOpacity(double opacity)
 
 void ShownScene::setColors(const ViewColors& colors)
 {
-    m_scene.colors = colors;
+    m_scene.setColors(colors);
     updateScans();
     updateLooks();
     refreshMarks(false);

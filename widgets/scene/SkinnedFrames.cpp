@@ -26,15 +26,19 @@ SkinnedFrames::Wanted SkinnedFrames::make(const Wanted& wanted, std::stop_token 
 
 void SkinnedFrames::request()
 {
-    if (!m_fit)
-        m_job.request({m_scene.surface, m_scene.frames, m_ids}, true);
+    if (m_fit)
+        return;
+    Wanted wanted{m_scene.surface, m_scene.frames, m_ids};
+    for (Scene::FrameLook& frame : wanted.frames)
+        frame.skin = nullptr;
+    m_job.request(std::move(wanted), true);
 }
 
 /// Besides these, those under the whole cover are kept: it comes back when nothing of it is hidden any more.
 void SkinnedFrames::take(const Wanted& made)
 {
     for (std::size_t f = 0; f < made.frames.size(); ++f) {
-        const SurfaceScene::FrameLook& frame = made.frames[f];
+        const Scene::FrameLook& frame = made.frames[f];
         std::vector<Made>& known = m_made[made.ids[f]];
         std::erase_if(known, [&](const Made& other) {
             return other.mesh != frame.mesh || other.cover == made.surface || other.cover != m_whole;
@@ -52,7 +56,7 @@ const SkinnedFrames::Made* SkinnedFrames::skinOf(std::size_t frame) const
     const auto found = m_made.find(m_ids[frame]);
     if (found == m_made.end())
         return nullptr;
-    const SurfaceScene::FrameLook& look = m_scene.frames[frame];
+    const Scene::FrameLook& look = m_scene.frames[frame];
     const Made* newest = nullptr;
     for (const Made& made : found->second) {
         if (made.mesh != look.mesh)
@@ -67,18 +71,17 @@ const SkinnedFrames::Made* SkinnedFrames::skinOf(std::size_t frame) const
 /// Of frames that were hidden, have moved or changed their colour the skin is kept until there is a better one.
 void SkinnedFrames::use()
 {
-    m_scene.frameSkins.assign(m_scene.frames.size(), nullptr);
     m_scene.skinned = m_scene.surface;
     m_fit = true;
     bool any = false;
     for (std::size_t f = 0; f < m_scene.frames.size(); ++f) {
         const Made* made = skinOf(f);
+        m_scene.frames[f].skin = made ? made->skin : nullptr;
         m_fit =
             m_fit && made && made->cover == m_scene.surface && made->skin->placement == m_scene.frames[f].placement;
         if (!made)
             continue;
         any = true;
-        m_scene.frameSkins[f] = made->skin;
         if (made->cover != m_scene.surface)
             m_scene.skinned = made->cover;
     }
@@ -90,7 +93,7 @@ void SkinnedFrames::framesChanged(const Design& design)
 {
     std::erase_if(m_made, [&](const auto& known) { return !design.element(known.first); });
     use();
-    if (std::ranges::find(m_scene.frameSkins, FrameSkinPtr()) != m_scene.frameSkins.end())
+    if (std::ranges::find(m_scene.frames, FrameSkinPtr(), &Scene::FrameLook::skin) != m_scene.frames.end())
         request();
 }
 

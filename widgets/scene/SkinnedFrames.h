@@ -27,7 +27,7 @@ public:
 private:
     struct Wanted {
         SurfaceMeshPtr surface; ///< may be null
-        std::vector<SurfaceScene::FrameLook> frames;
+        std::vector<Scene::FrameLook> frames;
         std::vector<ElementId> ids; ///< of the frames
     };
     struct Made {

@@ -2,6 +2,7 @@
 
 #include "LinearLight.h"
 #include "PeriodicNoise.h"
+#include "Shading.h"
 
 #include <Eigen/Geometry>
 
@@ -17,6 +18,7 @@ namespace {
 using Vec = Eigen::Vector3f;
 using Shape = FabricPreviewOptions::Shape;
 
+constexpr float specular = 0.04f;
 constexpr float shapeSize = 0.94f; ///< of the picture
 
 /// Per pixel and direction: the maps are finer than the picture.
@@ -112,59 +114,38 @@ struct Lamp {
     Lamp(const Vec& towards, const Light& ofColor, float addsToHighlights)
         : direction(towards.normalized())
         , half((direction + Vec::UnitZ()).normalized())
-        , falloff(std::max(0.1f, direction.dot(half) * direction.dot(half)))
         , size(addsToHighlights)
         , color(ofColor)
     {}
 
-    /// Light from an area goes a little round the edge.
-    float wrapped(const Vec& n, float by) const
-    {
-        return std::max(0.f, n.dot(direction) + by) / ((1 + by) * (1 + by));
-    }
-
-    /// GGX with the visibility term of B. Karis, "Real shading in Unreal Engine 4", 2013.
+    float wrapped(const Vec& n, float by) const { return shading::wrapped(n.dot(direction), by); }
     float highlight(const Vec& n, float roughness) const
     {
-        const float a = std::min(1.f, roughness * roughness + size), a2 = a * a;
-        const float nh = std::max(0.f, n.dot(half));
-        const float d = nh * nh * (a2 - 1) + 1;
-        return std::max(0.f, n.dot(direction)) * a2 / (d * d * falloff * (4 * roughness + 2));
+        return shading::glossy(std::max(0.f, n.dot(direction)), std::max(0.f, n.dot(half)), direction.dot(half),
+                               std::min(1.f, roughness * roughness + size), roughness);
     }
 
     Vec direction, half;
-    float falloff, size;
+    float size;
     Light color;
 };
 
-/// The room of studio.glsl, with the key light to the left as in a catalogue.
-const Lamp key(Vec(-0.45f, 0.62f, 0.64f), Light(1.02f, 0.98f, 0.92f), 0.22f);
-const Lamp rim(Vec(0.75f, 0.35f, -0.1f), Light(0.30f, 0.32f, 0.37f), 0.15f);
-const Light sky(0.50f, 0.52f, 0.56f), ground(0.25f, 0.235f, 0.22f), ceiling(1.30f, 1.28f, 1.24f);
-
-/// The room in the mirror, its lamp above.
-Light mirrored(const Vec& n, float nv, float roughness)
-{
-    const float up = 2 * n.z() * n.y(); // of the eye's direction, reflected
-    const float blur = 0.15f + 0.85f * roughness;
-    const Light room =
-        ground + ramp(-blur, blur, up) * (sky - ground) + ramp(0.6f - blur, 0.6f + blur, up) * ceiling;
-    const float x = 1 - roughness;
-    const float a = std::min(x * x, std::exp2(-9.28f * nv)) * x + 0.0425f - 0.0275f * roughness;
-    return room *
-           std::max(0.f, 0.04f * (1.04f - 0.572f * roughness - 1.04f * a) + 1.04f * a - 0.04f + 0.022f * roughness);
-}
+/// The room of studio.glsl, with the key light to the left as in a catalogue, and softer lights.
+const Lamp key(Vec(-0.45f, 0.62f, 0.64f), shading::keyColor, 0.22f);
+const Lamp rim(Vec(0.75f, 0.35f, -0.1f), shading::rimColor, 0.15f);
 
 Light shaded(const Cloth& cloth, const Vec& n, float sheen)
 {
-    const float nv = std::clamp(n.z(), 0.03f, 1.f), across = 1 - nv;
-    const Light fuzz = sheen * across * across * across * (0.75f * cloth.color + 0.25f);
-    const Light room = ground + (0.5f + 0.5f * n.y()) * (sky - ground);
+    const float facing = std::clamp(n.z(), 0.03f, 1.f);
+    const Light fuzz = shading::fuzzOf({cloth.color, cloth.roughness, sheen, specular}, facing);
+    const float up = 2 * n.z() * n.y(); // of the eye's direction, reflected
+    const Light room = shading::roomSeen(up, cloth.roughness);
     return key.color * (cloth.color * key.wrapped(n, 0.15f) + fuzz * key.wrapped(n, 0.5f) +
                         0.04f * key.highlight(n, cloth.roughness)) +
            rim.color * (cloth.color * rim.wrapped(n, 0.1f) + fuzz * rim.wrapped(n, 0.5f) +
                         0.08f * rim.highlight(n, cloth.roughness)) +
-           room * (cloth.color + fuzz) + mirrored(n, std::max(nv, 0.15f), cloth.roughness);
+           shading::skyLight(n.y()) * (cloth.color + fuzz) +
+           room * shading::reflected(specular, cloth.roughness, std::max(facing, 0.15f));
 }
 
 /// The fabric as it lies on the shape.
@@ -246,10 +227,7 @@ private:
     }
 
     /// Bright light is drawn in gently, so that highlights keep their colour.
-    static float displayed(float light)
-    {
-        return toEncoded(light < 0.7f ? light : 0.7f + 0.3f * (1 - std::exp(-(light - 0.7f) / 0.3f)));
-    }
+    static float displayed(float light) { return toEncoded(shading::toned(light, 0.7f)); }
 
     int m_size;
     std::vector<Pixel> m_pixels;

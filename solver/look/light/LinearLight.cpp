@@ -1,5 +1,7 @@
 #include "LinearLight.h"
 
+#include "Shading.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,8 +15,7 @@ float toLinear(float encoded)
 
 float toEncoded(float linear)
 {
-    linear = std::clamp(linear, 0.f, 1.f);
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+    return shading::encoded(std::clamp(linear, 0.f, 1.f));
 }
 
 Light lightOf(const std::string& color)

@@ -1,7 +1,6 @@
 #include "PictureScene.h"
 
 #include "ColourwayEdits.h"
-#include "FabricShown.h"
 #include "FoamShape.h"
 #include "FramePieces.h"
 #include "SeamRelief.h"
@@ -15,24 +14,21 @@ namespace bolster {
 
 namespace {
 
-PreviewScene sceneOf(const SurfaceMeshPtr& surface, CoverMeshPtr cover)
+Scene sceneOf(const SurfaceMeshPtr& surface, CoverMeshPtr cover)
 {
-    PreviewScene scene;
+    Scene scene;
     scene.surface = surface;
     scene.cover = std::move(cover);
     scene.checker = false;
     return scene;
 }
 
-/// In the colours of the fabrics that the patches show.
-PreviewScene sceneInColors(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
-                           ElementId colourway)
+/// In the fabrics that the patches show.
+Scene sceneDressed(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design, ElementId colourway,
+                   const FabricBaker& bake)
 {
-    PreviewScene scene = sceneOf(surface, std::move(cover));
-    design.each<Patch>([&](ElementId id, const Patch&) {
-        const Fabric* fabric = design.find<Fabric>(fabricShown(design, id, colourway));
-        scene.looks.push_back({id, fabric ? fabric->color : Fabric{}.color});
-    });
+    Scene scene = sceneOf(surface, std::move(cover));
+    scene.patches = patchLooks(design, colourway, bake);
     if (scene.cover) {
         scene.trims = SeamTrims().make(design.with(edits::showColourway(design, colourway)), *scene.cover);
         if (!scene.cover->relief)
@@ -61,15 +57,15 @@ CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design)
     return sewn;
 }
 
-std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
-                                                      const SurfaceMesh* surface)
+std::vector<Scene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
+                                               const SurfaceMesh* surface)
 {
     const FrameSkins skins(surface);
-    std::vector<PreviewScene::FrameLook> frames;
+    std::vector<Scene::FrameLook> frames;
     const auto add = [&](std::shared_ptr<const TriangleMesh> mesh, const Placement& placement,
                          const FrameMaterial& material) {
         if (mesh)
-            frames.push_back({mesh, placement, material, skins.skin(*mesh, placement)});
+            frames.push_back({mesh, placement, material, 1, skins.skin(*mesh, placement)});
     };
     const auto fileOf = [&](ElementId id) {
         const auto found = files.meshes.find(id);
@@ -88,45 +84,42 @@ std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, cons
     return frames;
 }
 
-PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
-                            ElementId colourway, const FabricBaker& bake)
+Scene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design, ElementId colourway,
+                     const FabricBaker& bake)
 {
-    PreviewScene scene = sceneInColors(surface, std::move(cover), design, colourway);
     std::map<ElementId, FabricMapsPtr> baked;
-    const auto mapsOf = [&](ElementId id, const Fabric& fabric) {
+    const FabricBaker once = [&](ElementId id, const Fabric& fabric) {
         if (!baked.contains(id))
             baked.emplace(id, bake ? bake(id, fabric) : nullptr);
         return baked.at(id);
     };
-    for (PreviewScene::PatchLook& look : scene.looks) {
-        const ElementId shown = fabricShown(design, look.patch, colourway);
-        const Fabric* fabric = design.find<Fabric>(shown);
-        if (!fabric)
-            continue;
-        look.maps = mapsOf(shown, *fabric);
-        look.turn = clothTurn(*design.find<Patch>(look.patch), *fabric);
-    }
+    Scene scene = sceneDressed(surface, std::move(cover), design, colourway, once);
     if (scene.trims)
         for (const TrimMesh::Part& part : scene.trims->parts)
             if (const Fabric* fabric = design.find<Fabric>(part.fabric))
-                scene.piping[part.fabric] = mapsOf(part.fabric, *fabric);
+                scene.fabrics[part.fabric] = once(part.fabric, *fabric);
     return scene;
 }
 
-PreviewScene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
-                              ElementId colourway)
+Scene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design, ElementId colourway)
 {
-    PreviewScene scene = sceneInColors(surface, std::move(cover), design, colourway);
+    Scene scene = sceneDressed(surface, std::move(cover), design, colourway, {});
     scene.checker = true;
     return scene;
 }
 
-PreviewScene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map)
+Scene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map)
 {
-    PreviewScene scene = sceneOf(surface, std::move(cover));
-    scene.vertexColors = map.colors();
+    Scene scene = sceneOf(surface, std::move(cover));
+    VertexMap shown;
+    shown.topology = surface->topology;
+    shown.values = map.ofVertex;
+    shown.allowed = map.allowed;
+    shown.kind = map.scale.kind;
+    shown.limit = map.scale.limit;
+    scene.map = std::make_shared<const VertexMap>(std::move(shown));
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches)
-        scene.looks.push_back({range.patch, "#b9bcc0"}); // where nothing is known
+        scene.patches.push_back({range.patch, "#b9bcc0"}); // where nothing is known
     return scene;
 }
 

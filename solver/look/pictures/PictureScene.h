@@ -6,9 +6,6 @@
 
 namespace bolster {
 
-/// The maps of a fabric, or null for its plain colour. May take its time. No function: all in their plain colours.
-using FabricBaker = std::function<FabricMapsPtr(ElementId, const Fabric&)>;
-
 /// Refined by two levels for a smooth silhouette; null where it cannot be: then the surface itself is drawn.
 CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface);
 /// With valleys and allowances along its seams, as the design trims them; colourways don't change them. Scenes in
@@ -17,16 +14,16 @@ CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design);
 
 /// The design's frames, and the foam that is added to them, in their materials and as the cover lies on them. Those
 /// whose files are missing are left out.
-std::vector<PreviewScene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
-                                                      const SurfaceMesh* surface);
+std::vector<Scene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
+                                               const SurfaceMesh* surface);
 
 /// `colourway`: settingsId for the patches' own fabrics.
-PreviewScene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
-                            ElementId colourway, const FabricBaker& bake);
+Scene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design, ElementId colourway,
+                     const FabricBaker& bake);
 /// The fabrics' colours with squares of 20 mm.
-PreviewScene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
-                              ElementId colourway);
+Scene sceneWithChecker(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design,
+                       ElementId colourway);
 /// `map` must be of this surface.
-PreviewScene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map);
+Scene sceneWithMap(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const CoverMap& map);
 
 } // namespace bolster

@@ -20,7 +20,7 @@ std::size_t colourwayCount(const Design& design)
 struct PictureStudio::Stage {
     PictureLook look;
     std::optional<CoverMap> map;
-    PreviewScene scene;
+    Scene scene;
     PreviewRenderer renderer{scene};
 };
 
@@ -45,7 +45,7 @@ PictureStudio::Stage PictureStudio::staged(const PictureLook& look)
     std::optional<CoverMap> map;
     if (look.map)
         map = coverMap(*look.map, *m_subject.surface, m_subject.design, m_subject.files);
-    PreviewScene scene = sceneOf(look, map ? &*map : nullptr);
+    Scene scene = sceneOf(look, map ? &*map : nullptr);
     if (look.frames) {
         if (!m_frames)
             m_frames = framesForPicture(m_subject.design, m_subject.files, m_subject.surface.get());
@@ -54,7 +54,7 @@ PictureStudio::Stage PictureStudio::staged(const PictureLook& look)
     return {look, std::move(map), std::move(scene)};
 }
 
-PreviewScene PictureStudio::sceneOf(const PictureLook& look, const CoverMap* map)
+Scene PictureStudio::sceneOf(const PictureLook& look, const CoverMap* map)
 {
     const auto& [surface, design, files, bake, atOnce, legend] = m_subject;
     if (look.refined && !m_cover)

@@ -63,7 +63,7 @@ private:
     struct Stage;
 
     Stage staged(const PictureLook& look);
-    PreviewScene sceneOf(const PictureLook& look, const CoverMap* map);
+    Scene sceneOf(const PictureLook& look, const CoverMap* map);
     const Stage& stage(const PictureLook& look);
     static PreviewImage drawOne(const Stage& stage, const PictureOrder& order, const std::stop_token& stop);
     Picture drawSheet(const PictureOrder& order, const std::stop_token& stop);
@@ -71,7 +71,7 @@ private:
     Subject m_subject;
     CoverMeshPtr m_cover, m_sewn;   ///< the same without and with its seams
     std::unique_ptr<Stage> m_stage; ///< the last one
-    std::optional<std::vector<PreviewScene::FrameLook>> m_frames;
+    std::optional<std::vector<Scene::FrameLook>> m_frames;
 };
 
 } // namespace bolster

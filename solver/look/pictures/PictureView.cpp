@@ -46,7 +46,7 @@ std::optional<PictureDirection> pictureDirection(std::string_view words)
     return PictureDirection{*azimuth * degree, *elevation * degree};
 }
 
-PreviewView pictureView(const PreviewScene& scene, const PictureDirection& from, double aspect)
+PreviewView pictureView(const Scene& scene, const PictureDirection& from, double aspect)
 {
     const double front = scene.surface ? frontAzimuth(scene.surface->positions) : 0;
     return PreviewView::around(scene.boundingBox(), aspect, front + from.azimuth, from.elevation);

@@ -20,6 +20,6 @@ std::optional<PictureDirection> pictureDirection(std::string_view words);
 inline constexpr const char* pictureDirections = "three-quarter, front, back, left, right, top";
 
 /// The whole cover from there. `aspect` is width over height.
-PreviewView pictureView(const PreviewScene& scene, const PictureDirection& from, double aspect);
+PreviewView pictureView(const Scene& scene, const PictureDirection& from, double aspect);
 
 } // namespace bolster

@@ -11,20 +11,8 @@ namespace bolster {
 
 namespace {
 
-constexpr float valleyShade = 0.72f; ///< of the light that does not reach the bottom of a seam
-
 constexpr float plainRoughness = 0.62f;
 constexpr float plainSheen = 0.12f;
-
-/// Mean of a square wave of period 2 (+1 on [0, 1), -1 on [1, 2)) over a window of this width.
-float squareWave(float at, float width)
-{
-    const auto integral = [](float x) { return 1.f - std::abs(x - 2.f * std::floor(x / 2.f) - 1.f); };
-    width = std::max(width, 1e-4f);
-    if (width > 8.f)
-        return 0.f;
-    return (integral(at + width / 2) - integral(at - width / 2)) / width;
-}
 
 template <class T>
 T mixed(const std::vector<T>& values, const std::array<std::uint32_t, 3>& corners, const RayHit& hit)
@@ -75,7 +63,20 @@ void SurfacePoint::wear(const FabricSampler& maps, const ClothFrame& cloth, cons
     normal = (normal + lean.x() * cloth.x + lean.y() * cloth.y).normalized();
 }
 
-CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
+shading::Cloth SurfacePoint::cloth() const
+{
+    return {color.array(), roughness, sheen, specular};
+}
+
+void SurfacePoint::take(const shading::Cloth& cloth)
+{
+    color = cloth.color.matrix();
+    roughness = cloth.roughness;
+    sheen = cloth.sheen;
+    specular = cloth.specular;
+}
+
+CoverLook::CoverLook(const Scene& scene, const Vec3& origin)
     : m_checker(scene.checker)
     , m_checkerSize(static_cast<float>(scene.checkerSize > 0 ? scene.checkerSize : 20))
 {
@@ -89,8 +90,8 @@ CoverLook::CoverLook(const PreviewScene& scene, const Vec3& origin)
         takeCover(*scene.cover, *mesh.topology, origin);
     else
         takeSurface(mesh, origin);
-    if (scene.vertexColors.size() == count) {
-        for (const auto& [r, g, b, a] : scene.vertexColors)
+    if (scene.map && scene.map->fits(*mesh.topology) && scene.map->values.size() == count) {
+        for (const auto& [r, g, b, a] : scene.map->colors())
             m_mapColors.push_back(Eigen::Vector4f(r, g, b, a) / 255);
         if (scene.cover)
             m_mapColors = scene.cover->topology->carriedOver(m_mapColors);
@@ -132,7 +133,7 @@ void CoverLook::takeCover(const CoverMesh& cover, const SurfaceTopology& shown, 
     m_relief = known ? cover.relief : seamRelief(Design(), topology);
 }
 
-void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse)
+void CoverLook::takeLooks(const Scene& scene, std::size_t trianglesPerCoarse)
 {
     std::map<FabricMapsPtr, std::shared_ptr<const FabricSampler>> samplers;
     m_patchOfTriangle.assign(m_triangles.size(), 0);
@@ -141,8 +142,8 @@ void CoverLook::takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoa
         const std::size_t end = std::min(m_triangles.size(), first + trianglesPerCoarse * range.triangleCount);
         for (std::size_t t = first; t < end; ++t)
             m_patchOfTriangle[t] = static_cast<std::uint16_t>(m_cloths.size());
-        const auto look = std::ranges::find(scene.looks, range.patch, &PreviewScene::PatchLook::patch);
-        const PreviewScene::PatchLook shown = look != scene.looks.end() ? *look : PreviewScene::PatchLook{};
+        const auto look = std::ranges::find(scene.patches, range.patch, &Scene::PatchLook::patch);
+        const Scene::PatchLook shown = look != scene.patches.end() ? *look : Scene::PatchLook{};
         const Vec3f color = linearColor(shown.color);
         Cloth cloth{m_checker ? Vec3f((1.6f * color.array() + 0.03f).min(1.f)) : color,
                     m_checker ? Vec3f(0.85f * color) : color};
@@ -189,15 +190,10 @@ SurfacePoint CoverLook::at(const RayHit& hit, const Vec3f& direction, const Foot
         triangle ? ClothFrame::of(*triangle, {m_pattern[ids[0]], m_pattern[ids[1]], m_pattern[ids[2]]}, hit)
                  : std::nullopt;
     dress(hit, pattern, point);
-    if (!outside) { // the lining: the cover's colour, but greyed
-        const float grey = point.color.dot(Vec3f(0.2126f, 0.7152f, 0.0722f));
-        point.color = 0.25f * point.color + Vec3f::Constant(0.12f + 0.35f * grey);
-        point.roughness = 0.9f;
-        point.sheen = 0;
-        point.specular = 0.02f;
-    } else if (triangle) {
+    if (!outside)
+        point.take(shading::lining(point.color.array()));
+    else if (triangle)
         pressSeam(hit, *triangle, point);
-    }
     return point;
 }
 
@@ -224,7 +220,7 @@ float CoverLook::checker(const ClothFrame& pattern) const
 {
     const Eigen::Vector2f at = pattern.at / m_checkerSize;
     const Eigen::Vector2f width = (pattern.right.cwiseAbs() + pattern.up.cwiseAbs()) / m_checkerSize;
-    return 0.5f + 0.5f * squareWave(at.x(), width.x()) * squareWave(at.y(), width.y());
+    return 0.5f + 0.5f * shading::squareWave(at.x(), width.x()) * shading::squareWave(at.y(), width.y());
 }
 
 /// The thread pulls the cover in, and under it lie the allowances: the normal leans, and little light reaches the
@@ -243,9 +239,7 @@ void CoverLook::pressSeam(const RayHit& hit, const TriangleFrame& triangle, Surf
     const Vec3f leaning = point.normal - rise;
     if (leaning.dot(point.face) > 0)
         point.normal = leaning.normalized();
-    point.color *= 1.f - valleyShade * seam.dark;
-    point.sheen *= 1.f - seam.dark;
-    point.specular *= 1.f - seam.dark;
+    point.take(shading::inValley(point.cloth(), seam.dark));
 }
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "HitFrame.h"
 #include "PreviewRenderer.h"
 #include "SeamRelief.h"
+#include "Shading.h"
 
 namespace bolster {
 
@@ -20,6 +21,9 @@ struct SurfacePoint {
     float sheen = 0;     ///< of fibres, 0 to 1
     float specular = 0;  ///< share of light that is reflected straight on; 0.04 for leather and lacquer
 
+    /// What the surface is like there.
+    shading::Cloth cloth() const;
+    void take(const shading::Cloth& cloth);
     /// Takes the look of a fabric; its relief leans the normal on demand. `toTile` turns the cloth's frame into
     /// that of the maps, `behind` is seen through holes.
     void wear(const FabricSampler& maps, const ClothFrame& cloth, const Eigen::Matrix2f& toTile,
@@ -29,7 +33,7 @@ struct SurfacePoint {
 class CoverLook {
 public:
     /// `origin` is subtracted from all positions, so that single precision is enough.
-    CoverLook(const PreviewScene& scene, const Vec3& origin);
+    CoverLook(const Scene& scene, const Vec3& origin);
 
     const std::vector<Vec3f>& points() const { return m_points; }
     const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return m_triangles; }
@@ -46,7 +50,7 @@ private:
     };
     void takeSurface(const SurfaceMesh& mesh, const Vec3& origin);
     void takeCover(const CoverMesh& cover, const SurfaceTopology& shown, const Vec3& origin);
-    void takeLooks(const PreviewScene& scene, std::size_t trianglesPerCoarse);
+    void takeLooks(const Scene& scene, std::size_t trianglesPerCoarse);
 
     void dress(const RayHit& hit, const std::optional<ClothFrame>& pattern, SurfacePoint& point) const;
     float checker(const ClothFrame& pattern) const;

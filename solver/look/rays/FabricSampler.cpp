@@ -1,6 +1,7 @@
 #include "FabricSampler.h"
 
 #include "MipTaps.h"
+#include "Shading.h"
 #include "Srgb.h"
 
 #include <algorithm>
@@ -152,7 +153,7 @@ FabricSampler::Sample FabricSampler::at(const Eigen::Vector2f& place, const Eige
     sample.opacity = numbers[3];
     sample.lean = numbers.segment<2>(4);
     const float spread = std::max(0.F, numbers[6] - sample.lean.squaredNorm());
-    sample.roughness = std::pow(std::clamp(numbers[7] + spread, 0.F, 1.F), 0.25F);
+    sample.roughness = shading::roughened(numbers[7], spread);
     return sample;
 }
 

@@ -1,41 +1,8 @@
 #include "FrameLook.h"
 
-#include <cmath>
-
 namespace bolster {
 
-namespace {
-
-float smoothly(float from, float to, float x)
-{
-    const float t = std::clamp((x - from) / (to - from), 0.f, 1.f);
-    return t * t * (3 - 2 * t);
-}
-
-/// How much darker wood is at a place of its grain, mm: rings around a wavy axis beside the piece, late wood ending
-/// sharply. The same as in frame.frag.
-float woodTone(const Vec3f& at)
-{
-    const float wave = 6 * std::sin(at.z() / 180 + 0.7f) + 2.5f * std::sin(at.z() / 47 + at.x() / 31);
-    const float ring = std::hypot(at.x() + 55 + wave, 0.6f * at.y() + 18 + 0.5f * wave) / 7;
-    const float share = ring - std::floor(ring);
-    const float late = smoothly(0.35f, 0.95f, share) * (1 - smoothly(0.95f, 1, share));
-    const float fibre = std::sin(2.1f * at.x() + 3 * std::sin(at.z() / 23)) * std::sin(2.6f * at.y() + at.z() / 17);
-    return 0.34f * late + 0.05f * fibre;
-}
-
-} // namespace
-
-std::vector<Vec3> placedPoints(const PreviewScene::FrameLook& frame)
-{
-    std::vector<Vec3> points;
-    if (frame.mesh)
-        for (const Vec3& p : frame.mesh->points)
-            points.push_back(frame.placement.placed(p));
-    return points;
-}
-
-FrameLook::FrameLook(const PreviewScene::FrameLook& frame, const Vec3& origin)
+FrameLook::FrameLook(const Scene::FrameLook& frame, const Vec3& origin)
     : m_skin(frame.skin)
     , m_kind(frame.material.kind)
     , m_color(linearColor(colorShown(frame.material)))
@@ -70,30 +37,11 @@ SurfacePoint FrameLook::at(const RayHit& hit, const Vec3f& direction) const
         point.normal = -point.normal;
     point.smooth = point.normal;
     point.shadowOrigin = point.position;
-    point.color = m_color;
-    point.roughness = 0.5f;
-    point.specular = 0.04f;
-    switch (m_kind) {
-    case FrameMaterial::Kind::Plain:
-        break;
-    case FrameMaterial::Kind::Wood:
-        point.color *= 1 - woodTone(grain);
-        point.roughness = 0.42f;
-        break;
-    case FrameMaterial::Kind::Metal:
-        point.color *= 0.35f;
-        point.roughness = 0.3f;
-        point.specular = 0.55f;
-        break;
-    case FrameMaterial::Kind::Plastic:
-        point.roughness = 0.36f;
-        break;
-    case FrameMaterial::Kind::Foam:
-        point.roughness = 1;
-        point.sheen = 0.25f;
-        point.specular = 0.02f;
-        break;
-    }
+    const bool wood = m_kind == FrameMaterial::Kind::Wood;
+    const float dark = wood ? shading::woodTone(shading::woodRings(grain.x(), grain.y(), grain.z()), grain.x(),
+                                                grain.y(), grain.z())
+                            : 0.f;
+    point.take(shading::frameSurface(static_cast<int>(m_kind), m_color.array(), dark));
     return point;
 }
 

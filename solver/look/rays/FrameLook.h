@@ -8,7 +8,7 @@ namespace bolster {
 class FrameLook {
 public:
     /// `origin` is subtracted from all points.
-    FrameLook(const PreviewScene::FrameLook& frame, const Vec3& origin);
+    FrameLook(const Scene::FrameLook& frame, const Vec3& origin);
 
     const std::vector<Vec3f>& points() const { return m_points; }
     const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return m_triangles; }
@@ -24,8 +24,5 @@ private:
     Vec3f m_color; ///< linear
     float m_opacity;
 };
-
-/// The placed points of a frame's mesh, mm.
-std::vector<Vec3> placedPoints(const PreviewScene::FrameLook& frame);
 
 } // namespace bolster

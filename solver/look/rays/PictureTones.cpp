@@ -10,13 +10,11 @@ namespace bolster {
 
 namespace {
 
-/// Above this, light is bent.
-constexpr float shoulder = 0.75f;
+using shading::screenShoulder;
 
 float bent(float light)
 {
-    const float over = (light - shoulder) / (1 - shoulder);
-    return std::clamp(over < 0 ? light : shoulder + (1 - shoulder) * (1 - std::exp(-over)), 0.f, 1.f);
+    return std::clamp(shading::toned(light, screenShoulder), 0.f, 1.f);
 }
 
 } // namespace
@@ -29,7 +27,7 @@ int orderInBlock(int x, int y)
     return order;
 }
 
-std::array<float, 4> displayedShares(const Light& light)
+std::array<float, 4> displayedShares(const PixelLight& light)
 {
     const float opacity = std::clamp(light.opacity, 0.f, 1.f);
     std::array<float, 4> shown{0, 0, 0, opacity};
@@ -43,7 +41,7 @@ std::array<float, 4> displayedShares(const Light& light)
     return shown;
 }
 
-std::array<std::uint8_t, 4> displayed(const Light& light, int x, int y)
+std::array<std::uint8_t, 4> displayed(const PixelLight& light, int x, int y)
 {
     const std::array<float, 4> shown = displayedShares(light);
     const float offset = (static_cast<float>(orderInBlock(x, y)) + 0.5f) / 64.f;
@@ -59,8 +57,8 @@ std::array<std::uint8_t, 4> displayed(const Light& light, int x, int y)
 Vec3f lightDisplayedAs(const std::string& color)
 {
     return linearColor(color).unaryExpr([](float shown) {
-        const float over = (std::min(shown, 0.99f) - shoulder) / (1 - shoulder);
-        return over < 0 ? shown : shoulder - (1 - shoulder) * std::log(1 - over);
+        const float over = (std::min(shown, 0.99f) - screenShoulder) / (1 - screenShoulder);
+        return over < 0 ? shown : screenShoulder - (1 - screenShoulder) * std::log(1 - over);
     });
 }
 

@@ -13,7 +13,7 @@ namespace bolster {
 /// (the ordered dither matrix: bits of x ^ y and y, interleaved and reversed).
 int orderInBlock(int x, int y);
 
-struct Light {
+struct PixelLight {
     Vec3f color = Vec3f::Zero(); ///< linear, times the opacity
     float opacity = 1;
 };
@@ -21,9 +21,9 @@ struct Light {
 /// The light that is displayed, 0 to 1 in sRGB and not times the opacity. Highlights are bent into what a screen
 /// can show, so that they keep their shape; black that is seen through darkens as much on a screen as its light
 /// would.
-std::array<float, 4> displayedShares(const Light& light);
+std::array<float, 4> displayedShares(const PixelLight& light);
 /// The same as bytes, with the steps of gradients hidden.
-std::array<std::uint8_t, 4> displayed(const Light& light, int x, int y);
+std::array<std::uint8_t, 4> displayed(const PixelLight& light, int x, int y);
 
 /// The light that is displayed in this colour, "#rrggbb".
 Vec3f lightDisplayedAs(const std::string& color);

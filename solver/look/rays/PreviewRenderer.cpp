@@ -23,12 +23,6 @@ namespace {
 
 constexpr int largestSide = 16384;
 constexpr float silhouette = 0.35f; ///< by how much what is see-through is denser where it turns away from the eye
-constexpr double farthest = 1e8;    ///< mm: points beyond are not drawn
-
-bool drawable(const Vec3& p)
-{
-    return p.allFinite() && p.cwiseAbs().maxCoeff() < farthest;
-}
 
 /// Runs work(0) to work(count - 1) on some threads; stops early when asked to.
 template <class Work>
@@ -59,35 +53,19 @@ Place evenPlace(int i)
 
 } // namespace
 
-Box3 PreviewScene::boundingBox() const
-{
-    Box3 box;
-    const auto extend = [&box](const Vec3& p) {
-        if (drawable(p))
-            box.extend(p);
-    };
-    if (surface)
-        std::for_each(surface->positions.begin(), surface->positions.end(), extend);
-    for (const FrameLook& frame : frames) {
-        const std::vector<Vec3> points = placedPoints(frame);
-        std::for_each(points.begin(), points.end(), extend);
-    }
-    return box;
-}
-
-PreviewView PreviewScene::threeQuarterView(double aspect) const
+PreviewView threeQuarterView(const Scene& scene, double aspect)
 {
     std::vector<Vec3> points;
-    if (surface)
-        points = surface->positions;
-    else if (!frames.empty())
-        points = placedPoints(frames.front());
-    return PreviewView::threeQuarter(boundingBox(), aspect, frontAzimuth(points));
+    if (scene.surface)
+        points = scene.surface->positions;
+    else if (!scene.frames.empty())
+        points = placedPoints(scene.frames.front());
+    return PreviewView::threeQuarter(scene.boundingBox(), aspect, frontAzimuth(points));
 }
 
 class PreviewRenderer::Prepared {
 public:
-    explicit Prepared(const PreviewScene& scene);
+    explicit Prepared(const Scene& scene);
 
     PreviewImage render(const PreviewView& view, const PreviewOptions& options, std::stop_token stop) const;
 
@@ -122,11 +100,11 @@ private:
     Vec3f m_top, m_bottom;
 };
 
-PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
+PreviewRenderer::Prepared::Prepared(const Scene& scene)
     : m_box(scene.boundingBox())
     , m_origin(m_box.isEmpty() ? Vec3(0, 0, 0) : Vec3(m_box.center()))
     , m_cover(scene, m_origin)
-    , m_trims(scene.trims, scene.piping, m_origin)
+    , m_trims(scene.trims, scene.fabrics, m_origin)
     , m_ground(scene.ground && !m_box.isEmpty())
     , m_top(lightDisplayedAs(scene.backgroundTop))
     , m_bottom(lightDisplayedAs(scene.backgroundBottom))
@@ -137,7 +115,8 @@ PreviewRenderer::Prepared::Prepared(const PreviewScene& scene)
                           static_cast<float>(scene.section->offset - scene.section->normal.dot(m_origin)));
     m_rays.add(m_cover.points(), m_cover.triangles());
     m_rays.add(m_trims.points(), m_trims.triangles());
-    for (const PreviewScene::FrameLook& frame : scene.frames) {
+    for (Scene::FrameLook frame : scene.frames) {
+        frame.opacity *= scene.frameOpacity;
         const bool solid = m_cover.triangles().empty() || frame.opacity >= 1;
         std::vector<FrameLook>& frames = solid ? m_frames : m_seeThrough;
         frames.emplace_back(frame, m_origin);
@@ -283,7 +262,7 @@ void PreviewRenderer::Prepared::drawTile(const Job& job, int x0, int y0, Preview
                 job.options.quick ? tile.unshadowed(x, y) : tile.resolved(x, y, job.lens.pixelSize(pixel.position));
             const std::size_t at =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-            const Light light{seen.head<3>(), job.options.transparent ? 1 - seen.w() : 1};
+            const PixelLight light{seen.head<3>(), job.options.transparent ? 1 - seen.w() : 1};
             std::ranges::copy(displayed(light, x, y), image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * at));
             if (job.options.light)
                 std::copy_n(std::array{light.color.x(), light.color.y(), light.color.z(), light.opacity}.begin(), 4,
@@ -324,7 +303,7 @@ PreviewImage PreviewRenderer::Prepared::render(const PreviewView& view, const Pr
     return stop.stop_requested() ? PreviewImage{} : image;
 }
 
-PreviewRenderer::PreviewRenderer(const PreviewScene& scene)
+PreviewRenderer::PreviewRenderer(const Scene& scene)
     : m_prepared(std::make_unique<Prepared>(scene))
 {}
 
@@ -338,7 +317,7 @@ PreviewImage PreviewRenderer::render(const PreviewView& view, const PreviewOptio
     return m_prepared->render(view, options, stop);
 }
 
-PreviewImage renderPreview(const PreviewScene& scene, const PreviewView& view, const PreviewOptions& options,
+PreviewImage renderPreview(const Scene& scene, const PreviewView& view, const PreviewOptions& options,
                            std::stop_token stop)
 {
     if (stop.stop_requested())

@@ -1,23 +1,13 @@
 // Pictures of a cover without a display: Embree rays, OpenImageIO output. The same picture on every run.
 #pragma once
 
-#include "CoverMesh.h"
-#include "FabricMaps.h"
-#include "FrameMaterial.h"
-#include "FrameSkin.h"
-#include "SurfaceMesh.h"
-#include "TriangleMesh.h"
-#include "TrimMesh.h"
+#include "Scene.h"
 #include "Viewpoint.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 namespace bolster {
@@ -36,44 +26,8 @@ struct PreviewView : Viewpoint {
     static PreviewView around(const Box3& box, double aspect, double azimuth, double elevation);
 };
 
-struct PreviewScene {
-    SurfaceMeshPtr surface; ///< may be null
-    TrimMeshPtr trims;      ///< stitches and piping on it; may be null
-    CoverMeshPtr cover;     ///< the same refined, drawn in its place with the same patches; may be null
-    struct PatchLook {
-        ElementId patch{};
-        std::string color = "#7a4a2b"; ///< "#rrggbb"
-        FabricMapsPtr maps = nullptr;  ///< instead of the colour, unless null or not complete
-        double turn = 0; ///< of the maps' x direction in outline coordinates, radians, counter-clockwise
-    };
-    std::vector<PatchLook> looks;              ///< patches that are not listed are leather brown
-    std::map<ElementId, FabricMapsPtr> piping; ///< maps of its fabrics; others are plain
-    struct FrameLook {
-        std::shared_ptr<const TriangleMesh> mesh;
-        Placement placement = {};
-        FrameMaterial material = {};
-        FrameSkinPtr skin = nullptr; ///< drawn in place of the mesh, unless null: pressed under the cover
-        double opacity = 1;          ///< less than 1: see-through where there is a cover, and without a shadow
-    };
-    std::vector<FrameLook> frames;
-    struct Section {
-        Vec3 normal = Vec3::UnitX();
-        double offset = 0; ///< mm
-    };
-    std::optional<Section> section; ///< what lies beyond normal . p = offset is cut away
-    /// Red, green, blue and opacity over the cloth, per vertex of `surface`; empty for plain cloth.
-    std::vector<std::array<std::uint8_t, 4>> vertexColors;
-    bool checker = true;     ///< instead of the fabrics' maps, in their colours
-    double checkerSize = 20; ///< mm
-    bool ground = true;      ///< a shadow on the floor below everything
-    std::string backgroundTop = "#dfe3e8";
-    std::string backgroundBottom = "#fafafa";
-
-    /// Of everything that can be drawn: points that are not finite are left out.
-    Box3 boundingBox() const;
-    /// The whole scene from its front, a little to the side and above.
-    PreviewView threeQuarterView(double aspect) const;
-};
+/// The whole scene from its front, a little to the side and above.
+PreviewView threeQuarterView(const Scene& scene, double aspect);
 
 struct PreviewImage {
     int width = 0;
@@ -101,7 +55,7 @@ struct PreviewOptions {
 /// A scene that is looked at more than once: the constructor prepares it, `render` is const.
 class PreviewRenderer {
 public:
-    explicit PreviewRenderer(const PreviewScene& scene);
+    explicit PreviewRenderer(const Scene& scene);
     ~PreviewRenderer();
     PreviewRenderer(PreviewRenderer&&) noexcept;
     PreviewRenderer& operator=(PreviewRenderer&&) noexcept;
@@ -115,7 +69,7 @@ private:
 };
 
 /// The same in one call.
-PreviewImage renderPreview(const PreviewScene& scene, const PreviewView& view, const PreviewOptions& options,
+PreviewImage renderPreview(const Scene& scene, const PreviewView& view, const PreviewOptions& options,
                            std::stop_token stop = {});
 
 } // namespace bolster

@@ -1,8 +1,10 @@
 // Between light and the numbers that screens are given (IEC 61966-2-1).
 #pragma once
 
+#include "LinearLight.h"
+#include "Shading.h"
+
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace bolster {
@@ -10,11 +12,11 @@ namespace bolster {
 /// Both within 0 and 1.
 inline float linearFromSrgb(float shown)
 {
-    return shown <= 0.04045F ? shown / 12.92F : std::pow((shown + 0.055F) / 1.055F, 2.4F);
+    return toLinear(shown);
 }
 inline float srgbFromLinear(float light)
 {
-    return light <= 0.0031308F ? 12.92F * light : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
+    return shading::encoded(light);
 }
 
 /// The same of a byte, from a table.

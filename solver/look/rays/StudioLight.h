@@ -1,5 +1,4 @@
-// The light of a small photo studio: a bright sky, a light floor, a soft key light beside the camera, a rim light.
-// studio.glsl does the same for the 3D view.
+// Where the lights of the studio stand (studio.glsl says what they do), and rays that look for what shades them.
 #pragma once
 
 #include "CoverLook.h"

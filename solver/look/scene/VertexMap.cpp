@@ -1,8 +1,8 @@
-#include "SurfaceMap.h"
+#include "VertexMap.h"
 
 namespace bolster {
 
-std::vector<SurfaceMap::Rgba> SurfaceMap::colors() const
+std::vector<VertexMap::Rgba> VertexMap::colors() const
 {
     const MapScale scale{kind, limit};
     std::vector<Rgba> all;
