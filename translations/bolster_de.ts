@@ -3821,10 +3821,6 @@
         <translation>%1 lässt sich nicht speichern: eine Zahl darin ist keine, oder ein Text hat eine unbekannte Kodierung</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has version %2 of the format, which this program does not know</source>
-        <translation>„%1“ hat Version %2 des Formats, die dieses Programm nicht kennt</translation>
-    </message>
-    <message>
         <source>there is a file &quot;%1&quot; already</source>
         <translation>es gibt schon eine Datei „%1“</translation>
     </message>

@@ -1,12 +1,11 @@
-#include "BenchReport.h"
-#include "Commands.h"
-#include "Interrupt.h"
+#include "BenchOptions.h"
+#include "Subcommands.h"
+#include "HelperProcess.h"
 #include "Output.h"
-#include "WholeFile.h"
 
-#include <nlohmann/json.hpp>
+#include <QFile>
 
-#include <array>
+#include <unistd.h>
 
 namespace bolster::cli {
 
@@ -27,71 +26,23 @@ Exit code:
   2  wrong usage
 )";
 
-namespace {
-
-constexpr std::array benchOptions = {
-    OptionRule{"--json", true}, OptionRule{"--markdown", true}, OptionRule{"--quick", false},
-    OptionRule{"--smoke", false}, // for tests: tiny meshes, figures that say nothing
-};
-
-bench::Extent extentOf(const Arguments& arguments)
-{
-    if (arguments.has("--smoke"))
-        return bench::Extent::Smoke;
-    return arguments.has("--quick") ? bench::Extent::Quick : bench::Extent::Full;
-}
-
-std::string json(const std::vector<bench::Row>& rows)
-{
-    using Json = nlohmann::ordered_json;
-    Json list = Json::array();
-    for (const bench::Row& row : rows)
-        if (row.listed)
-            list.push_back({{"name", row.name},
-                            {"ours_ms", row.ours},
-                            {"peer", row.peer ? Json(*row.peer) : Json()},
-                            {"peer_ms", row.peer ? Json(row.peerTime) : Json()},
-                            {"ratio", row.peer ? Json(row.ratio()) : Json()}});
-    return list.dump(2) + "\n";
-}
-
-/// False when the file cannot be written.
-bool write(const Arguments& arguments, const char* option, const std::string& text)
-{
-    if (!arguments.has(option))
-        return true;
-    const Message problem = replaceWholeFile(arguments.path(option), text);
-    if (problem.empty())
-        printResult("wrote " + arguments.path(option).toStdString());
-    else
-        printError("error: " + problem.english());
-    return problem.empty();
-}
-
-} // namespace
-
+/// The peers and their libraries are in a program of their own, which nobody has to load who designs. This one
+/// becomes it, so that signals, pipes and exit code are its own.
 int bench(std::span<const std::string> words)
 {
-    const Arguments arguments(words, benchOptions);
-    arguments.expectNoFile();
-    const bench::Extent extent = extentOf(arguments);
-
-    Interrupt interrupt;
-    std::vector<bench::Row> rows;
-    printResult(bench::tableHead());
-    for (const bench::Benchmark& benchmark : bench::benchmarks(extent)) {
-        const std::vector<bench::Row> measured = bench::run(benchmark, extent, interrupt.token());
-        for (const bench::Row& row : measured)
-            printResult(bench::tableLine(row));
-        rows.insert(rows.end(), measured.begin(), measured.end());
-    }
-    if (interrupt.token().stop_requested()) {
-        printError("error: interrupted");
-        return otherFailure;
-    }
-    interrupt.beginWriting();
-    const bool jsonWritten = write(arguments, "--json", json(rows));
-    return write(arguments, "--markdown", bench::markdown(rows)) && jsonWritten ? done : otherFailure;
+    Arguments(words, benchOptions).expectNoFile();
+    const QByteArray program =
+        QFile::encodeName(helperProgram(QStringLiteral("bolster-bench"), QStringLiteral(BOLSTER_BENCH)));
+    std::vector<std::string> all = {program.toStdString()};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> argv;
+    for (std::string& word : all)
+        argv.push_back(word.data());
+    argv.push_back(nullptr);
+    ::execv(program.constData(), argv.data());
+    printError("error: the program \"" + (program.isEmpty() ? "bolster-bench" : program.toStdString()) +
+               "\", which measures for Bolster, cannot be started; install Bolster again");
+    return otherFailure;
 }
 
 } // namespace bolster::cli

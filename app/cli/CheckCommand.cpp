@@ -1,4 +1,4 @@
-#include "Commands.h"
+#include "Subcommands.h"
 #include "FabricBaking.h"
 #include "FrameWarnings.h"
 #include "Interrupt.h"

@@ -1,13 +1,13 @@
 #include "CommandLine.h"
 
-#include "Commands.h"
+#include "Subcommands.h"
 #include "Output.h"
+#include "Reported.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
 
 namespace bolster {
 namespace {
@@ -51,18 +51,7 @@ int run(const Command& command, std::span<const std::string> words)
             return cli::done;
         }
     }
-    try {
-        return command.run(words);
-    } catch (const cli::UsageError& error) {
-        cli::printError(name + ": " + error.what());
-        cli::printError("Try \"" + name + " --help\".");
-        return cli::badInput;
-    } catch (const std::bad_alloc&) {
-        cli::printError(name + ": there is not enough memory for this design");
-    } catch (const std::exception& error) {
-        cli::printError(name + ": " + error.what());
-    }
-    return cli::otherFailure;
+    return cli::reported(name, [&] { return command.run(words); });
 }
 
 /// A word that is neither a file nor looks like one is a mistyped command, not a design to open.

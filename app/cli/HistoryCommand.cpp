@@ -1,4 +1,4 @@
-#include "Commands.h"
+#include "Subcommands.h"
 #include "Output.h"
 #include "Project.h"
 

@@ -1,4 +1,4 @@
-#include "Commands.h"
+#include "Subcommands.h"
 #include "DiskFile.h"
 #include "Interrupt.h"
 #include "Journal.h"

@@ -1,4 +1,4 @@
-#include "Commands.h"
+#include "Subcommands.h"
 #include "DesignHash.h"
 #include "FabricBaking.h"
 #include "Interrupt.h"

@@ -1,4 +1,4 @@
-#include "Commands.h"
+#include "Subcommands.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "ProgressLine.h"

@@ -1,6 +1,7 @@
 // "bolster bench" with tiny meshes: what it measures is no use, but everything runs and is reported.
 #include "../model/TestFiles.h"
 #include "ProgramRun.h"
+#include "TestPaths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,9 +77,21 @@ TEST_F(Bench, RefusesWrongUsage)
 
 TEST_F(Bench, SaysWhatCannotBeWritten)
 {
-    const ProgramRun run = callCommandLine({"bench", "--smoke", "--json", path("none/b.json")});
+    const ProgramRun run = runProgram({"bench", "--smoke", "--json", path("none/b.json")});
     EXPECT_EQ(run.exitCode, 1);
     EXPECT_NE(run.err.find("none/b.json\" cannot be written"), std::string::npos) << run.err;
+}
+
+/// What it is compared with is not loaded by those who design.
+TEST_F(Bench, IsAProgramOfItsOwn)
+{
+    QProcess process;
+    process.start("readelf", {"--wide", "--dynamic", QString::fromStdString(test::program())});
+    ASSERT_TRUE(process.waitForFinished(60'000));
+    const QByteArray elf = process.readAllStandardOutput();
+    EXPECT_TRUE(elf.contains("libQt6Core"));
+    for (const char* peer : {"libcholmod", "libumfpack"})
+        EXPECT_FALSE(elf.contains(peer)) << peer;
 }
 
 } // namespace

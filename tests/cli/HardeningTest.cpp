@@ -27,7 +27,7 @@ QStringList shippedPrograms()
 {
     const QDir build(QFileInfo(QString::fromStdString(program())).absolutePath() + "/..");
     return {QString::fromStdString(program()), build.filePath("model/image/bolster-image"),
-            build.filePath("model/project/bolster-salvage")};
+            build.filePath("model/project/bolster-salvage"), build.filePath("app/cli/bolster-bench")};
 }
 
 TEST(Hardening, ShippedProgramsAreHardened)
@@ -56,9 +56,9 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
     std::map<std::string, int> seen;
     for (const auto& entry : nlohmann::json::parse(file.readAll().toStdString())) {
         const std::string command = entry["command"];
-        for (const char* part :
-             {"bolster_model", "bolster_project", "bolster_image", "bolster_image_decoder", "bolster_salvager",
-              "bolster_cli", "bolster_design", "bolster_solver", "bolster_widgets", "bolster_app", "bolster"}) {
+        for (const char* part : {"bolster_model", "bolster_project", "bolster_image", "bolster_image_decoder",
+                                 "bolster_salvager", "bolster_cli", "bolster_terminal", "bolster_bench_program",
+                                 "bolster_design", "bolster_solver", "bolster_widgets", "bolster_app", "bolster"}) {
             if (command.find(std::string("/").append(part).append(".dir/")) == std::string::npos)
                 continue;
             ++seen[part];
@@ -66,7 +66,7 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
             EXPECT_NE(command.find("-D_FORTIFY_SOURCE=2"), std::string::npos) << part;
         }
     }
-    EXPECT_EQ(seen.size(), 11u);
+    EXPECT_EQ(seen.size(), 13u);
 }
 #endif
 

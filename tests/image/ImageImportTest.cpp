@@ -311,12 +311,16 @@ TEST_F(ImageImportTest, ADecoderThatEatsMemoryIsRefusedIt)
 TEST_F(ImageImportTest, StopsWhenToldTo)
 {
     const QString file = paintSmall("a.png");
+    const QString started = path("started");
     std::stop_source stop;
-    std::jthread later([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const std::jthread stopper([&](const std::stop_token& over) {
+        while (!QFile::exists(started) && !over.stop_requested())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         stop.request_stop();
     });
-    const ImageOutcome outcome = importImage(file, stop.get_token(), doing("sleep 1000"));
+    const ImageOutcome outcome =
+        importImage(file, stop.get_token(), doing(": > '" + started.toStdString() + "'; sleep 1000"));
+    EXPECT_TRUE(QFile::exists(started));
     EXPECT_FALSE(outcome.pixels);
     EXPECT_TRUE(outcome.problem.empty());
 }

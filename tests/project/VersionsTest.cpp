@@ -1,13 +1,10 @@
 // Projects of all versions of the format that there ever were.
 #include "Database.h"
-#include "FormatUpgrade.h"
 #include "ProjectFuzz.h"
 #include "TestPaths.h"
 #include "TestProject.h"
 
 #include <QDir>
-
-#include <sqlite3.h>
 
 namespace bolster::test {
 namespace {
@@ -75,39 +72,6 @@ TEST_F(Versions, WritesACorpusFileWhenAsked)
     expectFine(opened.journal->save(folder + "/small.bolster"));
     const OpenedProject project = openProject(folder + "/small.bolster", ProjectCheck::Everything);
     expectFine(replaceWholeFile(folder + "/small.bolster.txt", everything(project)));
-}
-
-TEST_F(Versions, OlderOnesAreUpgradedIntoANewFile)
-{
-    Document document;
-    document.reset(smallDesign());
-    expectFine(Journal::create(path("journal"), document.committed()).journal->save(path("old.bolster")));
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(path("old.bolster").toUtf8(), &database), SQLITE_OK);
-    EXPECT_EQ(
-        sqlite3_exec(database, "DROP TABLE thumbnail; PRAGMA user_version = 0; VACUUM", nullptr, nullptr, nullptr),
-        SQLITE_OK);
-    sqlite3_close(database);
-    const std::string old = read("old.bolster");
-    EXPECT_EQ(formatVersionOf(path("old.bolster")), 0);
-
-    const std::vector<UpgradeStep> steps = {
-        {0, [](Database& older) {
-             older.run("CREATE TABLE thumbnail(node INTEGER PRIMARY KEY, png BLOB NOT NULL) STRICT");
-         }}};
-    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 2, steps).empty())
-        << "no step from 1 to 2";
-    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 1).empty());
-    EXPECT_FALSE(QFileInfo::exists(path("new.bolster")));
-    expectFine(upgradeProject(path("old.bolster"), path("new.bolster"), 1, steps));
-    const OpenedProject upgraded = openProject(path("new.bolster"), ProjectCheck::Everything);
-    EXPECT_EQ(upgraded.problem.english(), "");
-    EXPECT_EQ(writeDesign(upgraded.design), writeDesign(document.committed()));
-    EXPECT_EQ(read("old.bolster"), old);
-    EXPECT_FALSE(upgradeProject(path("old.bolster"), path("new.bolster"), 1, steps).empty())
-        << "it is there already";
-    EXPECT_FALSE(upgradeProject(write("x", "no project"), path("y"), 1, steps).empty());
-    EXPECT_EQ(QDir(m_folder.path()).entryList({".bolster*"}, QDir::Files | QDir::Hidden).size(), 0);
 }
 
 TEST_F(Versions, ReadersTakeAnyBytes)

@@ -509,7 +509,7 @@ TEST(SolverThread, GivesUpWhatIsOutdated)
     const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(before);
     solver.request(design.with({{}, {{settingsId, design.element(settingsId), makeElement(fine)}}}), 2);
-    std::this_thread::sleep_for(100ms); // half a million vertices take longer
+    ASSERT_TRUE(solver.waitFor([](const SolverOutput& o) { return o.status.state == State::Preparing; }));
     solver.request(design, 3);
     const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3; });
     ASSERT_TRUE(after);
@@ -519,10 +519,16 @@ TEST(SolverThread, GivesUpWhatIsOutdated)
 
 TEST(SolverThread, StopsInTheMiddleOfWork)
 {
-    for (int i = 0; i < 10; ++i) {
-        Listener solver;
-        solver.request(box(200, 60, 8, 10, 0.3), 1);
-        std::this_thread::sleep_for(std::chrono::milliseconds(7 * i));
+    for (const State middle : {State::Preparing, State::Moving}) {
+        const auto kept = std::make_shared<RestingCache>(64 << 20);
+        {
+            Listener solver(kept);
+            solver.request(box(300, 100, 3, 10, 0.3), 1); // takes long
+            ASSERT_TRUE(solver.waitFor([=](const SolverOutput& o) {
+                return o.status.state == middle || o.status.state == State::Moving;
+            }));
+        }
+        EXPECT_EQ(kept->count(), 0u) << "it was not brought to an end first";
     }
 }
 

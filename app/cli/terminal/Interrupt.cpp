@@ -1,6 +1,6 @@
 #include "Interrupt.h"
 
-#include "Commands.h"
+#include "Subcommands.h"
 #include "DirectWrite.h"
 #include "Output.h"
 #include "Unfinished.h"
