@@ -48,7 +48,7 @@ std::string grouped(double number)
         return json::text(number);
     std::string digits = std::to_string(static_cast<long long>(number));
     for (auto place = static_cast<std::ptrdiff_t>(digits.size()) - 3; place > (number < 0); place -= 3)
-        digits.insert(static_cast<std::size_t>(place), ",");
+        digits.insert(digits.begin() + place, ',');
     return digits;
 }
 

@@ -120,7 +120,7 @@ void ShownScene::setFiles(const DesignFiles& files)
     emit changed(false);
 }
 
-void ShownScene::setMap(SurfaceMapPtr map)
+void ShownScene::setMap(VertexMapPtr map)
 {
     m_scene.map = std::move(map);
     updateScans();

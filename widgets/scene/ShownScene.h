@@ -50,7 +50,7 @@ public:
     /// What the design's files hold: frames, foam and scans; their placement is taken from the design.
     void setFiles(const DesignFiles& files);
     /// Colours on the cover; null for none.
-    void setMap(SurfaceMapPtr map);
+    void setMap(VertexMapPtr map);
     /// The forces of cushioning; null for none. Shown in their layer.
     void setField(bolster::FieldPicturePtr field);
     /// Which points of a scan belong to which places of the cover, mm: shown as lines.
