@@ -1,6 +1,7 @@
 // The canvas of the 3D view: with OpenGL where it works, else in software.
 #pragma once
 
+#include "SoftwareRenderer.h"
 #include "SurfaceCanvas.h"
 
 #include <QObject>

@@ -6,6 +6,7 @@
 #include "CoverCrosshair.h"
 #include "SectionControl.h"
 #include "ShownScene.h"
+#include "SurfaceMap.h"
 #include "SurfaceNavigation.h"
 #include "SurfaceToolHost.h"
 #include "SurfaceVisibility.h"
