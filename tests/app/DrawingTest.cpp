@@ -37,7 +37,7 @@ TEST_F(DrawingWindowTest, HintsCoverNeitherRulersNorTheScaleBar)
     PatternView& view = window.patternView();
     const auto expectFree = [&](const QWidget& hint) {
         ASSERT_TRUE(hint.isVisible());
-        EXPECT_FALSE(scaleBarPlace(view.transform(), view.size()).intersects(hint.geometry()));
+        EXPECT_FALSE(scaleBarPlace(view.navigation().transform(), view.size()).intersects(hint.geometry()));
         for (const QWidget* ruler : view.findChildren<PatternRuler*>())
             EXPECT_FALSE(ruler->isVisible() && ruler->geometry().intersects(hint.geometry()));
     };
@@ -74,7 +74,7 @@ TEST_F(DrawingWindowTest, WhatIsLargerThanTheViewIsBroughtIntoIt)
     QTest::keyClicks(&view, QStringLiteral("3 m x 2 m"));
     QTest::keyClick(&view, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return view.tool() == PatternToolKind::Select; }));
-    const Box2 seen = view.transform().visible(view.size());
+    const Box2 seen = view.navigation().transform().visible(view.size());
     EXPECT_GT(seen.sizes().x(), 3000);
     EXPECT_GT(seen.sizes().y(), 2000);
 }
