@@ -12,9 +12,9 @@ namespace {
 constexpr double step = 1; // mm
 
 /// A stretch of an outline by its length.
-class Run {
+class TrimRun {
 public:
-    Run(const Patch& patch, const Stretch& stretch)
+    TrimRun(const Patch& patch, const Stretch& stretch)
         : m_patch(stretch.patch)
         , m_outline(patch.outline)
         , m_arc(m_outline)
@@ -82,7 +82,7 @@ std::vector<TrimRow> insideRows(const Design& design, const Stretch& stretch, co
 {
     std::vector<TrimRow> rows;
     if (const Patch* patch = design.find<Patch>(stretch.patch)) {
-        const Run run(*patch, stretch);
+        const TrimRun run(*patch, stretch);
         rows.push_back(run.row(trim.stitchDistance, run.steps()));
         if (trim.stitch == SeamTrim::Stitch::Twin)
             rows.push_back(run.row(2 * trim.stitchDistance, run.steps()));
@@ -95,7 +95,7 @@ std::vector<TrimRow> borderRow(const Design& design, const Stretch& stretch)
     const Patch* patch = design.find<Patch>(stretch.patch);
     if (!patch)
         return {};
-    const Run run(*patch, stretch);
+    const TrimRun run(*patch, stretch);
     return {run.row(0, run.steps())};
 }
 
@@ -111,7 +111,7 @@ std::vector<TrimRow> stitchRows(const Design& design, const Element& element)
     if (const auto* seam = std::get_if<Seam>(&element)) {
         for (const Stretch* side : {&seam->a, &seam->b})
             if (const Patch* patch = design.find<Patch>(side->patch); patch && (twin || side == &seam->a)) {
-                const Run run(*patch, *side);
+                const TrimRun run(*patch, *side);
                 rows.push_back(run.row(trim->stitchDistance, run.steps()));
             }
     } else if (const auto* fixed = std::get_if<FixationSeam>(&element)) {
@@ -138,7 +138,7 @@ std::vector<TrimRow> pipingRows(const Design& design, const Element& element)
         const Patch* b = design.find<Patch>(seam->b.patch);
         if (!a || !b)
             return {};
-        const Run first(*a, seam->a), second(*b, seam->b);
+        const TrimRun first(*a, seam->a), second(*b, seam->b);
         return {first.row(0, first.steps()), second.row(0, first.steps(), seam->reversed)};
     }
     if (const auto* fixed = std::get_if<FixationSeam>(&element))
