@@ -15,13 +15,15 @@ namespace {
 std::string tableLine(const std::string& key, const std::string& usual, const std::string& values,
                       const std::string& meaning)
 {
-    const auto cell = [](const std::string& text) { return text.empty() ? " |" : " " + text + " |"; };
-    return "|" + cell(key) + cell(usual) + cell(values) + cell(meaning) + "\n";
+    std::string line = "|";
+    for (const std::string* cell : {&key, &usual, &values, &meaning})
+        line.append(cell->empty() ? "" : " ").append(*cell).append(" |");
+    return line.append("\n");
 }
 
 std::string tableCode(const std::string& text)
 {
-    return "`" + text + "`";
+    return std::string("`").append(text).append("`");
 }
 
 const char* unitWord(Unit unit)
@@ -67,7 +69,7 @@ std::string tableList(const Vector& values)
     std::string all;
     for (const double value : values)
         all.append(all.empty() ? "" : ", ").append(json::text(value));
-    return "[" + all + "]";
+    return std::string("[").append(all).append("]");
 }
 
 /// "`"box"`, `"sphere"` or `"mesh"`"
@@ -254,7 +256,8 @@ std::string withFieldTables(const std::string& document)
         const std::size_t from = text.find(start);
         const std::size_t to = from == std::string::npos ? from : text.find(end, from);
         if (to != std::string::npos)
-            text.replace(from + start.size(), to - from - start.size(), "\n" + table + "\n");
+            text =
+                text.substr(0, from + start.size()).append("\n").append(table).append("\n").append(text.substr(to));
     }
     return text;
 }

@@ -1,6 +1,5 @@
 #include "CushionForm.h"
 
-#include "FrameParts.h"
 #include "InspectorSubject.h"
 
 namespace bolster {
@@ -43,8 +42,7 @@ void CushionForm::add(PropertyForm& form, const Ids& ids) const
     cushion.name();
     cushion.field(&Cushion::enabled);
     cushion.reference({}, &Cushion::frame);
-    const FrameParts parts(m_document, m_sources, m_wishes);
-    parts.addPadded(form, ids);
+    m_parts.addPadded(form, ids);
     addCoverChoice(form, ids);
     form.explain(cushion.fieldAt(&Cushion::patches).tip());
     cushion.field(&Cushion::dilation);
@@ -52,7 +50,7 @@ void CushionForm::add(PropertyForm& form, const Ids& ids) const
     cushion.field(&Cushion::distance);
     cushion.field(&Cushion::voxel);
     if (!cushion.several())
-        parts.addVoxelNote(form, ids.front());
+        m_parts.addVoxelNote(form, ids.front());
 }
 
 std::vector<int> CushionForm::rowsDependOn(const Ids& ids) const

@@ -1,6 +1,5 @@
 #include "FrameForm.h"
 
-#include "FrameParts.h"
 #include "InspectorSubject.h"
 #include "PlacementFields.h"
 
@@ -17,7 +16,7 @@ void FrameForm::add(PropertyForm& form, const Ids& ids) const
     addMaterial(form, ids);
     if (frame.several())
         return;
-    FrameParts(m_document, m_sources, m_wishes).addShown(form, ids.front());
+    m_parts.addShown(form, ids.front());
     form.addButton(tr("Choose an&other file \u2026"), [this, id = ids.front()] { m_wishes.chooseFile(id); });
 }
 

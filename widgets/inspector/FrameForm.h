@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ElementForm.h"
+#include "FrameParts.h"
 
 #include <QCoreApplication>
 
@@ -15,8 +16,8 @@ class FrameForm : public ElementForm {
 public:
     FrameForm(Document& document, const FormSources& sources, const FormWishes& wishes)
         : m_document(document)
-        , m_sources(sources)
         , m_wishes(wishes)
+        , m_parts(document, sources, wishes)
     {}
 
     void add(PropertyForm& form, const Ids& ids) const override;
@@ -25,8 +26,8 @@ private:
     void addMaterial(PropertyForm& form, const Ids& ids) const;
 
     Document& m_document;
-    const FormSources& m_sources;
     const FormWishes& m_wishes;
+    FrameParts m_parts; ///< the rows that it makes refer to it
 };
 
 } // namespace bolster
