@@ -156,6 +156,21 @@
     </message>
 </context>
 <context>
+    <name>ColourwayForm</name>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>those of the patches</source>
+        <translation>die der Schnittteile</translation>
+    </message>
+</context>
+<context>
     <name>ContextMenus</name>
     <message>
         <source>&amp;Show</source>
@@ -191,6 +206,28 @@
     <message>
         <source>This needs the cover of the present design: let the solver go on first (Pause).</source>
         <translation>Das braucht den Bezug des jetzigen Entwurfs: zuerst die Berechnung weiterlaufen lassen („Anhalten“ ausschalten).</translation>
+    </message>
+</context>
+<context>
+    <name>CushionForm</name>
+    <message>
+        <source>Cover of %1</source>
+        <translation>Bezug von %1</translation>
+    </message>
+    <message>
+        <source>Every cover</source>
+        <translation>Jeden Bezug</translation>
+    </message>
+    <message>
+        <source>Pushes</source>
+        <translation>Drückt</translation>
+    </message>
+</context>
+<context>
+    <name>DescribedField</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -549,6 +586,81 @@
     </message>
 </context>
 <context>
+    <name>FabricForm</name>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Creases</source>
+        <translation>Furchen</translation>
+    </message>
+    <message>
+        <source>Depth of the pile</source>
+        <translation>Tiefe des Flors</translation>
+    </message>
+    <message>
+        <source>Other squares</source>
+        <translation>Übrige Felder</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Grain size</source>
+        <translation>Größe der Narbung</translation>
+    </message>
+    <message>
+        <source>Repeat of the weave</source>
+        <translation>Rapport des Gewebes</translation>
+    </message>
+    <message>
+        <source>Nap</source>
+        <translation>Strich</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Verhalten</translation>
+    </message>
+    <message>
+        <source>The fabric on a cushion and on a ball</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel</translation>
+    </message>
+    <message>
+        <source>The fabric on a cushion and on a ball, at its real scale</source>
+        <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
+    </message>
+    <message>
+        <source>Colour of the fabric</source>
+        <translation>Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>Second colour of the fabric</source>
+        <translation>Zweite Farbe des Stoffs</translation>
+    </message>
+    <message>
+        <source>From the first colour</source>
+        <translation>Aus der ersten Farbe</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other picture …</source>
+        <translation>Anderes B&amp;ild wählen …</translation>
+    </message>
+</context>
+<context>
     <name>FabricMenu</name>
     <message>
         <source>&amp;New fabric</source>
@@ -744,6 +856,21 @@
     <message>
         <source>Plain</source>
         <translation>Einfarbig</translation>
+    </message>
+</context>
+<context>
+    <name>FancySeamForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>It stands out: a welt.</source>
+        <translation>Sie steht vor: ein Wulst.</translation>
     </message>
 </context>
 <context>
@@ -1172,6 +1299,74 @@
         <source> mm per unit</source>
         <translation>mm je Einheit</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>The frame that is padded</source>
+        <translation>Das Gestell, das gepolstert wird</translation>
+    </message>
+    <message>
+        <source>Which cover the padding presses outwards</source>
+        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
+    </message>
+    <message>
+        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
+        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
+    </message>
+    <message>
+        <source>How thick the padding around the frame is</source>
+        <translation>Wie dick das Gestell gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
+        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
+    </message>
+    <message>
+        <source>How thick the padding around this foam is</source>
+        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
+    </message>
+    <message>
+        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
+        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
+    </message>
+    <message>
+        <source>Takes this shape out of the cushion instead of adding it</source>
+        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
+    </message>
+    <message>
+        <source>as made</source>
+        <translation>wie gefertigt</translation>
+    </message>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Thread colour</source>
+        <translation>Garnfarbe</translation>
+    </message>
+    <message>
+        <source>Stitch distance</source>
+        <translation>Abstand der Stiche</translation>
+    </message>
+    <message>
+        <source>Piping radius</source>
+        <translation>Radius des Keders</translation>
+    </message>
+    <message>
+        <source>Piping fabric</source>
+        <translation>Stoff des Keders</translation>
+    </message>
+    <message>
+        <source>Valley</source>
+        <translation>Mulde</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -1249,6 +1444,17 @@
     </message>
 </context>
 <context>
+    <name>FixationCurveForm</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+<context>
     <name>FixationDrawTool</name>
     <message>
         <source>A curve needs two points, a closed one three.</source>
@@ -1296,6 +1502,25 @@
     </message>
 </context>
 <context>
+    <name>FixationSeamForm</name>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>On the curve</source>
+        <translation>Auf der Kurve</translation>
+    </message>
+</context>
+<context>
     <name>FixingCommands</name>
     <message>
         <source>&amp;Create fixation curve</source>
@@ -1312,6 +1537,101 @@
     <message>
         <source>There is no surface of this patch yet on which the curve could lie.</source>
         <translation>Dieses Schnittteil hat noch keine Oberfläche, auf der die Kurve liegen könnte.</translation>
+    </message>
+</context>
+<context>
+    <name>FoamForm</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+</context>
+<context>
+    <name>FrameForm</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other file …</source>
+        <translation>Andere Datei wäh&amp;len …</translation>
+    </message>
+    <message>
+        <source>Colour of the frame</source>
+        <translation>Farbe des Gestells</translation>
+    </message>
+</context>
+<context>
+    <name>FrameParts</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Piece %1: %2</source>
+        <translation>Stück %1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n piece(s)</source>
+        <translation>
+            <numerusform>%1: %n Stück</numerusform>
+            <numerusform>%1: %n Stücke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll parts</source>
+        <translation>A&amp;lle Teile zeigen</translation>
+    </message>
+    <message>
+        <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
+        <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
+    </message>
+    <message>
+        <source>%1: not in this frame</source>
+        <translation>%1: nicht in diesem Gestell</translation>
+    </message>
+    <message>
+        <source>Padded parts</source>
+        <translation>Gepolsterte Teile</translation>
+    </message>
+    <message>
+        <source>Without a mark, those parts are padded that the cover is fixed to.</source>
+        <translation>Ohne Haken werden die Teile gepolstert, an denen der Bezug befestigt ist.</translation>
+    </message>
+    <message>
+        <source>This frame is large: the smallest detail can be %1 here.</source>
+        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit kann hier %1 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>HandleCurveForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>In the pattern</source>
+        <translation>Im Schnitt</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
     </message>
 </context>
 <context>
@@ -1694,516 +2014,6 @@
             <numerusform>%n Element</numerusform>
             <numerusform>%n Elemente</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>Punkte</translation>
-    </message>
-    <message>
-        <source>Patches</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>%1, %2 m² in all</source>
-        <translation>%1, zusammen %2 m²</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>%1, %2 m in all</source>
-        <translation>%1, zusammen %2 m</translation>
-    </message>
-    <message>
-        <source>Select something to see its properties.</source>
-        <translation>Wählen Sie etwas aus, um seine Eigenschaften zu sehen.</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>First side</source>
-        <translation>Erste Seite</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Second side</source>
-        <translation>Zweite Seite</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Mehrweite</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>It keeps its text and is saved as it is.</source>
-        <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>Gestell</translation>
-    </message>
-    <message>
-        <source>Cover of %1</source>
-        <translation>Bezug von %1</translation>
-    </message>
-    <message>
-        <source>Every cover</source>
-        <translation>Jeden Bezug</translation>
-    </message>
-    <message>
-        <source>Pushes</source>
-        <translation>Drückt</translation>
-    </message>
-    <message>
-        <source>Parts</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
-        <source>Cushion</source>
-        <translation>Polsterung</translation>
-    </message>
-    <message>
-        <source>Patch</source>
-        <translation>Schnittteil</translation>
-    </message>
-    <message>
-        <source>In the pattern</source>
-        <translation>Im Schnitt</translation>
-    </message>
-    <message>
-        <source>In space</source>
-        <translation>Im Raum</translation>
-    </message>
-    <message>
-        <source>It stands out: a welt.</source>
-        <translation>Sie steht vor: ein Wulst.</translation>
-    </message>
-    <message>
-        <source>free</source>
-        <translation>frei</translation>
-    </message>
-    <message>
-        <source>Deviation</source>
-        <translation>Abweichung</translation>
-    </message>
-    <message>
-        <source>%1 rms</source>
-        <translation>%1 quadr. Mittel</translation>
-    </message>
-    <message>
-        <source>Median, 95 %</source>
-        <translation>Median, 95 %</translation>
-    </message>
-    <message>
-        <source>Largest</source>
-        <translation>Größte</translation>
-    </message>
-    <message>
-        <source>Coverage</source>
-        <translation>Abdeckung</translation>
-    </message>
-    <message>
-        <source>Floor at</source>
-        <translation>Boden bei</translation>
-    </message>
-    <message>
-        <source>Cuts</source>
-        <translation>Schnitte</translation>
-    </message>
-    <message>
-        <source>On the curve</source>
-        <translation>Auf der Kurve</translation>
-    </message>
-    <message>
-        <source>Layout x, y</source>
-        <translation>Lage x, y</translation>
-    </message>
-    <message>
-        <source>Space x, y, z</source>
-        <translation>Raum x, y, z</translation>
-    </message>
-    <message>
-        <source>Twin of</source>
-        <translation>Zwilling von</translation>
-    </message>
-    <message>
-        <source>Exceptions</source>
-        <translation>Ausnahmen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n released points</source>
-        <translation>
-            <numerusform>%n gelöster Punkt</numerusform>
-            <numerusform>%n gelöste Punkte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Symmetric design</source>
-        <translation>Symmetrischer Entwurf</translation>
-    </message>
-    <message>
-        <source>Plane through</source>
-        <translation>Ebene durch</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normale</translation>
-    </message>
-    <message>
-        <source>Axis through</source>
-        <translation>Achse durch</translation>
-    </message>
-    <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>Length between</source>
-        <translation>Länge dazwischen</translation>
-    </message>
-    <message>
-        <source>Mirror image</source>
-        <translation>Spiegelbild</translation>
-    </message>
-    <message>
-        <source>released</source>
-        <translation>gelöst</translation>
-    </message>
-    <message>
-        <source>itself</source>
-        <translation>sie selbst</translation>
-    </message>
-    <message>
-        <source>Fabrics</source>
-        <translation>Stoffe</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>those of the patches</source>
-        <translation>die der Schnittteile</translation>
-    </message>
-    <message>
-        <source>Weft</source>
-        <translation>Schuss</translation>
-    </message>
-    <message>
-        <source>Creases</source>
-        <translation>Furchen</translation>
-    </message>
-    <message>
-        <source>Depth of the pile</source>
-        <translation>Tiefe des Flors</translation>
-    </message>
-    <message>
-        <source>Other squares</source>
-        <translation>Übrige Felder</translation>
-    </message>
-    <message>
-        <source>Squares</source>
-        <translation>Felder</translation>
-    </message>
-    <message>
-        <source>Grain size</source>
-        <translation>Größe der Narbung</translation>
-    </message>
-    <message>
-        <source>Repeat of the weave</source>
-        <translation>Rapport des Gewebes</translation>
-    </message>
-    <message>
-        <source>Nap</source>
-        <translation>Strich</translation>
-    </message>
-    <message>
-        <source>Width of the picture</source>
-        <translation>Breite des Bildes</translation>
-    </message>
-    <message>
-        <source>Behaviour</source>
-        <translation>Verhalten</translation>
-    </message>
-    <message>
-        <source>From the first colour</source>
-        <translation>Aus der ersten Farbe</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Plain</source>
-        <translation>Einfarbig</translation>
-    </message>
-    <message>
-        <source>Checker</source>
-        <translation>Schachbrett</translation>
-    </message>
-    <message>
-        <source>Smooth leather</source>
-        <translation>Glattleder</translation>
-    </message>
-    <message>
-        <source>Grained leather</source>
-        <translation>Genarbtes Leder</translation>
-    </message>
-    <message>
-        <source>Woven</source>
-        <translation>Gewebe</translation>
-    </message>
-    <message>
-        <source>Velvet</source>
-        <translation>Samt</translation>
-    </message>
-    <message>
-        <source>Picture …</source>
-        <translation>Bild …</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Inhalt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points, one every %3</source>
-        <translation>%1 von %2 Punkten, einer alle %3</translation>
-    </message>
-    <message>
-        <source>The fabric on a cushion and on a ball</source>
-        <translation>Der Stoff auf einem Kissen und auf einer Kugel</translation>
-    </message>
-    <message>
-        <source>The fabric on a cushion and on a ball, at its real scale</source>
-        <translation>Der Stoff auf einem Kissen und auf einer Kugel, in wahrer Größe</translation>
-    </message>
-    <message>
-        <source>Edge length</source>
-        <translation>Länge der Kante</translation>
-    </message>
-    <message>
-        <source>Edge lengths</source>
-        <translation>Längen der Kanten</translation>
-    </message>
-    <message>
-        <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
-        <translation>%1 Kanten. Bei „Gleich lang machen“ bleibt die erste, wie sie ist: %2 an %3.</translation>
-    </message>
-    <message>
-        <source>Edge of</source>
-        <translation>Kante von</translation>
-    </message>
-    <message>
-        <source>Choose an&amp;other picture …</source>
-        <translation>Anderes B&amp;ild wählen …</translation>
-    </message>
-    <message>
-        <source>Choose an&amp;other file …</source>
-        <translation>Andere Datei wäh&amp;len …</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Material</translation>
-    </message>
-    <message>
-        <source>Wood</source>
-        <translation>Holz</translation>
-    </message>
-    <message>
-        <source>Metal</source>
-        <translation>Metall</translation>
-    </message>
-    <message>
-        <source>Plastic</source>
-        <translation>Kunststoff</translation>
-    </message>
-    <message>
-        <source>Foam</source>
-        <translation>Schaum</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3 mm</source>
-        <translation>%1 × %2 × %3 mm</translation>
-    </message>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>Piece %1: %2</source>
-        <translation>Stück %1: %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n piece(s)</source>
-        <translation>
-            <numerusform>%1: %n Stück</numerusform>
-            <numerusform>%1: %n Stücke</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Parts without a mark are left out: they are not drawn, and neither drawing along the frame nor cushioning nor contact knows them.</source>
-        <translation>Teile ohne Haken werden weggelassen: Sie werden nicht gezeichnet, und weder das Zeichnen am Gestell noch Polsterung oder Kontakt berücksichtigen sie.</translation>
-    </message>
-    <message>
-        <source>Place on &amp;the cover</source>
-        <translation>Am Be&amp;zug ausrichten</translation>
-    </message>
-    <message>
-        <source>Cut awa&amp;y …</source>
-        <translation>&amp;Wegschneiden …</translation>
-    </message>
-    <message>
-        <source>&amp;Keep only …</source>
-        <translation>&amp;Nur behalten …</translation>
-    </message>
-    <message>
-        <source>Keep aroun&amp;d the cover</source>
-        <translation>&amp;Umgebung des Bezugs behalten</translation>
-    </message>
-    <message>
-        <source>Remove a&amp;ll cuts</source>
-        <translation>Alle Schnitte en&amp;tfernen</translation>
-    </message>
-    <message>
-        <source>Re-lin&amp;k to its mirror image</source>
-        <translation>Wieder mit dem Spiegelbild ver&amp;knüpfen</translation>
-    </message>
-    <message>
-        <source>Re&amp;lease from its mirror image</source>
-        <translation>&amp;Vom Spiegelbild lösen</translation>
-    </message>
-    <message>
-        <source>&amp;Unlink from its twin</source>
-        <translation>Vom Zwilling t&amp;rennen</translation>
-    </message>
-    <message>
-        <source>Re-link all poi&amp;nts</source>
-        <translation>Alle &amp;Punkte wieder koppeln</translation>
-    </message>
-    <message>
-        <source>Colour of the fabric</source>
-        <translation>Farbe des Stoffs</translation>
-    </message>
-    <message>
-        <source>Second colour of the fabric</source>
-        <translation>Zweite Farbe des Stoffs</translation>
-    </message>
-    <message>
-        <source>Colour of the frame</source>
-        <translation>Farbe des Gestells</translation>
-    </message>
-    <message>
-        <source>Colour of the thread</source>
-        <translation>Farbe des Fadens</translation>
-    </message>
-    <message>
-        <source>Show a&amp;ll parts</source>
-        <translation>A&amp;lle Teile zeigen</translation>
-    </message>
-    <message>
-        <source>The frame that is padded</source>
-        <translation>Das Gestell, das gepolstert wird</translation>
-    </message>
-    <message>
-        <source>Which cover the padding presses outwards</source>
-        <translation>Welchen Bezug die Polsterung nach außen drückt</translation>
-    </message>
-    <message>
-        <source>How thick the padding around the frame is</source>
-        <translation>Wie dick das Gestell gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard the padding presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark die Polsterung den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
-    </message>
-    <message>
-        <source>How padding presses that is aslant to width, depth and height: harder fills the cover more</source>
-        <translation>Wie Polsterung drückt, die schräg zu Breite, Tiefe und Höhe liegt: stärker füllt den Bezug mehr aus</translation>
-    </message>
-    <message>
-        <source>How finely the frame is looked at: what is thinner may stay without padding</source>
-        <translation>Wie fein das Gestell betrachtet wird: Was dünner ist, bleibt vielleicht ohne Polsterung</translation>
-    </message>
-    <message>
-        <source>Takes this shape out of the cushion instead of adding it</source>
-        <translation>Nimmt diese Form aus der Polsterung heraus, statt sie hinzuzufügen</translation>
-    </message>
-    <message>
-        <source>How thick the padding around this foam is</source>
-        <translation>Wie dick dieser Schaumstoff gepolstert ist</translation>
-    </message>
-    <message>
-        <source>How hard this foam presses the cover outwards; from about 2 on it gives no more</source>
-        <translation>Wie stark dieser Schaumstoff den Bezug nach außen drückt; ab etwa 2 wird es nicht mehr</translation>
-    </message>
-    <message>
-        <source>%1: not in this frame</source>
-        <translation>%1: nicht in diesem Gestell</translation>
-    </message>
-    <message>
-        <source>Padded parts</source>
-        <translation>Gepolsterte Teile</translation>
-    </message>
-    <message>
-        <source>Without a mark, those parts are padded that the cover is fixed to.</source>
-        <translation>Ohne Haken werden die Teile gepolstert, an denen der Bezug befestigt ist.</translation>
-    </message>
-    <message>
-        <source>This frame is large: the smallest detail can be %1 here.</source>
-        <translation>Dieses Gestell ist groß: Die kleinste Einzelheit kann hier %1 sein.</translation>
     </message>
 </context>
 <context>
@@ -4416,6 +4226,17 @@
     </message>
 </context>
 <context>
+    <name>OutlineTrimForm</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>PatchDrawingTool</name>
     <message>
         <source>Patch %1</source>
@@ -4428,6 +4249,17 @@
     <message>
         <source>This cannot be a patch: %1</source>
         <translation>Das kann kein Schnittteil werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>PatchForm</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
     </message>
 </context>
 <context>
@@ -4575,6 +4407,13 @@
     </message>
 </context>
 <context>
+    <name>PatternToolHost</name>
+    <message>
+        <source>%1 Let go here, and it goes back to where it was.</source>
+        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
+    </message>
+</context>
+<context>
     <name>PlacementGizmo</name>
     <message>
         <source>Turned by %1° – Ctrl snaps to 15°, Escape cancels</source>
@@ -4703,6 +4542,104 @@
     </message>
 </context>
 <context>
+    <name>ScanForm</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Place on &amp;the cover</source>
+        <translation>Am Be&amp;zug ausrichten</translation>
+    </message>
+    <message>
+        <source>Choose an&amp;other file …</source>
+        <translation>Andere Datei wäh&amp;len …</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points, one every %3</source>
+        <translation>%1 von %2 Punkten, einer alle %3</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1 quadr. Mittel</translation>
+    </message>
+    <message>
+        <source>Median, 95 %</source>
+        <translation>Median, 95 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Floor at</source>
+        <translation>Boden bei</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Cut awa&amp;y …</source>
+        <translation>&amp;Wegschneiden …</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only …</source>
+        <translation>&amp;Nur behalten …</translation>
+    </message>
+    <message>
+        <source>Keep aroun&amp;d the cover</source>
+        <translation>&amp;Umgebung des Bezugs behalten</translation>
+    </message>
+    <message>
+        <source>Remove a&amp;ll cuts</source>
+        <translation>Alle Schnitte en&amp;tfernen</translation>
+    </message>
+</context>
+<context>
+    <name>SeamForm</name>
+    <message>
+        <source>First side</source>
+        <translation>Erste Seite</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Second side</source>
+        <translation>Zweite Seite</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Mehrweite</translation>
+    </message>
+</context>
+<context>
     <name>SectionHandle</name>
     <message>
         <source>Section at %1 – Ctrl turns it by 15°, Escape puts it back</source>
@@ -4711,6 +4648,44 @@
     <message>
         <source>Drag to move the section, with Ctrl to turn it</source>
         <translation>Ziehen verschiebt die Schnittebene, mit Strg wird sie gedreht</translation>
+    </message>
+</context>
+<context>
+    <name>SelectedEdgesForm</name>
+    <message>
+        <source>Edge length</source>
+        <translation>Länge der Kante</translation>
+    </message>
+    <message>
+        <source>Edge lengths</source>
+        <translation>Längen der Kanten</translation>
+    </message>
+    <message>
+        <source>%1 edges. Of &quot;Make equally long&quot; the first one stays: %2 of %3.</source>
+        <translation>%1 Kanten. Bei „Gleich lang machen“ bleibt die erste, wie sie ist: %2 an %3.</translation>
+    </message>
+    <message>
+        <source>Edge of</source>
+        <translation>Kante von</translation>
+    </message>
+</context>
+<context>
+    <name>SelectedPointsForm</name>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Layout x, y</source>
+        <translation>Lage x, y</translation>
+    </message>
+    <message>
+        <source>Length between</source>
+        <translation>Länge dazwischen</translation>
+    </message>
+    <message>
+        <source>Space x, y, z</source>
+        <translation>Raum x, y, z</translation>
     </message>
 </context>
 <context>
@@ -4726,6 +4701,49 @@
     <message>
         <source>An edge cannot be removed: its points can, or with Esc the whole patch.</source>
         <translation>Eine Kante lässt sich nicht entfernen: ihre Punkte schon, oder nach Esc das ganze Schnittteil.</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsForm</name>
+    <message>
+        <source>Patches</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1, %2 m² in all</source>
+        <translation>%1, zusammen %2 m²</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>%1, %2 m in all</source>
+        <translation>%1, zusammen %2 m</translation>
+    </message>
+    <message>
+        <source>Select something to see its properties.</source>
+        <translation>Wählen Sie etwas aus, um seine Eigenschaften zu sehen.</translation>
+    </message>
+    <message>
+        <source>Symmetric design</source>
+        <translation>Symmetrischer Entwurf</translation>
+    </message>
+    <message>
+        <source>Plane through</source>
+        <translation>Ebene durch</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Axis through</source>
+        <translation>Achse durch</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
     </message>
 </context>
 <context>
@@ -4989,6 +5007,25 @@
     </message>
 </context>
 <context>
+    <name>TrimSection</name>
+    <message>
+        <source>Stitching</source>
+        <translation>Steppung</translation>
+    </message>
+    <message>
+        <source>Colour of the thread</source>
+        <translation>Farbe des Fadens</translation>
+    </message>
+    <message>
+        <source>Piping</source>
+        <translation>Keder</translation>
+    </message>
+    <message>
+        <source>As the patch</source>
+        <translation>Wie das Schnittteil</translation>
+    </message>
+</context>
+<context>
     <name>TwinCommands</name>
     <message>
         <source>Make &amp;mirror twin</source>
@@ -5036,6 +5073,56 @@
     </message>
 </context>
 <context>
+    <name>TwinForm</name>
+    <message>
+        <source>Mirror image</source>
+        <translation>Spiegelbild</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>itself</source>
+        <translation>sie selbst</translation>
+    </message>
+    <message>
+        <source>Re-lin&amp;k to its mirror image</source>
+        <translation>Wieder mit dem Spiegelbild ver&amp;knüpfen</translation>
+    </message>
+    <message>
+        <source>Re&amp;lease from its mirror image</source>
+        <translation>&amp;Vom Spiegelbild lösen</translation>
+    </message>
+    <message>
+        <source>Twin of</source>
+        <translation>Zwilling von</translation>
+    </message>
+    <message>
+        <source>Exceptions</source>
+        <translation>Ausnahmen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n released points</source>
+        <translation>
+            <numerusform>%n gelöster Punkt</numerusform>
+            <numerusform>%n gelöste Punkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unlink from its twin</source>
+        <translation>Vom Zwilling t&amp;rennen</translation>
+    </message>
+    <message>
+        <source>Re-link all poi&amp;nts</source>
+        <translation>Alle &amp;Punkte wieder koppeln</translation>
+    </message>
+</context>
+<context>
     <name>Units</name>
     <message>
         <source>%1 mm</source>
@@ -5052,6 +5139,17 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>UnusableForm</name>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>It keeps its text and is saved as it is.</source>
+        <translation>Es behält seinen Text und wird unverändert gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5287,13 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CanvasChoice</name>
+    <message>
+        <source>Drawn in software</source>
+        <translation>In Software gezeichnet</translation>
     </message>
 </context>
 <context>
@@ -5521,134 +5626,6 @@
 <context>
     <name>bolster::FieldText</name>
     <message>
-        <source>First stretch</source>
-        <translation>Erster Abschnitt</translation>
-    </message>
-    <message>
-        <source>Second stretch</source>
-        <translation>Zweiter Abschnitt</translation>
-    </message>
-    <message>
-        <source>Bending length</source>
-        <translation>Biegelänge</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Continuity</source>
-        <translation>Stetigkeit</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
-    </message>
-    <message>
-        <source>Mesh edges</source>
-        <translation>Netzkanten</translation>
-    </message>
-    <message>
-        <source>Switched on</source>
-        <translation>Eingeschaltet</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
-    </message>
-    <message>
-        <source>Begins at</source>
-        <translation>Beginnt bei</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Match</source>
-        <translation>Zuordnung</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Outline</source>
-        <translation>Umriss</translation>
-    </message>
-    <message>
-        <source>Poisson parameter</source>
-        <translation>Poissonzahl</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Profile</source>
-        <translation>Profil</translation>
-    </message>
-    <message>
-        <source>Runs backwards</source>
-        <translation>Läuft rückwärts</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Scale</source>
-        <translation>Maßstab</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Symmetry</source>
-        <translation>Symmetrie</translation>
-    </message>
-    <message>
-        <source>Curve in space</source>
-        <translation>Kurve im Raum</translation>
-    </message>
-    <message>
-        <source>Ends at</source>
-        <translation>Endet bei</translation>
-    </message>
-    <message>
-        <source>Mirror twin</source>
-        <translation>Spiegelzwilling</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Wrong side out</source>
-        <translation>Linke Seite außen</translation>
-    </message>
-    <message>
         <source>usual</source>
         <translation>wie üblich</translation>
     </message>
@@ -5660,108 +5637,13 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
-    <message numerus="yes">
-        <source>%n points</source>
-        <translation>
-            <numerusform>%n Punkt</numerusform>
-            <numerusform>%n Punkte</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Across the grain</source>
-        <translation>Quer zum Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Seam allowance</source>
-        <translation>Nahtzugabe</translation>
-    </message>
-    <message>
-        <source>Along the grain</source>
-        <translation>Längs des Fadenlaufs</translation>
-    </message>
-    <message>
-        <source>Colourway shown</source>
-        <translation>Gezeigte Farbvariante</translation>
-    </message>
-    <message>
-        <source>Fabrics</source>
-        <translation>Stoffe</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Strain limits</source>
-        <translation>Dehnungsgrenzen</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>Piping fabric</source>
-        <translation>Stoff des Keders</translation>
-    </message>
-    <message>
-        <source>Piping radius</source>
-        <translation>Radius des Keders</translation>
-    </message>
-    <message>
-        <source>Relief</source>
-        <translation>Relief</translation>
-    </message>
-    <message>
-        <source>Roughness</source>
-        <translation>Rauheit</translation>
-    </message>
-    <message>
-        <source>Second colour</source>
-        <translation>Zweite Farbe</translation>
-    </message>
-    <message>
-        <source>Shear</source>
-        <translation>Scherung</translation>
-    </message>
-    <message>
-        <source>Stitching</source>
-        <translation>Steppung</translation>
-    </message>
-    <message>
-        <source>Stitch distance</source>
-        <translation>Abstand der Stiche</translation>
-    </message>
-    <message>
-        <source>Stitch length</source>
-        <translation>Stichlänge</translation>
-    </message>
-    <message>
-        <source>Thread colour</source>
-        <translation>Garnfarbe</translation>
-    </message>
-    <message>
-        <source>Thread width</source>
-        <translation>Garnstärke</translation>
-    </message>
-    <message>
-        <source>Trim</source>
-        <translation>Verzierung</translation>
-    </message>
-    <message>
-        <source>Valley</source>
-        <translation>Mulde</translation>
-    </message>
-    <message>
         <source>turned by %1</source>
         <translation>um %1 gedreht</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message numerus="yes">
         <source>%n points, %1 mm</source>
@@ -5773,38 +5655,6 @@
     <message>
         <source>%1, from %2 to %3</source>
         <translation>%1, von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>as made</source>
-        <translation>wie gefertigt</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>Padding</source>
-        <translation>Polsterung</translation>
-    </message>
-    <message>
-        <source>Slanted faces</source>
-        <translation>Schräge Flächen</translation>
-    </message>
-    <message>
-        <source>Padded parts</source>
-        <translation>Gepolsterte Teile</translation>
-    </message>
-    <message>
-        <source>Smallest detail</source>
-        <translation>Kleinste Einzelheit</translation>
-    </message>
-    <message>
-        <source>press like straight ones</source>
-        <translation>drücken wie gerade</translation>
-    </message>
-    <message>
-        <source>press harder</source>
-        <translation>drücken stärker</translation>
     </message>
 </context>
 <context>
@@ -6685,21 +6535,6 @@
     </message>
 </context>
 <context>
-    <name>bolster::PatternView</name>
-    <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
-    </message>
-    <message>
-        <source>%1 Let go here, and it goes back to where it was.</source>
-        <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
-    </message>
-    <message>
-        <source>Edge: %1</source>
-        <translation>Kante: %1</translation>
-    </message>
-</context>
-<context>
     <name>bolster::RenderDialog</name>
     <message>
         <source>Render</source>
@@ -7062,6 +6897,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::ShownPattern</name>
+    <message>
+        <source>Edge: %1</source>
+        <translation>Kante: %1</translation>
+    </message>
+</context>
+<context>
     <name>bolster::SpotsPanel</name>
     <message>
         <source>Worst spots</source>
@@ -7258,17 +7100,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::SurfaceView</name>
-    <message>
-        <source>Drawn in software</source>
-        <translation>In Software gezeichnet</translation>
-    </message>
-    <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
-    </message>
-</context>
-<context>
     <name>bolster::SurfaceViewCube</name>
     <message>
         <source>FRONT</source>
@@ -7300,26 +7131,10 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::T</name>
+    <name>bolster::ToolHost</name>
     <message>
-        <source>Stitching</source>
-        <translation>Steppung</translation>
-    </message>
-    <message>
-        <source>Thread</source>
-        <translation>Garn</translation>
-    </message>
-    <message>
-        <source>As the patch</source>
-        <translation>Wie das Schnittteil</translation>
-    </message>
-    <message>
-        <source>Piping</source>
-        <translation>Keder</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Stoff</translation>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
     </message>
 </context>
 <context>
