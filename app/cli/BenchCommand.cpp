@@ -1,7 +1,7 @@
 #include "BenchOptions.h"
-#include "Subcommands.h"
 #include "HelperProcess.h"
 #include "Output.h"
+#include "Subcommands.h"
 
 #include <QFile>
 

@@ -1,4 +1,3 @@
-#include "Subcommands.h"
 #include "FabricBaking.h"
 #include "FrameWarnings.h"
 #include "Interrupt.h"
@@ -7,6 +6,7 @@
 #include "Project.h"
 #include "RestingSolve.h"
 #include "Solving.h"
+#include "Subcommands.h"
 
 #include <algorithm>
 

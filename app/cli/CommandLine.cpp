@@ -1,8 +1,8 @@
 #include "CommandLine.h"
 
-#include "Subcommands.h"
 #include "Output.h"
 #include "Reported.h"
+#include "Subcommands.h"
 
 #include <QFileInfo>
 

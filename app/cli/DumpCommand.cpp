@@ -1,8 +1,8 @@
-#include "Subcommands.h"
 #include "Escaped.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "Project.h"
+#include "Subcommands.h"
 
 #include <nlohmann/json.hpp>
 

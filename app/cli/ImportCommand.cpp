@@ -1,8 +1,8 @@
-#include "Subcommands.h"
 #include "DiskFile.h"
 #include "Interrupt.h"
 #include "Journal.h"
 #include "Output.h"
+#include "Subcommands.h"
 #include "Unfinished.h"
 
 #include <QFileInfo>

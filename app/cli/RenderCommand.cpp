@@ -1,4 +1,3 @@
-#include "Subcommands.h"
 #include "DesignHash.h"
 #include "FabricBaking.h"
 #include "Interrupt.h"
@@ -6,6 +5,7 @@
 #include "Project.h"
 #include "RenderOrder.h"
 #include "Solving.h"
+#include "Subcommands.h"
 #include "WholeFile.h"
 
 #include <QFileInfo>

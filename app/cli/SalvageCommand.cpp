@@ -1,8 +1,8 @@
-#include "Subcommands.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "ProgressLine.h"
 #include "Salvage.h"
+#include "Subcommands.h"
 
 namespace bolster::cli {
 

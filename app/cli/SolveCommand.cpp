@@ -1,9 +1,9 @@
-#include "Subcommands.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "Project.h"
 #include "SolveOutputs.h"
 #include "Solving.h"
+#include "Subcommands.h"
 
 #include <array>
 #include <limits>

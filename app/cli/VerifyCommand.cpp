@@ -1,6 +1,6 @@
-#include "Subcommands.h"
 #include "Output.h"
 #include "Project.h"
+#include "Subcommands.h"
 
 #include <array>
 

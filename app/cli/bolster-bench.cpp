@@ -1,10 +1,10 @@
 // Beside Bolster: what "bolster bench" becomes.
 #include "BenchOptions.h"
 #include "BenchReport.h"
-#include "Subcommands.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "Reported.h"
+#include "Subcommands.h"
 #include "WholeFile.h"
 
 #include <nlohmann/json.hpp>

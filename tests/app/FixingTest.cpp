@@ -77,7 +77,8 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
     EXPECT_FALSE(mark->isVisible());
     move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
     EXPECT_FALSE(mark->isVisible());
-    const Vec2 cover = *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
+    const Vec2 cover =
+        *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     move(window.patternView(), {2, 2}, Qt::NoButton);
     move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
     EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";

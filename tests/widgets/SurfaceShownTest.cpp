@@ -194,8 +194,8 @@ TEST_F(SurfaceShown, TheSectionCutsPicturesLinesAndHits)
     view.shown().setSection(SectionPlane{Vec3::UnitX(), 150});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Nothing);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Cover);
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.section == view.shown().scene().section; }));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return log->count() > 0 && log->last().scene.section == view.shown().scene().section; }));
     view.shown().setSection(SectionPlane{-Vec3::UnitX(), -150});
     EXPECT_EQ(kindAt({320, 50, 0}), SurfaceHit::Kind::Cover);
     EXPECT_EQ(kindAt({80, 50, 0}), SurfaceHit::Kind::Nothing);

@@ -66,7 +66,8 @@ protected:
 
 TEST_F(SurfaceViewTest, DrawsInSoftwareWithoutOpenGl)
 {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.surface == view.shown().surface(); }));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return log->count() > 0 && log->last().scene.surface == view.shown().surface(); }));
     EXPECT_NE(log->thread, std::this_thread::get_id());
     ASSERT_EQ(log->last().scene.patches.size(), 2u);
     EXPECT_EQ(log->last().scene.patches[0].patch, leftPatch);

@@ -160,7 +160,8 @@ void DrawingCommands::openPicture()
 void DrawingCommands::trace(const QString& path)
 {
     QString problem;
-    BackgroundPicture picture = readBackground(path, m_pattern.navigation().transform().visible(m_pattern.size()), &problem);
+    BackgroundPicture picture =
+        readBackground(path, m_pattern.navigation().transform().visible(m_pattern.size()), &problem);
     if (picture.empty()) {
         m_status.flash(problem);
         return;

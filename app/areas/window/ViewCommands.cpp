@@ -34,7 +34,8 @@ ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& se
     addHiding(commands);
     addOpacities(commands);
     addThemes(commands);
-    connect(&surface.navigation(), &SurfaceNavigation::perspectiveChanged, commands["view.perspective"], &QAction::setChecked);
+    connect(&surface.navigation(), &SurfaceNavigation::perspectiveChanged, commands["view.perspective"],
+            &QAction::setChecked);
     connect(&surface, &SurfaceView::sectionClosed, this,
             [&commands] { commands["view.section"]->setChecked(false); });
     connect(&surface.visibility(), &SurfaceVisibility::hiddenChanged, this, [this, &commands] {
@@ -132,30 +133,32 @@ void ViewCommands::addCamera(Commands& commands)
 
 void ViewCommands::addHiding(Commands& commands)
 {
-    commands.add({{.id = "view.hide",
-                   .formerly = "hide-selected",
-                   .text = tr("&Hide selected"),
-                   .icon = "hide",
-                   .keys = {Qt::SHIFT | Qt::Key_H},
-                   .places = {"view/3"},
-                   .enabled = [this] { return !hideable(m_document.design(), m_selection.elements()).empty(); },
-                   .does = [this] { hideSelected(); }},
-                  {.id = "view.isolate",
-                   .formerly = "isolate-selected",
-                   .text = tr("&Isolate selected"),
-                   .icon = "isolate",
-                   .keys = {Qt::SHIFT | Qt::Key_I},
-                   .places = {"view/3"},
-                   .enabled = [this] { return !m_selection.elements().empty(); },
-                   .does = [this] { m_surface.visibility().setHidden(allBut(m_document.design(), m_selection.elements())); }},
-                  {.id = "view.show-hidden",
-                   .formerly = "show-hidden-again",
-                   .text = tr("Sho&w hidden again"),
-                   .icon = "show-hidden",
-                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_H},
-                   .places = {"view/3"},
-                   .enabled = [this] { return !m_surface.visibility().hidden().empty(); },
-                   .does = [this] { m_surface.visibility().setHidden({}); }}});
+    commands.add(
+        {{.id = "view.hide",
+          .formerly = "hide-selected",
+          .text = tr("&Hide selected"),
+          .icon = "hide",
+          .keys = {Qt::SHIFT | Qt::Key_H},
+          .places = {"view/3"},
+          .enabled = [this] { return !hideable(m_document.design(), m_selection.elements()).empty(); },
+          .does = [this] { hideSelected(); }},
+         {.id = "view.isolate",
+          .formerly = "isolate-selected",
+          .text = tr("&Isolate selected"),
+          .icon = "isolate",
+          .keys = {Qt::SHIFT | Qt::Key_I},
+          .places = {"view/3"},
+          .enabled = [this] { return !m_selection.elements().empty(); },
+          .does =
+              [this] { m_surface.visibility().setHidden(allBut(m_document.design(), m_selection.elements())); }},
+         {.id = "view.show-hidden",
+          .formerly = "show-hidden-again",
+          .text = tr("Sho&w hidden again"),
+          .icon = "show-hidden",
+          .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_H},
+          .places = {"view/3"},
+          .enabled = [this] { return !m_surface.visibility().hidden().empty(); },
+          .does = [this] { m_surface.visibility().setHidden({}); }}});
 }
 
 void ViewCommands::addThemes(Commands& commands)

@@ -1,8 +1,8 @@
 #include "Interrupt.h"
 
-#include "Subcommands.h"
 #include "DirectWrite.h"
 #include "Output.h"
+#include "Subcommands.h"
 #include "Unfinished.h"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "Reported.h"
 
-#include "Subcommands.h"
 #include "Output.h"
+#include "Subcommands.h"
 
 #include <exception>
 #include <new>
