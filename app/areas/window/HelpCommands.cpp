@@ -44,9 +44,10 @@ HelpCommands::~HelpCommands() = default;
 
 void HelpCommands::loadKeys()
 {
-    QList<QAction*> all;
+    QList<QAction*> all = m_commands.all(); // of what is not to be seen just now, too
     for (const MenuEntry& entry : commandsOf(*m_window.menuBar()))
-        all.append(entry.action);
+        if (!all.contains(entry.action))
+            all.append(entry.action);
     m_shortcuts = std::make_unique<Shortcuts>(all);
 }
 
