@@ -2,7 +2,9 @@
 #include "WindowTest.h"
 
 #include "CommandList.h"
+#include "TestPaths.h"
 
+#include <QFile>
 #include <QMenuBar>
 #include <QSettings>
 
@@ -220,6 +222,40 @@ TEST_F(CommandsTest, NoneThatIsAskedForIsMissing)
         EXPECT_TRUE(listed.contains(action)) << action->objectName().toStdString();
         EXPECT_TRUE(action->objectName().contains(u'.')) << action->objectName().toStdString();
     }
+}
+
+/// Each command that has keys, menu by menu.
+QString keysDocument(const QMenuBar& menus)
+{
+    QString text = QStringLiteral("# Keys\n\n"
+                                  "Every command has keys of your choice: Help > Edit shortcuts. These are those "
+                                  "that it has at first. The id "
+                                  "is what the\nsettings know it by.\n\n"
+                                  "| command | menu | keys | id |\n|---|---|---|---|\n");
+    for (const MenuEntry& entry : commandsOf(menus)) {
+        const QList<QKeySequence> keys = entry.action->shortcuts();
+        if (keys.isEmpty() || !entry.action->objectName().contains(u'.'))
+            continue;
+        text += QStringLiteral("| %1 | %2 | %3 | `%4` |\n")
+                    .arg(entry.text, entry.path, QKeySequence::listToString(keys, QKeySequence::PortableText),
+                         entry.action->objectName());
+    }
+    return text;
+}
+
+/// BOLSTER_WRITE_KEYS=1 writes it anew.
+TEST_F(CommandsTest, TheDocumentOfKeysIsTheCommittedOne)
+{
+    QFile file(QString::fromStdString(test::sourceFolder()) + QStringLiteral("/docs/keys.md"));
+    const QByteArray now = keysDocument(*window.menuBar()).toUtf8();
+    if (qEnvironmentVariableIsSet("BOLSTER_WRITE_KEYS")) {
+        ASSERT_TRUE(file.open(QFile::WriteOnly));
+        file.write(now);
+        return;
+    }
+    ASSERT_TRUE(file.open(QFile::ReadOnly));
+    EXPECT_EQ(file.readAll().toStdString(), now.toStdString())
+        << "run this test with BOLSTER_WRITE_KEYS=1 and look at what differs";
 }
 
 } // namespace
