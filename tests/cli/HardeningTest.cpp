@@ -56,11 +56,11 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
     std::map<std::string, int> seen;
     for (const auto& entry : nlohmann::json::parse(file.readAll().toStdString())) {
         const std::string command = entry["command"];
-        for (const char* part : {"bolster_document", "bolster_readers", "bolster_exchange", "bolster_storage",
-                                 "bolster_project", "bolster_image", "bolster_image_decoder", "bolster_salvager",
-                                 "bolster_cli", "bolster_terminal", "bolster_bench_program", "bolster_kinds",
-                                 "bolster_schema", "bolster_edits", "bolster_live", "bolster_widgets_views",
-                                 "bolster_app", "bolster"}) {
+        for (const char* part :
+             {"bolster_document", "bolster_readers", "bolster_exchange", "bolster_storage", "bolster_project",
+              "bolster_image", "bolster_image_decoder", "bolster_salvager", "bolster_cli", "bolster_terminal",
+              "bolster_bench_program", "bolster_kinds", "bolster_schema", "bolster_edits", "bolster_live",
+              "bolster_widgets_views", "bolster_app", "bolster"}) {
             if (command.find(std::string("/").append(part).append(".dir/")) == std::string::npos)
                 continue;
             ++seen[part];
