@@ -3427,14 +3427,6 @@
         <translation>%1 Schnittteile skalieren</translation>
     </message>
     <message>
-        <source>Scale %1 points</source>
-        <translation>%1 Punkte skalieren</translation>
-    </message>
-    <message>
-        <source>Turn %1 points</source>
-        <translation>%1 Punkte drehen</translation>
-    </message>
-    <message>
         <source>Mirror %1</source>
         <translation>%1 spiegeln</translation>
     </message>
@@ -4925,7 +4917,7 @@
     </message>
 </context>
 <context>
-    <name>SurfaceSelectTool</name>
+    <name>CoverSelectTool</name>
     <message>
         <source>There is a control point already.</source>
         <translation>Hier ist schon ein Kontrollpunkt.</translation>
@@ -7077,7 +7069,7 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::SurfaceSelectTool</name>
+    <name>bolster::CoverSelectTool</name>
     <message>
         <source>Moved by x %1, y %2, z %3 mm</source>
         <translation>Um x %1, y %2, z %3 mm verschoben</translation>
@@ -7100,7 +7092,7 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::SurfaceViewCube</name>
+    <name>bolster::ViewCube</name>
     <message>
         <source>FRONT</source>
         <translation>VORN</translation>

@@ -97,10 +97,10 @@ private:
     bool m_mapPrinted = false;
 };
 
-/// The id of the colourway of this name; settingsId for "" and for names that there are none of.
+/// The id of the colourway of this name; noElement for "" and for names that there are none of.
 ElementId colourwayNamed(const Design& design, const std::string& name)
 {
-    ElementId found = settingsId;
+    ElementId found = noElement;
     design.each<Colourway>([&](ElementId id, const Colourway& colourway) {
         if (!name.empty() && colourway.name == name)
             found = id;
@@ -122,7 +122,7 @@ std::string colourwayNames(const Design& design)
 std::string orderProblem(const RenderOrder& order, const Design& design)
 {
     const std::string names = colourwayNames(design);
-    if (!order.colourway.empty() && colourwayNamed(design, order.colourway) == settingsId)
+    if (!order.colourway.empty() && colourwayNamed(design, order.colourway) == noElement)
         return "the design has no colourway \"" + order.colourway + "\"; " +
                (names.empty() ? std::string("it has none") : "there are " + names);
     bool scan = false;

@@ -45,12 +45,12 @@ void checkSize(const PreviewOptions& options)
 }
 
 /// A word, two angles, or the name of a view that was saved in the window.
-std::variant<PictureDirection, PreviewView> parsedView(const std::string& name)
+std::variant<PictureDirection, RayCamera> parsedView(const std::string& name)
 {
     if (const auto direction = pictureDirection(name))
         return *direction;
     if (const auto saved = SavedViews::find(QString::fromStdString(name)))
-        return PreviewView(*saved);
+        return RayCamera(*saved);
     const QStringList names = SavedViews::names();
     throw UsageError("unknown view \"" + name + "\"; there are " + pictureDirections +
                      (names.isEmpty() ? std::string() : ", " + names.join(QStringLiteral(", ")).toStdString()) +

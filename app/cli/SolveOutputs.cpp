@@ -33,7 +33,7 @@ Scene scene(const SurfaceMeshPtr& surface, const Design& design)
 {
     Scene scene;
     scene.surface = surface;
-    scene.patches = patchLooks(design, settingsId);
+    scene.patches = patchLooks(design, noElement);
     return scene;
 }
 
@@ -41,7 +41,7 @@ Message writeImage(const SurfaceMeshPtr& surface, const Design& design, const Pr
                    const QString& path, std::stop_token stop)
 {
     const auto view =
-        PreviewView::threeQuarter(surface->boundingBox(), static_cast<double>(options.width) / options.height);
+        RayCamera::threeQuarter(surface->boundingBox(), static_cast<double>(options.width) / options.height);
     const PreviewImage image = renderPreview(scene(surface, design), view, options, std::move(stop));
     if (image.rgba.empty())
         return {"\"%1\" was not drawn: interrupted", {path.toStdString()}};

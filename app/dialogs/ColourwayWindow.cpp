@@ -1,9 +1,9 @@
 #include "ColourwayWindow.h"
 
 #include "ColourwayEdits.h"
+#include "CoverView.h"
 #include "ElementText.h"
 #include "FabricLink.h"
-#include "SurfaceView.h"
 #include "VersionPane.h"
 
 #include <QComboBox>
@@ -39,8 +39,8 @@ ColourwayWindow::ColourwayWindow(Document& document, const DesignFiles& files, F
     }
     // What is compared is looked at from one place.
     for (const int i : {0, 1}) {
-        SurfaceView& other = pane(1 - i).surface();
-        connect(&pane(i).surface().navigation(), &SurfaceNavigation::moved, this,
+        CoverView& other = pane(1 - i).surface();
+        connect(&pane(i).surface().navigation(), &CoverNavigation::moved, this,
                 [this, &other](const Camera& camera) {
                     if (std::exchange(m_following, true))
                         return;
@@ -79,7 +79,7 @@ void ColourwayWindow::refill()
     for (const Side& side : m_sides) {
         const QVariant before = side.choice->currentData();
         side.choice->clear();
-        side.choice->addItem(tr("As made"), static_cast<int>(settingsId));
+        side.choice->addItem(tr("As made"), static_cast<int>(noElement));
         design.each<Colourway>([&](ElementId id, const Colourway&) {
             side.choice->addItem(displayName(design, id), static_cast<int>(id));
         });

@@ -1,12 +1,12 @@
 #include "CompareWindow.h"
 
 #include "Background.h"
+#include "CoverView.h"
 #include "ElementText.h"
 #include "FabricLink.h"
 #include "FieldText.h"
 #include "PatternView.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 #include "Translated.h"
 #include "VersionEdits.h"
 #include "VersionPane.h"
@@ -100,7 +100,7 @@ void CompareWindow::tieViews(VersionPane& moved, VersionPane& other)
         move();
         m_following = false;
     };
-    connect(&moved.surface().navigation(), &SurfaceNavigation::moved, this, [follow, &other](const Camera& camera) {
+    connect(&moved.surface().navigation(), &CoverNavigation::moved, this, [follow, &other](const Camera& camera) {
         follow([&] { other.surface().navigation().setCamera(camera); });
     });
     connect(&moved.pattern().navigation(), &PatternNavigation::transformChanged, this,

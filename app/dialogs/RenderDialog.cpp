@@ -265,9 +265,9 @@ RenderDialog::Request RenderDialog::request(QSize size) const
     if (const auto from = pictureDirection(view.toStdString()))
         picture.from = *from;
     else if (const auto saved = SavedViews::find(m_view->currentText()); saved && !view.isEmpty())
-        picture.from = PreviewView(*saved);
+        picture.from = RayCamera(*saved);
     else
-        picture.from = PreviewView(m_subject.view);
+        picture.from = RayCamera(m_subject.view);
     asked.notes.project = m_subject.title.toStdString();
     asked.notes.view = m_view->currentText().toStdString();
     return asked;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Camera.h"
+#include "LatestJob.h"
 #include "PictureFile.h"
 #include "PictureStudio.h"
-#include "SurfaceJob.h"
 
 #include <QDialog>
 #include <QTimer>
@@ -101,10 +101,10 @@ private:
     QPushButton* m_close; ///< cancels the picture while one is drawn
     QTimer m_pause;       ///< before a preview, so that typing a number costs one
     bool m_rendering = false;
-    QString m_written;                 ///< the file that is drawn, or was; of several the first
-    std::vector<PictureLook> m_looks;  ///< in the order of the list
-    std::vector<PictureLook> m_seen;   ///< as rough pictures
-    SurfaceJob<Request, Result> m_job; ///< last: it uses the others
+    QString m_written;                ///< the file that is drawn, or was; of several the first
+    std::vector<PictureLook> m_looks; ///< in the order of the list
+    std::vector<PictureLook> m_seen;  ///< as rough pictures
+    LatestJob<Request, Result> m_job; ///< last: it uses the others
 };
 
 } // namespace bolster

@@ -1,11 +1,11 @@
 #include "VersionPane.h"
 
 #include "CoverLink.h"
+#include "CoverView.h"
 #include "DesignFiles.h"
 #include "PatternView.h"
 #include "RayRenderer.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -22,10 +22,10 @@ VersionPane::VersionPane(std::shared_ptr<RestingCache> kept, QWidget* parent)
     , m_title(new QLabel)
     , m_views(new QSplitter(Qt::Vertical))
     , m_pattern(new PatternView(m_document, m_selection, m_problems))
-    , m_surface(new SurfaceView(m_document, m_selection))
+    , m_surface(new CoverView(m_document, m_selection))
 {
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
-    m_surface->visibility().setLayerVisible(SurfaceView::Layer::Checker, false);
+    m_surface->visibility().setLayerVisible(CoverView::Layer::Checker, false);
     m_computing = new QLabel(tr("Computing the cover \u2026"), m_surface);
     m_computing->setObjectName(QStringLiteral("computing"));
     m_computing->setAutoFillBackground(true);
@@ -85,7 +85,7 @@ void VersionPane::showSurface(const SurfaceMeshPtr& surface)
     m_pattern->shown().setSurface(surface);
     m_covers->setSurface(surface);
     if (surface && std::exchange(m_fitCover, false))
-        m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
+        m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
 }
 
 void VersionPane::showState()
@@ -108,7 +108,7 @@ void VersionPane::showForLooks()
 {
     m_title->hide();
     m_views->setSizes({100, 300});
-    using Layer = SurfaceView::Layer;
+    using Layer = CoverView::Layer;
     for (const Layer layer : {Layer::FixationCurves, Layer::HandleCurves, Layer::FancySeams})
         m_surface->visibility().setLayerVisible(layer, false);
 }

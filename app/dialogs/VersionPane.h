@@ -21,7 +21,7 @@ class PatternView;
 class CoverLink;
 class RestingCache;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 struct DesignFiles;
 
 /// Pointer and keys move what is shown, but change nothing.
@@ -44,7 +44,7 @@ public:
     void showForLooks();
     const Design& design() const { return m_document.design(); }
     Selection& selection() { return m_selection; }
-    SurfaceView& surface() { return *m_surface; }
+    CoverView& surface() { return *m_surface; }
     PatternView& pattern() { return *m_pattern; }
 
 protected:
@@ -64,7 +64,7 @@ private:
     QLabel* m_computing; ///< over the 3D view: what is seen there is not yet the cover
     QSplitter* m_views;
     PatternView* m_pattern;
-    SurfaceView* m_surface;
+    CoverView* m_surface;
     bool m_fitCover = false;
 };
 

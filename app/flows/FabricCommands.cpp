@@ -18,7 +18,7 @@ FabricCommands::FabricCommands(DesignSession& session, Selection& selection, QWi
     , m_selection(selection)
     , m_window(window)
 {
-    connect(&session, &DesignSession::opened, this, [this] { m_chosen = settingsId; });
+    connect(&session, &DesignSession::opened, this, [this] { m_chosen = noElement; });
 }
 
 ElementId FabricCommands::fabric() const
@@ -26,7 +26,7 @@ ElementId FabricCommands::fabric() const
     const std::vector<ElementId> selected = selectedOf<Fabric>(design(), m_selection.elements());
     if (selected.size() == 1)
         return selected.front();
-    return design().find<Fabric>(m_chosen) ? m_chosen : settingsId;
+    return design().find<Fabric>(m_chosen) ? m_chosen : noElement;
 }
 
 bool FabricCommands::commit(const Edit& edit)
@@ -83,7 +83,7 @@ void FabricCommands::remove()
         names << displayName(design(), other);
     });
     if (uses == 0) {
-        commit(edits::removeFabric(design(), id, settingsId));
+        commit(edits::removeFabric(design(), id, noElement));
         return;
     }
     if (others.empty()) {

@@ -12,7 +12,7 @@ class FabricCommands : public QObject {
 public:
     FabricCommands(DesignSession& session, Selection& selection, QWidget* window);
 
-    /// The fabric that is meant: of the selection, or else the one chosen in the library; settingsId for none.
+    /// The fabric that is meant: of the selection, or else the one chosen in the library; noElement for none.
     void setChosen(ElementId fabric) { m_chosen = fabric; }
     ElementId fabric() const;
 
@@ -23,7 +23,7 @@ public:
     void remove();
     void assign(const std::vector<ElementId>& patches, ElementId fabric);
     void assignToSelection();
-    /// Reads a picture and shows it: on a fabric that is there, or on a new one for settingsId.
+    /// Reads a picture and shows it: on a fabric that is there, or on a new one for noElement.
     void choosePicture(ElementId fabric, const QString& path = {});
     void importFabrics(const QString& path = {});
     void exportFabric(const QString& path = {});
@@ -53,7 +53,7 @@ private:
     DesignSession& m_session;
     Selection& m_selection;
     QWidget* m_window;
-    ElementId m_chosen = settingsId;
+    ElementId m_chosen = noElement;
 };
 
 } // namespace bolster

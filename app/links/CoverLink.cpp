@@ -1,8 +1,8 @@
 #include "CoverLink.h"
 
+#include "CoverRefiner.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
-#include "SurfaceRefiner.h"
 
 #include <QDebug>
 
@@ -61,7 +61,7 @@ private:
         return copy;
     }
 
-    SurfaceRefiner m_refiner;
+    CoverRefiner m_refiner;
     SeamTrims m_trims;
     SeamReliefPtr m_relief;
     std::shared_ptr<const CoverTopology> m_reliefOf;

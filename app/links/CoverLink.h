@@ -3,7 +3,7 @@
 
 #include "CoverMesh.h"
 #include "Design.h"
-#include "SurfaceJob.h"
+#include "LatestJob.h"
 #include "TrimMesh.h"
 
 #include <QTimer>
@@ -44,7 +44,7 @@ private:
     SurfaceMeshPtr m_surface;
     Design m_design;
     QTimer m_rest;
-    SurfaceJob<Wanted, Made> m_job; ///< last: it uses the others
+    LatestJob<Wanted, Made> m_job; ///< last: it uses the others
 };
 
 } // namespace bolster

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "CoverFindings.h"
-#include "SurfaceJob.h"
+#include "LatestJob.h"
 
 namespace bolster {
 
@@ -44,7 +44,7 @@ private:
     SurfaceMeshPtr m_asked;            ///< for this surface
     std::uint64_t m_askedRevision = 0; ///< of this design: limits of fabrics ask for no other surface
     bool m_known = false;
-    SurfaceJob<Request, Result> m_job; ///< last: it uses the others
+    LatestJob<Request, Result> m_job; ///< last: it uses the others
 };
 
 } // namespace bolster

@@ -1,8 +1,8 @@
 #include "FreeCover.h"
 
+#include "CoverView.h"
 #include "Document.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 #include <QEvent>
 
@@ -20,7 +20,7 @@ bool isHeld(const Design& design)
 
 } // namespace
 
-FreeCover::FreeCover(Document& document, SolverLink& solver, SurfaceView& view, QObject* parent)
+FreeCover::FreeCover(Document& document, SolverLink& solver, CoverView& view, QObject* parent)
     : QObject(parent)
     , m_document(document)
     , m_solver(solver)

@@ -9,7 +9,7 @@ namespace bolster {
 
 class Document;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 /// Takes such a cover into the picture when it is not all in it, until somebody moves the view: it may have come to
 /// lie far away.
@@ -17,7 +17,7 @@ class FreeCover : public QObject {
     Q_OBJECT
 
 public:
-    FreeCover(Document& document, SolverLink& solver, SurfaceView& view, QObject* parent);
+    FreeCover(Document& document, SolverLink& solver, CoverView& view, QObject* parent);
 
     /// Another design was opened. `placed`: the view was chosen before, as if it had been moved.
     void begin(bool placed);
@@ -30,7 +30,7 @@ private:
 
     Document& m_document;
     SolverLink& m_solver;
-    SurfaceView& m_view;
+    CoverView& m_view;
     std::uint64_t m_shown = 0; ///< revision of the design
     bool m_moved = false;      ///< by hand
 };

@@ -171,7 +171,7 @@ void MapLink::receive(const Result& result)
         return; // not wanted any more
     const SurfaceTopology& topology = *result.request.surface->topology;
     const CoverMap& measured = result.map;
-    auto map = std::make_shared<SurfaceMap>();
+    auto map = std::make_shared<ShownMap>();
     map->topology = result.request.surface->topology;
     map->values = measured.ofVertex;
     map->allowed = measured.allowed;
@@ -201,7 +201,7 @@ void MapLink::receive(const Result& result)
     emit this->measured();
 }
 
-QString MapLink::reading(const SurfaceMap& map, const CoverPoint& place)
+QString MapLink::reading(const ShownMap& map, const CoverPoint& place)
 {
     const SurfaceTopology& topology = *map.topology;
     const auto range = std::ranges::find(topology.patches, place.patch, &SurfaceTopology::PatchRange::patch);

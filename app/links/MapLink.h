@@ -3,9 +3,9 @@
 
 #include "CoverMap.h"
 #include "CoverPlaces.h"
+#include "LatestJob.h"
 #include "PictureLegend.h"
-#include "SurfaceJob.h"
-#include "SurfaceMap.h"
+#include "ShownMap.h"
 
 namespace bolster {
 
@@ -24,7 +24,7 @@ public:
     std::optional<CoverMap::Kind> kind() const { return m_kind; }
 
     /// Null while nothing is measured.
-    const SurfaceMapPtr& map() const { return m_map; }
+    const ShownMapPtr& map() const { return m_map; }
     /// Whether there will be a map soon.
     bool measuring() const { return m_kind && m_surface && !m_map; }
     struct Spot {
@@ -43,7 +43,7 @@ public:
     /// A number of the map with its unit.
     QString figure(double value) const;
     /// What a map says at a place, "" where nothing is known.
-    static QString reading(const SurfaceMap& map, const CoverPoint& place);
+    static QString reading(const ShownMap& map, const CoverPoint& place);
 
     static QString title(CoverMap::Kind kind);
     /// For a picture; may be asked on any thread.
@@ -72,9 +72,9 @@ private:
     DesignSession& m_session;
     SurfaceMeshPtr m_surface;
     std::optional<CoverMap::Kind> m_kind;
-    SurfaceMapPtr m_map;
+    ShownMapPtr m_map;
     std::vector<Spot> m_spots;
-    SurfaceJob<Request, Result> m_job; ///< last: it uses the others
+    LatestJob<Request, Result> m_job; ///< last: it uses the others
 };
 
 } // namespace bolster

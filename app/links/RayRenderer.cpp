@@ -16,7 +16,7 @@ SoftwareRenderer::Picture RayRenderer::render(const Request& request, std::stop_
     options.samples = request.moving ? 1 : 4;
     options.quick = request.moving;
     options.depth = true;
-    PreviewImage drawn = m_renderer->render(PreviewView(request.camera), options, stop);
+    PreviewImage drawn = m_renderer->render(RayCamera(request.camera), options, stop);
     if (drawn.empty())
         return {};
     const QImage view(drawn.rgba.data(), drawn.width, drawn.height, 4 * drawn.width, QImage::Format_RGBA8888);

@@ -71,10 +71,10 @@ ScanLink::Result ScanLink::measure(const Request& request, Bench& bench)
     result.figures = deviation.figures;
     for (const auto& [vertex, point] : deviation.pairs)
         result.pairs.emplace_back(request.surface->positions[vertex], point);
-    auto map = std::make_shared<SurfaceMap>();
+    auto map = std::make_shared<ShownMap>();
     map->topology = request.surface->topology;
     map->values = deviation.ofVertex;
-    map->limit = SurfaceMap::usualLimit(deviation.figures.p95);
+    map->limit = ShownMap::usualLimit(deviation.figures.p95);
     map->title = tr("Deviation from %1").arg(QString::fromStdString(request.scan.name));
     map->below = tr("inside");
     map->above = tr("outside");

@@ -1,11 +1,11 @@
 // Measures the cover against a scan and moves scans onto it, beside the GUI thread.
 #pragma once
 
+#include "LatestJob.h"
 #include "MakeGhosts.h"
 #include "ScanFigures.h"
 #include "ScanPlacement.h"
-#include "SurfaceJob.h"
-#include "SurfaceMap.h"
+#include "ShownMap.h"
 
 namespace bolster {
 
@@ -22,7 +22,7 @@ public:
 
     void setSurface(SurfaceMeshPtr surface);
     /// Null while nothing is measured.
-    const SurfaceMapPtr& map() const { return m_map; }
+    const ShownMapPtr& map() const { return m_map; }
     /// On the cover, and of the scan, mm.
     const std::vector<std::pair<Vec3, Vec3>>& pairs() const { return m_pairs; }
     const std::map<ElementId, ScanFigures>& figures() const { return m_figures; }
@@ -46,7 +46,7 @@ private:
     };
     struct Result {
         Request request;
-        SurfaceMapPtr map;
+        ShownMapPtr map;
         std::vector<std::pair<Vec3, Vec3>> pairs;
         ScanFigures figures;
     };
@@ -64,10 +64,10 @@ private:
     DesignSession& m_session;
     Selection& m_selection;
     SurfaceMeshPtr m_surface;
-    SurfaceMapPtr m_map;
+    ShownMapPtr m_map;
     std::vector<std::pair<Vec3, Vec3>> m_pairs;
     std::map<ElementId, ScanFigures> m_figures;
-    SurfaceJob<Request, Result> m_job;
+    LatestJob<Request, Result> m_job;
 };
 
 } // namespace bolster

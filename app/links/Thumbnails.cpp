@@ -1,10 +1,10 @@
 #include "Thumbnails.h"
 
 #include "Background.h"
+#include "CoverView.h"
 #include "DesignSession.h"
 #include "PreviewRenderer.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -39,7 +39,7 @@ QByteArray pngOf(const Scene& scene, const Camera& camera)
     options.width = pictureWidth;
     options.height = pictureHeight;
     options.transparent = true;
-    const PreviewImage drawn = renderPreview(scene, PreviewView(camera), options);
+    const PreviewImage drawn = renderPreview(scene, RayCamera(camera), options);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -49,7 +49,7 @@ QByteArray pngOf(const Scene& scene, const Camera& camera)
 
 } // namespace
 
-Thumbnails::Thumbnails(DesignSession& session, SolverLink& solver, SurfaceView& view)
+Thumbnails::Thumbnails(DesignSession& session, SolverLink& solver, CoverView& view)
     : m_session(session)
     , m_solver(solver)
     , m_view(view)

@@ -16,7 +16,7 @@ namespace bolster {
 
 class DesignSession;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 /// Drawn beside the GUI thread from the resting surface, looked at as in the view. They are kept in the project,
 /// from where they may get lost: nothing depends on them.
@@ -24,7 +24,7 @@ class Thumbnails : public QObject {
     Q_OBJECT
 
 public:
-    Thumbnails(DesignSession& session, SolverLink& solver, SurfaceView& view);
+    Thumbnails(DesignSession& session, SolverLink& solver, CoverView& view);
 
     /// A PNG, or nothing when the version has none.
     QByteArray picture(NodeId node);
@@ -45,7 +45,7 @@ private:
 
     DesignSession& m_session;
     SolverLink& m_solver;
-    SurfaceView& m_view;
+    CoverView& m_view;
     QTimer m_pause;
     std::map<NodeId, QByteArray> m_pictures;
     std::map<NodeId, Version> m_waiting; ///< have come to rest, and are to be drawn

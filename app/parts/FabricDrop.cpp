@@ -22,7 +22,7 @@ bool FabricDrop::eventFilter(QObject*, QEvent* event)
 {
     const QEvent::Type type = event->type();
     if (type == QEvent::DragLeave)
-        m_hover(settingsId);
+        m_hover(noElement);
     if (type != QEvent::DragEnter && type != QEvent::DragMove && type != QEvent::Drop)
         return false;
     auto* drop = static_cast<QDropEvent*>(event);
@@ -31,12 +31,12 @@ bool FabricDrop::eventFilter(QObject*, QEvent* event)
         return true;
     }
     const ElementId patch = m_patchAt(drop->position());
-    m_hover(type == QEvent::Drop ? settingsId : patch);
-    if (type == QEvent::DragEnter || patch != settingsId)
+    m_hover(type == QEvent::Drop ? noElement : patch);
+    if (type == QEvent::DragEnter || patch != noElement)
         drop->acceptProposedAction();
     else
         drop->ignore();
-    if (type == QEvent::Drop && patch != settingsId)
+    if (type == QEvent::Drop && patch != noElement)
         emit dropped(patch, static_cast<ElementId>(drop->mimeData()->data(FabricPanel::mimeType()).toInt()));
     return true;
 }

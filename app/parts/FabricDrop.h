@@ -15,7 +15,7 @@ class FabricDrop : public QObject {
     Q_OBJECT
 
 public:
-    /// `patchAt` says which patch is under a pixel, or settingsId.
+    /// `patchAt` says which patch is under a pixel, or noElement.
     FabricDrop(QWidget& view, std::function<ElementId(QPointF)> patchAt, std::function<void(ElementId)> hover);
 
 signals:

@@ -43,7 +43,7 @@ public:
 
 ElementId idOf(const QListWidgetItem* item)
 {
-    return item ? static_cast<ElementId>(item->data(idRole).toInt()) : settingsId;
+    return item ? static_cast<ElementId>(item->data(idRole).toInt()) : noElement;
 }
 
 QLabel* heading(const QString& text)
@@ -225,7 +225,7 @@ void FabricPanel::fillColourways()
 {
     const QSignalBlocker quiet(m_colourways);
     const Design& design = m_document.design();
-    std::vector<std::pair<ElementId, QString>> entries{{settingsId, tr("As made")}};
+    std::vector<std::pair<ElementId, QString>> entries{{noElement, tr("As made")}};
     design.each<Colourway>(
         [&](ElementId id, const Colourway&) { entries.emplace_back(id, displayName(design, id)); });
     while (m_colourways->count() > static_cast<int>(entries.size()))
@@ -237,7 +237,7 @@ void FabricPanel::fillColourways()
         QListWidgetItem* item = m_colourways->item(i);
         item->setData(idRole, static_cast<int>(id));
         item->setText(name);
-        item->setIcon(icon(id == settingsId ? QStringLiteral("patch") : QStringLiteral("colourway")));
+        item->setIcon(icon(id == noElement ? QStringLiteral("patch") : QStringLiteral("colourway")));
         if (id == design.settings().colourway)
             m_colourways->setCurrentRow(i);
     }

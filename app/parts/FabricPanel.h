@@ -22,7 +22,7 @@ public:
     FabricPanel(Document& document, Selection& selection, FabricLink& link, Commands& commands,
                 QWidget* parent = nullptr);
 
-    /// What is chosen here: settingsId for none.
+    /// What is chosen here: noElement for none.
     ElementId fabric() const;
     void setFabric(ElementId fabric);
     QListWidget& fabrics() { return *m_fabrics; }
@@ -35,7 +35,7 @@ signals:
     void fabricChosen(bolster::ElementId fabric);
     /// Its properties are wanted.
     void editWanted(bolster::ElementId fabric);
-    /// settingsId: none.
+    /// noElement: none.
     void colourwayChosen(bolster::ElementId colourway);
 
 private:

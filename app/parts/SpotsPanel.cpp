@@ -191,7 +191,7 @@ void SpotsPanel::fillTable()
 
 void SpotsPanel::fillRow(QTreeWidgetItem& row, const MapLink::Spot& spot)
 {
-    const SurfaceMap& map = *m_maps.map();
+    const ShownMap& map = *m_maps.map();
     const MapScale scale{map.kind, map.limit};
     const auto [r, g, b, a] = scale.color(static_cast<float>(spot.value), static_cast<float>(spot.allowed));
     const QColor color(r, g, b);

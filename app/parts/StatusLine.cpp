@@ -278,8 +278,7 @@ void StatusLine::showState()
     m_solver->setFullText(stateText());
     const bool atRest = !m_paused && m_status.state == SolverStatus::State::Settled && m_status.resting;
     const bool finds = atRest && m_findingsKnown && !m_findings.empty();
-    const bool blames =
-        !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != ElementId{};
+    const bool blames = !m_paused && m_status.state == SolverStatus::State::Failed && m_status.culprit != noElement;
     const auto count = static_cast<int>(m_findings.size());
     m_show->setVisible(finds || blames);
     m_unrest->setVisible(restless());

@@ -67,7 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_fabricCommands(new FabricCommands(*m_session, m_selection, this))
     , m_commands(new Commands(*this))
     , m_pattern(new PatternView(document(), m_selection, m_problems))
-    , m_surface(new SurfaceView(document(), m_surfaceSelection))
+    , m_surface(new CoverView(document(), m_surfaceSelection))
     , m_elements(new ElementsView(document(), m_selection, m_problems))
     , m_history(new HistoryPanel(document()))
     , m_inspector(new Inspector(document(), m_selection, m_problems))
@@ -154,7 +154,7 @@ void MainWindow::lookAtOpened()
     if (last)
         m_surface->navigation().returnTo(*last);
     else
-        m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
+        m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
 }
 
 /// Where the camera stands while the first cover is still to come nobody has chosen.

@@ -1,11 +1,11 @@
 // The workbench: where all parts are wired.
 #pragma once
 
+#include "CoverView.h"
 #include "DesignSession.h"
 #include "ProblemSet.h"
 #include "Selection.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 #include <QMainWindow>
 
@@ -61,7 +61,7 @@ public:
     FindingsLink& findings() { return *m_findings; }
     Inspector& inspector() { return *m_inspector; }
     PatternView& patternView() { return *m_pattern; }
-    SurfaceView& surfaceView() { return *m_surface; }
+    CoverView& coverView() { return *m_surface; }
     Commands& commands() { return *m_commands; }
     /// By its id.
     QAction* command(const char* id);
@@ -122,7 +122,7 @@ private:
     FabricCommands* m_fabricCommands;
     Commands* m_commands;
     PatternView* m_pattern;
-    SurfaceView* m_surface;
+    CoverView* m_surface;
     QWidget* m_lastView = nullptr; ///< of these two, that had the keyboard; null: none yet
     ElementsView* m_elements;
     HistoryPanel* m_history;

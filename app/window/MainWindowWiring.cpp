@@ -50,13 +50,13 @@ namespace bolster {
 namespace {
 
 /// None where the frame is of one piece.
-std::optional<PieceOfFrame> pieceAt(const SurfaceView& view, const QPoint& global, const Design& design,
+std::optional<PieceOfFrame> pieceAt(const CoverView& view, const QPoint& global, const Design& design,
                                     const DesignFiles& files)
 {
-    const SurfaceHit hit = view.hit(view.mapFromGlobal(global));
+    const CoverHit hit = view.hit(view.mapFromGlobal(global));
     const auto mesh = files.meshes.find(hit.element);
     const Frame* frame = design.find<Frame>(hit.element);
-    if (hit.kind != SurfaceHit::Kind::Frame || !frame || mesh == files.meshes.end() || !mesh->second)
+    if (hit.kind != CoverHit::Kind::Frame || !frame || mesh == files.meshes.end() || !mesh->second)
         return std::nullopt;
     const std::shared_ptr<const FramePieces> pieces = piecesOf(mesh->second);
     const std::optional<int> piece =
@@ -184,7 +184,7 @@ void MainWindow::connectSolver()
         m_scans->setSurface(surface);
         m_maps->setSurface(surface);
         if (surface && std::exchange(m_fitCover, false))
-            m_surface->navigation().setStandardView(SurfaceView::StandardView::ThreeQuarter);
+            m_surface->navigation().setStandardView(CoverView::StandardView::ThreeQuarter);
     });
     connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
@@ -210,17 +210,17 @@ void MainWindow::connectSolver()
 void MainWindow::connectViews()
 {
     connect(m_pattern, &PatternView::promptChanged, m_status, &StatusLine::setPrompt);
-    connect(m_surface, &SurfaceView::promptChanged, m_status, &StatusLine::setPrompt);
+    connect(m_surface, &CoverView::promptChanged, m_status, &StatusLine::setPrompt);
     connect(m_pattern, &PatternView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &SurfaceView::failed, m_status, &StatusLine::flash);
-    connect(m_surface, &SurfaceView::rendererNote, m_status, &StatusLine::setRendererNote);
+    connect(m_surface, &CoverView::failed, m_status, &StatusLine::flash);
+    connect(m_surface, &CoverView::rendererNote, m_status, &StatusLine::setRendererNote);
     connect(m_pattern, &PatternView::pointerMoved, this, [this](const std::optional<Vec2>& at) {
         m_status->setCoordinates(
             at ? tr("x %1   y %2 mm").arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true))
                : QString());
         m_status->setPrompt(m_pattern->prompt());
     });
-    connect(m_surface, &SurfaceView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
+    connect(m_surface, &CoverView::pointerMoved, this, [this](const std::optional<Vec3>& at) {
         m_status->setCoordinates(at ? tr("x %1   y %2   z %3 mm")
                                           .arg(decimalText(at->x(), 1, true), decimalText(at->y(), 1, true),
                                                decimalText(at->z(), 1, true))
@@ -237,7 +237,7 @@ void MainWindow::connectContextMenus()
 {
     auto* menus = new ContextMenus(document(), m_selection, *m_commands, this);
     connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
-    connect(m_surface, &SurfaceView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
+    connect(m_surface, &CoverView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
         menus->showInSurface(at, onSomething,
                              onSomething
                                  ? pieceAt(*m_surface, at, m_session->document().design(), m_session->files())
@@ -245,7 +245,7 @@ void MainWindow::connectContextMenus()
     });
     connect(m_pattern, &PatternView::toolMenuWanted, menus,
             [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_pattern, at, keys); });
-    connect(m_surface, &SurfaceView::toolMenuWanted, menus,
+    connect(m_surface, &CoverView::toolMenuWanted, menus,
             [this, menus](const QPoint& at, const ToolKeys& keys) { menus->showForTool(*m_surface, at, keys); });
 }
 
@@ -276,7 +276,7 @@ void MainWindow::connectFindings()
     };
     connect(m_findings.get(), &FindingsLink::changed, this, update);
     // A window that is destroyed hides its docks, when the findings are gone.
-    connect(m_surface, &SurfaceView::pictured, m_findings.get(), update);
+    connect(m_surface, &CoverView::pictured, m_findings.get(), update);
     connect(m_docks->cover, &QDockWidget::visibilityChanged, m_findings.get(), update);
     connect(m_status, &StatusLine::culpritWanted, this, &MainWindow::showProblem);
     connect(m_status, &StatusLine::findingWanted, this, [this](const CoverFinding& finding) {

@@ -14,7 +14,7 @@ ElementId fabricShown(const Design& design, ElementId patch, ElementId colourway
 {
     const auto* own = design.find<Patch>(patch);
     if (!own)
-        return settingsId;
+        return noElement;
     if (const auto* shown = design.find<Colourway>(colourway)) {
         const auto entry = std::ranges::find(shown->fabrics, patch, &Colourway::Entry::patch);
         if (entry != shown->fabrics.end() && design.find<Fabric>(entry->fabric))

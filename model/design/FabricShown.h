@@ -5,8 +5,8 @@
 
 namespace bolster {
 
-/// Under the design's own colourway, or a given one (settingsId: none). Settings and colourways that refer to
-/// nothing leave the patch its own fabric; settingsId when there is no such patch.
+/// Under the design's own colourway, or a given one (noElement: none). Settings and colourways that refer to
+/// nothing leave the patch its own fabric; noElement when there is no such patch.
 ElementId fabricShown(const Design& design, ElementId patch);
 ElementId fabricShown(const Design& design, ElementId patch, ElementId colourway);
 

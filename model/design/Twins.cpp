@@ -90,7 +90,7 @@ ElementId twinOf(const Design& design, ElementId id)
     for (const auto& [follower, original] : twinPairs(design))
         if (id == follower || id == original)
             return id == follower ? original : follower;
-    return settingsId;
+    return noElement;
 }
 
 std::vector<int> releasedPoints(const Design& design, ElementId id)

@@ -22,7 +22,7 @@ bool canBeTwin(const Element& element);
 /// Originals by follower: the links that hold. One does not when the other element is missing, of another kind, a
 /// follower itself, or has a follower with a smaller id.
 std::map<ElementId, ElementId> twinPairs(const Design& design);
-/// The twin of either kind, or settingsId.
+/// The twin of either kind, or noElement.
 ElementId twinOf(const Design& design, ElementId id);
 /// The released points of the pair that the element belongs to.
 std::vector<int> releasedPoints(const Design& design, ElementId id);

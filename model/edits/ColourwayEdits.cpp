@@ -12,7 +12,7 @@ namespace {
 void setEntry(Colourway& colourway, ElementId patch, ElementId fabric)
 {
     const auto entry = std::ranges::find(colourway.fabrics, patch, &Colourway::Entry::patch);
-    if (fabric == settingsId)
+    if (fabric == noElement)
         std::erase_if(colourway.fabrics, [patch](const Colourway::Entry& each) { return each.patch == patch; });
     else if (entry == colourway.fabrics.end())
         colourway.fabrics.push_back({patch, fabric});
@@ -59,7 +59,7 @@ Edit removeFabric(const Design& design, ElementId fabric, ElementId instead)
         return {};
     const ElementId only[] = {fabric};
     if (!design.find<Fabric>(instead))
-        return instead == settingsId ? removeElements(design, only) : Edit{};
+        return instead == noElement ? removeElements(design, only) : Edit{};
     EditBuilder builder(design);
     for (const auto& [id, element] : design.elements()) {
         Element changed = *element;
@@ -127,13 +127,13 @@ Edit setColourwayFabric(const Design& design, ElementId colourway, std::span<con
                         ElementId fabric)
 {
     const auto* before = design.find<Colourway>(colourway);
-    if (!before || (fabric != settingsId && !design.find<Fabric>(fabric)))
+    if (!before || (fabric != noElement && !design.find<Fabric>(fabric)))
         return {};
     Colourway changed = *before;
     const std::vector<ElementId> chosen = patchesOf(design, patches);
     for (const ElementId patch : chosen) {
         setEntry(changed, patch, fabric);
-        if (const ElementId twin = twinOf(design, patch); twin != settingsId)
+        if (const ElementId twin = twinOf(design, patch); twin != noElement)
             setEntry(changed, twin, fabric);
     }
     return replaceWith(design, colourway, std::move(changed),
@@ -145,7 +145,7 @@ Edit showColourway(const Design& design, ElementId colourway)
 {
     Settings settings = design.settings();
     settings.colourway = colourway;
-    if (colourway == settingsId)
+    if (colourway == noElement)
         return replaceWith(design, settingsId, settings, {QT_TRANSLATE_NOOP("Message", "Show no colourway")});
     if (!design.find<Colourway>(colourway))
         return {};

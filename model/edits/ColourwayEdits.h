@@ -13,7 +13,7 @@ Edit addFabric(const Design& design, Fabric fabric);
 /// colourway. Piping is not counted.
 std::vector<ElementId> patchesWith(const Design& design, ElementId fabric);
 /// Removes a fabric; what is made of it, shows it or is piped with it gets the other one instead. Without another
-/// one (settingsId) that is possible only while no patch is made of it: see removeElements.
+/// one (noElement) that is possible only while no patch is made of it: see removeElements.
 Edit removeFabric(const Design& design, ElementId fabric, ElementId instead);
 
 /// What a fabric does that is dropped on patches: under a colourway they show it, else they are made of it.
@@ -26,10 +26,10 @@ Edit assignFabric(const Design& design, std::span<const ElementId> patches, Elem
 /// Adds a colourway under the id design.nextId(), and shows it. It begins as a copy of the one that is shown. The
 /// name gets a number if another one has it.
 Edit addColourway(const Design& design, const std::string& name);
-/// What patches and their twins show under a colourway; with settingsId for the fabric each shows its own again.
+/// What patches and their twins show under a colourway; with noElement for the fabric each shows its own again.
 Edit setColourwayFabric(const Design& design, ElementId colourway, std::span<const ElementId> patches,
                         ElementId fabric);
-/// settingsId: none, each patch shows its own fabric.
+/// noElement: none, each patch shows its own fabric.
 Edit showColourway(const Design& design, ElementId colourway);
 
 /// A copy of a patch shows what the patch shows, under every colourway. Without a verb.

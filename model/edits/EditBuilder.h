@@ -52,7 +52,7 @@ inline Message patchesVerb(const Design& design, std::span<const ElementId> ids,
 
 /// "Seat", or "Seat 2" ... when an element of the kind has that name, another one than `own`.
 template <class T>
-std::string freeName(const Design& design, const std::string& wanted, ElementId own = settingsId)
+std::string freeName(const Design& design, const std::string& wanted, ElementId own = noElement)
 {
     std::set<std::string> taken;
     design.each<T>([&](ElementId id, const T& value) {

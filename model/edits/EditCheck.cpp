@@ -141,12 +141,12 @@ std::vector<Stretch> stretchesOf(const Element& element)
     return {};
 }
 
-/// The element of the same sort that uses a part of the stretch, or settingsId.
+/// The element of the same sort that uses a part of the stretch, or noElement.
 ElementId otherOn(const Design& design, ElementId id, const Element& element, const Stretch& stretch)
 {
     const auto* patch = design.find<Patch>(stretch.patch);
     if (!patch || patch->outline.empty())
-        return settingsId;
+        return noElement;
     const auto* fixation = std::get_if<FixationSeam>(&element);
     for (const auto& [otherId, other] : design.elements()) {
         if (otherId == id || other->index() != element.index())
@@ -157,7 +157,7 @@ ElementId otherOn(const Design& design, ElementId id, const Element& element, co
             if (taken.patch == stretch.patch && stretchesOverlap(patch->outline, taken, stretch))
                 return otherId;
     }
-    return settingsId;
+    return noElement;
 }
 
 std::optional<Message> outlineBreaks(const Design& design, ElementId id, const Patch& patch)
@@ -193,7 +193,7 @@ std::optional<Message> overlapBreaks(const Design& design, ElementId id, const E
 {
     const std::vector<Stretch> stretches = stretchesOf(element);
     for (const Stretch& stretch : stretches)
-        if (const ElementId other = otherOn(design, id, element, stretch); other != settingsId) {
+        if (const ElementId other = otherOn(design, id, element, stretch); other != noElement) {
             if (const auto* fixation = design.find<FixationSeam>(other))
                 return Message{QT_TRANSLATE_NOOP("Message", "The stretch would overlap another one of %1 that is "
                                                             "fixed to %2."),

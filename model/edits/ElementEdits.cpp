@@ -97,7 +97,7 @@ ElementPtr withFreeName(const Design& design, const Element& element)
     std::visit(
         [&]<class T>(T& value) {
             if constexpr (requires { value.name; })
-                value.name = freeNameOf<T>(design, value.name, settingsId);
+                value.name = freeNameOf<T>(design, value.name, noElement);
         },
         named);
     return std::make_shared<const Element>(std::move(named));

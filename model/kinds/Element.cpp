@@ -215,7 +215,7 @@ std::string elementLabel(std::string_view kind, ElementId id, std::string_view n
 {
     std::string label = kind.empty() ? "element" : shortened(kind);
     std::replace(label.begin(), label.end(), '_', ' ');
-    if (id != settingsId)
+    if (number(id) != 0)
         label.append(" ").append(std::to_string(number(id)));
     if (!name.empty())
         label.append(" \"").append(shortened(name)).append("\"");

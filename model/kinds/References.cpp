@@ -59,7 +59,7 @@ public:
     void refers(const ElementId& id, Reference reference)
     {
         reference.id = id;
-        if (id != ElementId{})
+        if (id != noElement)
             found.push_back(reference);
     }
     void refers(const std::vector<ElementId>& ids, const Reference& reference)
@@ -80,7 +80,7 @@ public:
     void refers(ElementId& id, Reference reference)
     {
         reference.id = id;
-        if ((reference.need == Need::Seen || reference.need == Need::Shown) && id != ElementId{} &&
+        if ((reference.need == Need::Seen || reference.need == Need::Shown) && id != noElement &&
             m_isGone(reference))
             id = {};
     }
@@ -111,7 +111,7 @@ public:
     void refers(ElementId& id, Reference reference)
     {
         reference.id = id;
-        if (reference.need != Need::Linked && id != ElementId{})
+        if (reference.need != Need::Linked && id != noElement)
             id = m_newId(reference);
     }
     void refers(std::vector<ElementId>& ids, const Reference& reference)

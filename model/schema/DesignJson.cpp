@@ -63,7 +63,7 @@ void readElements(const json::Value& list, ReadDesign& result)
     Numbering numbering;
     list.eachItem([&](std::size_t i, const json::Value& item) {
         headings.push_back(json::headingOf(item, i));
-        if (headings.back().id != ElementId{} && met.insert(headings.back().id).second)
+        if (headings.back().id != noElement && met.insert(headings.back().id).second)
             numbering.take(headings.back().id);
     });
 
@@ -72,12 +72,12 @@ void readElements(const json::Value& list, ReadDesign& result)
     ElementId before{};
     list.eachItem([&](std::size_t i, const json::Value& item) {
         const json::Heading& heading = headings[i];
-        const bool unique = heading.id != ElementId{} && met.insert(heading.id).second;
+        const bool unique = heading.id != noElement && met.insert(heading.id).second;
         const ElementId id = unique ? heading.id : numbering.takeFreshAfter(std::max(before, heading.id));
         before = id;
         json::Report report(id, heading.label);
         ElementPtr element = json::readElement(item, report);
-        if (!unique && heading.id != ElementId{})
+        if (!unique && heading.id != noElement)
             report.add("id",
                        {QT_TRANSLATE_NOOP("Message", "another element has the number %1 already; give this one "
                                                      "a number of its own"),

@@ -397,10 +397,10 @@ Heading headingOf(const Value& element, std::size_t position)
         if (const Value* id = fields.optional("id")) {
             Report wrong(ElementId{}, {});
             const int number = integerIn(*id, "id", wrong, 1, largestElementId);
-            heading.id = wrong.clean() ? ElementId{number} : ElementId{};
+            heading.id = wrong.clean() ? ElementId{number} : noElement;
         }
     }
-    if (heading.id == ElementId{})
+    if (heading.id == noElement)
         heading.label = "elements[" + std::to_string(position) + "]";
     else
         heading.label = elementLabel(textOf(element, "kind"), heading.id, textOf(element, "name"));

@@ -112,7 +112,7 @@ public:
     void field(const Field& f, const Refers<T>& form, const ElementId& id)
     {
         if constexpr (!std::is_same_v<T, AnyKind>) // whoever cares for links has rules of his own
-            if (f.counts && form.checked && (id != ElementId{} || form.need == Need::Needed))
+            if (f.counts && form.checked && (id != noElement || form.need == Need::Needed))
                 m_rules.reference<T>(at(f), id);
     }
     template <class T>
@@ -202,7 +202,7 @@ void ElementRules::twin(const Element& element)
         warn("twin.of",
              {QT_TRANSLATE_NOOP("Message", "element %1 cannot be its twin: that must be another %2 which "
                                            "is nobody else's; until then it has none"),
-              {std::to_string(number(link->of)), elementLabel(kindName(element), settingsId, "")}});
+              {std::to_string(number(link->of)), elementLabel(kindName(element), noElement, "")}});
         return;
     }
     for (const int point : link->released) {
@@ -258,10 +258,10 @@ void ElementRules::scale(const Placement& placement)
 template <class T>
 const T* ElementRules::reference(std::string field, ElementId id)
 {
-    const ElementPtr element = id == settingsId ? nullptr : m_design.element(id);
+    const ElementPtr element = m_design.element(id);
     if (const T* found = element ? std::get_if<T>(element.get()) : nullptr)
         return found;
-    const std::string wanted = elementLabel(kindName(Element{T{}}), settingsId, "");
+    const std::string wanted = elementLabel(kindName(Element{T{}}), noElement, "");
     const std::string given = std::to_string(number(id));
     if (!element)
         error(std::move(field),
@@ -284,7 +284,7 @@ void ElementRules::rules(const Settings& settings)
     if (settings.symmetry && !settings.symmetry->axisUsable())
         warn("symmetry.axis", {QT_TRANSLATE_NOOP("Message", "the axis needs a direction that is not 0, and numbers "
                                                             "within 1e7; x = 0 is used instead")});
-    if (settings.colourway != ElementId{} && !m_design.find<Colourway>(settings.colourway))
+    if (settings.colourway != noElement && !m_design.find<Colourway>(settings.colourway))
         warn("colourway",
              {QT_TRANSLATE_NOOP("Message", "there is no colourway %1; the patches show their own fabrics"),
               {std::to_string(number(settings.colourway))}});

@@ -33,7 +33,7 @@ CushionGhosts::CushionGhosts(ElementId element, double gamma, const Placement& f
 }
 
 /// f_v, mm.
-Vec3 CushionGhosts::push(const SheetView& sheet, const SewnMesh::Part& part, int vertex) const
+Vec3 CushionGhosts::push(const SheetMoment& sheet, const SewnMesh::Part& part, int vertex) const
 {
     const ForceField::Push push =
         m_fields[part.component]->at(m_axes.transpose() * (sheet.position(vertex) - m_frame.position), m_strengths);
@@ -43,7 +43,7 @@ Vec3 CushionGhosts::push(const SheetView& sheet, const SewnMesh::Part& part, int
     return std::clamp(normal.dot(m_axes * push.force), 0.0, 2 * push.depth) * normal;
 }
 
-void CushionGhosts::displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
+void CushionGhosts::displace(const SheetMoment& sheet, const SewnMesh::Part& part, int begin, int end,
                              Columns& displacements) const
 {
     for (int v = begin; v < end; ++v) {
@@ -52,7 +52,7 @@ void CushionGhosts::displace(const SheetView& sheet, const SewnMesh::Part& part,
     }
 }
 
-void CushionGhosts::report(const SheetView& sheet, SolveReport& report) const
+void CushionGhosts::report(const SheetMoment& sheet, SolveReport& report) const
 {
     SolveReport::Cushion cushion;
     cushion.element = m_element;

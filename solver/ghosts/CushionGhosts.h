@@ -19,13 +19,13 @@ public:
                   std::vector<double> strengths);
 
     double gamma(const SewnMesh::Part& part) const override { return m_fields[part.component] ? m_gamma : 0; }
-    void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
+    void displace(const SheetMoment& sheet, const SewnMesh::Part& part, int begin, int end,
                   Columns& displacements) const override;
-    void report(const SheetView& sheet, SolveReport& report) const override;
+    void report(const SheetMoment& sheet, SolveReport& report) const override;
     void draw(FieldPicture& picture) const override;
 
 private:
-    Vec3 push(const SheetView& sheet, const SewnMesh::Part& part, int vertex) const;
+    Vec3 push(const SheetMoment& sheet, const SewnMesh::Part& part, int vertex) const;
 
     ElementId m_element;
     double m_gamma;

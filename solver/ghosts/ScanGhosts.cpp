@@ -64,7 +64,7 @@ double ScanGhosts::gamma(const SewnMesh::Part&) const
     return usualGamma * gammaFactor(m_scan.strength);
 }
 
-void ScanGhosts::follow(const SheetView& sheet, WorkerPool& pool)
+void ScanGhosts::follow(const SheetMoment& sheet, WorkerPool& pool)
 {
     pool.forChunks(sheet.mesh.freeCount, [&](int, int begin, int end) {
         for (int u = begin; u < end; ++u)
@@ -82,7 +82,7 @@ void ScanGhosts::follow(const SheetView& sheet, WorkerPool& pool)
     m_misfit = total.count > 0 ? std::sqrt(total.squares / total.count) : 0;
 }
 
-ScanGhosts::Sum ScanGhosts::pull(const SheetView& sheet, int begin, int end)
+ScanGhosts::Sum ScanGhosts::pull(const SheetMoment& sheet, int begin, int end)
 {
     const bool plane = m_scan.target == ScanTarget::Plane;
     const double share = m_scan.strength / gammaFactor(m_scan.strength);
@@ -104,7 +104,8 @@ ScanGhosts::Sum ScanGhosts::pull(const SheetView& sheet, int begin, int end)
     return sum;
 }
 
-void ScanGhosts::displace(const SheetView&, const SewnMesh::Part&, int begin, int end, Columns& displacements) const
+void ScanGhosts::displace(const SheetMoment&, const SewnMesh::Part&, int begin, int end,
+                          Columns& displacements) const
 {
     displacements.middleCols(begin, end - begin) = m_displacements.middleCols(begin, end - begin);
 }

@@ -41,8 +41,8 @@ public:
     ScanGhosts(const Scan& scan, std::shared_ptr<const ScanIndex> index, const SewnMesh& mesh);
 
     double gamma(const SewnMesh::Part& part) const override;
-    void follow(const SheetView& sheet, WorkerPool& pool) override;
-    void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
+    void follow(const SheetMoment& sheet, WorkerPool& pool) override;
+    void displace(const SheetMoment& sheet, const SewnMesh::Part& part, int begin, int end,
                   Columns& displacements) const override;
     std::optional<double> misfit() const override { return m_misfit; }
 
@@ -52,7 +52,7 @@ private:
         int count = 0;
     };
 
-    Sum pull(const SheetView& sheet, int begin, int end);
+    Sum pull(const SheetMoment& sheet, int begin, int end);
 
     Scan m_scan;
     ScanPlace m_place;

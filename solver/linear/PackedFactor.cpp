@@ -124,7 +124,7 @@ std::span<const PackedNode> PackedFactor::part(int part) const
 
 void PackedFactor::solve(WorkerPool& pool)
 {
-    const PackedView view{m_values.get(), m_rows.data(), bytes() > cached};
+    const PackedSpans view{m_values.get(), m_rows.data(), bytes() > cached};
     float* const x = m_x.get();
     float* const above = x + 4 * static_cast<std::size_t>(m_symbolic.outside());
     const std::size_t count = 4 * static_cast<std::size_t>(shared());

@@ -116,7 +116,7 @@ constexpr std::ptrdiff_t prefetched = 2048; // numbers
 
 /// Asks for as much as a node has, so far ahead of it: the processor itself sees nothing coming where a solve goes
 /// backwards.
-HWY_INLINE void prefetchBefore(const PackedView& factor, const PackedNode& node)
+HWY_INLINE void prefetchBefore(const PackedSpans& factor, const PackedNode& node)
 {
     if (!factor.streamed)
         return;
@@ -128,7 +128,7 @@ HWY_INLINE void prefetchBefore(const PackedView& factor, const PackedNode& node)
         hwy::Prefetch(from + i);
 }
 
-void Forward(const PackedView& factor, std::span<const PackedNode> nodes, float* x)
+void Forward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x)
 {
     const Spread spread;
     for (const PackedNode& node : nodes) {
@@ -227,7 +227,7 @@ HWY_INLINE void multiplyColumns(const Spread& spread, const float* block, int wi
         multiplyTransposed<1, Lessen>(spread, block, offset, firstChunk(k), chunks, k, y, own + 4 * k);
 }
 
-void Backward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
+void Backward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
 {
     const Spread spread;
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
@@ -287,12 +287,12 @@ HWY_EXPORT(Forward);
 HWY_EXPORT(Backward);
 HWY_EXPORT(Instructions);
 
-void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x)
+void solveForward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x)
 {
     HWY_DYNAMIC_DISPATCH(Forward)(factor, nodes, x);
 }
 
-void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
+void solveBackward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x, float* scratch)
 {
     HWY_DYNAMIC_DISPATCH(Backward)(factor, nodes, x, scratch);
 }

@@ -19,16 +19,16 @@ struct PackedNode {
 };
 
 /// Vectors hold four numbers per unknown and are aligned to 64 bytes, with 16 numbers of room behind the last.
-struct PackedView {
+struct PackedSpans {
     const float* values = nullptr;
     const std::uint32_t* rows = nullptr; ///< where the numbers of a row begin in x; any that are 0 fill up a chunk
     bool streamed = false;               ///< whether the values are too many for a cache
 };
 
 /// x := L^-1 x for these nodes, in this order.
-void solveForward(const PackedView& factor, std::span<const PackedNode> nodes, float* x);
+void solveForward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x);
 /// x := L^-T x for these nodes, last first. `scratch` has room for the longest list of rows and columns.
-void solveBackward(const PackedView& factor, std::span<const PackedNode> nodes, float* x, float* scratch);
+void solveBackward(const PackedSpans& factor, std::span<const PackedNode> nodes, float* x, float* scratch);
 
 /// "AVX2" ...
 const char* packedInstructions();

@@ -149,7 +149,7 @@ std::map<ElementId, ElementId> sewnComponents(const SurfaceTopology& topology)
     for (const Range& range : topology.patches)
         for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
             ElementId& other = patchOf[topology.unknown[v]];
-            if (other == ElementId{}) {
+            if (other == noElement) {
                 other = range.patch;
                 continue;
             }

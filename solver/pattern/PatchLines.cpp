@@ -114,7 +114,7 @@ public:
 private:
     /// What a segment of the grid belongs to; the outline's have no element.
     struct Tag {
-        ElementId element = settingsId;
+        ElementId element = noElement;
         double from = 0, to = 0; ///< along the drawn curve, mm
     };
 
@@ -204,7 +204,7 @@ private:
         const std::string where = pointText(p), margin = numberText(outlineReach(m_edge), 3);
         if (m_refused.contains(other.element))
             return std::nullopt;
-        if (other.element == settingsId) {
+        if (other.element == noElement) {
             for (const int end : {0, 1}) {
                 const Vec2& point = end == 0 ? line.points.front() : line.points.back();
                 if (line.onOutline[end] && (p - point).norm() < 2.2 * outlineReach(m_edge))

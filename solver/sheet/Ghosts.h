@@ -1,7 +1,7 @@
 // What pulls the cover softly: cushioning, scans, frames (paper, sections 3.5 and 4.1: ghost vertices).
 #pragma once
 
-#include "SheetView.h"
+#include "SheetMoment.h"
 #include "WorkerPool.h"
 
 #include <memory>
@@ -23,12 +23,12 @@ public:
     /// gamma of this part, 0 where the source does not act. Constant during the life of the source.
     virtual double gamma(const SewnMesh::Part& part) const = 0;
     /// Once in every iteration, before displace(): looks at the whole cover.
-    virtual void follow(const SheetView&, WorkerPool&) {}
+    virtual void follow(const SheetMoment&, WorkerPool&) {}
     /// Writes t_i - p_i (mm; x y z 0) for the vertices begin .. end - 1 of one part. Called on several threads.
-    virtual void displace(const SheetView& sheet, const SewnMesh::Part& part, int begin, int end,
+    virtual void displace(const SheetMoment& sheet, const SewnMesh::Part& part, int begin, int end,
                           Columns& displacements) const = 0;
     /// Adds what it does to the cover to the report.
-    virtual void report(const SheetView&, SolveReport&) const {}
+    virtual void report(const SheetMoment&, SolveReport&) const {}
     /// Adds what can be shown of its forces.
     virtual void draw(FieldPicture&) const {}
 

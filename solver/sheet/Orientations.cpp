@@ -37,7 +37,7 @@ double orientationWeight(const SewnMesh& mesh, const SewnMesh::Oriented& held)
     return held.weight * firmness * (mesh.area[held.vertex] + 2 * mesh.parts[held.part].bendingSquared());
 }
 
-void addOrientations(const SheetView& sheet, Columns& right)
+void addOrientations(const SheetMoment& sheet, Columns& right)
 {
     for (const SewnMesh::Oriented& held : sheet.mesh.oriented) {
         const Eigen::Vector4d q = sheet.frames.col(held.vertex);

@@ -1,7 +1,7 @@
 // Held normals as rows of L2 (paper, section 3.2: orientation constraints).
 #pragma once
 
-#include "SheetView.h"
+#include "SheetMoment.h"
 
 #include <vector>
 
@@ -14,6 +14,6 @@ namespace bolster {
 double orientationWeight(const SewnMesh& mesh, const SewnMesh::Oriented& held);
 
 /// Adds W_v (q*_v - q_v) to the right-hand sides of L2 (one column per vertex).
-void addOrientations(const SheetView& sheet, Columns& right);
+void addOrientations(const SheetMoment& sheet, Columns& right);
 
 } // namespace bolster

@@ -209,7 +209,7 @@ SheetState SheetOptimizer::state() const
 void SheetOptimizer::report(SolveReport& report) const
 {
     const Columns positions = m_ahead.positions + m_back.positions.cast<double>();
-    const SheetView now{m_mesh, positions, m_ahead.frames, &m_back.frames};
+    const SheetMoment now{m_mesh, positions, m_ahead.frames, &m_back.frames};
     for (const auto& source : m_ghosts) {
         for (const SewnMesh::Part& part : m_mesh.parts)
             report.constraints.ghost += acts(*source) && source->gamma(part) > 0 ? part.vertexCount : 0;
@@ -321,7 +321,7 @@ void SheetOptimizer::fit()
 void SheetOptimizer::correctFits()
 {
     const Columns before = m_fitted(Eigen::all, m_correctable);
-    const SheetView now{m_mesh, m_ahead.positions, m_ahead.frames};
+    const SheetMoment now{m_mesh, m_ahead.positions, m_ahead.frames};
     m_smoothSeams->correct(now, m_pool, m_fitted);
     addOrientations(now, m_fitted);
     PackedFactor::Workspace turns = m_frames->x();
@@ -382,7 +382,7 @@ void SheetOptimizer::addOuterForces()
         return;
     m_outer.resize(4, m_mesh.vertexCount());
     m_results.outer = m_outer.data();
-    const SheetView sheet{m_mesh, m_ahead.positions, m_ahead.frames, &m_back.frames};
+    const SheetMoment sheet{m_mesh, m_ahead.positions, m_ahead.frames, &m_back.frames};
     for (const auto& source : m_ghosts)
         if (acts(*source))
             source->follow(sheet, m_pool);

@@ -229,7 +229,7 @@ Eigen::Vector4d SmoothSeams::ringSum(int vertex, const std::vector<double>& weig
     return sum;
 }
 
-SmoothSeams::Matrix32 SmoothSeams::covariance(const SheetView& sheet, int vertex) const
+SmoothSeams::Matrix32 SmoothSeams::covariance(const SheetMoment& sheet, int vertex) const
 {
     const Vec3 here = sheet.position(vertex);
     Matrix32 sum = Matrix32::Zero();
@@ -243,7 +243,7 @@ SmoothSeams::Matrix32 SmoothSeams::covariance(const SheetView& sheet, int vertex
 /// The map from the partner's plane as it counts at the moment. For G1 it is turned so that the seam runs the same
 /// way in both rings as they are fitted alone: what they say of each other's direction in the plane then is nothing
 /// new.
-Eigen::Matrix2d SmoothSeams::mapNow(const Joint& joint, const Side& side, const SheetView& sheet,
+Eigen::Matrix2d SmoothSeams::mapNow(const Joint& joint, const Side& side, const SheetMoment& sheet,
                                     const Matrix32& own, const Matrix32& other) const
 {
     if (side.kind != Kind::G1)
@@ -265,7 +265,7 @@ Eigen::Matrix2d SmoothSeams::mapNow(const Joint& joint, const Side& side, const 
 }
 
 /// Returns how much of the other side counts, 0 to 1.
-double SmoothSeams::fitBothSides(const Joint& joint, const SheetView& sheet, Columns& right) const
+double SmoothSeams::fitBothSides(const Joint& joint, const SheetMoment& sheet, Columns& right) const
 {
     const Eigen::Vector4d frame = sheet.frames.col(joint.vertex);
     const Matrix32 own = covariance(sheet, joint.vertex);
@@ -316,7 +316,7 @@ std::vector<int> SmoothSeams::vertices() const
     return result;
 }
 
-void SmoothSeams::correct(const SheetView& sheet, WorkerPool& pool, Columns& right) const
+void SmoothSeams::correct(const SheetMoment& sheet, WorkerPool& pool, Columns& right) const
 {
     const auto present = [&](int v) -> Eigen::Vector4d { return sheet.frames.col(v); };
     const auto fitted = [&](int v) -> Eigen::Vector4d { return right.col(v) / m_mesh.area[v]; };

@@ -1,7 +1,7 @@
 // Seams over which the sheet goes on: C1, G1, and those of a patch with itself (paper, section 3.4).
 #pragma once
 
-#include "SheetView.h"
+#include "SheetMoment.h"
 #include "WorkerPool.h"
 
 namespace bolster {
@@ -20,7 +20,7 @@ public:
 
     /// Replaces the right-hand sides A_i qhat_i of L2 (one column per vertex) at and beside these seams.
     /// `sheet` is the present one.
-    void correct(const SheetView& sheet, WorkerPool& pool, Columns& right) const;
+    void correct(const SheetMoment& sheet, WorkerPool& pool, Columns& right) const;
 
     /// The vertices whose right-hand sides it replaces.
     std::vector<int> vertices() const;
@@ -60,11 +60,11 @@ private:
               const std::vector<Eigen::Matrix2d>& rest);
     void findLopsided(const std::vector<Eigen::Matrix2d>& rest);
     double dampingOf(const Joint& joint) const;
-    Matrix32 covariance(const SheetView& sheet, int vertex) const;
-    Eigen::Matrix2d mapNow(const Joint& joint, const Side& side, const SheetView& sheet, const Matrix32& own,
+    Matrix32 covariance(const SheetMoment& sheet, int vertex) const;
+    Eigen::Matrix2d mapNow(const Joint& joint, const Side& side, const SheetMoment& sheet, const Matrix32& own,
                            const Matrix32& other) const;
     Eigen::Vector4d turnToPartners(const Joint& joint, const Columns& frames) const;
-    double fitBothSides(const Joint& joint, const SheetView& sheet, Columns& right) const;
+    double fitBothSides(const Joint& joint, const SheetMoment& sheet, Columns& right) const;
     template <class Frame>
     Eigen::Vector4d ringSum(int vertex, const std::vector<double>& weights, const Frame& frame) const;
 

@@ -1,9 +1,9 @@
 #include "Designer.h"
 
+#include "CoverView.h"
 #include "ElementsView.h"
 #include "Inspector.h"
 #include "PatternView.h"
-#include "SurfaceView.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -144,7 +144,7 @@ void Designer::zoom(int notches)
 
 void Designer::clickCover(const Vec3& at)
 {
-    SurfaceView& view = m_window.surfaceView();
+    CoverView& view = m_window.coverView();
     const std::optional<Vec2> found = view.navigation().camera().pixel(at);
     ASSERT_TRUE(found);
     const QPoint place(static_cast<int>(std::lround(found->x())), static_cast<int>(std::lround(found->y())));

@@ -1,13 +1,13 @@
 // Dialogs are opened and answer later; one tool at a time; keys do what they do elsewhere.
 #include "WindowTest.h"
 
+#include "CoverView.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
 #include "Inspector.h"
 #include "NextStep.h"
 #include "NumberBox.h"
 #include "RenderDialog.h"
-#include "SurfaceView.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -230,13 +230,13 @@ TEST_F(DialogsTest, OneToolIsLit)
     EXPECT_EQ(lit(), QStringList{draw->objectName()});
     window.command("tool.sew")->trigger();
     EXPECT_EQ(lit(), QStringList{window.command("tool.sew")->objectName()});
-    EXPECT_EQ(window.surfaceView().tool(), SurfaceToolKind::Select);
+    EXPECT_EQ(window.coverView().tool(), CoverToolKind::Select);
     draw->trigger();
     EXPECT_EQ(lit(), QStringList{draw->objectName()});
     EXPECT_EQ(window.patternView().tool(), PatternToolKind::Select);
     select->trigger();
     EXPECT_EQ(lit(), QStringList{select->objectName()});
-    EXPECT_EQ(window.surfaceView().tool(), SurfaceToolKind::Select);
+    EXPECT_EQ(window.coverView().tool(), CoverToolKind::Select);
     select->trigger();
     EXPECT_EQ(lit(), QStringList{select->objectName()}) << "who asks for what is there has not ended it";
 }

@@ -102,13 +102,13 @@ TEST_F(DragTest, MovesAControlPointOfAFixationCurve)
     ASSERT_TRUE(open(sample("armchair")));
     ASSERT_TRUE(waitUntilSolved());
     const Design before = window.document().design();
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
 
     // A point of a curve that the view itself says can be grabbed there.
     ElementId curve{};
     QPoint from;
     before.each<FixationCurve>([&](ElementId id, const FixationCurve& fixation) {
-        for (int i = 0; i < fixation.curve.pointCount() && curve == ElementId{}; ++i) {
+        for (int i = 0; i < fixation.curve.pointCount() && curve == noElement; ++i) {
             window.selection().set({id});
             const auto pixel =
                 view.navigation().camera().pixel(fixation.curve.points()[static_cast<std::size_t>(i)]);
@@ -116,8 +116,8 @@ TEST_F(DragTest, MovesAControlPointOfAFixationCurve)
                 !view.rect().adjusted(30, 30, -30, -30).contains(QPoint(int(pixel->x()), int(pixel->y()))))
                 continue;
             const QPoint at(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
-            const SurfaceHit hit = view.hit(at);
-            if (hit.kind == SurfaceHit::Kind::Point && hit.element == id) {
+            const CoverHit hit = view.hit(at);
+            if (hit.kind == CoverHit::Kind::Point && hit.element == id) {
                 curve = id;
                 from = at;
             }

@@ -327,7 +327,7 @@ TEST_F(EdgesTest, TheMenusOfBothViewsHaveTheSameOrder)
     design().each<Seam>([&](ElementId id, const Seam&) { seam = id; });
     for (const Selection::Elements& selected : {Selection::Elements{}, {patch}, {seam}, {patch, seam}}) {
         window.selection().set(selected);
-        const QStringList pattern = offered(window.patternView()), cover = offered(window.surfaceView());
+        const QStringList pattern = offered(window.patternView()), cover = offered(window.coverView());
         ASSERT_FALSE(common(pattern, cover).isEmpty());
         EXPECT_EQ(common(pattern, cover).join(u'|').toStdString(), common(cover, pattern).join(u'|').toStdString());
     }
@@ -337,7 +337,7 @@ TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)
 {
     ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
     ASSERT_TRUE(waitUntilSolved());
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     const Vec2 at = *view.navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     const QPoint pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
     QTest::mouseClick(&view, Qt::RightButton, {}, pixel);

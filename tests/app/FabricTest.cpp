@@ -153,7 +153,7 @@ TEST_F(FabricTest, AFabricDroppedOnTheCoverIsWhatThePatchIsMadeOf)
 {
     const ElementId leather = preset(0);
     ASSERT_TRUE(waitUntilSolved());
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     view.navigation().setCamera(view.navigation().camera()); // it may still be on its way to the cover
     const QPoint at = view.rect().center();
     const ElementId patch = view.hit(at).element;
@@ -195,7 +195,7 @@ TEST_F(FabricTest, ColourwaysSwitchWithAClickAndChangeOnlyWhatIsSeen)
     ASSERT_EQ(list.count(), last + 1);
     EXPECT_EQ(list.currentRow(), last);
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(list.item(0)).center());
-    EXPECT_EQ(design().settings().colourway, settingsId);
+    EXPECT_EQ(design().settings().colourway, noElement);
     EXPECT_EQ(fabricShown(design(), patch), own);
     window.command("edit.undo")->trigger();
     EXPECT_EQ(fabricShown(design(), patch), leather);
@@ -242,7 +242,7 @@ TEST_F(FabricTest, APictureBecomesAFabric)
     const QString path = writePicture(folder.filePath("stripes.png"));
     ASSERT_FALSE(path.isEmpty());
     const ElementId id = design().nextId();
-    window.fabricCommands().choosePicture(settingsId, path);
+    window.fabricCommands().choosePicture(noElement, path);
     ASSERT_TRUE(QTest::qWaitFor([&] { return design().find<Fabric>(id) != nullptr; }, 60000));
     EXPECT_EQ(design().find<Fabric>(id)->name, "stripes");
     EXPECT_EQ(design().find<Fabric>(id)->look.kind, FabricLook::Kind::Image);
@@ -262,7 +262,7 @@ TEST_F(FabricTest, APictureThatIsNoneIsRefusedWithTheReason)
     file.close();
     const std::size_t before = all<Fabric>().size();
     answer(QMessageBox::Ok);
-    window.fabricCommands().choosePicture(settingsId, file.fileName());
+    window.fabricCommands().choosePicture(noElement, file.fileName());
     EXPECT_TRUE(QTest::qWaitFor([&] { return answered == 1; }, 60000));
     EXPECT_EQ(all<Fabric>().size(), before);
 }
@@ -271,7 +271,7 @@ TEST_F(FabricTest, AFabricTravelsAsAFileWithItsPicture)
 {
     QTemporaryDir from, to;
     const ElementId id = design().nextId();
-    window.fabricCommands().choosePicture(settingsId, writePicture(from.filePath("stripes.png")));
+    window.fabricCommands().choosePicture(noElement, writePicture(from.filePath("stripes.png")));
     ASSERT_TRUE(QTest::qWaitFor([&] { return design().find<Fabric>(id) != nullptr; }, 60000));
     window.selection().set({id});
     const QString file = to.filePath("striped.json");

@@ -19,7 +19,7 @@ protected:
     {
         return waitUntilAtRest() && QTest::qWaitFor([&] { return window.findings().known() && isSeen(); }, 60000);
     }
-    bool isSeen() { return window.surfaceView().pictures(window.solver().surface()); }
+    bool isSeen() { return window.coverView().pictures(window.solver().surface()); }
     QToolButton* button() { return window.statusLine().findChild<QToolButton*>(QStringLiteral("show-finding")); }
     bool crossShown() { return window.patternView().findChild<Crosshair*>()->isVisible(); }
 

@@ -55,20 +55,20 @@ TEST_F(FixingTest, WhatIsHiddenComesBack)
 {
     window.selection().set({front});
     window.command("view.hide")->trigger();
-    EXPECT_EQ(window.surfaceView().visibility().hidden(), std::set<ElementId>{front});
+    EXPECT_EQ(window.coverView().visibility().hidden(), std::set<ElementId>{front});
     EXPECT_TRUE(window.command("view.show-hidden")->isEnabled());
     window.selection().set({top});
     window.command("view.isolate")->trigger();
-    EXPECT_FALSE(window.surfaceView().visibility().hidden().contains(top));
-    EXPECT_TRUE(window.surfaceView().visibility().hidden().contains(front));
+    EXPECT_FALSE(window.coverView().visibility().hidden().contains(top));
+    EXPECT_TRUE(window.coverView().visibility().hidden().contains(front));
     window.command("view.show-hidden")->trigger();
-    EXPECT_TRUE(window.surfaceView().visibility().hidden().empty());
+    EXPECT_TRUE(window.coverView().visibility().hidden().empty());
     EXPECT_FALSE(window.document().dirty()) << "it is no part of the design";
 }
 
 TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
 {
-    auto* mark = window.surfaceView().findChild<Crosshair*>();
+    auto* mark = window.coverView().findChild<Crosshair*>();
     const QPoint middle = patternPixel({250, 250});
     move(window.patternView(), middle, Qt::NoButton);
     EXPECT_TRUE(mark->isVisible());
@@ -78,31 +78,31 @@ TEST_F(FixingTest, TheViewsAreLinkedUntilTheyAreNot)
     move(window.patternView(), middle + QPoint(3, 3), Qt::NoButton);
     EXPECT_FALSE(mark->isVisible());
     const Vec2 cover =
-        *window.surfaceView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
+        *window.coverView().navigation().camera().pixel(window.solver().surface()->boundingBox().center());
     move(window.patternView(), {2, 2}, Qt::NoButton);
-    move(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
-    EXPECT_EQ(window.selection().hovered(), settingsId) << "hovering stays in its view";
+    move(window.coverView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())), Qt::NoButton);
+    EXPECT_EQ(window.selection().hovered(), noElement) << "hovering stays in its view";
     window.command("view.link")->trigger();
-    press(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
-    release(window.surfaceView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    press(window.coverView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
+    release(window.coverView(), QPoint(static_cast<int>(cover.x()), static_cast<int>(cover.y())));
     EXPECT_EQ(window.selection().elements().size(), 1u) << "what is selected is selected everywhere";
 }
 
 TEST_F(FixingTest, ViewsAreSavedByName)
 {
     const QString name = QStringLiteral("Left & low / 1");
-    SavedViews::save(name, window.surfaceView().navigation().camera());
+    SavedViews::save(name, window.coverView().navigation().camera());
     EXPECT_EQ(SavedViews::names(), QStringList{name});
     const auto found = SavedViews::find(name);
     ASSERT_TRUE(found);
-    EXPECT_EQ(found->azimuth, window.surfaceView().navigation().camera().azimuth);
-    window.surfaceView().navigation().setStandardView(SurfaceView::StandardView::Top);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window.surfaceView().navigation().camera().elevation > 1.5; }));
+    EXPECT_EQ(found->azimuth, window.coverView().navigation().camera().azimuth);
+    window.coverView().navigation().setStandardView(CoverView::StandardView::Top);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.coverView().navigation().camera().elevation > 1.5; }));
     auto* menu = window.menuBar()->findChild<QMenu*>(QStringLiteral("view.saved"));
     emit menu->aboutToShow();
     menu->actions().front()->trigger();
     EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return std::abs(window.surfaceView().navigation().camera().elevation - found->elevation) < 1e-9; }));
+        [&] { return std::abs(window.coverView().navigation().camera().elevation - found->elevation) < 1e-9; }));
     SavedViews::remove(name);
     EXPECT_TRUE(SavedViews::names().isEmpty());
     EXPECT_FALSE(SavedViews::find(name));
@@ -131,10 +131,10 @@ TEST_F(FixingTest, LastViewsAreKeptOfTheLatestFiles)
 TEST_F(FixingTest, TheSectionIsSwitchedInTheMenuAndInItsPanel)
 {
     window.command("view.section")->trigger();
-    EXPECT_TRUE(window.surfaceView().shown().scene().section);
-    emit window.surfaceView().sectionClosed();
+    EXPECT_TRUE(window.coverView().shown().scene().section);
+    emit window.coverView().sectionClosed();
     EXPECT_FALSE(window.command("view.section")->isChecked());
-    EXPECT_FALSE(window.surfaceView().shown().scene().section);
+    EXPECT_FALSE(window.coverView().shown().scene().section);
 }
 
 } // namespace

@@ -134,14 +134,14 @@ TEST_F(FrameTest, APieceIsLeftOutWhereItIsClicked)
 {
     const ElementId id =
         addFrame("o Seat\n" + box(500, false) + "o Pillow\nv 0 0 600\nv 500 0 600\nv 0 500 900\nf 9 10 11\n", 1);
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     window.command("view.fit-all")->trigger();
     const auto pixelOf = [&](const Vec3& place) {
         const auto pixel = view.navigation().camera().pixel(place);
         return pixel ? QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())) : QPoint();
     };
     const auto menuAt = [&](const Vec3& place) {
-        EXPECT_TRUE(QTest::qWaitFor([&] { return view.hit(pixelOf(place)).kind == SurfaceHit::Kind::Frame; }));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return view.hit(pixelOf(place)).kind == CoverHit::Kind::Frame; }));
         QTest::mouseClick(&view, Qt::RightButton, {}, pixelOf(place));
         QMenu* menu = nullptr;
         (void)QTest::qWaitFor([&] { return (menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())); });

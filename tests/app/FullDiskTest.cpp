@@ -121,7 +121,7 @@ TEST_F(FullDiskTest, AFabricThatDoesNotFitLeavesTheOlderPicture)
             picture.setPixel(x, y, static_cast<QRgb>(2654435761U * static_cast<unsigned>(100 * y + x)));
     ASSERT_TRUE(picture.save(folder.filePath("noise.png")));
     const ElementId id = window.document().design().nextId();
-    window.fabricCommands().choosePicture(settingsId, folder.filePath("noise.png"));
+    window.fabricCommands().choosePicture(noElement, folder.filePath("noise.png"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return window.document().design().find<Fabric>(id) != nullptr; }, 60000));
     window.selection().set({id});
     const auto older = [&] {
@@ -326,7 +326,7 @@ TEST_F(FullDiskTest, APictureThatDoesNotFitIsReportedAndTheOlderOneStays)
     window.show();
     RenderDialog dialog({window.solver().surface(), window.document().design(), window.session().files(),
                          window.fabricLink().baker(), window.fabricLink().bakedByNow(), window.session().title(),
-                         window.surfaceView().navigation().camera()});
+                         window.coverView().navigation().camera()});
     QSignalSpy ends(&dialog, &RenderDialog::rendered);
     const QString path = disk.filePath("picture.png");
     dialog.renderTo(path);

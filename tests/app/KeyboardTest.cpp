@@ -2,11 +2,11 @@
 #include "WindowTest.h"
 
 #include "CommandList.h"
+#include "CoverView.h"
 #include "ElementsView.h"
 #include "HistoryPanel.h"
 #include "HistoryView.h"
 #include "Inspector.h"
-#include "SurfaceView.h"
 
 #include <QLineEdit>
 #include <QMenu>

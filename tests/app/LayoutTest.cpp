@@ -1,9 +1,9 @@
 // The arrangement of the window.
 #include "WindowTest.h"
 
+#include "CoverView.h"
 #include "Inspector.h"
 #include "MeshImport.h"
-#include "SurfaceView.h"
 #include "Theme.h"
 
 #include <QLabel>
@@ -195,7 +195,7 @@ TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
     frame.scale = 1000;
     ASSERT_TRUE(window.session().addWithFile(mesh, {importMesh(mesh).mesh, nullptr}, frame).empty());
     QTest::qWait(500); // the view flies there
-    const Camera& camera = window.surfaceView().navigation().camera();
+    const Camera& camera = window.coverView().navigation().camera();
     EXPECT_GT(camera.distance, 1500) << "the chair is 2 m wide";
     EXPECT_LT(camera.distance, 10000);
 }
@@ -206,7 +206,7 @@ TEST_F(WindowTest, UndoTakesBackTheFirstDragOfAllWhileItGoesOn)
     const Design before = window.document().design();
     const ElementId patch = [&] {
         ElementId first{};
-        before.each<Patch>([&](ElementId id, const Patch&) { first = first == ElementId{} ? id : first; });
+        before.each<Patch>([&](ElementId id, const Patch&) { first = first == noElement ? id : first; });
         return first;
     }();
     window.selection().set({patch});

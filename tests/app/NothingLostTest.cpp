@@ -101,9 +101,9 @@ protected:
 
     ElementId firstPatch()
     {
-        ElementId found = settingsId;
+        ElementId found = noElement;
         document().design().each<Patch>([&](ElementId id, const Patch&) {
-            if (found == settingsId)
+            if (found == noElement)
                 found = id;
         });
         return found;

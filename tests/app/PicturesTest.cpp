@@ -47,7 +47,7 @@ protected:
                 window.fabricLink().baker(),
                 window.fabricLink().bakedByNow(),
                 window.session().title(),
-                window.surfaceView().navigation().camera()};
+                window.coverView().navigation().camera()};
     }
     static void setSize(const RenderDialog& dialog, int width, int height)
     {
@@ -66,7 +66,7 @@ TEST_F(PicturesTest, AMapShowsItsNumbersAndWorstSpots)
     ASSERT_TRUE(waitUntilSolved());
     map(CoverMap::Kind::Strain)->trigger();
     ASSERT_TRUE(measured());
-    const SurfaceMapPtr shown = window.maps().map();
+    const ShownMapPtr shown = window.maps().map();
     EXPECT_EQ(shown->values.size(), window.solver().surface()->positions.size());
     ASSERT_FALSE(window.maps().spots().empty());
     const MapLink::Spot& worst = window.maps().spots().front();

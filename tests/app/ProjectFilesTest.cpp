@@ -4,6 +4,7 @@
 
 #include "Background.h"
 #include "CompareWindow.h"
+#include "CoverView.h"
 #include "ElementEdits.h"
 #include "FileFlow.h"
 #include "HistoryModel.h"
@@ -11,7 +12,6 @@
 #include "Project.h"
 #include "RestingCache.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 #include "VersionPane.h"
 
 #include <QCheckBox>
@@ -449,13 +449,13 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
     const QString path = savedBox();
     ASSERT_FALSE(path.isEmpty());
     ASSERT_TRUE(waitUntilAtRest());
-    const auto standing = [&] { return static_cast<const Viewpoint&>(window.surfaceView().navigation().camera()); };
+    const auto standing = [&] { return static_cast<const Viewpoint&>(window.coverView().navigation().camera()); };
     Viewpoint own;
     own.target = {12, 34, 56.7};
     own.distance = 300;
     own.azimuth = 2;
     own.perspective = false;
-    window.surfaceView().navigation().setCamera(Camera{own, {1, 1}});
+    window.coverView().navigation().setCamera(Camera{own, {1, 1}});
     ASSERT_TRUE(open(sample("pillow")));
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_NE(standing().azimuth, own.azimuth) << "a sample is seen as it looks best";
@@ -466,7 +466,7 @@ TEST_F(ProjectFilesTest, TheCameraStandsWhereItStoodWhenTheProjectWasClosed)
         ASSERT_TRUE(open(file));
         ASSERT_TRUE(waitUntilAtRest());
         ASSERT_TRUE(
-            QTest::qWaitFor([&] { return window.surfaceView().shown().surface() == window.solver().surface(); }));
+            QTest::qWaitFor([&] { return window.coverView().shown().surface() == window.solver().surface(); }));
         EXPECT_TRUE(standing() == own) << "also when the cover has come";
         EXPECT_FALSE(window.isWindowModified());
         EXPECT_FALSE(window.document().hasUnsavedWork());
@@ -751,8 +751,8 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     EXPECT_EQ(window.document().design().settings().edgeLength, first.settings().edgeLength + 1);
     EXPECT_EQ(list.topLevelItemCount(), 1);
 
-    SurfaceView& left = compare->left().surface();
-    SurfaceView& right = compare->right().surface();
+    CoverView& left = compare->left().surface();
+    CoverView& right = compare->right().surface();
     const auto turn = [&left] { // as with the wheel: at once
         Camera camera = left.navigation().camera();
         camera.azimuth += 0.4;
@@ -768,7 +768,7 @@ TEST_F(ProjectFilesTest, VersionsAreComparedAndPartsTaken)
     QTest::keyClick(pattern, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClick(pattern, Qt::Key_Delete);
     EXPECT_EQ(window.document().revision(), revision);
-    EXPECT_FALSE(left.visibility().layerVisible(SurfaceView::Layer::Checker)) << "fabrics, as in the window";
+    EXPECT_FALSE(left.visibility().layerVisible(CoverView::Layer::Checker)) << "fabrics, as in the window";
     QTest::keyClick(pattern, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChild<CompareWindow*>() == nullptr; }))
         << "closed, and its memory given back";

@@ -67,7 +67,7 @@ protected:
     /// pointer is then.
     QPoint dragCreaseFarAway()
     {
-        SurfaceView& view = window.surfaceView();
+        CoverView& view = window.coverView();
         view.setFocus();
         window.selection().set({crease});
         const Vec3 point = window.document().design().find<FixationCurve>(crease)->curve.points()[8];
@@ -76,7 +76,7 @@ protected:
             return QPoint(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
         };
         const QPoint from = pixelOf(point);
-        const SurfaceHit hit = view.hit(from);
+        const CoverHit hit = view.hit(from);
         EXPECT_EQ(hit.element, crease);
         const double scale =
             (Vec2(from.x(), from.y()) - *view.navigation().camera().pixel(point + Vec3(0, 0, 10))).norm() / 10;
@@ -105,12 +105,12 @@ TEST_F(RestingTest, EscapeBringsTheCoverOfBeforeBack)
     before = window.solver().surface()->positions;
     const Design design = window.document().design();
     const QPoint at = dragCreaseFarAway();
-    QTest::keyClick(&window.surfaceView(), Qt::Key_Escape);
+    QTest::keyClick(&window.coverView(), Qt::Key_Escape);
     ASSERT_TRUE(window.document().design() == design);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
-    EXPECT_EQ(window.surfaceView().shown().surface(), window.solver().surface()) << "at once";
-    release(window.surfaceView(), at);
+    EXPECT_EQ(window.coverView().shown().surface(), window.solver().surface()) << "at once";
+    release(window.coverView(), at);
 }
 
 TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
@@ -118,7 +118,7 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
     before = window.solver().surface()->positions;
     const QPoint at = dragCreaseFarAway();
     QSignalSpy sprang(&window.solver(), &SolverLink::sprang);
-    release(window.surfaceView(), at);
+    release(window.coverView(), at);
     ASSERT_FALSE(window.document().gestureRunning());
     ASSERT_TRUE(waitUntilAtRest());
     const SolveResult alone =
@@ -129,8 +129,7 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, before), 0);
     EXPECT_LE(sprang.count(), 1) << "undo is no surprise";
     // What is seen gets there soon, and smoothly.
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return window.surfaceView().shown().surface() == window.solver().surface(); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.coverView().shown().surface() == window.solver().surface(); }));
     window.document().jumpTo(1);
     ASSERT_TRUE(waitUntilAtRest());
     EXPECT_EQ(largestDifference(window.solver().surface()->positions, alone.surface->positions), 0);
@@ -140,7 +139,7 @@ TEST_F(RestingTest, AfterADragAndAfterUndoTheCoverIsThatOfTheDesign)
 /// and whatever else the machine is doing.
 TEST_F(RestingTest, ThePictureFollowsUndo)
 {
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     std::mt19937 random(7);
     const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
     for (int round = 0; round < 2; ++round) {

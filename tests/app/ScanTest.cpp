@@ -2,11 +2,11 @@
 
 #include "CloudImport.h"
 #include "Commands.h"
+#include "CoverView.h"
 #include "ElementEdits.h"
 #include "Inspector.h"
 #include "MapLegend.h"
 #include "ScanLink.h"
-#include "SurfaceView.h"
 
 #include <QTemporaryDir>
 
@@ -44,7 +44,7 @@ TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
     ASSERT_TRUE(measured([](const ScanFigures& f) { return f.rms > 0 && f.rms < 3; }));
 
     window.command("map.deviation")->trigger();
-    const SurfaceMapPtr map = window.scans().map();
+    const ShownMapPtr map = window.scans().map();
     ASSERT_TRUE(map);
     EXPECT_EQ(map->values.size(), window.solver().surface()->positions.size());
     EXPECT_EQ(window.scans().pairs().size(), static_cast<std::size_t>(std::ranges::count_if(
@@ -55,9 +55,8 @@ TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
     for (std::uint32_t v = 0; v < map->topology->patches[0].vertexCount; ++v)
         if (std::isfinite(map->values[v]))
             place.outline = map->topology->pattern[v];
-    emit window.surfaceView().coverPointed(place);
-    EXPECT_TRUE(
-        window.surfaceView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
+    emit window.coverView().coverPointed(place);
+    EXPECT_TRUE(window.coverView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
     EXPECT_TRUE(
         window.patternView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
 
@@ -86,7 +85,7 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     ASSERT_EQ(scan().cuts.size(), 1U);
     EXPECT_TRUE(scan().cuts[0].keep);
 
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     view.navigation().setCamera(view.navigation().camera()); // it may still be on its way to the cover
     wish(ScanWish::CutAway);
     const QPoint from(view.width() / 3, view.height() / 3), to(2 * view.width() / 3, 2 * view.height() / 3);
@@ -122,25 +121,25 @@ TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)
     window.patternView().setFocus();
     window.selection().clear();
     const std::size_t cuts = scan().cuts.size();
-    SurfaceView& view = window.surfaceView();
+    CoverView& view = window.coverView();
     QTest::keyClick(&window.patternView(), Qt::Key_X, Qt::ControlModifier | Qt::AltModifier);
-    EXPECT_EQ(view.tool(), SurfaceToolKind::CutScan);
+    EXPECT_EQ(view.tool(), CoverToolKind::CutScan);
     EXPECT_TRUE(window.selection().contains(scanId())) << "the only one";
     EXPECT_TRUE(view.prompt().contains(QStringLiteral("cut away"))) << view.prompt().toStdString();
 
     press(view, {40, 40});
     move(view, {view.width() - 40, view.height() - 40}, Qt::LeftButton);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
     release(view, {view.width() - 40, view.height() - 40});
     EXPECT_EQ(scan().cuts.size(), cuts);
     EXPECT_TRUE(window.selection().contains(scanId())) << "it was the rectangle that was given up";
 
     QTest::keyClick(&window.patternView(), Qt::Key_K, Qt::ControlModifier | Qt::AltModifier);
-    EXPECT_EQ(view.tool(), SurfaceToolKind::CutScan);
+    EXPECT_EQ(view.tool(), CoverToolKind::CutScan);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape); // nobody counts them
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
     EXPECT_TRUE(window.selection().contains(scanId()));
     window.command("scan.remove-cuts")->trigger();
     EXPECT_TRUE(scan().cuts.empty());

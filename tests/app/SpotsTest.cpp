@@ -84,9 +84,9 @@ protected:
             const auto* mark = view.findChild<Crosshair*>();
             return mark->isVisible() && (QPointF(mark->geometry().center()) - pixel).manhattanLength() < 4;
         };
-        const Vec2 cover = *window.surfaceView().navigation().camera().pixel(*places.onCover(place));
+        const Vec2 cover = *window.coverView().navigation().camera().pixel(*places.onCover(place));
         return on(window.patternView(), patternPixel(toLayout(patch, place.outline))) &&
-               on(window.surfaceView(), {cover.x(), cover.y()});
+               on(window.coverView(), {cover.x(), cover.y()});
     }
 
     void limit(ElementId patch, double percent)
@@ -114,7 +114,7 @@ protected:
 
 TEST_F(SpotsTest, AMapHasOneLegend)
 {
-    const auto* onCover = window.surfaceView().findChild<MapLegend*>();
+    const auto* onCover = window.coverView().findChild<MapLegend*>();
     const auto* onPattern = window.patternView().findChild<MapLegend*>();
     map(CoverMap::Kind::Strain)->setChecked(true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return onCover->isVisible(); }, 30000));
@@ -132,7 +132,7 @@ TEST_F(SpotsTest, TheNumberUnderARestingPointerFollowsTheCover)
     ASSERT_TRUE(listStrain());
     const MapLink::Spot worst = spots().front();
     const Patch before = *window.document().design().find<Patch>(worst.place.patch);
-    const auto* legend = window.surfaceView().findChild<MapLegend*>();
+    const auto* legend = window.coverView().findChild<MapLegend*>();
     window.patternView().patchPointed(worst.place);
     const QString first = legend->reading();
     ASSERT_TRUE(first.contains(window.maps().figure(worst.value))) << qPrintable(first);
@@ -179,7 +179,7 @@ TEST_F(SpotsTest, TheCrossIsTakenAwayWithItsMap)
     ASSERT_TRUE(marksThe(spots()[0].place));
     const auto crossShown = [&] {
         return window.patternView().findChild<Crosshair*>()->isVisible() ||
-               window.surfaceView().findChild<Crosshair*>()->isVisible();
+               window.coverView().findChild<Crosshair*>()->isVisible();
     };
     map(CoverMap::Kind::Shear)->trigger();
     EXPECT_FALSE(crossShown());
@@ -216,7 +216,7 @@ TEST_F(SpotsTest, WalkingThroughTheListShowsThePlacesInBothWindows)
     EXPECT_TRUE(marksThe(spots()[1].place));
 
     window.patternView().showPlace({});
-    window.surfaceView().showPlace({});
+    window.coverView().showPlace({});
     EXPECT_FALSE(marksThe(spots()[1].place));
     QTest::keyClick(&table(), Qt::Key_Return);
     EXPECT_TRUE(marksThe(spots()[1].place)) << "once more";

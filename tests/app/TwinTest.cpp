@@ -26,7 +26,7 @@ TEST_F(TwinTest, MakesReleasesAndUnlinksTwins)
     ASSERT_TRUE(window.command("twin.make")->isEnabled());
     window.command("twin.make")->trigger();
     const ElementId twin = twinOf(window.document().design(), patch);
-    ASSERT_NE(twin, settingsId);
+    ASSERT_NE(twin, noElement);
     EXPECT_EQ(window.document().history().count(), 2) << "one step";
     EXPECT_TRUE(window.selection().contains(twin));
     EXPECT_FALSE(window.command("twin.make")->isEnabled());
@@ -42,7 +42,7 @@ TEST_F(TwinTest, MakesReleasesAndUnlinksTwins)
     EXPECT_TRUE(releasedPoints(window.document().design(), twin).empty());
 
     window.command("twin.unlink")->trigger();
-    EXPECT_EQ(twinOf(window.document().design(), patch), settingsId);
+    EXPECT_EQ(twinOf(window.document().design(), patch), noElement);
     window.selection().set({patch, twin});
     ASSERT_TRUE(window.command("twin.link")->isEnabled());
     window.command("twin.link")->trigger();
@@ -62,7 +62,7 @@ TEST_F(TwinTest, SeamsFollowAreReleasedAndRelinked)
     window.command("twin.make")->trigger();
     ElementId seam{};
     document.design().each<Seam>([&](ElementId id, const Seam&) {
-        if (seam == ElementId{})
+        if (seam == noElement)
             seam = id;
     });
     const ElementId mirrored = edits::mirroredElement(document.design(), seam);

@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"NoFabric", [](Parts& p) { p.side.fabric = ElementId{99}; }, 3, "fabric", "no element 99"},
         Rule{"FabricKind", [](Parts& p) { p.side.fabric = ElementId{4}; }, 3, "fabric",
              "fixation curve 4 \"Rail\" is no fabric"},
-        Rule{"FabricItself", [](Parts& p) { p.side.fabric = settingsId; }, 3, "fabric", "no element 0"},
+        Rule{"FabricItself", [](Parts& p) { p.side.fabric = noElement; }, 3, "fabric", "no element 0"},
         Rule{"PatchPosition", [](Parts& p) { p.side.position.y() = 2e7; }, 3, "position", "20000000"},
         Rule{"PatchRotation", [](Parts& p) { p.side.rotation = nan; }, 3, "rotation", "NaN"},
         Rule{"PatchGrain", [](Parts& p) { p.side.grain = 1e9; }, 3, "grain", "1000000000"},

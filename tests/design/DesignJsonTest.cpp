@@ -197,6 +197,7 @@ Design unusualDesign()
     Edit edit;
     for (std::size_t i = 0; i < elements.size(); ++i)
         edit.changes.push_back({ElementId{static_cast<std::int32_t>(i)}, nullptr, elements[i]});
+    edit.changes.front().id = settingsId;
     edit.changes.back().id = ElementId{largestElementId};
     return Design().with(edit);
 }

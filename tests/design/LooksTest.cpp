@@ -162,7 +162,7 @@ TEST_P(BadLooks, AreReportedWithElementAndFieldAndCostNothingElse)
     EXPECT_EQ(writeDesign(read.design), text) << "it is kept as it is";
     const Problems problems = checkDesign(read.design);
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].element, ElementId{GetParam().element});
+    EXPECT_EQ(number(problems[0].element), GetParam().element);
     EXPECT_EQ(problems[0].field, GetParam().field);
     EXPECT_FALSE(problems[0].message.empty());
 
@@ -173,7 +173,7 @@ TEST_P(BadLooks, AreReportedWithElementAndFieldAndCostNothingElse)
         return;
     EXPECT_EQ(usable.elements().size(), read.design.elements().size()) << "looks never cost the shape";
     ASSERT_EQ(leftOut.size(), 1U);
-    EXPECT_EQ(leftOut[0].element, ElementId{GetParam().element});
+    EXPECT_EQ(number(leftOut[0].element), GetParam().element);
     EXPECT_EQ(usable.find<Seam>(seam)->a, (Stretch{seat, 1, 2}));
 }
 
@@ -245,10 +245,10 @@ TEST_F(LooksTest, TheColourwayDecidesWhatIsShown)
     EXPECT_EQ(fabricShown(design, seat), photo);
     EXPECT_EQ(fabricShown(design, side), leather);
     EXPECT_EQ(fabricShown(design, seat, plain), leather);
-    EXPECT_EQ(fabricShown(design, seat, settingsId), leather);
-    EXPECT_EQ(fabricShown(design, ElementId{99}), settingsId);
+    EXPECT_EQ(fabricShown(design, seat, noElement), leather);
+    EXPECT_EQ(fabricShown(design, ElementId{99}), noElement);
 
-    apply(showColourway(design, settingsId));
+    apply(showColourway(design, noElement));
     EXPECT_EQ(fabricShown(design, seat), leather);
     EXPECT_TRUE(showColourway(design, seat).empty()) << "a patch is none";
     apply(showColourway(design, blue));
@@ -263,7 +263,7 @@ TEST_F(LooksTest, TheColourwayDecidesWhatIsShown)
     EXPECT_EQ(fabricShown(design, seat), wool);
     EXPECT_EQ(fabricShown(design, side), wool);
     EXPECT_EQ(get<Patch>(side).fabric, leather) << "mechanics are another matter";
-    apply(setColourwayFabric(design, added, std::array{side}, settingsId));
+    apply(setColourwayFabric(design, added, std::array{side}, noElement));
     EXPECT_EQ(fabricShown(design, side), leather);
     EXPECT_TRUE(setColourwayFabric(design, added, std::array{seat}, rail).empty());
 
@@ -315,7 +315,7 @@ TEST_F(LooksTest, RemovingTakesAlongWhatRefersToIt)
 
     design = start;
     apply(removeElements(design, std::array{blue}));
-    EXPECT_EQ(design.settings().colourway, settingsId);
+    EXPECT_EQ(design.settings().colourway, noElement);
     EXPECT_EQ(fabricShown(design, seat), leather);
 }
 
@@ -369,7 +369,7 @@ TEST_F(LooksTest, TrimsOfTwinsFollowEachOther)
 {
     apply(makeTwins(design, std::array{seat}, [](const std::string& name) { return name + "'"; }));
     const ElementId twin = twinOf(design, seat);
-    ASSERT_NE(twin, settingsId);
+    ASSERT_NE(twin, noElement);
     EXPECT_EQ(fabricShown(design, twin), photo) << "it shows what the other one shows";
     const ElementId there = mirroredElement(design, edge);
     ASSERT_TRUE(design.find<OutlineTrim>(there));
@@ -377,7 +377,7 @@ TEST_F(LooksTest, TrimsOfTwinsFollowEachOther)
 
     for (const ElementId id : {edge, fixation, pipe}) {
         const ElementId image = id == pipe ? twinOf(design, pipe) : mirroredElement(design, id);
-        ASSERT_NE(image, settingsId) << number(id);
+        ASSERT_NE(image, noElement) << number(id);
         apply(setTrim(design, std::array{id}, singleStitch()));
         EXPECT_EQ(*seamTrim(*design.element(image)), singleStitch());
         apply(setTrim(design, std::array{image}, SeamTrim()));
@@ -437,7 +437,7 @@ TEST_F(LooksTest, AFabricInUseGivesItsPlaceToAnother)
     EXPECT_EQ(patchesWith(design, leather), (std::vector{seat, side}));
     EXPECT_EQ(patchesWith(design, photo), std::vector{seat});
     EXPECT_TRUE(patchesWith(design, wool).empty());
-    EXPECT_TRUE(removeFabric(design, leather, settingsId).empty()) << "patches are made of it";
+    EXPECT_TRUE(removeFabric(design, leather, noElement).empty()) << "patches are made of it";
     EXPECT_TRUE(removeFabric(design, leather, leather).empty());
 
     apply(removeFabric(design, leather, wool));
@@ -451,7 +451,7 @@ TEST_F(LooksTest, AFabricInUseGivesItsPlaceToAnother)
 
 TEST_F(LooksTest, AFabricThatNobodyHasIsJustRemoved)
 {
-    apply(removeFabric(design, wool, settingsId));
+    apply(removeFabric(design, wool, noElement));
     EXPECT_FALSE(design.find<Fabric>(wool));
 }
 
@@ -460,7 +460,7 @@ TEST_F(LooksTest, AGivenFabricIsShownUnderAColourwayAndElseMadeOf)
     apply(giveFabric(design, std::array{side}, wool));
     EXPECT_EQ(get<Patch>(side).fabric, leather) << "the shape stays";
     EXPECT_EQ(fabricShown(design, side), wool);
-    apply(showColourway(design, settingsId));
+    apply(showColourway(design, noElement));
     apply(giveFabric(design, std::array{side}, wool));
     EXPECT_EQ(get<Patch>(side).fabric, wool);
     EXPECT_TRUE(giveFabric(design, std::array{seam}, wool).empty()) << "a seam has no fabric";

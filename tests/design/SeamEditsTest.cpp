@@ -1,6 +1,7 @@
 #include "SeamEdits.h"
 #include "ArcLength.h"
 #include "DesignCheck.h"
+#include "EditCheck.h"
 #include "SeamStretches.h"
 
 #include "TestData.h"
@@ -61,11 +62,11 @@ protected:
 
 TEST_F(SeamEdits, AnEdgeRunsFromCornerToCorner)
 {
-    EXPECT_EQ(stretchAt(design, longOne, 0.5), (Stretch{longOne, 0, 2})) << "point 1 is no corner";
-    EXPECT_EQ(stretchAt(design, longOne, 1.7), (Stretch{longOne, 0, 2}));
-    EXPECT_EQ(stretchAt(design, longOne, 4.2), (Stretch{longOne, 4, 5})) << "up to the end, not to 0";
-    EXPECT_EQ(stretchAt(design, roundOne, 2.5), (Stretch{roundOne, 0, 4})) << "no corners: all of it";
-    EXPECT_FALSE(stretchAt(design, ElementId{99}, 0));
+    EXPECT_EQ(freeStretchAt(design, longOne, 0.5), (Stretch{longOne, 0, 2})) << "point 1 is no corner";
+    EXPECT_EQ(freeStretchAt(design, longOne, 1.7), (Stretch{longOne, 0, 2}));
+    EXPECT_EQ(freeStretchAt(design, longOne, 4.2), (Stretch{longOne, 4, 5})) << "up to the end, not to 0";
+    EXPECT_EQ(freeStretchAt(design, roundOne, 2.5), (Stretch{roundOne, 0, 4})) << "no corners: all of it";
+    EXPECT_FALSE(freeStretchAt(design, ElementId{99}, 0));
     EXPECT_EQ(edgeNumber(design.find<Patch>(longOne)->outline, 0), 1);
     EXPECT_EQ(edgeNumber(design.find<Patch>(longOne)->outline, 2), 2);
     EXPECT_EQ(edgeNumber(design.find<Patch>(roundOne)->outline, 2), 0);
@@ -77,8 +78,8 @@ TEST_F(SeamEdits, AnEdgePassesTheStartOfTheOutline)
     Patch patch = *design.find<Patch>(longOne);
     patch.outline = outline;
     const Design shifted = design.with({{}, {{longOne, nullptr, makeElement(patch)}}});
-    EXPECT_EQ(stretchAt(shifted, longOne, 0.5), (Stretch{longOne, 4, 1}));
-    EXPECT_EQ(stretchAt(shifted, longOne, 4.5), (Stretch{longOne, 4, 1}));
+    EXPECT_EQ(freeStretchAt(shifted, longOne, 0.5), (Stretch{longOne, 4, 1}));
+    EXPECT_EQ(freeStretchAt(shifted, longOne, 4.5), (Stretch{longOne, 4, 1}));
     const Design half = shifted.with(addSeam(shifted, {longOne, 0, 1}, {steps, 0, 1}, true));
     EXPECT_EQ(freeStretchAt(half, longOne, 4.5), (Stretch{longOne, 4, 5}));
     EXPECT_FALSE(freeStretchAt(half, longOne, 0.5));
@@ -95,7 +96,7 @@ TEST_F(SeamEdits, FindsSeamsOfOutlinesThatNoLongerBeginAtZero)
         design.with({{}, {{turned, nullptr, makeElement(patch)}, {ElementId{30}, nullptr, makeElement(seam)}}});
     EXPECT_FALSE(freeStretchAt(moved, turned, 4.5)) << "0 to 1 is 4 to 5";
     EXPECT_EQ(freeStretchAt(moved, turned, 3.5), (Stretch{turned, 3, 4}));
-    EXPECT_FALSE(moveSeamEnd(moved, ElementId{30}, SeamSide::B, StretchEnd::To, 2.5).empty());
+    EXPECT_FALSE(dragStretchEnd(moved, ElementId{30}, SeamSide::B, StretchEnd::To, 2.5).empty());
 }
 
 TEST_F(SeamEdits, SewsTwoStretches)
@@ -189,16 +190,13 @@ TEST_F(SeamEdits, FlipsSwapsAndChangesSeveral)
 
 TEST_F(SeamEdits, MovesTheEndsOfAStretch)
 {
-    const Edit edit = moveSeamEnd(design, sewn, SeamSide::A, StretchEnd::To, 2.5);
+    const Edit edit = dragStretchEnd(design, sewn, SeamSide::A, StretchEnd::To, 2.5);
     EXPECT_EQ(seamOf(edit).a, (Stretch{one, 1, 2.5}));
+    EXPECT_FALSE(brokenBy(design, edit));
     expectUndone(edit);
-    Message why;
-    EXPECT_TRUE(moveSeamEnd(design, sewn, SeamSide::A, StretchEnd::To, 1, &why).empty());
-    EXPECT_EQ(why.english(), "This stretch has no length: choose two different points.");
     const Design both = design.with(addSeam(design, {one, 2, 3}, {longOne, 0, 2}, true));
-    EXPECT_TRUE(moveSeamEnd(both, sewn, SeamSide::A, StretchEnd::To, 2.5, &why).empty());
-    EXPECT_EQ(why.english(), "One is already sewn to Long here: remove that seam first, or take a free stretch.");
-    EXPECT_EQ(seamOf(moveSeamEnd(design, sewn, SeamSide::B, StretchEnd::From, 2)).b, (Stretch{two, 2, 4}));
+    EXPECT_TRUE(brokenBy(both, dragStretchEnd(both, sewn, SeamSide::A, StretchEnd::To, 2.5)));
+    EXPECT_EQ(seamOf(dragStretchEnd(design, sewn, SeamSide::B, StretchEnd::From, 2)).b, (Stretch{two, 2, 4}));
 }
 
 } // namespace

@@ -115,19 +115,6 @@ TEST_F(ShapeEdits, TheSecondSideOfASeamBecomesAsLongAsTheFirst)
     EXPECT_NEAR(edgeLength(even, {seat, 1, 2}), 510, 1e-6);
 }
 
-TEST_F(ShapeEdits, ScalesAndTurnsPoints)
-{
-    const Design scaled = after(scalePoints(design, {{seat, 1}, {seat, 2}}, Vec2(10, 20), Vec2(1.2, 1)));
-    EXPECT_EQ(scaled.find<Patch>(seat)->outline.points()[1], Vec2(600, 0));
-    EXPECT_EQ(scaled.find<Patch>(seat)->outline.points()[0], Vec2(0, 0));
-    const Vec2 centre = place(design, side, 0);
-    const Design turned = after(turnPoints(design, {{side, 1}, {seat, 99}, {leather, 0}}, centre, 10));
-    const Vec2 expected = centre + Eigen::Rotation2Dd(10 * M_PI / 180) * (place(design, side, 1) - centre);
-    EXPECT_LT((place(turned, side, 1) - expected).norm(), 1e-9);
-    EXPECT_TRUE(turnPoints(design, {{side, 1}}, centre, 0).empty());
-    EXPECT_TRUE(turnPoints(design, {{side, 1}}, centre, std::nan("")).empty());
-}
-
 TEST_F(ShapeEdits, MirrorsInPlace)
 {
     for (const MirrorAxis axis : {MirrorAxis::Vertical, MirrorAxis::Horizontal}) {

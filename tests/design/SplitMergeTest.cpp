@@ -6,6 +6,7 @@
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
 #include "OutlineEdits.h"
+#include "PatchEdits.h"
 #include "PatchMerge.h"
 #include "PatchShapeEdits.h"
 #include "PatchSplit.h"
@@ -353,7 +354,7 @@ public:
         case 0:
             return scalePatches(design, ids, at, {m_random.real(0.7, 1.4), m_random.real(0.7, 1.4)});
         case 1:
-            return turnPoints(design, {{ids[0], point}}, at, m_random.real(-3, 3));
+            return movePatchPoints(design, ids[0], std::array{point}, test::randomPoint<2>(m_random, 10));
         case 2:
             return mirrorPatches(design, ids, m_random.chance(0.5) ? MirrorAxis::Vertical : MirrorAxis::Horizontal,
                                  at.x());

@@ -72,7 +72,7 @@ protected:
 
 TEST_F(TwinsTest, AreMadeWithAllThatBelongsToThem)
 {
-    ASSERT_NE(twin, settingsId);
+    ASSERT_NE(twin, noElement);
     EXPECT_TRUE(design.settings().symmetry);
     EXPECT_EQ(patch(twin).name, "right side");
     EXPECT_EQ(patch(twin).grain, 100);
@@ -246,8 +246,8 @@ TEST_F(TwinsTest, LinksEndWithOneOfThem)
 
     design = start;
     apply(unlinkTwins(design, std::array{side}));
-    EXPECT_EQ(twinOf(design, side), settingsId);
-    EXPECT_NE(twinOf(design, rail), settingsId);
+    EXPECT_EQ(twinOf(design, side), noElement);
+    EXPECT_NE(twinOf(design, rail), noElement);
     apply(movePatchPoints(design, side, std::array{4}, Vec2(5, 7)));
     EXPECT_EQ(point(twin, 4), Vec2(-95, 130));
     EXPECT_TRUE(unlinkTwins(design, std::array{side}).empty());

@@ -1,9 +1,9 @@
 #include "FeelPlayer.h"
 
+#include "CoverView.h"
 #include "Document.h"
 #include "PatternView.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 #include <QMouseEvent>
 #include <QTest>
@@ -37,7 +37,7 @@ FeelPlayer::FeelPlayer(FeelApplication& application, MainWindow& window)
     , m_window(window)
 {
     m_clock.start();
-    application.watch(&window.patternView(), &window.surfaceView(),
+    application.watch(&window.patternView(), &window.coverView(),
                       [this](bool pattern, bool cover) { painted(pattern, cover); });
     m_toSolver =
         QObject::connect(&window.solver(), &SolverLink::surfaceChanged, [this](const SurfaceMeshPtr& surface) {
@@ -56,7 +56,7 @@ FeelPlayer::~FeelPlayer()
 QWidget& FeelPlayer::view(const QString& name)
 {
     if (name == QLatin1String("cover"))
-        return m_window.surfaceView();
+        return m_window.coverView();
     return m_window.patternView();
 }
 
@@ -124,7 +124,7 @@ void FeelPlayer::send(const FeelEvent& event, QWidget& view, QPoint at)
 /// Of the surface that is on the screen; 0: a step on the way from one to the next.
 std::uint64_t FeelPlayer::revisionShown() const
 {
-    const SurfaceMeshPtr shown = m_window.surfaceView().shownSurface();
+    const SurfaceMeshPtr shown = m_window.coverView().shownSurface();
     const auto known = std::ranges::find(m_surfaces, shown, &decltype(m_surfaces)::value_type::first);
     return shown && known != m_surfaces.end() ? known->second : 0;
 }

@@ -1,8 +1,8 @@
 #include "FeelRecorder.h"
 
+#include "CoverView.h"
 #include "Document.h"
 #include "PatternView.h"
-#include "SurfaceView.h"
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ std::vector<ElementId> idsOf(const Design& design)
 QWidget& FeelRecorder::view(const QString& widget) const
 {
     if (widget == cover)
-        return m_window.surfaceView();
+        return m_window.coverView();
     return m_window.patternView();
 }
 
@@ -155,7 +155,7 @@ bool FeelRecorder::dragOutline()
 /// Chooses a fixation curve by a click on it and drags one of its points.
 bool FeelRecorder::dragFixation()
 {
-    SurfaceView& view = m_window.surfaceView();
+    CoverView& view = m_window.coverView();
     const Design& design = m_window.document().design();
     const std::vector<ElementId> curves = idsOf<FixationCurve>(design);
     const int first = below(static_cast<int>(curves.size()));
@@ -176,8 +176,8 @@ bool FeelRecorder::dragFixation()
             const QPointF at = on ? QPointF(on->x(), on->y()) : QPointF(-1, -1);
             if (!view.rect().adjusted(60, 60, -60, -60).contains(at.toPoint()))
                 continue;
-            const SurfaceHit hit = view.hit(at);
-            if (hit.kind != SurfaceHit::Kind::Point || hit.element != id)
+            const CoverHit hit = view.hit(at);
+            if (hit.kind != CoverHit::Kind::Point || hit.element != id)
                 continue;
             begin("fixation");
             drag(cover, at, way(14));

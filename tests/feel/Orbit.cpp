@@ -1,11 +1,11 @@
 // How fast the 3D view's painter is while the camera goes round a cover, and what the picture looks like:
 //   bolster_orbit DESIGN [options]
 // Needs OpenGL, a software one will do: xvfb-run -a bolster_orbit ...
+#include "CoverRefiner.h"
 #include "DesignFile.h"
 #include "GlPainter.h"
 #include "MeshShape.h"
 #include "RestingSolve.h"
-#include "SurfaceRefiner.h"
 #include "TestFabric.h"
 
 #include <QCommandLineParser>
@@ -21,12 +21,12 @@ namespace {
 
 using namespace bolster;
 
-SurfaceScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const QCommandLineParser& options)
+ViewScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const QCommandLineParser& options)
 {
-    SurfaceScene scene;
+    ViewScene scene;
     scene.surface = surface;
     if (!options.isSet("coarse"))
-        scene.cover = SurfaceRefiner().refine(surface, 2);
+        scene.cover = CoverRefiner().refine(surface, 2);
     for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
         const Fabric* fabric = design.find<Fabric>(range.fabric);
         Scene::PatchLook look{range.patch};
@@ -42,7 +42,7 @@ SurfaceScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const 
     scene.setColors(ViewColors::of(palette));
     scene.checker = options.isSet("checker");
     for (const SurfaceTopology::Chain& chain : surface->topology->seams) {
-        SurfaceLine line;
+        SceneLine line;
         const auto run = scene.cover ? scene.cover->topology->along(chain.a) : chain.a;
         for (const std::uint32_t v : run)
             line.points.push_back(scene.cover ? scene.cover->points[v]
@@ -54,7 +54,7 @@ SurfaceScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const 
     scene.marks = 1;
     scene.box = surface->boundingBox();
     scene.floor = scene.box.min().z() - 1;
-    scene.occlusion = SurfaceOcclusion::of({surface, {}, static_cast<float>(scene.floor)}, {});
+    scene.occlusion = CoverOcclusion::of({surface, {}, static_cast<float>(scene.floor)}, {});
     return scene;
 }
 

@@ -191,7 +191,7 @@ protected:
         Scene scene = request.scene; // without what only windows draw
         scene.checker = scene.ground = false;
         const Camera& camera = request.camera;
-        const PreviewView view(camera);
+        const RayCamera view(camera);
         PreviewOptions options;
         options.width = request.size.width();
         options.height = request.size.height();

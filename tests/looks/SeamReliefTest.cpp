@@ -1,8 +1,8 @@
 // Valleys and bulges run along seams by what the pattern measures, whatever the triangles are.
 #include "SeamRelief.h"
 #include "CoverBuilder.h"
+#include "CoverRefiner.h"
 #include "Design.h"
-#include "SurfaceRefiner.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(SeamRelief, DistancesAreThoseInThePatternWhateverTheTriangles)
 TEST(SeamRelief, TheRefinedCoverAgreesWithTheSolversMesh)
 {
     const SurfaceMeshPtr surface = sewnSquare(5);
-    const CoverMeshPtr cover = SurfaceRefiner().refine(surface, 2);
+    const CoverMeshPtr cover = CoverRefiner().refine(surface, 2);
     const SeamReliefPtr fine = seamRelief(Design(), *cover->topology);
     const SeamReliefPtr coarse = seamRelief(Design(), *surface->topology);
     ASSERT_TRUE(fine->fits(surface->topology->serial, cover->topology->vertexCount()));

@@ -1,7 +1,7 @@
 // Stitches and piping lie on the cover where the pattern has them.
 #include "SeamTrims.h"
 #include "CoverBuilder.h"
-#include "SurfaceRefiner.h"
+#include "CoverRefiner.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ CoverMeshPtr bentPiece()
     auto topology = std::make_shared<SurfaceTopology>(*surface.topology);
     topology->patches.front().patch = piece;
     surface.topology = topology;
-    return SurfaceRefiner().refine(std::make_shared<const SurfaceMesh>(surface), 2);
+    return CoverRefiner().refine(std::make_shared<const SurfaceMesh>(surface), 2);
 }
 
 float fromAxis(const Eigen::Vector3f& p)

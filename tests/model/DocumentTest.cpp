@@ -35,12 +35,15 @@ std::string nameOf(const Document& document, int id)
 ChangeSet slowDifferences(const Design& a, const Design& b)
 {
     ChangeSet ids;
-    for (int i = 0; i < 20; ++i) {
-        const ElementPtr x = a.element(ElementId{i});
-        const ElementPtr y = b.element(ElementId{i});
+    const auto compare = [&](ElementId id) {
+        const ElementPtr x = a.element(id);
+        const ElementPtr y = b.element(id);
         if ((x == nullptr) != (y == nullptr) || (x && !(*x == *y)))
-            ids.insert(ElementId{i});
-    }
+            ids.insert(id);
+    };
+    compare(settingsId);
+    for (int i = 0; i < 20; ++i)
+        compare(ElementId{i});
     return ids;
 }
 

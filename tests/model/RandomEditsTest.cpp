@@ -4,6 +4,7 @@
 #include "DesignFile.h"
 #include "DesignJson.h"
 #include "Document.h"
+#include "EditCheck.h"
 #include "ElementEdits.h"
 #include "Gesture.h"
 #include "HandleEdits.h"
@@ -22,6 +23,12 @@
 
 namespace bolster {
 namespace {
+
+/// As a drag keeps it: not what breaks something.
+Edit unbroken(const Design& design, const Edit& edit)
+{
+    return edits::brokenBy(design, edit) ? Edit{} : edit;
+}
 
 class Designer {
 public:
@@ -72,7 +79,7 @@ private:
     {
         auto element = design.elements().begin();
         if (element == design.elements().end())
-            return settingsId;
+            return noElement;
         std::advance(element, pick(static_cast<int>(design.elements().size())));
         return element->first;
     }
@@ -137,7 +144,7 @@ private:
             return edits::setMatch(design, ids, static_cast<Match>(pick(2)));
         case 4:
         case 5:
-            return edits::moveSeamEnd(design, id, side, end, somewhere(10));
+            return unbroken(design, edits::dragStretchEnd(design, id, side, end, somewhere(10)));
         case 6:
             return whole && other ? edits::sewInRow(design, *whole, std::vector{*other}, pick(2) == 0) : Edit{};
         default:
@@ -173,10 +180,10 @@ private:
         const std::vector patches = {anyElement(design), anyElement(design)};
         switch (pick(4)) {
         case 0:
-            return edits::showColourway(design, pick(3) == 0 ? settingsId : id);
+            return edits::showColourway(design, pick(3) == 0 ? noElement : id);
         case 1:
         case 2:
-            return edits::setColourwayFabric(design, id, patches, pick(4) == 0 ? settingsId : anyElement(design));
+            return edits::setColourwayFabric(design, id, patches, pick(4) == 0 ? noElement : anyElement(design));
         default:
             return pick(5) == 0 ? edits::removeElements(design, std::vector{id}) : Edit{};
         }

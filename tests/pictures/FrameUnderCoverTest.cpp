@@ -15,10 +15,10 @@ namespace {
 
 using Vec3f = Eigen::Vector3f;
 
-SurfaceRays raysAt(const FrameSkin& skin)
+TriangleRays raysAt(const FrameSkin& skin)
 {
     std::vector<Vec3f> points;
-    std::vector<SurfaceRays::Triangle> triangles;
+    std::vector<TriangleRays::Triangle> triangles;
     for (const FrameSkin::Corner& corner : skin.corners) {
         if (points.size() % 3 == 0)
             triangles.push_back({static_cast<std::uint32_t>(points.size()),
@@ -26,17 +26,17 @@ SurfaceRays raysAt(const FrameSkin& skin)
                                  static_cast<std::uint32_t>(points.size() + 2)});
         points.push_back(corner.position);
     }
-    SurfaceRays rays;
+    TriangleRays rays;
     rays.build(std::move(points), std::move(triangles));
     return rays;
 }
 
-SurfaceRays raysAt(const SurfaceMesh& cover)
+TriangleRays raysAt(const SurfaceMesh& cover)
 {
     std::vector<Vec3f> points;
     for (const Vec3& p : cover.positions)
         points.emplace_back(p.cast<float>());
-    SurfaceRays rays;
+    TriangleRays rays;
     rays.build(std::move(points), cover.topology->triangles);
     return rays;
 }
@@ -50,7 +50,7 @@ struct Sights {
 Sights sightsOf(const SurfaceMesh& cover, const FrameSkin& skin, float from)
 {
     constexpr float before = 60; // mm
-    const SurfaceRays onCover = raysAt(cover), onFrame = raysAt(skin);
+    const TriangleRays onCover = raysAt(cover), onFrame = raysAt(skin);
     Eigen::AlignedBox3f box;
     for (const Vec3& p : cover.positions)
         box.extend(p.cast<float>());

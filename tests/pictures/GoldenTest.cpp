@@ -1,9 +1,9 @@
 #include "BakeFabric.h"
 #include "ContactSheet.h"
 #include "DesignFile.h"
+#include "PictureDirection.h"
 #include "PictureFile.h"
 #include "PictureScene.h"
-#include "PictureView.h"
 #include "RestingSolve.h"
 #include "TestPaths.h"
 
@@ -115,13 +115,13 @@ void expectLike(const PreviewImage& image, const std::string& name)
 TEST(Golden, CheckerTrapezoid)
 {
     const Sample made = sample("trapezoid/trapezoid.json");
-    expectLike(drawn(sceneWithChecker(made.surface, made.cover, made.design, settingsId)), "checker-trapezoid");
+    expectLike(drawn(sceneWithChecker(made.surface, made.cover, made.design, noElement)), "checker-trapezoid");
 }
 
 TEST(Golden, LeatherCushion)
 {
     const Sample made = sample("box-cushion/box-cushion.json", usualLook(FabricLook::Kind::GrainedLeather));
-    expectLike(drawn(sceneInFabrics(made.surface, made.cover, made.design, settingsId, baked)), "leather-cushion");
+    expectLike(drawn(sceneInFabrics(made.surface, made.cover, made.design, noElement, baked)), "leather-cushion");
 }
 
 TEST(Golden, StrainOfTheArmchair)

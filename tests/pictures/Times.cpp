@@ -1,13 +1,13 @@
 // What it takes to show a cover and to take its picture, in milliseconds:
 //   bolster_picture_times DESIGN
 #include "BakeFabric.h"
+#include "CoverRefiner.h"
 #include "DesignFile.h"
 #include "PictureStudio.h"
 #include "RestingSolve.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
 #include "Stopwatch.h"
-#include "SurfaceRefiner.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -63,7 +63,7 @@ int main(int argc, char** argv)
     }
     std::printf("%u vertices\n", surface->topology->vertexCount());
 
-    SurfaceRefiner refiner;
+    CoverRefiner refiner;
     CoverMeshPtr cover;
     print("refining by two levels, first mesh", milliseconds(1, [&] { cover = refiner.refine(surface, 2); }));
     print("refining by two levels, each further mesh",

@@ -115,7 +115,7 @@ TEST(FabricPicture, FarTexturesBecomeTheirMeanLight)
 TEST(FabricPicture, IsTheSameOnAnyNumberOfThreads)
 {
     const Scene scene = striped(corner(300), 7);
-    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
+    const RayCamera view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = sized(160, 120, 4);
     options.light = true;
     options.threads = 1;
@@ -129,7 +129,7 @@ TEST(FabricPicture, IsTheSameOnAnyNumberOfThreads)
 TEST(FabricPicture, TransparentPicturesKeepTheShadow)
 {
     const Scene scene = striped(corner(300), 20);
-    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
+    const RayCamera view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = sized(160, 120, 4);
     options.transparent = true;
     const PreviewImage image = renderPreview(scene, view, options);

@@ -66,9 +66,9 @@ SurfaceMeshPtr corner(double size)
     return builder.finish();
 }
 
-PreviewView fromAbove(const Vec3& target, double pixel, int height)
+RayCamera fromAbove(const Vec3& target, double pixel, int height)
 {
-    PreviewView view;
+    RayCamera view;
     view.target = target;
     view.azimuth = 0;
     view.elevation = std::numbers::pi / 2;

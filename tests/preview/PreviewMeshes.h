@@ -22,7 +22,7 @@ SurfaceMeshPtr changed(const SurfaceMeshPtr& mesh, const Change& change)
 SurfaceMeshPtr corner(double size);
 
 /// Straight down; one pixel is `pixel` mm wide at the height of the target.
-PreviewView fromAbove(const Vec3& target, double pixel, int height);
+RayCamera fromAbove(const Vec3& target, double pixel, int height);
 
 /// The pixel's brightness, 0 to 255.
 int brightness(const PreviewImage& image, int x, int y);

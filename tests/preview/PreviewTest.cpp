@@ -2,7 +2,7 @@
 
 #include "PictureFile.h"
 
-#include "SurfaceRefiner.h"
+#include "CoverRefiner.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Scene sceneOf(SurfaceMeshPtr surface)
 TEST(Preview, IsTheSameOnAnyNumberOfThreads)
 {
     const Scene scene = sceneOf(corner(300));
-    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
+    const RayCamera view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     options.threads = 1;
@@ -51,11 +51,11 @@ TEST(Preview, IsTheSameOnAnyNumberOfThreads)
 TEST(Preview, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
 {
     Scene scene = sceneOf(corner(300));
-    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
+    const RayCamera view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     const PreviewImage coarse = renderPreview(scene, view, options);
-    scene.cover = SurfaceRefiner().refine(scene.surface, 2);
+    scene.cover = CoverRefiner().refine(scene.surface, 2);
     const PreviewImage fine = renderPreview(scene, view, options);
     int different = 0;
     for (std::size_t i = 0; i < coarse.rgba.size(); i += 4)
@@ -65,7 +65,7 @@ TEST(Preview, TheRefinedCoverIsDrawnInPlaceOfTheSolvers)
     for (Eigen::Vector3f& p : raised->points)
         p.z() += 10;
     scene.cover = raised;
-    const PreviewView above = fromAbove({150, 150, 0}, 1, options.height);
+    const RayCamera above = fromAbove({150, 150, 0}, 1, options.height);
     const auto middle = static_cast<std::size_t>(options.height / 2 * options.width + options.width / 2);
     const float near = renderPreview(scene, above, options).depth[middle];
     scene.cover.reset();
@@ -76,7 +76,7 @@ TEST(Preview, ASectionShowsWhatLiesBehindIt)
 {
     Scene scene = sceneOf(corner(300));
     const Box3 box = scene.boundingBox();
-    const PreviewView view = threeQuarterView(scene, 4.0 / 3);
+    const RayCamera view = threeQuarterView(scene, 4.0 / 3);
     PreviewOptions options = small();
     options.depth = true;
     const auto seen = [&] {
@@ -188,7 +188,7 @@ TEST(Preview, ShowsPatchColorsAndTheLining)
     scene.patches = {{ElementId{2}, "#c02020"}};
     scene.checker = false;
     const auto redness = [&](double elevation) {
-        PreviewView view = fromAbove({200, 200, 0}, 1, 120);
+        RayCamera view = fromAbove({200, 200, 0}, 1, 120);
         view.elevation = elevation;
         const PreviewImage image = renderPreview(scene, view, small());
         const std::size_t middle = 4 * (60 * 160 + 80);
@@ -202,7 +202,7 @@ TEST(Preview, CornersAreDarkerThanOpenPlaces)
 {
     Scene scene = sceneOf(corner(300));
     scene.checker = false;
-    PreviewView view = fromAbove({150, 200, 0}, 3, 120);
+    RayCamera view = fromAbove({150, 200, 0}, 3, 120);
     view.azimuth = 2.5; // the key light comes from behind the back
     const PreviewImage shadowed = renderPreview(scene, view, small(16));
     PreviewOptions quick = small(16);
@@ -226,7 +226,7 @@ TEST(Preview, GivesDepths)
     const Scene scene = sceneOf(flatPatch(40, 40));
     PreviewOptions options = small();
     options.depth = true;
-    const PreviewView view = fromAbove({20, 20, 0}, 1, 120);
+    const RayCamera view = fromAbove({20, 20, 0}, 1, 120);
     const PreviewImage image = renderPreview(scene, view, options);
     EXPECT_NEAR(image.depth[60 * 160 + 80], view.distance, 0.1);
     EXPECT_TRUE(std::isinf(image.depth[0]));
@@ -253,7 +253,7 @@ TEST(Preview, FramesAreSolidUnlessTheyShallBeSeenThrough)
     frame->triangles = {{0, 1, 2}, {0, 2, 3}};
     Scene scene = sceneOf(flatPatch(400, 400));
     scene.ground = scene.checker = false;
-    const PreviewView view = fromAbove({200, 200, 0}, 1, 120);
+    const RayCamera view = fromAbove({200, 200, 0}, 1, 120);
     const auto redness = [&] {
         const PreviewImage image = renderPreview(scene, view, small());
         const std::size_t middle = 4 * (60 * 160 + 80);
@@ -306,7 +306,7 @@ TEST(Preview, ThreeQuarterViewShowsTheWholeBox)
 {
     const Box3 box(Vec3(-400, 100, 30), Vec3(500, 700, 1200));
     for (const double aspect : {0.5, 1.0, 4.0 / 3, 3.0}) {
-        const PreviewView view = PreviewView::threeQuarter(box, aspect);
+        const RayCamera view = RayCamera::threeQuarter(box, aspect);
         const Vec3 backward = (view.eye() - view.target).normalized();
         const Vec3 right(std::cos(view.azimuth), std::sin(view.azimuth), 0);
         const Vec3 up = backward.cross(right);

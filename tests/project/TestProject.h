@@ -72,7 +72,7 @@ public:
         for (const auto& entry : design.elements())
             ids.push_back(entry.first);
         const ElementId any =
-            ids.empty() ? settingsId : ids[static_cast<std::size_t>(pick(static_cast<int>(ids.size())))];
+            ids.empty() ? noElement : ids[static_cast<std::size_t>(pick(static_cast<int>(ids.size())))];
         switch (pick(10)) {
         case 0:
             return edits::changeSettings(design, {10.0 + pick(5)});

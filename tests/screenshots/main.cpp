@@ -47,7 +47,7 @@ struct Options {
 void makeHistory(Document& document)
 {
     ElementId patch{};
-    document.design().each<Patch>([&](ElementId id, const Patch&) { patch = patch == ElementId{} ? id : patch; });
+    document.design().each<Patch>([&](ElementId id, const Patch&) { patch = patch == noElement ? id : patch; });
     const auto move = [&](int point, double x) {
         document.commit(edits::movePatchPoints(document.design(), patch, std::array{point}, Vec2(x, 0)));
     };

@@ -144,7 +144,7 @@ TEST(FancySeam, HasNoEffectOnTheSurfaceBesideIt)
     Design plain = box(200, 60, 10, 4, 0.3);
     const ElementId top = [&] {
         ElementId first{};
-        plain.each<Patch>([&](ElementId id, const Patch&) { first = first == ElementId{} ? id : first; });
+        plain.each<Patch>([&](ElementId id, const Patch&) { first = first == noElement ? id : first; });
         return first;
     }();
     const auto with = [&](double depth) {

@@ -154,8 +154,8 @@ public:
     {}
 
     double gamma(const SewnMesh::Part&) const override { return 10; }
-    void follow(const SheetView&, WorkerPool&) override { ++m_iteration; }
-    void displace(const SheetView&, const SewnMesh::Part&, int begin, int end,
+    void follow(const SheetMoment&, WorkerPool&) override { ++m_iteration; }
+    void displace(const SheetMoment&, const SewnMesh::Part&, int begin, int end,
                   Columns& displacements) const override
     {
         displacements.middleCols(begin, end - begin).setZero();

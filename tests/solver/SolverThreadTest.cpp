@@ -78,7 +78,7 @@ ElementId firstCurve(const Design& design)
 {
     ElementId result{};
     design.each<FixationCurve>([&](ElementId id, const FixationCurve&) {
-        if (result == ElementId{})
+        if (result == noElement)
             result = id;
     });
     return result;
@@ -88,7 +88,7 @@ ElementId firstPatch(const Design& design)
 {
     ElementId result{};
     design.each<Patch>([&](ElementId id, const Patch&) {
-        if (result == ElementId{})
+        if (result == noElement)
             result = id;
     });
     return result;

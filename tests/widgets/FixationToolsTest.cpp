@@ -1,11 +1,11 @@
+#include "CoverPath.h"
+#include "CoverSetup.h"
+#include "CoverView.h"
 #include "Document.h"
 #include "PatternView.h"
 #include "ProblemSet.h"
 #include "Selection.h"
 #include "StretchToFix.h"
-#include "SurfacePath.h"
-#include "SurfaceSetup.h"
-#include "SurfaceView.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -75,8 +75,7 @@ protected:
         files.meshes[frameId] = tube();
         view.shown().setFiles(files);
         lookFromAbove();
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return view.hit(pixel(onTube(10, 40))).kind == SurfaceHit::Kind::Frame; }));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return view.hit(pixel(onTube(10, 40))).kind == CoverHit::Kind::Frame; }));
     }
 
     void lookFromAbove()
@@ -106,15 +105,15 @@ protected:
     std::shared_ptr<StubRenderer::Log> log = std::make_shared<StubRenderer::Log>();
     Document document;
     Selection selection;
-    SurfaceView view{document, selection};
+    CoverView view{document, selection};
     Mouse mouse{view};
 };
 
 TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
-    QSignalSpy ended(&view, &SurfaceView::toolChanged);
+    view.setTool(CoverToolKind::DrawFixation);
+    QSignalSpy ended(&view, &CoverView::toolChanged);
     for (const double angle : {-50.0, 0.0, 45.0})
         mouse.click(pixel(onTube(angle, 60)));
     QTest::keyClick(&view, Qt::Key_Return);
@@ -136,7 +135,7 @@ TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
 TEST_F(FixationDrawing, StraightIsStraightWhateverLiesBetween)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     QTest::keyClick(&view, Qt::Key_B);
     for (const double angle : {-50.0, 0.0, 45.0})
         mouse.click(pixel(onTube(angle, 60)));
@@ -155,7 +154,7 @@ TEST_F(FixationDrawing, StraightIsStraightWhateverLiesBetween)
 TEST_F(FixationDrawing, BTurnsWhatIsDrawnStraightAtOnce)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel(onTube(-50, 60)));
     mouse.click(pixel(onTube(45, 60)));
     QTest::keyClick(&view, Qt::Key_B);
@@ -167,7 +166,7 @@ TEST_F(FixationDrawing, BTurnsWhatIsDrawnStraightAtOnce)
 TEST_F(FixationDrawing, AClickOnTheFirstPointCloses)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel(onTube(-30, 40)));
     mouse.click(pixel(onTube(30, 40)));
     mouse.click(pixel(onTube(0, 160)));
@@ -179,7 +178,7 @@ TEST_F(FixationDrawing, AClickOnTheFirstPointCloses)
 TEST_F(FixationDrawing, ADoubleClickEndsAndBackspaceTakesBack)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel(onTube(-30, 40)));
     mouse.click(pixel(onTube(0, 160)));
     QTest::keyClick(&view, Qt::Key_Backspace);
@@ -204,15 +203,15 @@ TEST_F(FixationDrawing, PartsThatAreHiddenAreDrawnThrough)
     view.shown().setFiles(files);
     lookFromAbove();
     const auto under = [&] { return view.hit(pixel(onTube(10, 40))); };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return under().kind == SurfaceHit::Kind::Frame; }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return under().kind == CoverHit::Kind::Frame; }));
     EXPECT_NEAR(under().position.z(), 200, 1);
 
     Frame frame = *document.design().find<Frame>(frameId);
     frame.hiddenParts = {"Cushion"};
     document.commit({{"Hide"}, {{frameId, document.design().element(frameId), makeElement(frame)}}});
     ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return under().kind == SurfaceHit::Kind::Frame && fromAxis(under().position) < radius + 1; }));
-    view.setTool(SurfaceToolKind::DrawFixation);
+        [&] { return under().kind == CoverHit::Kind::Frame && fromAxis(under().position) < radius + 1; }));
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel(onTube(-30, 40)));
     mouse.click(pixel(onTube(30, 40)));
     QTest::keyClick(&view, Qt::Key_Return);
@@ -228,7 +227,7 @@ TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
 {
     view.shown().setSurface(twoSquaresCover());
     lookFromAbove();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel({50, 20, 0}));
     mouse.click(pixel({350, 40, 0}));
     QTest::keyClick(&view, Qt::Key_Return);
@@ -240,8 +239,8 @@ TEST_F(FixationDrawing, WithoutAFrameTheCoverIsTaken)
 
 TEST_F(FixationDrawing, NothingIsLostOrMadeByAccident)
 {
-    view.setTool(SurfaceToolKind::DrawFixation);
-    QSignalSpy problems(&view, &SurfaceView::failed);
+    view.setTool(CoverToolKind::DrawFixation);
+    QSignalSpy problems(&view, &CoverView::failed);
     mouse.click({20, 20});
     EXPECT_EQ(problems.count(), 1) << "there is nothing under the pointer";
     QTest::keyClick(&view, Qt::Key_Return);
@@ -251,13 +250,13 @@ TEST_F(FixationDrawing, NothingIsLostOrMadeByAccident)
     EXPECT_NE(view.navigation().camera(), before) << "a drag turns the view";
     EXPECT_EQ(curvesOf(document).size(), 1u);
     QTest::keyClick(&view, Qt::Key_Escape);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == SurfaceToolKind::Select; }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
 }
 
 TEST_F(FixationDrawing, PlacesAreTyped)
 {
     showFrame();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     QTest::keyClick(&view, Qt::Key_B);
     for (const char* place : {"-250, -100, 40", "250, -100", "250, 300"}) {
         QTest::keyClicks(&view, QString::fromLatin1(place));
@@ -278,7 +277,7 @@ TEST_F(FixationDrawing, PlacesAreTyped)
 TEST_F(FixationDrawing, WhereThereIsNothingTheGroundIsDrawnOn)
 {
     document.reset({});
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel({101, 48, 0}));
     mouse.click(pixel({299, 52, 0}));
     mouse.click(pixel({302, 149, 0}));
@@ -294,7 +293,7 @@ TEST_F(FixationDrawing, EndsOfOtherCurvesAreMet)
 {
     view.shown().setSurface(twoSquaresCover());
     lookFromAbove();
-    view.setTool(SurfaceToolKind::DrawFixation);
+    view.setTool(CoverToolKind::DrawFixation);
     mouse.click(pixel({50, 20, 0}));
     mouse.click(pixel({0, 100, 50}) + QPointF(3, 2));
     QTest::keyClick(&view, Qt::Key_Return);
@@ -351,11 +350,11 @@ TEST_F(FixationDrawing, AKeyLetsGoOfTheFrame)
     mouse.release(from + QPointF(50, 0));
 }
 
-TEST(SurfacePathTest, StraightPathsHaveCornersAtTheGivenPoints)
+TEST(CoverPathTest, StraightPathsHaveCornersAtTheGivenPoints)
 {
     const auto follow = [](const Vec3& p) { return std::optional(Vec3(p.x(), p.y(), 5)); };
     const std::vector<Vec3> points = {{0, 0, 5}, {100, 0, 9}, {100, 80, 5}};
-    const SurfacePath path = pathAlong(points, false, false, follow);
+    const CoverPath path = pathAlong(points, false, false, follow);
     const auto curve = curveAlong(path);
     ASSERT_TRUE(curve);
     EXPECT_EQ(curve->points(), points);

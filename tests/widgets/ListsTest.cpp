@@ -98,7 +98,7 @@ TEST_F(ListsTest, ElementsAreListedByKind)
     EXPECT_FALSE(model.setData(model.indexOf(secondSquare), "  ", Qt::EditRole));
 }
 
-TEST_F(ListsTest, WhatTheSurfaceViewHidesIsMarked)
+TEST_F(ListsTest, WhatTheCoverViewHidesIsMarked)
 {
     ElementsModel model(document, problems);
     const auto marked = [&](ElementId id) {

@@ -77,7 +77,7 @@ TEST(PatternScene, FindsTheSeamAtAnOutline)
     EXPECT_EQ(sewn.seam, squareSeam);
     EXPECT_EQ(sewn.element(), squareSeam);
     EXPECT_NEAR(sewn.parameter, 1.4, 1e-6);
-    EXPECT_EQ(scene.hit({40, 0}, 5, none).seam, settingsId);
+    EXPECT_EQ(scene.hit({40, 0}, 5, none).seam, noElement);
     EXPECT_EQ(scene.hit({300, 60}, 5, none).seam, squareFixation);
 }
 

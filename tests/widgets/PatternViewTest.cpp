@@ -77,7 +77,7 @@ protected:
     Qt::MouseButtons pressed = Qt::NoButton;
 };
 
-TEST_F(PatternViewTest, WhatTheSurfaceViewHidesIsFaintUntilItIsSelected)
+TEST_F(PatternViewTest, WhatTheCoverViewHidesIsFaintUntilItIsSelected)
 {
     const auto cloth = [&](const Vec2& at) { return view.grab().toImage().pixelColor(pixel(at)); };
     const QColor canvas = cloth({150, 50});
@@ -118,7 +118,7 @@ TEST_F(PatternViewTest, HoversInStepWithTheSelection)
     move(pixel({100, 50}));
     EXPECT_EQ(selection.hovered(), squareSeam);
     move(pixel({150, 50}));
-    EXPECT_EQ(selection.hovered(), settingsId);
+    EXPECT_EQ(selection.hovered(), noElement);
 }
 
 TEST_F(PatternViewTest, DragsAControlPointAsOneEdit)

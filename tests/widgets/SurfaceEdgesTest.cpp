@@ -1,5 +1,5 @@
 #include "SurfaceEdges.h"
-#include "SurfaceSetup.h"
+#include "CoverSetup.h"
 
 #include <gtest/gtest.h>
 

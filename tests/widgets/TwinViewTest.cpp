@@ -146,7 +146,7 @@ TEST_F(TwinViewTest, TheInspectorUnlinksAndLinksAgain)
     QPushButton* unlink = button(inspector, QStringLiteral("Unlink from its twin"));
     ASSERT_TRUE(unlink);
     unlink->click();
-    EXPECT_EQ(twinOf(document.design(), firstSquare), settingsId);
+    EXPECT_EQ(twinOf(document.design(), firstSquare), noElement);
     selection.set({secondSquare});
     EXPECT_FALSE(button(inspector, QStringLiteral("Unlink from its twin")));
 }
@@ -156,7 +156,7 @@ TEST_F(TwinViewTest, TheInspectorReleasesAndRelinksASeam)
     document.commit(edits::addSeam(document.design(), {firstSquare, 0, 1}, {twin, 2, 3}, true));
     ElementId seam{};
     document.design().each<Seam>([&](ElementId id, const Seam&) { seam = id; });
-    ASSERT_NE(edits::mirroredElement(document.design(), seam), settingsId);
+    ASSERT_NE(edits::mirroredElement(document.design(), seam), noElement);
     Inspector inspector(document, selection, problems);
     inspector.show();
     selection.set({seam});

@@ -19,10 +19,10 @@ constexpr double movingScale = 0.5;
 
 } // namespace
 
-SoftwareCanvas::SoftwareCanvas(const SurfaceScene& scene, const Camera& camera,
+SoftwareCanvas::SoftwareCanvas(const ViewScene& scene, const Camera& camera,
                                std::shared_ptr<SoftwareRenderer> renderer, QWidget* parent)
     : QWidget(parent)
-    , SurfaceCanvas(scene, camera)
+    , SceneCanvas(scene, camera)
     , m_renderer(std::move(renderer))
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -30,7 +30,7 @@ SoftwareCanvas::SoftwareCanvas(const SurfaceScene& scene, const Camera& camera,
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, [this] { send(false); });
     if (m_renderer)
-        m_job = std::make_unique<SurfaceJob<SoftwareRenderer::Request, Picture>>(
+        m_job = std::make_unique<LatestJob<SoftwareRenderer::Request, Picture>>(
             [this](const SoftwareRenderer::Request& asked, std::stop_token stop) {
                 const std::lock_guard lock(m_rendering);
                 return Picture{asked, m_renderer->render(asked, stop)};

@@ -2,9 +2,9 @@
 // over.
 #pragma once
 
+#include "LatestJob.h"
+#include "SceneCanvas.h"
 #include "SoftwareRenderer.h"
-#include "SurfaceCanvas.h"
-#include "SurfaceJob.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -16,12 +16,12 @@
 namespace bolster {
 
 /// Small pictures while something moves, the whole size when it rests; the newest wins.
-class SoftwareCanvas : public QWidget, public SurfaceCanvas {
+class SoftwareCanvas : public QWidget, public SceneCanvas {
     Q_OBJECT
 
 public:
     /// Without a renderer only background and lines are drawn.
-    SoftwareCanvas(const SurfaceScene& scene, const Camera& camera, std::shared_ptr<SoftwareRenderer> renderer,
+    SoftwareCanvas(const ViewScene& scene, const Camera& camera, std::shared_ptr<SoftwareRenderer> renderer,
                    QWidget* parent);
     ~SoftwareCanvas() override;
 
@@ -53,7 +53,7 @@ private:
     bool m_again = false;                             ///< something has changed since a quick one was asked for
     QTimer m_rest;
     std::mutex m_rendering; ///< the renderer takes one call at a time
-    std::unique_ptr<SurfaceJob<SoftwareRenderer::Request, Picture>> m_job;
+    std::unique_ptr<LatestJob<SoftwareRenderer::Request, Picture>> m_job;
 };
 
 } // namespace bolster

@@ -39,7 +39,7 @@ private:
     bool m_known;
 };
 
-void stroke(QPainter& painter, const QPainterPath& path, const SurfaceLine& line, float opacity)
+void stroke(QPainter& painter, const QPainterPath& path, const SceneLine& line, float opacity)
 {
     painter.setBrush(Qt::NoBrush);
     painter.setOpacity(static_cast<double>(opacity));
@@ -53,7 +53,7 @@ void stroke(QPainter& painter, const QPainterPath& path, const SurfaceLine& line
     painter.drawPath(path);
 }
 
-void paintLine(QPainter& painter, const SurfaceLine& line, const Camera& camera, const Hiding& hiding)
+void paintLine(QPainter& painter, const SceneLine& line, const Camera& camera, const Hiding& hiding)
 {
     QPainterPath shown, behind;
     std::optional<Vec2> last;
@@ -81,7 +81,7 @@ void paintLine(QPainter& painter, const SurfaceLine& line, const Camera& camera,
     stroke(painter, shown, line, 1);
 }
 
-void paintDot(QPainter& painter, const SurfaceDot& dot, const Camera& camera, const Hiding& hiding)
+void paintDot(QPainter& painter, const SceneDot& dot, const Camera& camera, const Hiding& hiding)
 {
     const Vec3 point = dot.at.cast<double>();
     const std::optional<Vec2> at = camera.pixel(point);
@@ -94,8 +94,7 @@ void paintDot(QPainter& painter, const SurfaceDot& dot, const Camera& camera, co
     painter.drawEllipse(QPointF(at->x(), at->y()), radius, radius);
 }
 
-void paintPoints(QPainter& painter, const SurfaceScene::PointsLook& look, const Camera& camera,
-                 const Hiding& hiding)
+void paintPoints(QPainter& painter, const ViewScene::PointsLook& look, const Camera& camera, const Hiding& hiding)
 {
     const auto width = static_cast<double>(look.size);
     QPolygonF shown;
@@ -118,17 +117,17 @@ void paintPoints(QPainter& painter, const SurfaceScene::PointsLook& look, const 
 
 } // namespace
 
-void paintMarks(QPainter& painter, const SurfaceScene& scene, const Camera& camera, const std::vector<float>& depth,
+void paintMarks(QPainter& painter, const ViewScene& scene, const Camera& camera, const std::vector<float>& depth,
                 const Eigen::Vector2i& depthSize)
 {
     const Hiding hiding(camera, depth, depthSize);
     painter.save();
-    for (const SurfaceScene::PointsLook& look : scene.points) // many and small: smoothing would show little
+    for (const ViewScene::PointsLook& look : scene.points) // many and small: smoothing would show little
         paintPoints(painter, look, camera, hiding);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const SurfaceLine& line : scene.lines)
+    for (const SceneLine& line : scene.lines)
         paintLine(painter, line, camera, hiding);
-    for (const SurfaceDot& dot : scene.dots)
+    for (const SceneDot& dot : scene.dots)
         paintDot(painter, dot, camera, hiding);
     painter.restore();
 }

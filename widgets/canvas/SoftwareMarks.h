@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Camera.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 class QPainter;
 
@@ -10,7 +10,7 @@ namespace bolster {
 
 /// `depth` belongs to the picture underneath, `depthSize` pixels wide and high; empty: nothing hides anything.
 /// The camera's size is that of the painted area.
-void paintMarks(QPainter& painter, const SurfaceScene& scene, const Camera& camera, const std::vector<float>& depth,
+void paintMarks(QPainter& painter, const ViewScene& scene, const Camera& camera, const std::vector<float>& depth,
                 const Eigen::Vector2i& depthSize);
 
 } // namespace bolster

@@ -25,7 +25,7 @@ void FoamMeshes::update(const Design& design, const DesignFiles& files)
     m_shapes = std::move(shapes);
 }
 
-void FoamMeshes::addLines(const Design& design, const Selection& selection, SurfaceScene& scene) const
+void FoamMeshes::addLines(const Design& design, const Selection& selection, ViewScene& scene) const
 {
     for (const auto& [id, mesh] : m_meshes) {
         const Foam* foam = design.find<Foam>(id);
@@ -35,7 +35,7 @@ void FoamMeshes::addLines(const Design& design, const Selection& selection, Surf
         const auto lines =
             foam->shape == Foam::Shape::Mesh ? boxLines(mesh->boundingBox()) : foamLines(foam->shape, foam->size);
         for (const std::vector<Vec3>& points : lines) {
-            SurfaceLine line;
+            SceneLine line;
             for (const Vec3& p : points)
                 line.points.push_back(foam->placed(p).cast<float>());
             line.color = selected    ? scene.colors.accent

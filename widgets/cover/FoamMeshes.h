@@ -2,7 +2,7 @@
 #pragma once
 
 #include "DesignFile.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 namespace bolster {
 
@@ -16,7 +16,7 @@ public:
     void update(const Design& design, const DesignFiles& files);
     const std::map<ElementId, MeshPtr>& all() const { return m_meshes; }
     /// The edges of all foam, seen through the cover too; red where it is cut away.
-    void addLines(const Design& design, const Selection& selection, SurfaceScene& scene) const;
+    void addLines(const Design& design, const Selection& selection, ViewScene& scene) const;
 
 private:
     std::map<ElementId, MeshPtr> m_meshes;

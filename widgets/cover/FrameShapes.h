@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Camera.h"
-#include "SurfaceJob.h"
-#include "SurfaceRays.h"
-#include "SurfaceScene.h"
+#include "LatestJob.h"
+#include "TriangleRays.h"
+#include "ViewScene.h"
 
 #include <functional>
 #include <memory>
@@ -14,7 +14,7 @@ namespace bolster {
 
 /// In the coordinates of the file, so that a frame can be moved for nothing.
 struct FrameShape {
-    SurfaceRays rays;
+    TriangleRays rays;
     std::vector<std::array<Eigen::Vector3f, 3>> normals; ///< of each triangle's corners
 };
 
@@ -61,7 +61,7 @@ private:
 
     std::vector<Placed> m_frames;
     All m_known;
-    SurfaceJob<All, All> m_job;
+    LatestJob<All, All> m_job;
 };
 
 } // namespace bolster

@@ -67,11 +67,10 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
     return placed;
 }
 
-std::vector<SurfaceScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& selected,
-                                                        const ViewColors& colors, const std::set<ElementId>& hidden,
-                                                        bool own) const
+std::vector<ViewScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& selected, const ViewColors& colors,
+                                                     const std::set<ElementId>& hidden, bool own) const
 {
-    std::vector<SurfaceScene::PointsLook> looks;
+    std::vector<ViewScene::PointsLook> looks;
     for (const auto& [id, placed] : m_scans) {
         if (hidden.contains(id))
             continue;

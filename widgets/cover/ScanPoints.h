@@ -3,7 +3,7 @@
 
 #include "Design.h"
 #include "DesignFiles.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 #include <map>
 #include <set>
@@ -15,8 +15,8 @@ class ScanPoints {
 public:
     void update(const Design& design, const DesignFiles& files);
     /// Of the selected ones what is cut away is shown, too, dimmed. With `own` points that have a colour show it.
-    std::vector<SurfaceScene::PointsLook> looks(const std::set<ElementId>& selected, const ViewColors& colors,
-                                                const std::set<ElementId>& hidden, bool own) const;
+    std::vector<ViewScene::PointsLook> looks(const std::set<ElementId>& selected, const ViewColors& colors,
+                                             const std::set<ElementId>& hidden, bool own) const;
     /// Of what is not cut away, mm.
     Box3 box(ElementId scan) const;
     Box3 box() const;

@@ -8,7 +8,7 @@ constexpr int dashes = 24;
 
 } // namespace
 
-void addSymmetryPlane(const Symmetry& symmetry, SurfaceScene& scene)
+void addSymmetryPlane(const Symmetry& symmetry, ViewScene& scene)
 {
     if (scene.box.isEmpty())
         return;
@@ -18,7 +18,7 @@ void addSymmetryPlane(const Symmetry& symmetry, SurfaceScene& scene)
     const std::vector<Vec3> frame = planeFrame(scene.box, normal, normal.dot(used.planePoint));
     QColor color = scene.colors.accent;
     color.setAlphaF(0.7F);
-    SurfaceLine border{{}, color, 1.4F, 0.3F};
+    SceneLine border{{}, color, 1.4F, 0.3F};
     for (const Vec3& p : frame)
         border.points.push_back(p.cast<float>());
     scene.lines.push_back(std::move(border));

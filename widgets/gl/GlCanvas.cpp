@@ -43,9 +43,9 @@ private:
 
 } // namespace
 
-GlCanvas::GlCanvas(const SurfaceScene& scene, const Camera& camera, QWidget* parent)
+GlCanvas::GlCanvas(const ViewScene& scene, const Camera& camera, QWidget* parent)
     : QWidget(parent)
-    , SurfaceCanvas(scene, camera)
+    , SceneCanvas(scene, camera)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_OpaquePaintEvent);

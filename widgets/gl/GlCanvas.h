@@ -2,8 +2,8 @@
 #pragma once
 
 #include "GlPainter.h"
-#include "SurfaceCanvas.h"
-#include "SurfaceJob.h"
+#include "LatestJob.h"
+#include "SceneCanvas.h"
 
 #include <QOffscreenSurface>
 #include <QTimer>
@@ -13,11 +13,11 @@ namespace bolster {
 
 /// Quick while something moves, with fewer pixels where OpenGL is slow; finer and finer when it rests. Pictures
 /// come from a thread of their own, so the window never waits for them.
-class GlCanvas : public QWidget, public SurfaceCanvas {
+class GlCanvas : public QWidget, public SceneCanvas {
     Q_OBJECT
 
 public:
-    GlCanvas(const SurfaceScene& scene, const Camera& camera, QWidget* parent);
+    GlCanvas(const ViewScene& scene, const Camera& camera, QWidget* parent);
     ~GlCanvas() override;
 
     QWidget& widget() override { return *this; }
@@ -35,7 +35,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    using Job = SurfaceJob<GlPainter::Request, GlPainter::Picture>;
+    using Job = LatestJob<GlPainter::Request, GlPainter::Picture>;
 
     GlPainter::Request request() const;
     void schedule();

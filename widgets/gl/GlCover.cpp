@@ -22,7 +22,7 @@ GlCover::GlCover(GlFunctions& gl, GlFabrics& fabrics)
     , m_fabrics(fabrics)
 {}
 
-void GlCover::update(const SurfaceScene& scene)
+void GlCover::update(const ViewScene& scene)
 {
     if (!scene.surface)
         return;
@@ -36,7 +36,7 @@ void GlCover::update(const SurfaceScene& scene)
     updateRelief(scene);
 }
 
-void GlCover::updateRelief(const SurfaceScene& scene)
+void GlCover::updateRelief(const ViewScene& scene)
 {
     GlCoverMesh& mesh = shown(scene);
     const SurfaceTopology& topology = *scene.surface->topology;
@@ -47,7 +47,7 @@ void GlCover::updateRelief(const SurfaceScene& scene)
     mesh.putRelief(m_relief);
 }
 
-void GlCover::setCloth(const SurfaceScene& scene, ElementId patch, bool quick)
+void GlCover::setCloth(const ViewScene& scene, ElementId patch, bool quick)
 {
     const Scene::PatchLook* look = scene.look(patch);
     const auto tint = scene.tints.find(patch);
@@ -60,7 +60,7 @@ void GlCover::setCloth(const SurfaceScene& scene, ElementId patch, bool quick)
     m_fabrics.wear(m_program, look && !scene.checker ? look->maps : nullptr, look ? look->turn : 0, quick);
 }
 
-void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
+void GlCover::draw(const ViewScene& scene, const GlView& view, bool quick)
 {
     GlCoverMesh& mesh = shown(scene);
     if (!scene.surface || mesh.empty())
@@ -88,7 +88,7 @@ void GlCover::draw(const SurfaceScene& scene, const GlView& view, bool quick)
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void GlCover::drawEdges(const SurfaceScene& scene, const GlView& view, const QColor& color)
+void GlCover::drawEdges(const ViewScene& scene, const GlView& view, const QColor& color)
 {
     GlCoverMesh& mesh = shown(scene);
     if (!scene.surface || mesh.empty())

@@ -12,15 +12,15 @@ public:
     GlCover(GlFunctions& gl, GlFabrics& fabrics);
 
     /// Uploads what has changed: positions and normals only, while the topology stays.
-    void update(const SurfaceScene& scene);
+    void update(const ViewScene& scene);
     /// `quick`: something moves; fewer triangles, and plainer cloth.
-    void draw(const SurfaceScene& scene, const GlView& view, bool quick);
-    void drawEdges(const SurfaceScene& scene, const GlView& view, const QColor& color);
+    void draw(const ViewScene& scene, const GlView& view, bool quick);
+    void drawEdges(const ViewScene& scene, const GlView& view, const QColor& color);
 
 private:
-    GlCoverMesh& shown(const SurfaceScene& scene) { return scene.cover ? m_refined : m_solved; }
-    void updateRelief(const SurfaceScene& scene);
-    void setCloth(const SurfaceScene& scene, ElementId patch, bool quick);
+    GlCoverMesh& shown(const ViewScene& scene) { return scene.cover ? m_refined : m_solved; }
+    void updateRelief(const ViewScene& scene);
+    void setCloth(const ViewScene& scene, ElementId patch, bool quick);
 
     GlFunctions& m_gl;
     GlProgram m_program;

@@ -114,7 +114,7 @@ void GlCoverMesh::putMap(const VertexMapPtr& map)
     m_mapColors.put(colors, QOpenGLBuffer::DynamicDraw);
 }
 
-void GlCoverMesh::putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion)
+void GlCoverMesh::putOpenness(const std::shared_ptr<const CoverOcclusion>& occlusion)
 {
     if (!m_coarse || occlusion == m_occlusion)
         return;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "CoverMesh.h"
+#include "CoverOcclusion.h"
 #include "GlBuffer.h"
 #include "SeamRelief.h"
-#include "SurfaceOcclusion.h"
 #include "VertexMap.h"
 
 #include <functional>
@@ -23,7 +23,7 @@ public:
     /// Nothing where the map is of another topology.
     void putMap(const VertexMapPtr& map);
     /// Keeps what there is where it is of an older topology: the next one is on its way.
-    void putOpenness(const std::shared_ptr<const SurfaceOcclusion>& occlusion);
+    void putOpenness(const std::shared_ptr<const CoverOcclusion>& occlusion);
 
     /// Of the seams; it must fit.
     void putRelief(const SeamReliefPtr& relief);
@@ -63,7 +63,7 @@ private:
     std::shared_ptr<const CoverTopology> m_fine;     ///< null: the solver's mesh
     SurfaceMeshPtr m_surface;
     CoverMeshPtr m_cover;
-    std::shared_ptr<const SurfaceOcclusion> m_occlusion;
+    std::shared_ptr<const CoverOcclusion> m_occlusion;
     VertexMapPtr m_map;
     SeamReliefPtr m_relief;
 };

@@ -34,7 +34,7 @@ GlFrames::GlFrames(GlFunctions& gl)
                  {2, 3, GL_FLOAT, offsetof(FrameSkin::Corner, grain)}});
 }
 
-void GlFrames::update(const SurfaceScene& scene)
+void GlFrames::update(const ViewScene& scene)
 {
     std::vector<FrameSkinPtr> skins;
     for (const Scene::FrameLook& frame : scene.frames)
@@ -49,13 +49,13 @@ void GlFrames::update(const SurfaceScene& scene)
     m_corners.put(corners, QOpenGLBuffer::StaticDraw);
 }
 
-GlFrames::Part GlFrames::partOf(const SurfaceScene& scene, std::size_t frame)
+GlFrames::Part GlFrames::partOf(const ViewScene& scene, std::size_t frame)
 {
     const bool solid = !scene.surface || scene.frames[frame].opacity * scene.frameOpacity >= 1;
     return solid ? Part::Solid : Part::SeeThrough;
 }
 
-bool GlFrames::has(const SurfaceScene& scene, Part part) const
+bool GlFrames::has(const ViewScene& scene, Part part) const
 {
     for (std::size_t f = 0; f < std::min(m_skins.size(), scene.frames.size()); ++f)
         if (m_skins[f] && partOf(scene, f) == part)
@@ -63,7 +63,7 @@ bool GlFrames::has(const SurfaceScene& scene, Part part) const
     return false;
 }
 
-void GlFrames::drawAll(const SurfaceScene& scene, Part part)
+void GlFrames::drawAll(const ViewScene& scene, Part part)
 {
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     std::size_t first = 0;
@@ -84,7 +84,7 @@ void GlFrames::drawAll(const SurfaceScene& scene, Part part)
     }
 }
 
-void GlFrames::draw(const SurfaceScene& scene, const GlView& view, Part part)
+void GlFrames::draw(const ViewScene& scene, const GlView& view, Part part)
 {
     if (!has(scene, part))
         return;

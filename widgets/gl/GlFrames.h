@@ -12,14 +12,14 @@ public:
 
     explicit GlFrames(GlFunctions& gl);
 
-    void update(const SurfaceScene& scene);
-    bool has(const SurfaceScene& scene, Part part) const;
+    void update(const ViewScene& scene);
+    bool has(const ViewScene& scene, Part part) const;
     /// Those that are solid hide what is behind them. Of the others only what is nearest to the eye is seen.
-    void draw(const SurfaceScene& scene, const GlView& view, Part part);
+    void draw(const ViewScene& scene, const GlView& view, Part part);
 
 private:
-    static Part partOf(const SurfaceScene& scene, std::size_t frame);
-    void drawAll(const SurfaceScene& scene, Part part);
+    static Part partOf(const ViewScene& scene, std::size_t frame);
+    void drawAll(const ViewScene& scene, Part part);
 
     GlFunctions& m_gl;
     GlProgram m_program;

@@ -19,7 +19,7 @@ GlGround::GlGround(GlFunctions& gl)
     m_array.create();
 }
 
-void GlGround::update(const SurfaceScene& scene)
+void GlGround::update(const ViewScene& scene)
 {
     if (scene.occlusion == m_occlusion)
         return;
@@ -27,7 +27,7 @@ void GlGround::update(const SurfaceScene& scene)
     m_texture.reset();
     if (!m_occlusion || m_occlusion->ground.count == 0)
         return;
-    const SurfaceOcclusion::Ground& ground = m_occlusion->ground;
+    const CoverOcclusion::Ground& ground = m_occlusion->ground;
     m_texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
     m_texture->setSize(ground.count, ground.count);
     m_texture->setFormat(QOpenGLTexture::R32F);
@@ -38,7 +38,7 @@ void GlGround::update(const SurfaceScene& scene)
     m_texture->setWrapMode(QOpenGLTexture::ClampToEdge);
 }
 
-void GlGround::draw(const SurfaceScene& scene, const Camera& camera, const GlView& view)
+void GlGround::draw(const ViewScene& scene, const Camera& camera, const GlView& view)
 {
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_gl.glDisable(GL_DEPTH_TEST);
@@ -54,7 +54,7 @@ void GlGround::draw(const SurfaceScene& scene, const Camera& camera, const GlVie
     m_gl.glEnable(GL_DEPTH_TEST);
 }
 
-void GlGround::drawFloor(const SurfaceScene& scene, const GlView& view)
+void GlGround::drawFloor(const ViewScene& scene, const GlView& view)
 {
     m_groundProgram.use();
     m_groundProgram.set("viewProjection", Eigen::Matrix4f(view.projection * view.view));

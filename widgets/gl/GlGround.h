@@ -12,19 +12,19 @@ class GlGround {
 public:
     explicit GlGround(GlFunctions& gl);
 
-    void update(const SurfaceScene& scene);
+    void update(const ViewScene& scene);
     /// Before everything else; does not touch the depths.
-    void draw(const SurfaceScene& scene, const Camera& camera, const GlView& view);
+    void draw(const ViewScene& scene, const Camera& camera, const GlView& view);
 
 private:
-    void drawFloor(const SurfaceScene& scene, const GlView& view);
+    void drawFloor(const ViewScene& scene, const GlView& view);
 
     GlFunctions& m_gl;
     GlProgram m_backgroundProgram;
     GlProgram m_groundProgram;
     QOpenGLVertexArrayObject m_array; ///< empty: the shaders know their corners
     std::unique_ptr<QOpenGLTexture> m_texture;
-    std::shared_ptr<const SurfaceOcclusion> m_occlusion;
+    std::shared_ptr<const CoverOcclusion> m_occlusion;
 };
 
 } // namespace bolster

@@ -38,18 +38,18 @@ GlMarks::GlMarks(GlFunctions& gl)
                  {3, 2, GL_FLOAT, offsetof(Dot, style), true}});
 }
 
-void GlMarks::update(const SurfaceScene& scene)
+void GlMarks::update(const ViewScene& scene)
 {
     if (scene.marks == m_marks)
         return;
     m_marks = scene.marks;
     std::vector<Segment> segments;
-    for (const SurfaceLine& line : scene.lines)
+    for (const SceneLine& line : scene.lines)
         for (std::size_t i = 1; i < line.points.size(); ++i)
             segments.push_back(
                 {line.points[i - 1], line.points[i], bytes(line.color), {line.width, line.hidden, line.casing}});
     std::vector<Dot> dots;
-    for (const SurfaceDot& dot : scene.dots)
+    for (const SceneDot& dot : scene.dots)
         dots.push_back({dot.at, bytes(dot.fill), bytes(dot.rim), {dot.radius, dot.hidden}});
     m_segments.put(segments, QOpenGLBuffer::StreamDraw);
     m_dots.put(dots, QOpenGLBuffer::StreamDraw);

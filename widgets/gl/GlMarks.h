@@ -10,7 +10,7 @@ class GlMarks {
 public:
     explicit GlMarks(GlFunctions& gl);
 
-    void update(const SurfaceScene& scene);
+    void update(const ViewScene& scene);
     /// The visible parts, or those behind what is drawn already.
     void draw(const GlView& view, bool hiddenPart);
 

@@ -26,7 +26,7 @@ GlPainter::GlPainter(QOffscreenSurface& surface)
     m_context.setFormat(glFormat());
     if (!m_context.create() || !m_context.makeCurrent(&surface))
         throw std::runtime_error("no OpenGL context");
-    m_renderer = std::make_unique<SurfaceRenderer>();
+    m_renderer = std::make_unique<SceneRenderer>();
     m_picture = std::make_unique<GlPicture>(*glFunctions());
 }
 

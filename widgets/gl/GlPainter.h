@@ -3,7 +3,7 @@
 #pragma once
 
 #include "GlPicture.h"
-#include "SurfaceRenderer.h"
+#include "SceneRenderer.h"
 
 #include <QImage>
 #include <QOpenGLContext>
@@ -19,7 +19,7 @@ namespace bolster {
 class GlPainter {
 public:
     struct Request {
-        SurfaceScene scene;
+        ViewScene scene;
         Camera camera;
         QSize size;                                   ///< pixels
         std::uint64_t version = 0;                    ///< different when something is to be seen differently
@@ -46,7 +46,7 @@ private:
     void refine(const Request& request, const std::stop_token& stop);
 
     QOpenGLContext m_context;
-    std::unique_ptr<SurfaceRenderer> m_renderer;
+    std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<GlPicture> m_picture;
     std::uint64_t m_version = 0;
     double m_frameTime = 0.01; ///< of one quick frame of the whole size, seconds

@@ -21,13 +21,13 @@ GlPoints::GlPoints(GlFunctions& gl)
                 {{0, 3, GL_FLOAT, offsetof(GlPoint, at)}, {1, 4, GL_FLOAT, offsetof(GlPoint, color)}});
 }
 
-void GlPoints::update(const SurfaceScene& scene)
+void GlPoints::update(const ViewScene& scene)
 {
     if (scene.points == m_looks)
         return;
     m_looks = scene.points;
     std::vector<GlPoint> all;
-    for (const SurfaceScene::PointsLook& look : m_looks)
+    for (const ViewScene::PointsLook& look : m_looks)
         for (std::size_t i = 0; i < look.points->size(); ++i) {
             const QColor color = look.colorOf(i);
             const float alpha = color.alphaF();
@@ -47,7 +47,7 @@ void GlPoints::draw(const GlView& view)
     m_gl.glEnable(GL_PROGRAM_POINT_SIZE);
     m_gl.glEnable(GL_BLEND);
     GLint first = 0;
-    for (const SurfaceScene::PointsLook& look : m_looks) {
+    for (const ViewScene::PointsLook& look : m_looks) {
         m_program.set("size", look.size * view.pixelRatio);
         const auto count = static_cast<GLsizei>(look.points->size());
         m_gl.glDrawArrays(GL_POINTS, first, count);

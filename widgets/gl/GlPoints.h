@@ -10,7 +10,7 @@ class GlPoints {
 public:
     explicit GlPoints(GlFunctions& gl);
 
-    void update(const SurfaceScene& scene);
+    void update(const ViewScene& scene);
     void draw(const GlView& view);
 
 private:
@@ -18,7 +18,7 @@ private:
     GlProgram m_program;
     QOpenGLVertexArrayObject m_array;
     GlBuffer m_vertices;
-    std::vector<SurfaceScene::PointsLook> m_looks; ///< that are uploaded, one after the other
+    std::vector<ViewScene::PointsLook> m_looks; ///< that are uploaded, one after the other
 };
 
 } // namespace bolster

@@ -8,7 +8,7 @@ GlTrims::GlTrims(GlFunctions& gl, GlFabrics& fabrics)
     , m_fabrics(fabrics)
 {}
 
-void GlTrims::update(const SurfaceScene& scene)
+void GlTrims::update(const ViewScene& scene)
 {
     if (!scene.trims || m_trims == scene.trims)
         return;
@@ -20,7 +20,7 @@ void GlTrims::update(const SurfaceScene& scene)
     m_triangles.put(vertices, m_trims->triangles, QOpenGLBuffer::DynamicDraw);
 }
 
-void GlTrims::draw(const SurfaceScene& scene, const GlView& view, bool quick)
+void GlTrims::draw(const ViewScene& scene, const GlView& view, bool quick)
 {
     if (!scene.trims || !scene.surface)
         return;

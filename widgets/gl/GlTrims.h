@@ -13,9 +13,9 @@ class GlTrims {
 public:
     GlTrims(GlFunctions& gl, GlFabrics& fabrics);
 
-    void update(const SurfaceScene& scene);
+    void update(const ViewScene& scene);
     /// `quick`: something moves; plainer cloth.
-    void draw(const SurfaceScene& scene, const GlView& view, bool quick);
+    void draw(const ViewScene& scene, const GlView& view, bool quick);
 
 private:
     GlProgram m_program;

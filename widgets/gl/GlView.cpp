@@ -16,7 +16,7 @@ Eigen::Vector3f lightDirection(const Camera& camera, double azimuthBy, double el
 }
 
 /// With room for the ground around the scene.
-Box3 drawnBox(const SurfaceScene& scene)
+Box3 drawnBox(const ViewScene& scene)
 {
     Box3 box = scene.box;
     if (!box.isEmpty() && scene.ground) {
@@ -29,7 +29,7 @@ Box3 drawnBox(const SurfaceScene& scene)
 
 } // namespace
 
-GlView::GlView(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter)
+GlView::GlView(const ViewScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter)
     : viewport(static_cast<float>(size.width()), static_cast<float>(size.height()))
     , perspective(camera.perspective)
     , key(lightDirection(camera, 0.55, 0.8))

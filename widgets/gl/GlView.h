@@ -3,7 +3,7 @@
 
 #include "Camera.h"
 #include "GlProgram.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 #include <QSize>
 
@@ -20,7 +20,7 @@ struct GlView {
     Eigen::Vector3f key, rim, up;           ///< directions to the lights and upwards, eye coordinates
 
     /// `jitter`: by how much the picture is moved, pixels.
-    GlView(const SurfaceScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);
+    GlView(const ViewScene& scene, const Camera& camera, const QSize& size, const Vec2& jitter);
 
     void setTransforms(GlProgram& program) const;
     void setLights(GlProgram& program) const;

@@ -53,16 +53,14 @@ void TwinForm::addMirroredSewing(PropertyForm& form, ElementId id) const
     if (!design.find<Seam>(id) && !design.find<FixationSeam>(id) && !design.find<OutlineTrim>(id))
         return;
     const bool released = edits::sewingReleased(design, id);
-    if (!released && edits::mirroredElement(design, id) == settingsId)
+    if (!released && edits::mirroredElement(design, id) == noElement)
         return;
     form.addInfo(tr("Mirror image"), [this, id] {
         const Design& now = m_document.design();
         const ElementId other = edits::mirroredElement(now, id);
         if (edits::sewingReleased(now, id))
             return tr("released");
-        return other == id           ? tr("itself")
-               : other == settingsId ? QStringLiteral("\u2013")
-                                     : displayName(now, other);
+        return other == id ? tr("itself") : other == noElement ? QStringLiteral("\u2013") : displayName(now, other);
     });
     if (released)
         form.addButton(tr("Re-lin&k to its mirror image"),
@@ -75,11 +73,11 @@ void TwinForm::addMirroredSewing(PropertyForm& form, ElementId id) const
 void TwinForm::add(PropertyForm& form, ElementId id) const
 {
     addMirroredSewing(form, id);
-    if (twinOf(m_document.design(), id) == settingsId)
+    if (twinOf(m_document.design(), id) == noElement)
         return;
     form.addInfo(tr("Twin of"), [this, id] {
         const ElementId other = twinOf(m_document.design(), id);
-        return other == settingsId ? QStringLiteral("\u2013") : displayName(m_document.design(), other);
+        return other == noElement ? QStringLiteral("\u2013") : displayName(m_document.design(), other);
     });
     form.addInfo(tr("Exceptions"), [this, id] {
         const std::size_t count = releasedPoints(m_document.design(), id).size();

@@ -255,7 +255,7 @@ void ElementsView::changeEvent(QEvent* event)
 bool ElementsView::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != m_tree && event->type() == QEvent::Leave)
-        m_selection.hover(settingsId);
+        m_selection.hover(noElement);
     // A line in which a name is edited passes Enter on, but has done with it.
     if (watched == m_tree && m_tree->hasFocus() && event->type() == QEvent::KeyPress &&
         !m_selection.elements().empty()) {

@@ -245,7 +245,7 @@ void SeamsView::changeEvent(QEvent* event)
 bool SeamsView::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Leave)
-        m_selection.hover(settingsId);
+        m_selection.hover(noElement);
     return QWidget::eventFilter(watched, event);
 }
 

@@ -11,7 +11,7 @@ constexpr double finest = 2;          // mm per pixel
 constexpr double mostMapPixels = 400; // along a patch
 
 /// Colours between the corners, where the pixel's middle lies inside.
-void fillTriangle(QImage& image, const std::array<Vec2, 3>& at, const std::array<SurfaceMap::Rgba, 3>& colors)
+void fillTriangle(QImage& image, const std::array<Vec2, 3>& at, const std::array<ShownMap::Rgba, 3>& colors)
 {
     Box2 box;
     for (const Vec2& p : at)
@@ -43,7 +43,7 @@ void fillTriangle(QImage& image, const std::array<Vec2, 3>& at, const std::array
 
 } // namespace
 
-void PatternMap::setMap(SurfaceMapPtr map)
+void PatternMap::setMap(ShownMapPtr map)
 {
     m_map = std::move(map);
     m_pictures.clear();
@@ -73,7 +73,7 @@ PatternMap::Picture PatternMap::paint(const SurfaceTopology::PatchRange& range) 
     picture.image.fill(Qt::transparent);
     for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
         std::array<Vec2, 3> at;
-        std::array<SurfaceMap::Rgba, 3> colors;
+        std::array<ShownMap::Rgba, 3> colors;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = topology.triangles[t][k];
             at[k] = (topology.pattern[v] - box.min()) / pixel;

@@ -1,7 +1,7 @@
 // A map on the pattern: one picture per patch, made anew only when the numbers change.
 #pragma once
 
-#include "SurfaceMap.h"
+#include "ShownMap.h"
 
 #include <QImage>
 #include <QRectF>
@@ -12,7 +12,7 @@ namespace bolster {
 
 class PatternMap {
 public:
-    void setMap(SurfaceMapPtr map);
+    void setMap(ShownMapPtr map);
 
     struct Picture {
         QImage image;
@@ -24,8 +24,8 @@ public:
 private:
     Picture paint(const SurfaceTopology::PatchRange& range) const;
 
-    SurfaceMapPtr m_map;
-    std::vector<SurfaceMap::Rgba> m_colors;
+    ShownMapPtr m_map;
+    std::vector<ShownMap::Rgba> m_colors;
     std::map<ElementId, Picture> m_pictures;
 };
 

@@ -47,11 +47,11 @@ struct PatternStretch {
     ElementId owner{}; ///< Seam, FixationSeam or OutlineTrim
     ElementId patch{};
     double from = 0;
-    double to = 0;                ///< unwrapped: larger than `from`
-    bool fixation = false;        ///< of a fixation seam
-    ElementId curve = settingsId; ///< of a fixation seam that has one
-    bool backwards = false;       ///< the seam walks it from `to` to `from`
-    QPainterPath path;            ///< in the direction in which the seam walks it
+    double to = 0;               ///< unwrapped: larger than `from`
+    bool fixation = false;       ///< of a fixation seam
+    ElementId curve = noElement; ///< of a fixation seam that has one
+    bool backwards = false;      ///< the seam walks it from `to` to `from`
+    QPainterPath path;           ///< in the direction in which the seam walks it
 
     bool contains(const BSpline2& outline, double parameter) const;
 };
@@ -74,14 +74,14 @@ struct PatternHit {
     enum class Kind { Nothing, Inside, Outline, Line, Point };
 
     Kind kind = Kind::Nothing;
-    ElementId patch{};           ///< Kind::Point: the element whose point it is
-    int point = -1;              ///< Kind::Point
-    double parameter = 0;        ///< Kind::Outline, Kind::Line
-    ElementId seam = settingsId; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line: the line
+    ElementId patch{};          ///< Kind::Point: the element whose point it is
+    int point = -1;             ///< Kind::Point
+    double parameter = 0;       ///< Kind::Outline, Kind::Line
+    ElementId seam = noElement; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line: the line
 
     explicit operator bool() const { return kind != Kind::Nothing; }
     /// The element that a click selects.
-    ElementId element() const { return seam == settingsId ? patch : seam; }
+    ElementId element() const { return seam == noElement ? patch : seam; }
 };
 
 class PatternScene {

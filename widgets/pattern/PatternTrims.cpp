@@ -53,7 +53,7 @@ void PatternTrims::add(const Design& design, ElementId owner)
     };
     for (const TrimRow& row : pipingRows(design, *element)) {
         const ElementId fabric =
-            trim->pipingFabric != ElementId{} ? trim->pipingFabric : fabricShown(design, row.patch);
+            trim->pipingFabric != noElement ? trim->pipingFabric : fabricShown(design, row.patch);
         put(row, colorOf(design, fabric), 2 * trim->pipingRadius, 0);
     }
     for (const TrimRow& row : stitchRows(design, *element))

@@ -5,7 +5,7 @@
 
 namespace bolster {
 
-void FramePieceBox::addTo(SurfaceScene& scene, const Design& design, const DesignFiles& files) const
+void FramePieceBox::addTo(ViewScene& scene, const Design& design, const DesignFiles& files) const
 {
     const auto* placed = design.find<Frame>(frame);
     const auto file = files.meshes.find(frame);

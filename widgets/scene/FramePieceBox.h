@@ -2,7 +2,7 @@
 #pragma once
 
 #include "DesignFiles.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ struct FramePieceBox {
     std::vector<int> pieces;
 
     /// Adds its edges to the lines; hidden pieces count, too.
-    void addTo(SurfaceScene& scene, const Design& design, const DesignFiles& files) const;
+    void addTo(ViewScene& scene, const Design& design, const DesignFiles& files) const;
 
     friend bool operator==(const FramePieceBox&, const FramePieceBox&) = default;
 };

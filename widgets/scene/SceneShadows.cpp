@@ -4,18 +4,17 @@
 
 namespace bolster {
 
-SceneShadows::SceneShadows(SurfaceScene& scene, std::function<void()> ready)
+SceneShadows::SceneShadows(ViewScene& scene, std::function<void()> ready)
     : m_scene(scene)
-    , m_job(&SurfaceOcclusion::of,
-            [this, ready = std::move(ready)](std::shared_ptr<const SurfaceOcclusion> occlusion) {
-                m_scene.occlusion = std::move(occlusion);
-                ready();
-            })
+    , m_job(&CoverOcclusion::of, [this, ready = std::move(ready)](std::shared_ptr<const CoverOcclusion> occlusion) {
+        m_scene.occlusion = std::move(occlusion);
+        ready();
+    })
 {}
 
 void SceneShadows::request()
 {
-    SurfaceOcclusion::Input input;
+    CoverOcclusion::Input input;
     input.surface = m_scene.surface;
     input.frames = m_scene.frames;
     input.floor = static_cast<float>(m_scene.floor);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "CoverPlaces.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 #include "VisibleCover.h"
 
 #include <set>
@@ -15,7 +15,7 @@ class Selection;
 class ShownCover {
 public:
     /// The scene must outlive it.
-    explicit ShownCover(SurfaceScene& scene)
+    explicit ShownCover(ViewScene& scene)
         : m_scene(scene)
     {}
 
@@ -39,7 +39,7 @@ public:
     const CoverPlaces& places() const { return m_places; }
 
 private:
-    SurfaceScene& m_scene;
+    ViewScene& m_scene;
     SurfaceMeshPtr m_surface;
     CoverMeshPtr m_refined; ///< of another surface: not drawn
     TrimMeshPtr m_trims;    ///< on m_refined

@@ -1,7 +1,7 @@
 #include "ShownFrames.h"
 
 #include "FramePieces.h"
-#include "SurfaceVisibility.h"
+#include "SceneVisibility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +15,15 @@ constexpr double opacityOfCuts = 0.3; ///< what foam takes away is nothing that 
 
 } // namespace
 
-ShownFrames::ShownFrames(SurfaceScene& scene, const std::function<void()>& ready)
+ShownFrames::ShownFrames(ViewScene& scene, const std::function<void()>& ready)
     : m_scene(scene)
     , m_shapes(ready)
     , m_skins(scene, m_ids, ready)
 {}
 
-bool ShownFrames::update(const Design& design, const DesignFiles& files, const SurfaceVisibility& visibility)
+bool ShownFrames::update(const Design& design, const DesignFiles& files, const SceneVisibility& visibility)
 {
-    const bool shown = visibility.layerVisible(SurfaceVisibility::Layer::Frames);
+    const bool shown = visibility.layerVisible(SceneVisibility::Layer::Frames);
     const std::set<ElementId>& hidden = visibility.hidden();
     std::vector<Scene::FrameLook> frames;
     m_ids.clear();

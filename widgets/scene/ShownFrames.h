@@ -12,16 +12,16 @@
 
 namespace bolster {
 
-class SurfaceVisibility;
+class SceneVisibility;
 
 /// Fills in the frames of a scene, and says what must be known about them.
 class ShownFrames {
 public:
     /// The scene must outlive it. `ready` is called when shapes or skins were found.
-    ShownFrames(SurfaceScene& scene, const std::function<void()>& ready);
+    ShownFrames(ViewScene& scene, const std::function<void()>& ready);
 
     /// True: the scene's frames are others than before, or stand elsewhere.
-    bool update(const Design& design, const DesignFiles& files, const SurfaceVisibility& visibility);
+    bool update(const Design& design, const DesignFiles& files, const SceneVisibility& visibility);
 
     const Box3& box() const { return m_box; } ///< mm
     const FrameShapes& shapes() const { return m_shapes; }
@@ -34,7 +34,7 @@ public:
     double floorUnder(const Design& design, const Box3& shown);
 
 private:
-    SurfaceScene& m_scene;
+    ViewScene& m_scene;
     std::vector<ElementId> m_ids; ///< of the scene's frames: frames, then foam
     Box3 m_box;
     Box3 m_standing; ///< the same while the frame is hidden, too

@@ -1,13 +1,13 @@
 #include "ShownScans.h"
 
+#include "SceneVisibility.h"
 #include "Selection.h"
-#include "SurfaceVisibility.h"
 
 namespace bolster {
 
 namespace {
 
-void cutLook(SurfaceScene::PointsLook& look, const SectionPlane& section)
+void cutLook(ViewScene::PointsLook& look, const SectionPlane& section)
 {
     if (look.own) {
         std::vector<std::uint32_t> own;
@@ -22,16 +22,16 @@ void cutLook(SurfaceScene::PointsLook& look, const SectionPlane& section)
 } // namespace
 
 void ShownScans::update(const Design& design, const DesignFiles& files, const Selection& selection,
-                        const SurfaceVisibility& visibility)
+                        const SceneVisibility& visibility)
 {
-    using Layer = SurfaceVisibility::Layer;
+    using Layer = SceneVisibility::Layer;
     m_points.update(design, files);
     m_scene.points.clear();
     if (!visibility.layerVisible(Layer::Scans) || m_scene.map)
         return;
     m_scene.points = m_points.looks(selection.elements(), m_scene.colors, visibility.hidden(),
                                     visibility.layerVisible(Layer::ScanColors));
-    for (SurfaceScene::PointsLook& look : m_scene.points) {
+    for (ViewScene::PointsLook& look : m_scene.points) {
         look.color.setAlphaF(look.color.alphaF() * static_cast<float>(m_opacity));
         if (m_scene.section)
             cutLook(look, *m_scene.section);

@@ -9,13 +9,13 @@
 namespace bolster {
 
 class Selection;
-class SurfaceVisibility;
+class SceneVisibility;
 
 /// Fills in the points of a scene.
 class ShownScans {
 public:
     /// The scene must outlive it.
-    explicit ShownScans(SurfaceScene& scene)
+    explicit ShownScans(ViewScene& scene)
         : m_scene(scene)
     {}
 
@@ -25,14 +25,14 @@ public:
 
     /// Cut where the scene's section cuts. Beside a map there are none: it says more, and would be hidden.
     void update(const Design& design, const DesignFiles& files, const Selection& selection,
-                const SurfaceVisibility& visibility);
+                const SceneVisibility& visibility);
     /// Lines from the places to their points, uncut.
     void addPairs();
 
     const ScanPoints& points() const { return m_points; }
 
 private:
-    SurfaceScene& m_scene;
+    ViewScene& m_scene;
     ScanPoints m_points;
     std::vector<std::pair<Vec3, Vec3>> m_pairs;
     double m_opacity = 1;

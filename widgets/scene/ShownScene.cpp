@@ -1,10 +1,10 @@
 #include "ShownScene.h"
 
 #include "Document.h"
+#include "SceneMarks.h"
+#include "SceneVisibility.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
-#include "SurfaceMarks.h"
-#include "SurfaceVisibility.h"
 #include "SymmetryMark.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace bolster {
 namespace {
 
 using namespace std::chrono_literals;
-using Layer = SurfaceVisibility::Layer;
+using Layer = SceneVisibility::Layer;
 
 constexpr auto restDelay = 450ms; ///< the cover must rest that long before its shadows are found
 constexpr int movingWithin = 250; ///< ms between two surfaces that belong to one movement
@@ -30,7 +30,7 @@ bool seenInSurface(const Design& design, ElementId id)
 
 } // namespace
 
-ShownScene::ShownScene(Document& document, Selection& selection, SurfaceVisibility& visibility)
+ShownScene::ShownScene(Document& document, Selection& selection, SceneVisibility& visibility)
     : m_document(document)
     , m_selection(selection)
     , m_visibility(visibility)
@@ -43,7 +43,7 @@ ShownScene::ShownScene(Document& document, Selection& selection, SurfaceVisibili
     connect(&m_document, &Document::changed, this, &ShownScene::designChanged);
     connect(&m_selection, &Selection::changed, this, &ShownScene::selectionChanged);
     connect(&m_selection, &Selection::hoverChanged, this, &ShownScene::selectionChanged);
-    connect(&m_visibility, &SurfaceVisibility::changed, this, &ShownScene::visibilityChanged);
+    connect(&m_visibility, &SceneVisibility::changed, this, &ShownScene::visibilityChanged);
     designChanged({});
 }
 
@@ -228,9 +228,9 @@ void ShownScene::updateLooks()
 void ShownScene::updateMarks()
 {
     const Design& design = m_document.design();
-    const SurfaceMarks::Shown shown{m_visibility.layerVisible(Layer::Seams),
-                                    m_visibility.layerVisible(Layer::FixationCurves), m_mirrored};
-    SurfaceMarks(design, m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
+    const SceneMarks::Shown shown{m_visibility.layerVisible(Layer::Seams),
+                                  m_visibility.layerVisible(Layer::FixationCurves), m_mirrored};
+    SceneMarks(design, m_curves, m_selection, shown).fill(m_scene, m_hoveredPoint);
     if (m_visibility.layerVisible(Layer::Frames))
         m_frames.foam().addLines(design, m_selection, m_scene);
     if (m_field && m_visibility.layerVisible(Layer::Field))
@@ -242,7 +242,7 @@ void ShownScene::updateMarks()
         addSymmetryPlane(*symmetry, m_scene);
     cutMarks(m_scene);
     if (m_overlay)
-        for (SurfaceLine& line : m_overlay())
+        for (SceneLine& line : m_overlay())
             m_scene.lines.push_back(std::move(line));
 }
 
@@ -274,15 +274,15 @@ void ShownScene::rest()
     emit rested();
 }
 
-SurfaceHit ShownScene::hit(const Camera& camera, QPointF pixel) const
+CoverHit ShownScene::hit(const Camera& camera, QPointF pixel) const
 {
     return m_hits.hit({camera, &m_curves, m_selection, m_visibility.layerVisible(Layer::Seams)}, pixel);
 }
 
-std::optional<CoverPoint> ShownScene::inPattern(const SurfaceHit& solid) const
+std::optional<CoverPoint> ShownScene::inPattern(const CoverHit& solid) const
 {
-    return solid.kind == SurfaceHit::Kind::Cover ? m_cover.places().inPattern(solid.triangle, solid.position)
-                                                 : std::nullopt;
+    return solid.kind == CoverHit::Kind::Cover ? m_cover.places().inPattern(solid.triangle, solid.position)
+                                               : std::nullopt;
 }
 
 Vec3 ShownScene::middleOf(ElementId id) const

@@ -1,14 +1,14 @@
 // What the 3D view shows: its scene, kept up to date with the design, the selection and what is handed in.
 #pragma once
 
+#include "CoverCurves.h"
+#include "CoverHit.h"
 #include "FieldPicture.h"
 #include "FramePieceBox.h"
 #include "SceneShadows.h"
 #include "ShownCover.h"
 #include "ShownFrames.h"
 #include "ShownScans.h"
-#include "SurfaceCurves.h"
-#include "SurfaceHit.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -23,19 +23,19 @@ namespace bolster {
 
 class Document;
 class Selection;
-class SurfaceVisibility;
+class SceneVisibility;
 
 class ShownScene : public QObject {
     Q_OBJECT
 
 public:
     /// Who works with the view draws over the scene what is never cut: asked whenever marks are made anew.
-    using Overlay = std::function<std::vector<SurfaceLine>()>;
+    using Overlay = std::function<std::vector<SceneLine>()>;
 
     /// All must outlive it.
-    ShownScene(Document& document, Selection& selection, SurfaceVisibility& visibility);
+    ShownScene(Document& document, Selection& selection, SceneVisibility& visibility);
 
-    const SurfaceScene& scene() const { return m_scene; }
+    const ViewScene& scene() const { return m_scene; }
     /// There is nothing to see: the scene's box is ground to draw on.
     bool empty() const { return m_empty; }
 
@@ -77,11 +77,11 @@ public:
     /// Likewise, and says so.
     void refreshMarks(bool moving);
 
-    SurfaceHit hit(const Camera& camera, QPointF pixel) const;
-    const SurfaceHitTest& hits() const { return m_hits; }
+    CoverHit hit(const Camera& camera, QPointF pixel) const;
+    const CoverHitTest& hits() const { return m_hits; }
     /// The same point on the cover (mm), and in the pattern.
     std::optional<Vec3> onCover(const CoverPoint& point) { return m_cover.places().onCover(point); }
-    std::optional<CoverPoint> inPattern(const SurfaceHit& solid) const;
+    std::optional<CoverPoint> inPattern(const CoverHit& solid) const;
     /// Of what is shown of an element with a placement, mm; its position when nothing is.
     Vec3 middleOf(ElementId id) const;
     Box3 selectedBox() const; ///< mm; empty: nothing that is shown is selected
@@ -110,8 +110,8 @@ private:
 
     Document& m_document;
     Selection& m_selection;
-    SurfaceVisibility& m_visibility;
-    SurfaceScene m_scene;
+    SceneVisibility& m_visibility;
+    ViewScene m_scene;
     bool m_empty = true;
     FieldPicturePtr m_field;
     DesignFiles m_files;
@@ -119,11 +119,11 @@ private:
     Overlay m_overlay;
     std::optional<std::pair<ElementId, int>> m_hoveredPoint;
     std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
-    SurfaceCurves m_curves;
+    CoverCurves m_curves;
     ShownCover m_cover{m_scene};
     ShownScans m_scans{m_scene};
     ShownFrames m_frames;
-    SurfaceHitTest m_hits{m_frames.shapes()};
+    CoverHitTest m_hits{m_frames.shapes()};
     SceneShadows m_shadows;
     bool m_shadowsWanted = false;
     QElapsedTimer m_sinceSurface;

@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-SkinnedFrames::SkinnedFrames(SurfaceScene& scene, const std::vector<ElementId>& ids, std::function<void()> ready)
+SkinnedFrames::SkinnedFrames(ViewScene& scene, const std::vector<ElementId>& ids, std::function<void()> ready)
     : m_scene(scene)
     , m_ids(ids)
     , m_ready(std::move(ready))

@@ -1,8 +1,8 @@
 // What is seen of the frames beside the cover: found beside the GUI thread, kept until there is something better.
 #pragma once
 
-#include "SurfaceJob.h"
-#include "SurfaceScene.h"
+#include "LatestJob.h"
+#include "ViewScene.h"
 
 #include <functional>
 #include <map>
@@ -15,7 +15,7 @@ class SkinnedFrames {
 public:
     /// `ids` are those of the scene's frames; both must outlive it. `ready` is called when there are new skins in
     /// the scene.
-    SkinnedFrames(SurfaceScene& scene, const std::vector<ElementId>& ids, std::function<void()> ready);
+    SkinnedFrames(ViewScene& scene, const std::vector<ElementId>& ids, std::function<void()> ready);
 
     /// The scene's frames are others, or stand elsewhere.
     void framesChanged(const Design& design);
@@ -41,13 +41,13 @@ private:
     const Made* skinOf(std::size_t frame) const;
     void use();
 
-    SurfaceScene& m_scene;
+    ViewScene& m_scene;
     const std::vector<ElementId>& m_ids;
     SurfaceMeshPtr m_whole;
     std::map<ElementId, std::vector<Made>> m_made; ///< of hidden ones, too; newest first
     bool m_fit = true; ///< those shown were made where the frames are now, under what is shown of the cover
     std::function<void()> m_ready;
-    SurfaceJob<Wanted, Wanted> m_job;
+    LatestJob<Wanted, Wanted> m_job;
 };
 
 } // namespace bolster

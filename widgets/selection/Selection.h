@@ -33,7 +33,7 @@ public:
     const Elements& elements() const { return m_elements; }
     const Points& points() const { return m_points; }
     const Edges& edges() const { return m_edges; }
-    ElementId hovered() const { return m_hovered; } ///< settingsId: nothing
+    ElementId hovered() const { return m_hovered; } ///< noElement: nothing
 
     bool contains(ElementId id) const { return m_elements.contains(id); }
     bool contains(Point point) const { return m_points.contains(point); }
@@ -58,7 +58,7 @@ private:
     Elements m_elements;
     Points m_points;
     Edges m_edges;
-    ElementId m_hovered = settingsId;
+    ElementId m_hovered = noElement;
 };
 
 } // namespace bolster

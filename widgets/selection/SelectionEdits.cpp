@@ -146,8 +146,8 @@ void pruneSelection(Selection& selection, const Design& design)
     std::erase_if(
         points, [&](const Selection::Point& p) { return planePoint(design, p) < 0 && spacePoint(design, p) < 0; });
     selection.set(std::move(elements), std::move(points), std::move(edges));
-    if (selection.hovered() != settingsId && !design.element(selection.hovered()))
-        selection.hover(settingsId);
+    if (selection.hovered() != noElement && !design.element(selection.hovered()))
+        selection.hover(noElement);
 }
 
 void removeAndForget(Document& document, Selection& selection, const Edit& removal)
@@ -159,7 +159,7 @@ void removeAndForget(Document& document, Selection& selection, const Edit& remov
 std::set<ElementId> mirroredOfMarked(const Design& design, const Selection& selection)
 {
     std::set<ElementId> marked = selection.elements();
-    if (selection.hovered() != settingsId)
+    if (selection.hovered() != noElement)
         marked.insert(selection.hovered());
     return edits::mirroredElements(design, marked);
 }

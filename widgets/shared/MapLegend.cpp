@@ -27,7 +27,7 @@ MapLegend::MapLegend(QWidget* parent)
     hide();
 }
 
-void MapLegend::setMap(SurfaceMapPtr map)
+void MapLegend::setMap(ShownMapPtr map)
 {
     m_map = std::move(map);
     setVisible(m_map != nullptr);

@@ -1,7 +1,7 @@
 // What the colours of a map mean.
 #pragma once
 
-#include "SurfaceMap.h"
+#include "ShownMap.h"
 
 #include <QWidget>
 
@@ -16,7 +16,7 @@ class MapLegend : public QWidget {
 public:
     explicit MapLegend(QWidget* parent);
 
-    void setMap(SurfaceMapPtr map);
+    void setMap(ShownMapPtr map);
     /// What the map says under the pointer, in words; "" when the pointer is elsewhere.
     void setReading(const QString& reading);
     const QString& reading() const { return m_reading; }
@@ -33,7 +33,7 @@ private:
     int barWidth() const;
     bool hasLimits() const { return m_map && !m_map->allowed.empty(); }
 
-    SurfaceMapPtr m_map;
+    ShownMapPtr m_map;
     QString m_reading;
 };
 

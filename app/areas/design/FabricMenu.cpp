@@ -3,6 +3,7 @@
 #include "Background.h"
 #include "ColourwayWindow.h"
 #include "Commands.h"
+#include "CoverView.h"
 #include "DesignSession.h"
 #include "Docks.h"
 #include "FabricCommands.h"
@@ -14,7 +15,6 @@
 #include "PatternView.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
-#include "SurfaceView.h"
 
 #include <QActionGroup>
 #include <QListWidget>
@@ -87,7 +87,7 @@ void FabricMenu::addMaking()
                      .text = tr("From a &picture \u2026"),
                      .tip = tr("A fabric that looks like a picture: PNG, JPEG, TIFF or OpenEXR"),
                      .places = {"fabric/1"},
-                     .does = calm([this] { m_parts.fabrics.choosePicture(settingsId); })}});
+                     .does = calm([this] { m_parts.fabrics.choosePicture(noElement); })}});
     fillNewFabric();
 }
 
@@ -266,7 +266,7 @@ void FabricMenu::fillColourways(QMenu& menu)
         action->setChecked(design.settings().colourway == id);
         group->addAction(action);
     };
-    offer(settingsId, tr("As made"));
+    offer(noElement, tr("As made"));
     design.each<Colourway>(
         [&](ElementId id, const Colourway& colourway) { offer(id, QString::fromStdString(colourway.name)); });
 }
@@ -289,7 +289,7 @@ void FabricMenu::takeDrops()
                 [this](ElementId patch, ElementId fabric) { m_parts.fabrics.assign({patch}, fabric); });
     };
     const auto patch = [this](ElementId id) {
-        return m_parts.session.document().design().find<Patch>(id) ? id : settingsId;
+        return m_parts.session.document().design().find<Patch>(id) ? id : noElement;
     };
     onto(m_parts.pattern, [this, patch](QPointF at) { return patch(m_parts.pattern.hit(at).patch); });
     onto(m_parts.surface, [this, patch](QPointF at) { return patch(m_parts.surface.hit(at).element); });

@@ -23,7 +23,7 @@ class Inspector;
 class PatternView;
 class Selection;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 class FabricMenu : public QObject {
     Q_DECLARE_TR_FUNCTIONS(FabricMenu)
@@ -37,7 +37,7 @@ public:
         FabricPanel& panel;
         SolverLink& solver;
         PatternView& pattern;
-        SurfaceView& surface;
+        CoverView& surface;
         Inspector& inspector;
         Docks& docks;
         QWidget& window;

@@ -2,6 +2,7 @@
 
 #include "Ask.h"
 #include "Commands.h"
+#include "CoverView.h"
 #include "Document.h"
 #include "FileFlow.h"
 #include "Inspector.h"
@@ -10,7 +11,6 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "StatusLine.h"
-#include "SurfaceView.h"
 #include "Translated.h"
 
 #include <QMenu>
@@ -20,7 +20,7 @@
 namespace bolster {
 
 ScanCommands::ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans,
-                           FileFlow& files, SurfaceView& surface, Inspector& inspector, StatusLine& status,
+                           FileFlow& files, CoverView& surface, Inspector& inspector, StatusLine& status,
                            QWidget& window)
     : m_commands(commands)
     , m_document(document)

@@ -18,14 +18,14 @@ class ScanLink;
 enum class ScanWish;
 class Selection;
 class StatusLine;
-class SurfaceView;
+class CoverView;
 
 class ScanCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(ScanCommands)
 
 public:
     ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans, FileFlow& files,
-                 SurfaceView& surface, Inspector& inspector, StatusLine& status, QWidget& window);
+                 CoverView& surface, Inspector& inspector, StatusLine& status, QWidget& window);
 
 private:
     void add();
@@ -39,7 +39,7 @@ private:
     Selection& m_selection;
     ScanLink& m_scans;
     FileFlow& m_files;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     StatusLine& m_status;
     QWidget& m_window;
 };

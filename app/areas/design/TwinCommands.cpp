@@ -23,11 +23,11 @@ PointsByElement chosenPoints(const Design& design, const Selection& selection)
 {
     PointsByElement points;
     for (const auto& [id, point] : selection.points())
-        if (twinOf(design, id) != settingsId)
+        if (twinOf(design, id) != noElement)
             points[id].push_back(point);
     const auto add = [&](const Stretch& stretch) {
         const Patch* patch = design.find<Patch>(stretch.patch);
-        if (!patch || patch->outline.empty() || twinOf(design, stretch.patch) == settingsId)
+        if (!patch || patch->outline.empty() || twinOf(design, stretch.patch) == noElement)
             return;
         const std::vector<int> found = edits::pointsOnStretch(patch->outline, stretch.from, stretch.to);
         points[stretch.patch].insert(points[stretch.patch].end(), found.begin(), found.end());
@@ -63,7 +63,7 @@ std::vector<ElementId> selectedTwins(const Design& design, const Selection& sele
 {
     std::vector<ElementId> twins;
     for (const ElementId id : selection.elements())
-        if (twinOf(design, id) != settingsId)
+        if (twinOf(design, id) != noElement)
             twins.push_back(id);
     return twins;
 }
@@ -74,7 +74,7 @@ std::vector<ElementId> selectedSingles(const Design& design, const Selection& se
     std::vector<ElementId> singles;
     for (const ElementId id : selection.elements())
         if (const ElementPtr element = design.element(id);
-            element && canBeTwin(*element) && twinOf(design, id) == settingsId)
+            element && canBeTwin(*element) && twinOf(design, id) == noElement)
             singles.push_back(id);
     return singles;
 }
@@ -195,7 +195,7 @@ void TwinCommands::make()
     commit(edit, tr("Select patches or curves that have no twin yet."));
     Selection::Elements twins;
     for (const ElementId id : selected)
-        if (const ElementId twin = twinOf(m_document.design(), id); twin != settingsId && !before.element(twin))
+        if (const ElementId twin = twinOf(m_document.design(), id); twin != noElement && !before.element(twin))
             twins.insert(twin);
     if (!twins.empty())
         m_selection.set(std::move(twins));

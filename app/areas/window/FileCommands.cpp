@@ -3,16 +3,16 @@
 #include "Ask.h"
 #include "Commands.h"
 #include "CoverAtRest.h"
+#include "CoverView.h"
 #include "FabricLink.h"
 #include "FileFlow.h"
 #include "RenderDialog.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 namespace bolster {
 
 FileCommands::FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
-                           CoverAtRest& cover, SurfaceView& surface, FabricLink& fabrics, QWidget& window)
+                           CoverAtRest& cover, CoverView& surface, FabricLink& fabrics, QWidget& window)
     : m_files(files)
     , m_session(session)
     , m_solver(solver)

@@ -14,14 +14,14 @@ class DesignSession;
 class FabricLink;
 class FileFlow;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 class FileCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(FileCommands)
 
 public:
     FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
-                 CoverAtRest& cover, SurfaceView& surface, FabricLink& fabrics, QWidget& window);
+                 CoverAtRest& cover, CoverView& surface, FabricLink& fabrics, QWidget& window);
 
 private:
     void addOpening(Commands& commands);
@@ -34,7 +34,7 @@ private:
     DesignSession& m_session;
     SolverLink& m_solver;
     CoverAtRest& m_cover;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     FabricLink& m_fabrics;
     QWidget& m_window;
 };

@@ -1,6 +1,7 @@
 #include "FirstSteps.h"
 
 #include "Commands.h"
+#include "CoverView.h"
 #include "DesignSession.h"
 #include "FileFlow.h"
 #include "FreeCover.h"
@@ -10,12 +11,11 @@
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "StartHint.h"
-#include "SurfaceView.h"
 
 namespace bolster {
 
 FirstSteps::FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-                       PatternView& pattern, SurfaceView& surface, FileFlow& files)
+                       PatternView& pattern, CoverView& surface, FileFlow& files)
     : m_session(session)
     , m_selection(selection)
     , m_pattern(pattern)
@@ -54,7 +54,7 @@ void FirstSteps::hintAtNext(Commands& commands)
     auto* next = new NextStep(m_session.document(), m_pattern);
     connect(next, &NextStep::drawWanted, this, [this] { m_pattern.setTool(PatternToolKind::Rectangle); });
     connect(next, &NextStep::sewWanted, this, [this] { m_pattern.setTool(PatternToolKind::Sew); });
-    connect(next, &NextStep::fixationWanted, this, [this] { m_surface.setTool(SurfaceToolKind::DrawFixation); });
+    connect(next, &NextStep::fixationWanted, this, [this] { m_surface.setTool(CoverToolKind::DrawFixation); });
     connect(next, &NextStep::attachWanted, this, [this] { m_pattern.setTool(PatternToolKind::Attach); });
     connect(next, &NextStep::selectAllWanted, commands["edit.select-all"], &QAction::trigger);
 }

@@ -11,12 +11,12 @@ class FileFlow;
 class PatternView;
 class Selection;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 class FirstSteps : public QObject {
 public:
     FirstSteps(Commands& commands, DesignSession& session, Selection& selection, SolverLink& solver,
-               PatternView& pattern, SurfaceView& surface, FileFlow& files);
+               PatternView& pattern, CoverView& surface, FileFlow& files);
 
 private:
     void hintAtStart(Commands& commands, FileFlow& files);
@@ -27,7 +27,7 @@ private:
     DesignSession& m_session;
     Selection& m_selection;
     PatternView& m_pattern;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
 };
 
 } // namespace bolster

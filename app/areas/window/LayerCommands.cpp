@@ -1,13 +1,13 @@
 #include "LayerCommands.h"
 
 #include "Commands.h"
+#include "CoverView.h"
 #include "PatternView.h"
 #include "SolverLink.h"
-#include "SurfaceView.h"
 
 namespace bolster {
 
-LayerCommands::LayerCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, SolverLink& solver)
+LayerCommands::LayerCommands(Commands& commands, PatternView& pattern, CoverView& surface, SolverLink& solver)
     : m_commands(commands)
     , m_pattern(pattern)
     , m_surface(surface)
@@ -179,7 +179,7 @@ void LayerCommands::apply()
     layers.symmetry = on("layer.symmetry");
     m_pattern.shown().setLayers(layers);
 
-    using Layer = SurfaceView::Layer;
+    using Layer = CoverView::Layer;
     for (const auto& [layer, id] :
          {std::pair(Layer::Checker, "layer.checker"), std::pair(Layer::MeshEdges, "layer.mesh"),
           std::pair(Layer::Seams, "layer.seams"), std::pair(Layer::Frames, "layer.frames"),

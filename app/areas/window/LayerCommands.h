@@ -9,13 +9,13 @@ namespace bolster {
 class Commands;
 class PatternView;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 
 class LayerCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(LayerCommands)
 
 public:
-    LayerCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, SolverLink& solver);
+    LayerCommands(Commands& commands, PatternView& pattern, CoverView& surface, SolverLink& solver);
 
     /// Shows what is checked.
     void apply();
@@ -27,7 +27,7 @@ private:
 
     Commands& m_commands;
     PatternView& m_pattern;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     SolverLink& m_solver;
 };
 

@@ -1,12 +1,12 @@
 #include "MapCommands.h"
 
 #include "Commands.h"
+#include "CoverView.h"
 #include "Docks.h"
 #include "Inspector.h"
 #include "PatternView.h"
 #include "ScanLink.h"
 #include "SpotsPanel.h"
-#include "SurfaceView.h"
 
 #include <QMainWindow>
 #include <QMenu>
@@ -24,7 +24,7 @@ const std::pair<CoverMap::Kind, const char*> kinds[] = {
 } // namespace
 
 MapCommands::MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern,
-                         SurfaceView& surface, Inspector& inspector, Docks& docks, SpotsPanel& spots)
+                         CoverView& surface, Inspector& inspector, Docks& docks, SpotsPanel& spots)
     : m_commands(commands)
     , m_maps(maps)
     , m_scans(scans)
@@ -94,7 +94,7 @@ void MapCommands::connectViews()
         if (!visible)
             forgetPlace();
     });
-    connect(&m_surface, &SurfaceView::coverPointed, this, &MapCommands::read);
+    connect(&m_surface, &CoverView::coverPointed, this, &MapCommands::read);
     connect(&m_pattern, &PatternView::patchPointed, this, &MapCommands::read);
     connect(m_docks.cover, &QDockWidget::visibilityChanged, this,
             [this](bool visible) { m_pattern.setLegendShown(!visible); });
@@ -111,7 +111,7 @@ void MapCommands::choose()
     forgetPlace();
 }
 
-const SurfaceMapPtr& MapCommands::shown()
+const ShownMapPtr& MapCommands::shown()
 {
     return m_commands["map.deviation"]->isChecked() ? m_scans.map() : m_maps.map();
 }
@@ -128,7 +128,7 @@ void MapCommands::showMeasured()
 void MapCommands::read(const std::optional<CoverPoint>& place)
 {
     m_place = place;
-    const SurfaceMapPtr& map = shown();
+    const ShownMapPtr& map = shown();
     const QString reading = place && map ? MapLink::reading(*map, *place) : QString();
     m_surface.setMapReading(reading);
     m_pattern.setMapReading(reading);

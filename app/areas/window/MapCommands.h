@@ -16,13 +16,13 @@ class Inspector;
 class PatternView;
 class ScanLink;
 class SpotsPanel;
-class SurfaceView;
+class CoverView;
 
 class MapCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(MapCommands)
 
 public:
-    MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern, SurfaceView& surface,
+    MapCommands(Commands& commands, MapLink& maps, ScanLink& scans, PatternView& pattern, CoverView& surface,
                 Inspector& inspector, Docks& docks, SpotsPanel& spots);
 
     /// In both views.
@@ -33,7 +33,7 @@ private:
     void addSpots();
     void connectViews();
     void choose();
-    const SurfaceMapPtr& shown();
+    const ShownMapPtr& shown();
     void showMeasured();
     void read(const std::optional<CoverPoint>& place);
     void forgetPlace();
@@ -44,7 +44,7 @@ private:
     MapLink& m_maps;
     ScanLink& m_scans;
     PatternView& m_pattern;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     Inspector& m_inspector;
     Docks& m_docks;
     SpotsPanel& m_spots;

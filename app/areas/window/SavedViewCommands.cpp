@@ -1,16 +1,16 @@
 #include "SavedViewCommands.h"
 
 #include "Commands.h"
+#include "CoverView.h"
 #include "SavedViews.h"
 #include "StatusLine.h"
-#include "SurfaceView.h"
 
 #include <QInputDialog>
 #include <QMenu>
 
 namespace bolster {
 
-SavedViewCommands::SavedViewCommands(Commands& commands, SurfaceView& surface, StatusLine& status, QWidget& window)
+SavedViewCommands::SavedViewCommands(Commands& commands, CoverView& surface, StatusLine& status, QWidget& window)
     : m_surface(surface)
     , m_status(status)
     , m_window(window)

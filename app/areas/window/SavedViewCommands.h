@@ -12,19 +12,19 @@ namespace bolster {
 
 class Commands;
 class StatusLine;
-class SurfaceView;
+class CoverView;
 
 class SavedViewCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(SavedViewCommands)
 
 public:
-    SavedViewCommands(Commands& commands, SurfaceView& surface, StatusLine& status, QWidget& window);
+    SavedViewCommands(Commands& commands, CoverView& surface, StatusLine& status, QWidget& window);
 
 private:
     void fill(QMenu& menu, QAction* save);
     void save();
 
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     StatusLine& m_status;
     QWidget& m_window;
 };

@@ -8,7 +8,7 @@
 
 namespace bolster {
 
-ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, const Docks& docks)
+ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, CoverView& surface, const Docks& docks)
     : m_pattern(pattern)
     , m_surface(surface)
 {
@@ -74,11 +74,11 @@ void ToolCommands::addInSurface(Commands& commands)
                   .keys = {Qt::SHIFT | Qt::Key_F},
                   .places = {"frame/1"},
                   .bar = 320,
-                  .checked = [this] { return isOn(SurfaceToolKind::DrawFixation); },
+                  .checked = [this] { return isOn(CoverToolKind::DrawFixation); },
                   .does =
                       [this] {
-                          const bool on = isOn(SurfaceToolKind::DrawFixation);
-                          m_surface.setTool(on ? SurfaceToolKind::Select : SurfaceToolKind::DrawFixation);
+                          const bool on = isOn(CoverToolKind::DrawFixation);
+                          m_surface.setTool(on ? CoverToolKind::Select : CoverToolKind::DrawFixation);
                       }});
 }
 
@@ -87,11 +87,11 @@ void ToolCommands::connectViews(Commands& commands)
 {
     connect(&m_pattern, &PatternView::toolChanged, this, [this, &commands](PatternToolKind now) {
         if (now != PatternToolKind::Select)
-            m_surface.setTool(SurfaceToolKind::Select);
+            m_surface.setTool(CoverToolKind::Select);
         commands.update();
     });
-    connect(&m_surface, &SurfaceView::toolChanged, this, [this, &commands](SurfaceToolKind now) {
-        if (now != SurfaceToolKind::Select)
+    connect(&m_surface, &CoverView::toolChanged, this, [this, &commands](CoverToolKind now) {
+        if (now != CoverToolKind::Select)
             m_pattern.setTool(PatternToolKind::Select);
         commands.update();
     });
@@ -99,21 +99,21 @@ void ToolCommands::connectViews(Commands& commands)
 
 bool ToolCommands::isOn(PatternToolKind kind) const
 {
-    return m_surface.tool() == SurfaceToolKind::Select && m_pattern.tool() == kind;
+    return m_surface.tool() == CoverToolKind::Select && m_pattern.tool() == kind;
 }
 
 /// Or ends it, when it is the present one.
 void ToolCommands::begin(PatternToolKind kind)
 {
     const bool on = isOn(kind);
-    m_surface.setTool(SurfaceToolKind::Select);
+    m_surface.setTool(CoverToolKind::Select);
     m_pattern.setTool(on ? PatternToolKind::Select : kind);
 }
 
 void ToolCommands::end()
 {
     m_pattern.setTool(PatternToolKind::Select);
-    m_surface.setTool(SurfaceToolKind::Select);
+    m_surface.setTool(CoverToolKind::Select);
 }
 
 } // namespace bolster

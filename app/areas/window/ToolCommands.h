@@ -1,8 +1,8 @@
 // The tools: one at a time, in whichever view.
 #pragma once
 
+#include "CoverView.h"
 #include "PatternTools.h"
-#include "SurfaceView.h"
 
 #include <QCoreApplication>
 #include <QObject>
@@ -17,19 +17,19 @@ class ToolCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(ToolCommands)
 
 public:
-    ToolCommands(Commands& commands, PatternView& pattern, SurfaceView& surface, const Docks& docks);
+    ToolCommands(Commands& commands, PatternView& pattern, CoverView& surface, const Docks& docks);
 
 private:
     void add(Commands& commands);
     void addInSurface(Commands& commands);
     void connectViews(Commands& commands);
     bool isOn(PatternToolKind kind) const;
-    bool isOn(SurfaceToolKind kind) const { return m_surface.tool() == kind; }
+    bool isOn(CoverToolKind kind) const { return m_surface.tool() == kind; }
     void begin(PatternToolKind kind);
     void end();
 
     PatternView& m_pattern;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
 };
 
 } // namespace bolster

@@ -27,7 +27,7 @@ void giveMemoryBack()
 } // namespace
 
 VersionCommands::VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics,
-                                 SurfaceView& surface, HistoryPanel& history, QWidget& window)
+                                 CoverView& surface, HistoryPanel& history, QWidget& window)
     : m_session(session)
     , m_solver(solver)
     , m_fabrics(fabrics)

@@ -15,12 +15,12 @@ class DesignSession;
 class FabricLink;
 class HistoryPanel;
 class SolverLink;
-class SurfaceView;
+class CoverView;
 class Thumbnails;
 
 class VersionCommands : public QObject {
 public:
-    VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics, SurfaceView& surface,
+    VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics, CoverView& surface,
                     HistoryPanel& history, QWidget& window);
     ~VersionCommands() override;
 

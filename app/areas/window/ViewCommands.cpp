@@ -1,13 +1,13 @@
 #include "ViewCommands.h"
 
 #include "Commands.h"
+#include "CoverView.h"
 #include "Document.h"
 #include "ElementsView.h"
 #include "Hiding.h"
 #include "PatternView.h"
 #include "Selection.h"
 #include "StatusLine.h"
-#include "SurfaceView.h"
 #include "Theme.h"
 
 #include <QApplication>
@@ -20,7 +20,7 @@
 namespace bolster {
 
 ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                           SurfaceView& surface, ElementsView& elements, StatusLine& status)
+                           CoverView& surface, ElementsView& elements, StatusLine& status)
     : m_document(document)
     , m_selection(selection)
     , m_pattern(pattern)
@@ -34,11 +34,11 @@ ViewCommands::ViewCommands(Commands& commands, Document& document, Selection& se
     addHiding(commands);
     addOpacities(commands);
     addThemes(commands);
-    connect(&surface.navigation(), &SurfaceNavigation::perspectiveChanged, commands["view.perspective"],
+    connect(&surface.navigation(), &CoverNavigation::perspectiveChanged, commands["view.perspective"],
             &QAction::setChecked);
-    connect(&surface, &SurfaceView::sectionClosed, this,
+    connect(&surface, &CoverView::sectionClosed, this,
             [&commands] { commands["view.section"]->setChecked(false); });
-    connect(&surface.visibility(), &SurfaceVisibility::hiddenChanged, this, [this, &commands] {
+    connect(&surface.visibility(), &SceneVisibility::hiddenChanged, this, [this, &commands] {
         m_elements.setHidden(m_surface.visibility().hidden());
         m_pattern.shown().setHidden(m_surface.visibility().hidden());
         commands.update({"view.show-hidden"});
@@ -72,7 +72,7 @@ void ViewCommands::addFitting(Commands& commands)
 void ViewCommands::addStandardViews(Commands& commands)
 {
     commands.add(MenuPlace{"view.from", tr("Look at the &cover from"), "view/1"});
-    using View = SurfaceView::StandardView;
+    using View = CoverView::StandardView;
     const struct {
         View view;
         const char* id;

@@ -12,14 +12,14 @@ class ElementsView;
 class PatternView;
 class Selection;
 class StatusLine;
-class SurfaceView;
+class CoverView;
 
 class ViewCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(ViewCommands)
 
 public:
     ViewCommands(Commands& commands, Document& document, Selection& selection, PatternView& pattern,
-                 SurfaceView& surface, ElementsView& elements, StatusLine& status);
+                 CoverView& surface, ElementsView& elements, StatusLine& status);
 
     /// What is selected fills both views.
     void fitSelection();
@@ -36,7 +36,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     PatternView& m_pattern;
-    SurfaceView& m_surface;
+    CoverView& m_surface;
     ElementsView& m_elements;
     StatusLine& m_status;
 };

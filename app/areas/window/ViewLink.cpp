@@ -1,26 +1,26 @@
 #include "ViewLink.h"
 
+#include "CoverView.h"
 #include "PatternView.h"
 #include "Selection.h"
-#include "SurfaceView.h"
 
 #include <QAction>
 
 namespace bolster {
 
-ViewLink::ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, SurfaceView& surface,
+ViewLink::ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, CoverView& surface,
                    const QAction& linked)
     : m_linked(linked)
 {
     follow(selection, surfaceSelection);
     follow(surfaceSelection, selection);
-    connect(&surface, &SurfaceView::coverPointed, this, [this, &pattern](const std::optional<CoverPoint>& point) {
+    connect(&surface, &CoverView::coverPointed, this, [this, &pattern](const std::optional<CoverPoint>& point) {
         pattern.showPlace(m_linked.isChecked() ? point : std::nullopt);
     });
     connect(&pattern, &PatternView::patchPointed, this, [this, &surface](const std::optional<CoverPoint>& point) {
         surface.showPlace(m_linked.isChecked() ? point : std::nullopt);
     });
-    connect(&surface, &SurfaceView::coverClicked, this, [this, &pattern](const CoverPoint& point) {
+    connect(&surface, &CoverView::coverClicked, this, [this, &pattern](const CoverPoint& point) {
         if (m_linked.isChecked())
             pattern.reveal(point);
     });

@@ -9,12 +9,12 @@ namespace bolster {
 
 class PatternView;
 class Selection;
-class SurfaceView;
+class CoverView;
 
 /// `linked` says whether; what is selected is the same in both views in any case.
 class ViewLink : public QObject {
 public:
-    ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, SurfaceView& surface,
+    ViewLink(Selection& selection, Selection& surfaceSelection, PatternView& pattern, CoverView& surface,
              const QAction& linked);
 
 private:

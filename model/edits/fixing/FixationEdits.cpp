@@ -54,10 +54,10 @@ bool same(const Stretch& a, const Stretch& b, const BSpline2& outline)
     return a.patch == b.patch && !apart(a.from, b.from) && !apart(a.to, b.to);
 }
 
-/// The fixation of just this stretch; settingsId when there is none.
+/// The fixation of just this stretch; noElement when there is none.
 ElementId fixationOf(const Design& design, const Stretch& stretch, const BSpline2& outline)
 {
-    ElementId result = settingsId;
+    ElementId result = noElement;
     design.each<FixationSeam>([&](ElementId id, const FixationSeam& seam) {
         if (same(seam.stretch, stretch, outline))
             result = id;
@@ -177,15 +177,15 @@ Design attached(const Design& design, const Stretch& stretch, ElementId curve, c
     FixationSeam seam;
     seam.stretch = stretch;
     const ElementId before = fixationOf(design, stretch, *outline);
-    if (before != settingsId)
+    if (before != noElement)
         seam = *design.find<FixationSeam>(before);
     seam.curve = curve;
     seam.curveRange = part.range;
     seam.reversed = part.reversed;
     seam.match = Match::Length;
     const ElementPtr element = makeElement(std::move(seam));
-    return design.with(before == settingsId ? addElement(design, element)
-                                            : replaceElement(design, before, element, {}));
+    return design.with(before == noElement ? addElement(design, element)
+                                           : replaceElement(design, before, element, {}));
 }
 
 /// Positions in which things lie along something, as an order.
@@ -356,7 +356,7 @@ Edit attachToCurves(const Design& design, const Stretch& stretch, std::span<cons
     const double end = length.at(stretch.from + extent(stretch, *outline));
     const double scale = (end - at) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     Design now = design;
-    if (const ElementId before = fixationOf(design, stretch, *outline); before != settingsId)
+    if (const ElementId before = fixationOf(design, stretch, *outline); before != noElement)
         now = now.with(removeElements(now, std::span(&before, 1))); // the pieces take its place
     const std::vector<std::size_t> order = sorted(places);
     double from = stretch.from;

@@ -34,29 +34,29 @@ private:
     ElementId drawnOn(const Element& drawn) const
     {
         const PatchCurve* curve = patchCurve(drawn);
-        return curve ? m_mirror.twin(curve->patch) : settingsId;
+        return curve ? m_mirror.twin(curve->patch) : noElement;
     }
 
     void removeDrawn(ElementId id)
     {
-        if (!isGone(id) || drawnOn(*m_before.element(id)) == settingsId)
+        if (!isGone(id) || drawnOn(*m_before.element(id)) == noElement)
             return;
         const ElementId other = twinOf(m_before, id);
-        if (other != settingsId && m_now.element(other))
+        if (other != noElement && m_now.element(other))
             m_builder.remove(other);
     }
 
     void addDrawn(ElementId id)
     {
         const ElementPtr drawn = isNew(id) ? m_builder.now().element(id) : nullptr;
-        const ElementId patch = drawn ? drawnOn(*drawn) : settingsId;
-        if (patch == settingsId || twinLink(*drawn) || twinOf(m_builder.now(), id) != settingsId)
+        const ElementId patch = drawn ? drawnOn(*drawn) : noElement;
+        if (patch == noElement || twinLink(*drawn) || twinOf(m_builder.now(), id) != noElement)
             return;
         const ElementPtr copy = mirroredDrawn(*drawn, patch, symmetryOf(m_now));
         if (!copy)
             return;
         const ElementId there = drawnAlike(*drawn, patch);
-        if (there != settingsId)
+        if (there != noElement)
             m_builder.set(there, withTwinLink(*m_now.element(there), Twin{id, {}}));
         else
             m_builder.set(m_builder.now().nextId(), withTwinLink(*withFreeName(*copy), Twin{id, {}}));
@@ -78,9 +78,9 @@ private:
     {
         for (const auto& [id, element] : m_now.elements())
             if (isNew(id) && element->index() == drawn.index() && patchCurve(*element)->patch == patch &&
-                twinOf(m_now, id) == settingsId && unlikePoints(drawn, *element, symmetryOf(m_now)) == 0)
+                twinOf(m_now, id) == noElement && unlikePoints(drawn, *element, symmetryOf(m_now)) == 0)
                 return id;
-        return settingsId;
+        return noElement;
     }
 
     const Design& m_before;

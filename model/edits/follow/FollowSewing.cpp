@@ -142,7 +142,7 @@ private:
         if constexpr (std::is_same_v<T, FixationSeam>)
             if (gone->hasCurve() && !m_now.element(gone->curve)) // the removal of a curve unlinks, no more
                 return;
-        if (const ElementId other = m_old.counterpart(*gone).id; other != settingsId && m_now.element(other))
+        if (const ElementId other = m_old.counterpart(*gone).id; other != noElement && m_now.element(other))
             m_builder.remove(other);
     }
 
@@ -155,7 +155,7 @@ private:
             return;
         const auto [other, swapped] = m_old.counterpart(*before);
         const T* there = m_builder.now().template find<T>(other);
-        if (other == settingsId || !there)
+        if (other == noElement || !there)
             return;
         const Lead<T> lead{*before, *now};
         if (other == id) {
@@ -223,14 +223,14 @@ private:
     {
         const T* added = isNew(id) ? m_now.find<T>(id) : nullptr;
         if (!added || !onOldPatches(*m_now.element(id)) || m_new.released(*m_now.element(id)) ||
-            m_new.counterpart(*added).id != settingsId)
+            m_new.counterpart(*added).id != noElement)
             return;
         const Design before = m_builder.now();
         const auto image = imageOf(*added);
         if (!image)
             return;
         for (const Stretch& stretch : stretchesOf(*makeElement(*image)))
-            if (m_new.twin(stretch.patch) == settingsId && !isFreeInTheMiddle(before, stretch))
+            if (m_new.twin(stretch.patch) == noElement && !isFreeInTheMiddle(before, stretch))
                 return;
         const ElementId made = m_builder.add(*image);
         if (isTaken(m_builder.now(), made))

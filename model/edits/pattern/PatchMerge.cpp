@@ -324,12 +324,12 @@ Outcome mergePatches(const Design& design, ElementId seamId)
 {
     Outcome outcome = mergeOne(design, seamId);
     const Seam* seam = design.find<Seam>(seamId);
-    if (outcome.edit.empty() || twinOf(design, seam->a.patch) == settingsId)
+    if (outcome.edit.empty() || twinOf(design, seam->a.patch) == noElement)
         return outcome;
     Design half = design.with(outcome.edit);
     const SewnMirror mirror(design, twinPairs(design));
     const auto [other, swapped] = mirror.counterpart(*seam);
-    const bool both = other != settingsId && other != seamId && mirror.twin(seam->b.patch) != settingsId &&
+    const bool both = other != noElement && other != seamId && mirror.twin(seam->b.patch) != noElement &&
                       mirror.twin(seam->b.patch) != seam->a.patch;
     if (!both) { // what it becomes is no mirror image of its twin any more
         half = half.with(unlinkTwins(half, std::array{seam->a.patch}));

@@ -18,12 +18,11 @@ Map2 inOutline(const Patch& patch, const Map2& map)
     return place.inverse() * map * place;
 }
 
-std::optional<BSpline2> checkedMap(const BSpline2& curve, const Map2& map, const std::set<int>* only = nullptr)
+std::optional<BSpline2> checkedMap(const BSpline2& curve, const Map2& map)
 {
     std::vector<Vec2> points = curve.points();
-    for (int i = 0; i < curve.pointCount(); ++i)
-        if (!only || only->contains(i))
-            points[static_cast<std::size_t>(i)] = map * points[static_cast<std::size_t>(i)];
+    for (Vec2& point : points)
+        point = map * point;
     if (BSpline2::problem(curve.degree(), curve.closed(), points, curve.knots()))
         return std::nullopt;
     return curve.withPoints(std::move(points));
@@ -52,36 +51,6 @@ Map2 scaling(const Vec2& centre, const Vec2& factors)
     Map2 map = Map2::Identity();
     map.translate(centre).scale(factors).translate(-centre);
     return map;
-}
-
-Edit mapPoints(const Design& design, const PatternPoints& points, const Map2& map, Message verb)
-{
-    if (!map.matrix().allFinite() || map.matrix() == Map2::Identity().matrix())
-        return {};
-    std::map<ElementId, std::set<int>> byElement;
-    for (const auto& [id, point] : points)
-        byElement[id].insert(point);
-    EditBuilder builder(design);
-    for (const auto& [id, indices] : byElement) {
-        const ElementPtr element = design.element(id);
-        const BSpline2* curve = element ? planeCurve(*element) : nullptr;
-        if (!curve)
-            continue;
-        const PatchCurve* drawn = patchCurve(*element);
-        const Patch* patch = design.find<Patch>(drawn ? drawn->patch : id);
-        if (!patch)
-            continue;
-        auto result = checkedMap(*curve, inOutline(*patch, map), &indices);
-        if (!result)
-            return {}; // all or nothing
-        builder.set(id, withPlaneCurve(*element, std::move(*result)));
-    }
-    return builder.result(std::move(verb));
-}
-
-Message pointsVerb(const PatternPoints& points, const char* key)
-{
-    return {key, {std::to_string(points.size())}};
 }
 
 /// Turns round the seams that join a mirrored patch to another one.
@@ -139,22 +108,6 @@ Edit resizePatches(const Design& design, std::span<const ElementId> patches, int
     }
     return builder.result(patchesVerb(design, patches, QT_TRANSLATE_NOOP("Message", "Change the size of %1"),
                                       QT_TRANSLATE_NOOP("Message", "Change the size of %1 patches")));
-}
-
-Edit scalePoints(const Design& design, const PatternPoints& points, const Vec2& centre, const Vec2& factors)
-{
-    if (!sensible(factors))
-        return {};
-    return mapPoints(design, points, scaling(centre, factors),
-                     pointsVerb(points, QT_TRANSLATE_NOOP("Message", "Scale %1 points")));
-}
-
-Edit turnPoints(const Design& design, const PatternPoints& points, const Vec2& centre, double degrees)
-{
-    Map2 map = Map2::Identity();
-    map.translate(centre).rotate(degrees * std::numbers::pi / 180).translate(-centre);
-    return mapPoints(design, points, degrees == 0 ? Map2::Identity() : map,
-                     pointsVerb(points, QT_TRANSLATE_NOOP("Message", "Turn %1 points")));
 }
 
 Edit mirrorPatches(const Design& design, std::span<const ElementId> patches, MirrorAxis axis, double at)

@@ -1,4 +1,4 @@
-// Scaling, turning and mirroring of patches and of points in the pattern.
+// Scaling and mirroring of patches.
 #pragma once
 
 #include "Design.h"
@@ -6,9 +6,6 @@
 #include <span>
 
 namespace bolster::edits {
-
-/// Control points of outlines, handle curves and fancy seams.
-using PatternPoints = std::set<std::pair<ElementId, int>>;
 
 /// Scales patches with the curves drawn in them about a layout point (mm), by these factors along the layout's
 /// axes. Factors within 0.001 to 1000; else, and when nothing would change, empty. Grain, widths of fancy seams and
@@ -18,9 +15,6 @@ Edit scalePatches(const Design& design, std::span<const ElementId> patches, cons
 /// Gives the outline's box in outline coordinates another width (axis 0) or height (1), mm; that corner of it which
 /// is its lower left one stays where it is in the layout. Limits as for scalePatches.
 Edit resizePatches(const Design& design, std::span<const ElementId> patches, int axis, double size);
-Edit scalePoints(const Design& design, const PatternPoints& points, const Vec2& centre, const Vec2& factors);
-/// Counter-clockwise, degrees.
-Edit turnPoints(const Design& design, const PatternPoints& points, const Vec2& centre, double degrees);
 
 /// Across which line a patch is mirrored: Vertical makes a left side of a right side.
 enum class MirrorAxis { Vertical, Horizontal };

@@ -112,29 +112,6 @@ Edit setMatch(const Design& design, std::span<const ElementId> seams, Match matc
         QT_TRANSLATE_NOOP("Message", "Change how %1 seams are matched"));
 }
 
-Edit moveSeamEnd(const Design& design, ElementId id, SeamSide side, StretchEnd end, double parameter,
-                 Message* problem)
-{
-    const auto* seam = design.find<Seam>(id);
-    const auto* patch = seam ? design.find<Patch>((side == SeamSide::A ? seam->a : seam->b).patch) : nullptr;
-    if (!patch || patch->outline.empty() || !std::isfinite(parameter))
-        return {};
-    Seam moved = *seam;
-    Stretch& stretch = side == SeamSide::A ? moved.a : moved.b;
-    const Stretch& other = side == SeamSide::A ? moved.b : moved.a;
-    (end == StretchEnd::From ? stretch.from : stretch.to) = parameter;
-    stretch = stretchBetween(stretch.patch, patch->outline, stretch.from, stretch.to);
-    // Where both ends meet a stretch means the whole outline; who moves an end there means nothing of it.
-    if (patch->outline.wrapped(stretch.from) == patch->outline.wrapped(stretch.to))
-        return refused({QT_TRANSLATE_NOOP("Message", "This stretch has no length: choose two different points.")},
-                       problem);
-    const Design without = design.with({{}, {{id, design.element(id), nullptr}}});
-    if (const auto why = sewingProblem(without, stretch, std::array{other}))
-        return refused(*why, problem);
-    return replaceWith(design, id, moved,
-                       {QT_TRANSLATE_NOOP("Message", "Move an end of %1"), {seamName(design, *seam)}});
-}
-
 Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, StretchEnd end, double parameter)
 {
     const ElementPtr element = design.element(owner);

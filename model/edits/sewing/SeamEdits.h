@@ -24,11 +24,9 @@ Edit setMatch(const Design& design, std::span<const ElementId> seams, Match matc
 
 enum class SeamSide { A, B };
 enum class StretchEnd { From, To };
-/// Moves an end of a seam's stretch to another parameter of its outline.
-Edit moveSeamEnd(const Design& design, ElementId seam, SeamSide side, StretchEnd end, double parameter,
-                 Message* problem = nullptr);
-/// The same for a drag, also of the stretch of a fixation seam (its only side is A): brokenBy() says what is wrong
-/// with the result. An end on the other end makes the stretch the whole outline.
+/// Moves an end of the stretch of a seam, fixation seam or trim (whose only side is A) along its outline, unchecked,
+/// as a drag does: brokenBy() says what is wrong with the result. An end on the other end makes the stretch the whole
+/// outline.
 Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, StretchEnd end, double parameter);
 
 } // namespace bolster::edits

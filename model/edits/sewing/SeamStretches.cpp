@@ -168,15 +168,6 @@ Stretch stretchBetween(ElementId patch, const BSpline2& outline, double t0, doub
     return {patch, outline.wrapped(t0), to == outline.domainStart() ? outline.domainEnd() : to};
 }
 
-std::optional<Stretch> stretchAt(const Design& design, ElementId patch, double parameter)
-{
-    const BSpline2* outline = outlineOf(design, patch);
-    if (!outline || !std::isfinite(parameter))
-        return std::nullopt;
-    const EdgeRange edge = edgeAround(*outline, outline->wrapped(parameter));
-    return stretchBetween(patch, *outline, edge.from, edge.to);
-}
-
 std::optional<Stretch> freeStretchAt(const Design& design, ElementId patch, double parameter)
 {
     const BSpline2* outline = outlineOf(design, patch);

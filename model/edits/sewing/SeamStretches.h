@@ -14,10 +14,8 @@ std::vector<double> outlineCorners(const BSpline2& outline);
 /// From t0 on to t1, as seams store it: `from` in [start, end), `to` in (start, end].
 Stretch stretchBetween(ElementId patch, const BSpline2& outline, double t0, double t1);
 
-/// The edge around a parameter, from corner to corner; the whole outline when it has fewer than two. Nothing
-/// without such a patch.
-std::optional<Stretch> stretchAt(const Design& design, ElementId patch, double parameter);
-/// What no seam uses of that edge, around the parameter; nothing where the outline is sewn.
+/// What no seam uses of the edge around a parameter, which goes from corner to corner and is the whole outline when
+/// that has fewer than two. Nothing where the outline is sewn, or without such a patch.
 std::optional<Stretch> freeStretchAt(const Design& design, ElementId patch, double parameter);
 /// The seam that uses the outline at the parameter, and its stretch there.
 std::optional<std::pair<ElementId, Stretch>> sewnAt(const Design& design, ElementId patch, double parameter);
@@ -25,7 +23,7 @@ std::optional<std::pair<ElementId, Stretch>> sewnAt(const Design& design, Elemen
 int edgeNumber(const BSpline2& outline, double parameter);
 
 /// Why a stretch cannot be sewn, if so: it is empty, or seams other than `except` use a part of it.
-std::optional<Message> stretchProblem(const Design& design, const Stretch& stretch, ElementId except = settingsId);
+std::optional<Message> stretchProblem(const Design& design, const Stretch& stretch, ElementId except = noElement);
 /// Why a stretch cannot be sewn to several others, if so: one of them cannot be sewn at all, or two overlap.
 std::optional<Message> sewingProblem(const Design& design, const Stretch& whole, std::span<const Stretch> row);
 

@@ -44,7 +44,7 @@ std::optional<Message> trimProblem(const Design& design, const Stretch& stretch,
     const auto* patch = design.find<Patch>(stretch.patch);
     if (!patch || patch->outline.empty() || !std::isfinite(stretch.from) || !std::isfinite(stretch.to))
         return Message{QT_TRANSLATE_NOOP("Message", "There is no such stretch of an outline."), {}};
-    std::optional<Message> problem = stretchProblem(design, stretch, settingsId); // has no length, or is sewn
+    std::optional<Message> problem = stretchProblem(design, stretch, noElement); // has no length, or is sewn
     design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& other) {
         if (!problem && id != except && other.stretch.patch == stretch.patch &&
             stretchesOverlap(patch->outline, other.stretch, stretch))

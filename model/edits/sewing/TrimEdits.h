@@ -12,7 +12,7 @@ Edit setTrim(const Design& design, std::span<const ElementId> elements, const Se
 
 /// Why a stretch cannot have a trim of its own: it has no length, is sewn, or has one already. `except` is an
 /// outline trim that does not count.
-std::optional<Message> trimProblem(const Design& design, const Stretch& stretch, ElementId except = settingsId);
+std::optional<Message> trimProblem(const Design& design, const Stretch& stretch, ElementId except = noElement);
 
 /// Adds an OutlineTrim under the id design.nextId(). Empty when it cannot be, with the reason in `problem`.
 Edit addOutlineTrim(const Design& design, const Stretch& stretch, const SeamTrim& trim, Message* problem = nullptr);

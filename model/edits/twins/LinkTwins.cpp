@@ -314,8 +314,8 @@ Edit linkTwins(const Design& design, ElementId original, ElementId follower, Mes
     const ElementPtr a = design.element(original);
     const ElementPtr b = design.element(follower);
     std::optional<Message> wrong;
-    if (!a || !b || a == b || a->index() != b->index() || !canBeTwin(*a) ||
-        twinOf(design, original) != settingsId || twinOf(design, follower) != settingsId)
+    if (!a || !b || a == b || a->index() != b->index() || !canBeTwin(*a) || twinOf(design, original) != noElement ||
+        twinOf(design, follower) != noElement)
         wrong = Message{QT_TRANSLATE_NOOP("Message", "These two cannot be twins.")};
     TwinLinker linker(design, original, follower);
     if (!wrong)

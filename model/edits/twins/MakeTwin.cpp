@@ -71,7 +71,7 @@ public:
     void add(ElementId id)
     {
         const ElementPtr element = m_now.element(id);
-        if (id == settingsId || !element || !canBeTwin(*element) || twinOf(m_now, id) != settingsId)
+        if (!element || !canBeTwin(*element) || twinOf(m_now, id) != noElement)
             return;
         if (const auto* patch = std::get_if<Patch>(element.get()))
             addPatch(id, *patch);
@@ -153,7 +153,7 @@ private:
     {
         const auto curve = mirroredCurve(copy.curve, m_symmetry);
         if (!curve)
-            return settingsId;
+            return noElement;
         copy.curve = *curve;
         return putTwin(id, std::move(copy));
     }
@@ -161,10 +161,10 @@ private:
     /// In the twin of its patch, or in the patch itself.
     void addDrawn(ElementId id, ElementId patch)
     {
-        if (m_made.contains(id) || twinOf(m_now, id) != settingsId)
+        if (m_made.contains(id) || twinOf(m_now, id) != noElement)
             return;
         const ElementId twin = twinOf(m_now, patch);
-        const ElementId on = twin == settingsId ? patch : twin;
+        const ElementId on = twin == noElement ? patch : twin;
         const ElementPtr copy = mirroredDrawn(*m_start.element(id), on, m_symmetry);
         if (!copy)
             return;
@@ -196,10 +196,10 @@ private:
     {
         const SewnMirror mirror(m_now, twinPairs(m_now));
         const auto seam = mirror.of(original);
-        if (!seam || mirror.counterpart(original).id != settingsId)
+        if (!seam || mirror.counterpart(original).id != noElement)
             return;
         for (const Stretch& side : {seam->a, seam->b})
-            if (mirror.twin(side.patch) == settingsId && !isFree(m_now, side))
+            if (mirror.twin(side.patch) == noElement && !isFree(m_now, side))
                 return;
         put(makeElement(*seam));
     }
@@ -209,7 +209,7 @@ private:
         auto fixation = SewnMirror(m_now, twinPairs(m_now)).of(original);
         if (!fixation) { // its curve has no mirror image yet
             const auto* curve = m_now.find<FixationCurve>(original.curve);
-            if (!curve || addCurve(original.curve, *curve) == settingsId)
+            if (!curve || addCurve(original.curve, *curve) == noElement)
                 return;
             fixation = SewnMirror(m_now, twinPairs(m_now)).of(original);
         }

@@ -67,7 +67,7 @@ SewnMirror::SewnMirror(const Design& design, const Pairs& pairs)
 ElementId SewnMirror::twin(ElementId id) const
 {
     const auto found = m_twins.find(id);
-    return found == m_twins.end() ? settingsId : found->second;
+    return found == m_twins.end() ? noElement : found->second;
 }
 
 std::optional<SewnMirror::Image> SewnMirror::of(const Stretch& stretch) const
@@ -87,7 +87,7 @@ std::optional<SewnMirror::Image> SewnMirror::of(const Stretch& stretch) const
 
 std::optional<Seam> SewnMirror::of(const Seam& seam) const
 {
-    if (twin(seam.a.patch) == settingsId && twin(seam.b.patch) == settingsId)
+    if (twin(seam.a.patch) == noElement && twin(seam.b.patch) == noElement)
         return std::nullopt;
     Seam result = seam;
     for (Stretch* side : {&result.a, &result.b}) {
@@ -102,7 +102,7 @@ std::optional<Seam> SewnMirror::of(const Seam& seam) const
 
 std::optional<FixationSeam> SewnMirror::of(const FixationSeam& fixation) const
 {
-    const auto stretch = twin(fixation.stretch.patch) == settingsId ? std::nullopt : of(fixation.stretch);
+    const auto stretch = twin(fixation.stretch.patch) == noElement ? std::nullopt : of(fixation.stretch);
     if (!stretch)
         return std::nullopt;
     const Symmetry symmetry = symmetryOf(m_design);
@@ -112,7 +112,7 @@ std::optional<FixationSeam> SewnMirror::of(const FixationSeam& fixation) const
     if (!fixation.hasCurve())
         return result;
     result.curve = twin(fixation.curve);
-    if (result.curve != settingsId)
+    if (result.curve != noElement)
         return result;
     const auto* curve = m_design.find<FixationCurve>(fixation.curve);
     if (!curve || !isOwnMirror(curve->curve, symmetry))
@@ -127,7 +127,7 @@ std::optional<FixationSeam> SewnMirror::of(const FixationSeam& fixation) const
 
 std::optional<OutlineTrim> SewnMirror::of(const OutlineTrim& trimmed) const
 {
-    const auto stretch = twin(trimmed.stretch.patch) == settingsId ? std::nullopt : of(trimmed.stretch);
+    const auto stretch = twin(trimmed.stretch.patch) == noElement ? std::nullopt : of(trimmed.stretch);
     return stretch ? std::optional(OutlineTrim{stretch->stretch, trimmed.trim}) : std::nullopt;
 }
 
@@ -137,7 +137,7 @@ bool SewnMirror::same(const Stretch& a, const Stretch& b) const
     if (a.patch != b.patch || !patch || patch->outline.empty())
         return false;
     const BSpline2& outline = patch->outline;
-    const bool exact = twin(a.patch) != settingsId;
+    const bool exact = twin(a.patch) != noElement;
     const auto near = [&](double s, double t) {
         if (exact)
             return std::abs(std::remainder(s - t, outline.period())) <= 1e-9 * outline.period();
@@ -153,7 +153,7 @@ SewnMirror::Counterpart SewnMirror::counterpart(const Seam& seam) const
     if (!image)
         return result;
     m_design.each<Seam>([&](ElementId id, const Seam& other) {
-        if (result.id != settingsId)
+        if (result.id != noElement)
             return;
         if (same(other.a, image->a) && same(other.b, image->b))
             result = {id, false};
@@ -166,12 +166,12 @@ SewnMirror::Counterpart SewnMirror::counterpart(const Seam& seam) const
 SewnMirror::Counterpart SewnMirror::counterpart(const FixationSeam& fixation) const
 {
     Counterpart result;
-    const auto image = twin(fixation.stretch.patch) == settingsId ? std::nullopt : of(fixation.stretch);
+    const auto image = twin(fixation.stretch.patch) == noElement ? std::nullopt : of(fixation.stretch);
     if (!image)
         return result;
     m_design.each<FixationSeam>([&](ElementId id, const FixationSeam& other) {
         // One that holds the place has nothing to do with one that only holds the orientation.
-        if (result.id == settingsId && same(other.stretch, image->stretch) &&
+        if (result.id == noElement && same(other.stretch, image->stretch) &&
             other.hasCurve() == fixation.hasCurve())
             result.id = id;
     });
@@ -185,7 +185,7 @@ SewnMirror::Counterpart SewnMirror::counterpart(const OutlineTrim& trimmed) cons
     if (!image)
         return result;
     m_design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& other) {
-        if (result.id == settingsId && same(other.stretch, image->stretch))
+        if (result.id == noElement && same(other.stretch, image->stretch))
             result.id = id;
     });
     return result;
@@ -197,7 +197,7 @@ bool SewnMirror::released(const Element& sewn) const
     for (const Stretch& stretch : stretchesOf(sewn)) {
         const auto* patch = m_design.find<Patch>(stretch.patch);
         const ElementId other = twin(stretch.patch);
-        if (!patch || patch->outline.empty() || other == settingsId)
+        if (!patch || patch->outline.empty() || other == noElement)
             continue;
         onTwin = true;
         const Twin* link = twinLink(*m_design.element(m_originals.contains(stretch.patch) ? stretch.patch : other));

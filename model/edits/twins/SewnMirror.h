@@ -14,7 +14,7 @@ public:
 
     SewnMirror(const Design& design, const Pairs& pairs);
 
-    /// settingsId when it has none.
+    /// noElement when it has none.
     ElementId twin(ElementId id) const;
 
     struct Image {
@@ -32,8 +32,8 @@ public:
     bool same(const Stretch& a, const Stretch& b) const;
 
     struct Counterpart {
-        ElementId id = settingsId; ///< settingsId: there is none
-        bool swapped = false;      ///< the first side of one is the second of the other
+        ElementId id = noElement; ///< noElement: there is none
+        bool swapped = false;     ///< the first side of one is the second of the other
     };
     /// The seam where the mirror shows this one; itself when it is its own mirror image.
     Counterpart counterpart(const Seam& seam) const;

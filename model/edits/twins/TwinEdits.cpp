@@ -11,13 +11,13 @@ namespace bolster::edits {
 
 namespace {
 
-/// Both twins, the original first; settingsId when it has none.
+/// Both twins, the original first; noElement when it has none.
 std::pair<ElementId, ElementId> pairOf(const Design& design, ElementId id)
 {
     for (const auto& [follower, original] : twinPairs(design))
         if (id == follower || id == original)
             return {original, follower};
-    return {settingsId, settingsId};
+    return {noElement, noElement};
 }
 
 bool hasPoint(const Element& element, int point)
@@ -138,7 +138,7 @@ Edit unlinkTwins(const Design& design, std::span<const ElementId> ids)
     std::set<ElementId> followers;
     for (const ElementId id : ids)
         if (const auto [original, follower] = pairOf(design, id);
-            follower != settingsId && followers.insert(follower).second)
+            follower != noElement && followers.insert(follower).second)
             edit.changes.push_back(
                 {follower, design.element(follower), withTwinLink(*design.element(follower), std::nullopt)});
     if (edit.empty())
@@ -154,7 +154,7 @@ Edit unlinkTwins(const Design& design, std::span<const ElementId> ids)
 Edit releasePoints(const Design& design, ElementId id, std::span<const int> points)
 {
     const ElementId follower = pairOf(design, id).second;
-    if (follower == settingsId)
+    if (follower == noElement)
         return {};
     const std::vector<int> before = releasedPoints(design, id);
     std::set<int> released(before.begin(), before.end());
@@ -173,7 +173,7 @@ Edit releasePoints(const Design& design, ElementId id, std::span<const int> poin
 Edit relinkPoints(const Design& design, ElementId id, std::span<const int> points)
 {
     const auto [original, follower] = pairOf(design, id);
-    if (follower == settingsId)
+    if (follower == noElement)
         return {};
     const std::vector<int> before = releasedPoints(design, id);
     std::set<int> released(before.begin(), before.end());
@@ -203,7 +203,7 @@ std::set<ElementId> mirroredElements(const Design& design, const std::set<Elemen
     std::set<ElementId> result;
     const SewnMirror mirror(design, ids.empty() ? SewnMirror::Pairs() : twinPairs(design));
     for (const ElementId id : ids)
-        if (const ElementId there = mirrored(design, mirror, id); there != settingsId && !ids.contains(there))
+        if (const ElementId there = mirrored(design, mirror, id); there != noElement && !ids.contains(there))
             result.insert(there);
     return result;
 }

@@ -45,7 +45,7 @@ Edit releasePoints(const Design& design, ElementId id, std::span<const int> poin
 /// Released points of this element jump to the mirror image of its twin's, and follow again.
 Edit relinkPoints(const Design& design, ElementId id, std::span<const int> points);
 
-/// The twin; of a seam or fixation the one where the mirror shows it; settingsId when there is none.
+/// The twin; of a seam or fixation the one where the mirror shows it; noElement when there is none.
 ElementId mirroredElement(const Design& design, ElementId id);
 /// Those of several; without these themselves.
 std::set<ElementId> mirroredElements(const Design& design, const std::set<ElementId>& ids);

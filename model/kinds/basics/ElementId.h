@@ -6,15 +6,19 @@
 
 namespace bolster {
 
-/// Positive and unique within a design; 0 is the settings element, which every design has.
+/// Positive and unique within a design.
 enum class ElementId : std::int32_t {};
 
-inline constexpr ElementId settingsId{0};
+/// What no element has: of a reference that refers to nothing, of a search that found nothing.
+inline constexpr ElementId noElement{};
+/// Of the settings, which every design has.
+inline constexpr ElementId settingsId{-1};
 inline constexpr std::int32_t largestElementId = 2'000'000'000;
 
+/// As files and messages have it; 0 for the settings.
 constexpr std::int32_t number(ElementId id)
 {
-    return static_cast<std::int32_t>(id);
+    return id == settingsId ? 0 : static_cast<std::int32_t>(id);
 }
 
 } // namespace bolster

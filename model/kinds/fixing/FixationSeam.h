@@ -20,7 +20,7 @@ struct FixationSeam {
     Orientation orientation = {}; ///< from the stretch's start to its end
     SeamTrim trim = {};
 
-    bool hasCurve() const { return curve != ElementId{}; }
+    bool hasCurve() const { return curve != noElement; }
 
     friend bool operator==(const FixationSeam&, const FixationSeam&) = default;
 };

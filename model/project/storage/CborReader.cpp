@@ -68,7 +68,7 @@ bool CborReader::id(ElementId& id)
     Head found;
     if (!head(found) || found.kind != cborUnsigned || found.number > static_cast<std::uint64_t>(largestElementId))
         return false;
-    id = ElementId{static_cast<std::int32_t>(found.number)};
+    id = found.number == 0 ? settingsId : ElementId{static_cast<std::int32_t>(found.number)};
     return true;
 }
 

@@ -130,8 +130,7 @@ void SeamTrims::addPipe(const Design& design, ElementId id, const Element& eleme
     const std::vector<TrimRow> rows = pipingRows(design, element);
     if (rows.empty())
         return;
-    Pipe pipe{id, rows.front().patch, rows.size() > 1 ? rows.back().patch : ElementId{}, rows.front().closed, {},
-              {}};
+    Pipe pipe{id, rows.front().patch, rows.size() > 1 ? rows.back().patch : noElement, rows.front().closed, {}, {}};
     for (std::size_t r = 0; r < rows.size(); ++r) {
         if (!m_places->has(rows[r].patch))
             return;
@@ -173,7 +172,7 @@ void SeamTrims::skinPipe(const Design& design, const CoverMesh& cover, const Pip
     TrimMesh::Part& part = to.parts.back();
     part.patch = pipe.patch;
     part.other = pipe.other;
-    part.fabric = trim.pipingFabric != ElementId{} ? trim.pipingFabric : fabricShown(design, pipe.patch);
+    part.fabric = trim.pipingFabric != noElement ? trim.pipingFabric : fabricShown(design, pipe.patch);
     if (const Fabric* fabric = design.find<Fabric>(part.fabric))
         part.color = fabric->color;
     bolster::addPipe(along, pipe.closed, radius, to);

@@ -1,11 +1,11 @@
 #include "PictureScene.h"
 
 #include "ColourwayEdits.h"
+#include "CoverRefiner.h"
 #include "FoamShape.h"
 #include "FramePieces.h"
 #include "SeamRelief.h"
 #include "SeamTrims.h"
-#include "SurfaceRefiner.h"
 
 #include <map>
 #include <stdexcept>
@@ -42,7 +42,7 @@ Scene sceneDressed(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Desi
 CoverMeshPtr refinedForPicture(const SurfaceMeshPtr& surface)
 {
     try {
-        return SurfaceRefiner().refine(surface, 2);
+        return CoverRefiner().refine(surface, 2);
     } catch (const std::runtime_error&) { // positions that are not finite, or triangles that OpenSubdiv refuses
         return nullptr;
     }

@@ -17,7 +17,7 @@ CoverMeshPtr withSeams(const CoverMeshPtr& cover, const Design& design);
 std::vector<Scene::FrameLook> framesForPicture(const Design& design, const DesignFiles& files,
                                                const SurfaceMesh* surface);
 
-/// `colourway`: settingsId for the patches' own fabrics.
+/// `colourway`: noElement for the patches' own fabrics.
 Scene sceneInFabrics(const SurfaceMeshPtr& surface, CoverMeshPtr cover, const Design& design, ElementId colourway,
                      const FabricBaker& bake);
 /// The fabrics' colours with squares of 20 mm.

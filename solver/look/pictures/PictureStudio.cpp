@@ -80,12 +80,12 @@ const PictureStudio::Stage& PictureStudio::stage(const PictureLook& look)
 
 PreviewImage PictureStudio::drawOne(const Stage& stage, const PictureOrder& order, const std::stop_token& stop)
 {
-    PreviewView view;
+    RayCamera view;
     if (const auto* direction = std::get_if<PictureDirection>(&order.from)) {
         const double aspect = static_cast<double>(order.options.width) / order.options.height;
         view = pictureView(stage.scene, {direction->azimuth + order.turn, direction->elevation}, aspect);
     } else {
-        view = std::get<PreviewView>(order.from);
+        view = std::get<RayCamera>(order.from);
         view.azimuth += order.turn;
     }
     return stage.renderer.render(view, order.options, stop);

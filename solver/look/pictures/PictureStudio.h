@@ -1,9 +1,9 @@
 // Where pictures of one cover are taken: in its fabrics or with a map, one, turned, or all colourways on a sheet.
 #pragma once
 
+#include "PictureDirection.h"
 #include "PictureLegend.h"
 #include "PictureScene.h"
-#include "PictureView.h"
 
 #include <variant>
 
@@ -11,8 +11,8 @@ namespace bolster {
 
 /// What the scene depends on.
 struct PictureLook {
-    ElementId colourway = settingsId; ///< settingsId: the patches' own fabrics
-    bool checker = false;             ///< instead of the fabrics, in their colours
+    ElementId colourway = noElement; ///< noElement: the patches' own fabrics
+    bool checker = false;            ///< instead of the fabrics, in their colours
     std::optional<CoverMap::Kind> map;
     bool sheet = false;  ///< all colourways, each as large as the options say, with their names
     bool refined = true; ///< else drawn at once, coarser
@@ -23,7 +23,7 @@ struct PictureLook {
 
 struct PictureOrder {
     PictureLook look;
-    std::variant<PictureDirection, PreviewView> from;
+    std::variant<PictureDirection, RayCamera> from;
     double turn = 0; ///< of the viewer around the cover, radians
     PreviewOptions options;
 };

@@ -5,7 +5,7 @@
 
 namespace bolster {
 
-Lens::Lens(const PreviewView& view, int width, int height, const Vec3& origin)
+Lens::Lens(const RayCamera& view, int width, int height, const Vec3& origin)
     : m_centerX(0.5f * static_cast<float>(width))
     , m_centerY(0.5f * static_cast<float>(height))
     , m_perspective(view.perspective)

@@ -1,7 +1,7 @@
 // Rays of a view through the pixels of a picture.
 #pragma once
 
-#include "CoverLook.h"
+#include "CoverHits.h"
 
 namespace bolster {
 
@@ -12,7 +12,7 @@ public:
         Vec3f origin, direction; ///< unit
     };
 
-    Lens(const PreviewView& view, int width, int height, const Vec3& origin);
+    Lens(const RayCamera& view, int width, int height, const Vec3& origin);
 
     /// In pixels, from the left and from the top.
     Ray through(float x, float y) const;

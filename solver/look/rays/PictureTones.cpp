@@ -1,6 +1,6 @@
 #include "PictureTones.h"
 
-#include "CoverLook.h"
+#include "CoverHits.h"
 #include "Srgb.h"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
 #include "PreviewRenderer.h"
 
-#include "CoverLook.h"
-#include "FrameLook.h"
+#include "CoverHits.h"
+#include "FrameHits.h"
 #include "Lens.h"
 #include "MeshShape.h"
 #include "PictureTile.h"
 #include "PictureTones.h"
 #include "RayScene.h"
 #include "StudioLight.h"
-#include "TrimLook.h"
+#include "TrimHits.h"
 
 #include <algorithm>
 #include <atomic>
@@ -53,21 +53,21 @@ Place evenPlace(int i)
 
 } // namespace
 
-PreviewView threeQuarterView(const Scene& scene, double aspect)
+RayCamera threeQuarterView(const Scene& scene, double aspect)
 {
     std::vector<Vec3> points;
     if (scene.surface)
         points = scene.surface->positions;
     else if (!scene.frames.empty())
         points = placedPoints(scene.frames.front());
-    return PreviewView::threeQuarter(scene.boundingBox(), aspect, frontAzimuth(points));
+    return RayCamera::threeQuarter(scene.boundingBox(), aspect, frontAzimuth(points));
 }
 
 class PreviewRenderer::Prepared {
 public:
     explicit Prepared(const Scene& scene);
 
-    PreviewImage render(const PreviewView& view, const PreviewOptions& options, std::stop_token stop) const;
+    PreviewImage render(const RayCamera& view, const PreviewOptions& options, std::stop_token stop) const;
 
 private:
     struct Job {
@@ -81,17 +81,17 @@ private:
     void drawPixel(const Job& job, int x, int y, PicturePixel& pixel) const;
     void addGhost(const Job& job, const Lens::Ray& ray, float behind, Shade& shade, Vec3f& constant) const;
     void addSample(const Job& job, int x, int y, int sample, PicturePixel& pixel) const;
-    void addGround(const Lens::Ray& ray, const Vec3f& behind, SurfacePoint& point, Shade& shade,
+    void addGround(const Lens::Ray& ray, const Vec3f& behind, ShadedPoint& point, Shade& shade,
                    Vec3f& constant) const;
-    SurfacePoint pointAt(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
+    ShadedPoint pointAt(const RayHit& hit, const Vec3f& direction, const Footprint& pixel) const;
     Vec3f background(const Job& job, float y) const;
 
     Box3 m_box;
     Vec3 m_origin;
-    CoverLook m_cover;
-    TrimLook m_trims;
-    std::vector<FrameLook> m_frames; ///< solid ones
-    std::vector<FrameLook> m_seeThrough;
+    CoverHits m_cover;
+    TrimHits m_trims;
+    std::vector<FrameHits> m_frames; ///< solid ones
+    std::vector<FrameHits> m_seeThrough;
     RayScene m_rays;   ///< the cover, its trims, and the solid frames after them
     RayScene m_ghosts; ///< those that are see-through
     bool m_ground;
@@ -118,7 +118,7 @@ PreviewRenderer::Prepared::Prepared(const Scene& scene)
     for (Scene::FrameLook frame : scene.frames) {
         frame.opacity *= scene.frameOpacity;
         const bool solid = m_cover.triangles().empty() || frame.opacity >= 1;
-        std::vector<FrameLook>& frames = solid ? m_frames : m_seeThrough;
+        std::vector<FrameHits>& frames = solid ? m_frames : m_seeThrough;
         frames.emplace_back(frame, m_origin);
         (solid ? m_rays : m_ghosts).add(frames.back().points(), frames.back().triangles());
     }
@@ -136,8 +136,8 @@ Vec3f PreviewRenderer::Prepared::background(const Job& job, float y) const
     return m_top + t * t * (3 - 2 * t) * (m_bottom - m_top);
 }
 
-SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& direction,
-                                                const Footprint& pixel) const
+ShadedPoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& direction,
+                                               const Footprint& pixel) const
 {
     if (hit.mesh == 0)
         return m_cover.at(hit, direction, pixel);
@@ -147,7 +147,7 @@ SurfacePoint PreviewRenderer::Prepared::pointAt(const RayHit& hit, const Vec3f& 
 }
 
 /// The floor has the colour of the background and no border: only shadows show that it is there.
-void PreviewRenderer::Prepared::addGround(const Lens::Ray& ray, const Vec3f& behind, SurfacePoint& point,
+void PreviewRenderer::Prepared::addGround(const Lens::Ray& ray, const Vec3f& behind, ShadedPoint& point,
                                           Shade& shade, Vec3f& constant) const
 {
     constant = behind;
@@ -174,8 +174,8 @@ void PreviewRenderer::Prepared::addGhost(const Job& job, const Lens::Ray& ray, f
     const std::optional<RayHit> hit = m_ghosts.first(ray.origin, ray.direction);
     if (!hit || hit->distance > behind)
         return;
-    const FrameLook& frame = m_seeThrough[hit->mesh];
-    const SurfacePoint point = frame.at(*hit, ray.direction);
+    const FrameHits& frame = m_seeThrough[hit->mesh];
+    const ShadedPoint point = frame.at(*hit, ray.direction);
     const float facing = std::clamp(-point.normal.dot(ray.direction), 0.f, 1.f);
     const float opacity = std::min(1.f, frame.opacity() * (1 + silhouette * (1 - facing) * (1 - facing)));
     const Shade ghost = job.light.shade(point, -ray.direction);
@@ -191,7 +191,7 @@ void PreviewRenderer::Prepared::addSample(const Job& job, int x, int y, int samp
     const float py = static_cast<float>(y) + step * (static_cast<float>(sample / job.grid) + 0.5f);
     const Lens::Ray ray = job.lens.through(px, py);
 
-    SurfacePoint point;
+    ShadedPoint point;
     Shade shade;
     Vec3f constant = Vec3f::Zero();
     const std::optional<RayHit> hit = m_rays.first(ray.origin, ray.direction);
@@ -272,7 +272,7 @@ void PreviewRenderer::Prepared::drawTile(const Job& job, int x0, int y0, Preview
         }
 }
 
-PreviewImage PreviewRenderer::Prepared::render(const PreviewView& view, const PreviewOptions& options,
+PreviewImage PreviewRenderer::Prepared::render(const RayCamera& view, const PreviewOptions& options,
                                                std::stop_token stop) const
 {
     PreviewImage image;
@@ -311,13 +311,13 @@ PreviewRenderer::~PreviewRenderer() = default;
 PreviewRenderer::PreviewRenderer(PreviewRenderer&&) noexcept = default;
 PreviewRenderer& PreviewRenderer::operator=(PreviewRenderer&&) noexcept = default;
 
-PreviewImage PreviewRenderer::render(const PreviewView& view, const PreviewOptions& options,
+PreviewImage PreviewRenderer::render(const RayCamera& view, const PreviewOptions& options,
                                      std::stop_token stop) const
 {
     return m_prepared->render(view, options, stop);
 }
 
-PreviewImage renderPreview(const Scene& scene, const PreviewView& view, const PreviewOptions& options,
+PreviewImage renderPreview(const Scene& scene, const RayCamera& view, const PreviewOptions& options,
                            std::stop_token stop)
 {
     if (stop.stop_requested())

@@ -12,22 +12,22 @@
 
 namespace bolster {
 
-struct PreviewView : Viewpoint {
-    PreviewView() = default;
-    explicit PreviewView(const Viewpoint& from)
+struct RayCamera : Viewpoint {
+    RayCamera() = default;
+    explicit RayCamera(const Viewpoint& from)
         : Viewpoint(from)
     {}
 
     Vec3 eye() const;
     /// From the front and a little to the side and above, so that the whole box is seen. `front` is the azimuth
     /// from which the front is seen (frontAzimuth of MeshShape.h).
-    static PreviewView threeQuarter(const Box3& box, double aspect, double front = 0);
+    static RayCamera threeQuarter(const Box3& box, double aspect, double front = 0);
     /// The whole box from this direction; `aspect` is width over height of the picture.
-    static PreviewView around(const Box3& box, double aspect, double azimuth, double elevation);
+    static RayCamera around(const Box3& box, double aspect, double azimuth, double elevation);
 };
 
 /// The whole scene from its front, a little to the side and above.
-PreviewView threeQuarterView(const Scene& scene, double aspect);
+RayCamera threeQuarterView(const Scene& scene, double aspect);
 
 struct PreviewImage {
     int width = 0;
@@ -61,7 +61,7 @@ public:
     PreviewRenderer& operator=(PreviewRenderer&&) noexcept;
 
     /// An empty image when cancelled, or when the size is not positive or over 16384 a side.
-    PreviewImage render(const PreviewView& view, const PreviewOptions& options, std::stop_token stop = {}) const;
+    PreviewImage render(const RayCamera& view, const PreviewOptions& options, std::stop_token stop = {}) const;
 
 private:
     class Prepared;
@@ -69,7 +69,7 @@ private:
 };
 
 /// The same in one call.
-PreviewImage renderPreview(const Scene& scene, const PreviewView& view, const PreviewOptions& options,
+PreviewImage renderPreview(const Scene& scene, const RayCamera& view, const PreviewOptions& options,
                            std::stop_token stop = {});
 
 } // namespace bolster

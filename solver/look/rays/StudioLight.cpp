@@ -20,7 +20,7 @@ Vec3f horizontalDirection(double azimuth, double elevation)
 
 } // namespace
 
-StudioLight::StudioLight(const PreviewView& view)
+StudioLight::StudioLight(const RayCamera& view)
     : m_key(horizontalDirection(view.azimuth + 0.55, 0.8))
     , m_rim(horizontalDirection(view.azimuth - 2.2, 0.5))
 {
@@ -28,7 +28,7 @@ StudioLight::StudioLight(const PreviewView& view)
     m_keyUp = m_keyRight.cross(m_key);
 }
 
-Shade StudioLight::shade(const SurfacePoint& point, const Vec3f& toEye) const
+Shade StudioLight::shade(const ShadedPoint& point, const Vec3f& toEye) const
 {
     const shading::Studio studio{m_key.array(), m_rim.array(), shading::vec3(0, 0, 1)};
     const shading::Shade shade = shading::shaded(point.cloth(), point.normal.array(), toEye.array(), studio);

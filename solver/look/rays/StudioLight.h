@@ -1,7 +1,7 @@
 // Where the lights of the studio stand (studio.glsl says what they do), and rays that look for what shades them.
 #pragma once
 
-#include "CoverLook.h"
+#include "CoverHits.h"
 
 namespace bolster {
 
@@ -14,10 +14,10 @@ struct Shade {
 class StudioLight {
 public:
     /// The key light stands to the right of this viewer: what he looks at is lit.
-    explicit StudioLight(const PreviewView& view);
+    explicit StudioLight(const RayCamera& view);
 
     /// `toEye` is unit.
-    Shade shade(const SurfacePoint& point, const Vec3f& toEye) const;
+    Shade shade(const ShadedPoint& point, const Vec3f& toEye) const;
     /// A direction to the key light, unit; `u`, `v` in [0, 1) choose a place on it.
     Vec3f towardsKey(float u, float v) const;
 

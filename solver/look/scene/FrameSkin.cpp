@@ -180,18 +180,18 @@ std::vector<std::uint8_t> grainAxes(const TriangleMesh& mesh)
 }
 
 /// Which edges of each triangle no other one has, beginning with that from its first corner.
-std::vector<std::array<bool, 3>> rimsOf(const std::vector<SurfaceRays::Triangle>& triangles)
+std::vector<std::array<bool, 3>> rimsOf(const std::vector<TriangleRays::Triangle>& triangles)
 {
     std::vector<SkinMesh::Edge> edges;
-    const auto edge = [](const SurfaceRays::Triangle& t, std::size_t i) -> SkinMesh::Edge {
+    const auto edge = [](const TriangleRays::Triangle& t, std::size_t i) -> SkinMesh::Edge {
         return std::minmax(t[i], t[(i + 1) % 3]);
     };
-    for (const SurfaceRays::Triangle& t : triangles)
+    for (const TriangleRays::Triangle& t : triangles)
         for (std::size_t i = 0; i < 3; ++i)
             edges.push_back(edge(t, i));
     std::sort(edges.begin(), edges.end());
     std::vector<std::array<bool, 3>> rims;
-    for (const SurfaceRays::Triangle& t : triangles) {
+    for (const TriangleRays::Triangle& t : triangles) {
         rims.push_back({});
         for (std::size_t i = 0; i < 3; ++i) {
             const auto [from, to] = std::equal_range(edges.begin(), edges.end(), edge(t, i));
@@ -227,7 +227,7 @@ FrameSkins::FrameSkins(const SurfaceMesh* cover)
         normal.normalize();
     m_depth = std::min(4.F, 0.01F * m_box.diagonal().norm());
     m_rims = rimsOf(m_triangles);
-    std::vector<SurfaceRays::Triangle> edges; // nearest points need no area
+    std::vector<TriangleRays::Triangle> edges; // nearest points need no area
     for (std::size_t t = 0; t < m_triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i)
             if (const std::uint32_t from = m_triangles[t][i], to = m_triangles[t][(i + 1) % 3]; m_rims[t][i])
@@ -279,7 +279,7 @@ std::optional<FrameSkins::Foot> FrameSkins::footOf(const Vec3f& point, const Vec
 }
 
 /// On a ridge between the normals of both sides.
-FrameSkins::Vec3f FrameSkins::normalAt(const SurfaceRays::Nearest& near) const
+FrameSkins::Vec3f FrameSkins::normalAt(const TriangleRays::Nearest& near) const
 {
     const auto corners = cornersOf(near.triangle);
     const auto area = [&](std::size_t i) {
@@ -292,7 +292,7 @@ FrameSkins::Vec3f FrameSkins::normalAt(const SurfaceRays::Nearest& near) const
 }
 
 /// Whether the cover ends there: what is nearest to its rim may lie beside it as well as above.
-bool FrameSkins::onRim(const SurfaceRays::Nearest& near) const
+bool FrameSkins::onRim(const TriangleRays::Nearest& near) const
 {
     const auto corners = cornersOf(near.triangle);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -3,8 +3,8 @@
 
 #include "Placement.h"
 #include "SurfaceMesh.h"
-#include "SurfaceRays.h"
 #include "TriangleMesh.h"
+#include "TriangleRays.h"
 
 #include <array>
 #include <memory>
@@ -47,19 +47,19 @@ private:
 
     Vec3f pressed(const Vec3f& point, const Vec3f& outward) const;
     std::optional<Foot> footOf(const Vec3f& point, const Vec3f& outward) const;
-    Vec3f normalAt(const SurfaceRays::Nearest& near) const;
-    bool onRim(const SurfaceRays::Nearest& near) const;
+    Vec3f normalAt(const TriangleRays::Nearest& near) const;
+    bool onRim(const TriangleRays::Nearest& near) const;
     std::array<Vec3f, 3> cornersOf(std::uint32_t triangle) const;
 
     Eigen::AlignedBox3f m_box; ///< where it presses; empty without a cover
-    SurfaceRays m_rays;
-    std::vector<Vec3f> m_points;                    ///< of the cover, mm
-    std::vector<SurfaceRays::Triangle> m_triangles; ///< of the cover, sewn: one point for those at the same place
-    std::vector<Vec3f> m_faces;                     ///< unit normals of the triangles
-    std::vector<Vec3f> m_normals;                   ///< and of the points
-    std::vector<std::array<bool, 3>> m_rims;        ///< where the cover ends
-    SurfaceRays m_rim;                              ///< the same edges
-    float m_depth = 0;                              ///< mm below the cover
+    TriangleRays m_rays;
+    std::vector<Vec3f> m_points;                     ///< of the cover, mm
+    std::vector<TriangleRays::Triangle> m_triangles; ///< of the cover, sewn: one point for those at the same place
+    std::vector<Vec3f> m_faces;                      ///< unit normals of the triangles
+    std::vector<Vec3f> m_normals;                    ///< and of the points
+    std::vector<std::array<bool, 3>> m_rims;         ///< where the cover ends
+    TriangleRays m_rim;                              ///< the same edges
+    float m_depth = 0;                               ///< mm below the cover
 };
 
 } // namespace bolster

@@ -63,7 +63,7 @@ struct Scene {
 /// The maps of a fabric, or null for its plain colour. May take its time.
 using FabricBaker = std::function<FabricMapsPtr(ElementId, const Fabric&)>;
 
-/// All patches of a design in the fabrics that they show. `colourway`: settingsId for their own fabrics. `bake` is
+/// All patches of a design in the fabrics that they show. `colourway`: noElement for their own fabrics. `bake` is
 /// asked once for each fabric; no function: all in their plain colours.
 std::vector<Scene::PatchLook> patchLooks(const Design& design, ElementId colourway, const FabricBaker& bake = {});
 

@@ -3,8 +3,8 @@
 #include "Document.h"
 #include "DrawingKeys.h"
 #include "ElementEdits.h"
+#include "SceneMarks.h"
 #include "Selection.h"
-#include "SurfaceMarks.h"
 #include "ToolGeometry.h"
 #include "Units.h"
 
@@ -46,18 +46,18 @@ std::optional<Vec3> FixationDrawTool::curveEndAt(QPointF pixel) const
     return found;
 }
 
-std::optional<FixationDrawTool::Point> FixationDrawTool::pointAt(const SurfacePointer& pointer) const
+std::optional<FixationDrawTool::Point> FixationDrawTool::pointAt(const CoverPointer& pointer) const
 {
-    const SurfaceHit hit = m_context.ground(pointer.pixel);
+    const CoverHit hit = m_context.ground(pointer.pixel);
     if (const std::optional<Vec3> end = curveEndAt(pointer.pixel))
-        return Point{*end, hit ? hit.kind : SurfaceHit::Kind::Frame};
+        return Point{*end, hit ? hit.kind : CoverHit::Kind::Frame};
     return hit ? std::optional(Point{hit.position, hit.kind}) : groundAt(pointer);
 }
 
 /// Only where nothing else could be meant: a click that just misses the frame must not set a point behind it.
-std::optional<FixationDrawTool::Point> FixationDrawTool::groundAt(const SurfacePointer& pointer) const
+std::optional<FixationDrawTool::Point> FixationDrawTool::groundAt(const CoverPointer& pointer) const
 {
-    bool other = m_context.nearest(Vec3::Zero(), SurfaceHit::Kind::Cover).has_value();
+    bool other = m_context.nearest(Vec3::Zero(), CoverHit::Kind::Cover).has_value();
     m_context.document().design().each<Frame>([&](ElementId, const Frame&) { other = true; });
     if (other && !free())
         return std::nullopt;
@@ -68,13 +68,13 @@ std::optional<FixationDrawTool::Point> FixationDrawTool::groundAt(const SurfaceP
         return std::nullopt; // the sky
     if (!(pointer.modifiers & Qt::ControlModifier))
         at.head<2>() = groundGrid * (at.head<2>() / groundGrid).array().round();
-    return Point{at, SurfaceHit::Kind::Nothing};
+    return Point{at, CoverHit::Kind::Nothing};
 }
 
 /// Through the air: it has a point that lies on nothing.
 bool FixationDrawTool::free() const
 {
-    return std::ranges::any_of(m_points, [](const Point& p) { return p.on == SurfaceHit::Kind::Nothing; });
+    return std::ranges::any_of(m_points, [](const Point& p) { return p.on == CoverHit::Kind::Nothing; });
 }
 
 double FixationDrawTool::height() const
@@ -87,7 +87,7 @@ bool FixationDrawTool::closes(QPointF pixel) const
     return m_points.size() >= 3 && near(m_points.front().position, pixel);
 }
 
-void FixationDrawTool::press(const SurfacePointer& pointer)
+void FixationDrawTool::press(const CoverPointer& pointer)
 {
     if (m_typed.open())
         enter(); // the place that is shown
@@ -95,7 +95,7 @@ void FixationDrawTool::press(const SurfacePointer& pointer)
         m_pressed = pointer.pixel;
 }
 
-bool FixationDrawTool::move(const SurfacePointer& pointer)
+bool FixationDrawTool::move(const CoverPointer& pointer)
 {
     if (m_pressed) {
         const QPointF way = pointer.pixel - *m_pressed;
@@ -114,7 +114,7 @@ bool FixationDrawTool::move(const SurfacePointer& pointer)
     return true;
 }
 
-void FixationDrawTool::release(const SurfacePointer& pointer)
+void FixationDrawTool::release(const CoverPointer& pointer)
 {
     if (!m_pressed)
         return;
@@ -132,7 +132,7 @@ void FixationDrawTool::release(const SurfacePointer& pointer)
     updatePath();
 }
 
-void FixationDrawTool::doubleClick(const SurfacePointer&)
+void FixationDrawTool::doubleClick(const CoverPointer&)
 {
     m_pressed.reset();
     finish(false); // its first click has set the last point
@@ -162,7 +162,7 @@ void FixationDrawTool::pointTyped()
     const std::optional<Vec3> place = typedPlace(m_typed.text(), height());
     m_typedGood = place.has_value();
     m_closing = false;
-    m_next = place ? std::optional(Point{*place, SurfaceHit::Kind::Nothing}) : std::nullopt;
+    m_next = place ? std::optional(Point{*place, CoverHit::Kind::Nothing}) : std::nullopt;
     updatePath();
 }
 
@@ -215,24 +215,24 @@ void FixationDrawTool::leave()
 
 /// What lies on the cover alone follows the cover, what has a point in the air nothing, any other curve the frame;
 /// and a straight one nothing at all.
-SurfacePath FixationDrawTool::path(bool closed, bool withNext) const
+CoverPath FixationDrawTool::path(bool closed, bool withNext) const
 {
     std::vector<Vec3> through;
     bool onCover = !m_points.empty();
     const auto add = [&](const Point& point) {
         through.push_back(point.position);
-        onCover = onCover && point.on == SurfaceHit::Kind::Cover;
+        onCover = onCover && point.on == CoverHit::Kind::Cover;
     };
     for (const Point& point : m_points)
         add(point);
     if (withNext && m_next)
         add(*m_next);
-    const auto on = onCover ? SurfaceHit::Kind::Cover : SurfaceHit::Kind::Frame;
-    const bool air = free() || (withNext && m_next && m_next->on == SurfaceHit::Kind::Nothing);
+    const auto on = onCover ? CoverHit::Kind::Cover : CoverHit::Kind::Frame;
+    const bool air = free() || (withNext && m_next && m_next->on == CoverHit::Kind::Nothing);
     return pathAlong(through, closed, m_smooth, [&](const Vec3& p) -> std::optional<Vec3> {
         if (air)
             return std::nullopt;
-        const std::optional<SurfaceFoot> foot = m_context.nearest(p, on);
+        const std::optional<CoverFoot> foot = m_context.nearest(p, on);
         return foot ? std::optional(foot->position) : std::nullopt;
     });
 }
@@ -245,7 +245,7 @@ void FixationDrawTool::updatePath()
 
 void FixationDrawTool::finish(bool closed)
 {
-    const SurfacePath along = path(closed, false);
+    const CoverPath along = path(closed, false);
     const std::optional<BSpline3> curve = curveAlong(along);
     if (!curve) {
         m_context.report(tr("A curve needs two points, a closed one three."));
@@ -282,25 +282,25 @@ QString FixationDrawTool::prompt() const
                     "whatever lies between: B makes it smooth along the surface, Backspace takes a point back");
 }
 
-std::optional<SurfaceNote> FixationDrawTool::note() const
+std::optional<SceneNote> FixationDrawTool::note() const
 {
     if (m_typed.open())
-        return SurfaceNote{m_typed.text(), m_pointer, true, m_typedGood};
-    if (!m_next || m_next->on != SurfaceHit::Kind::Nothing)
+        return SceneNote{m_typed.text(), m_pointer, true, m_typedGood};
+    if (!m_next || m_next->on != CoverHit::Kind::Nothing)
         return std::nullopt;
     const Vec3& at = m_next->position;
-    return SurfaceNote{
+    return SceneNote{
         tr("%1, %2, %3 mm")
             .arg(decimalText(at.x(), 0, true), decimalText(at.y(), 0, true), decimalText(at.z(), 0, true)),
         m_pointer};
 }
 
-SurfaceLine FixationDrawTool::ring(const Vec3& centre, double radius) const
+SceneLine FixationDrawTool::ring(const Vec3& centre, double radius) const
 {
     constexpr int sides = 16;
     const Camera& camera = m_context.toolCamera();
     const double size = radius * camera.pixelSize(centre);
-    SurfaceLine line;
+    SceneLine line;
     for (int k = 0; k <= sides; ++k) {
         const double angle = 2 * std::numbers::pi * k / sides;
         const Vec3 at = centre + size * (std::cos(angle) * camera.rightward() + std::sin(angle) * camera.upward());
@@ -313,11 +313,11 @@ SurfaceLine FixationDrawTool::ring(const Vec3& centre, double radius) const
     return line;
 }
 
-std::vector<SurfaceLine> FixationDrawTool::guides() const
+std::vector<SceneLine> FixationDrawTool::guides() const
 {
-    std::vector<SurfaceLine> lines;
+    std::vector<SceneLine> lines;
     if (!m_shown.points.empty()) {
-        SurfaceLine line;
+        SceneLine line;
         for (const Vec3& p : m_shown.points)
             line.points.push_back(p.cast<float>());
         if (m_shown.closed)

@@ -1,8 +1,8 @@
 // Draws fixation curves on frames.
 #pragma once
 
-#include "SurfacePath.h"
-#include "SurfaceTool.h"
+#include "CoverPath.h"
+#include "CoverTool.h"
 #include "TypedEntry.h"
 
 #include <QCoreApplication>
@@ -15,16 +15,16 @@ namespace bolster {
 /// click on the first point or C closes it. B switches between smooth along the
 /// surface and straight from point to point, Backspace takes back a point,
 /// Escape the curve, then the tool. A drag turns the view.
-class FixationDrawTool : public SurfaceTool {
+class FixationDrawTool : public CoverTool {
     Q_DECLARE_TR_FUNCTIONS(FixationDrawTool)
 
 public:
-    using SurfaceTool::SurfaceTool;
+    using CoverTool::CoverTool;
 
-    void press(const SurfacePointer& pointer) override;
-    bool move(const SurfacePointer& pointer) override;
-    void release(const SurfacePointer& pointer) override;
-    void doubleClick(const SurfacePointer& pointer) override;
+    void press(const CoverPointer& pointer) override;
+    bool move(const CoverPointer& pointer) override;
+    void release(const CoverPointer& pointer) override;
+    void doubleClick(const CoverPointer& pointer) override;
     bool keyPress(const QKeyEvent& event) override;
     bool wants(int key) const override;
     ToolKeys keys() const override;
@@ -33,17 +33,17 @@ public:
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    std::optional<SurfaceNote> note() const override;
-    std::vector<SurfaceLine> guides() const override;
+    std::optional<SceneNote> note() const override;
+    std::vector<SceneLine> guides() const override;
 
 private:
     struct Point {
-        Vec3 position = Vec3::Zero();                  ///< mm
-        SurfaceHit::Kind on = SurfaceHit::Kind::Frame; ///< nothing: in the air
+        Vec3 position = Vec3::Zero();              ///< mm
+        CoverHit::Kind on = CoverHit::Kind::Frame; ///< nothing: in the air
     };
 
-    std::optional<Point> pointAt(const SurfacePointer& pointer) const;
-    std::optional<Point> groundAt(const SurfacePointer& pointer) const;
+    std::optional<Point> pointAt(const CoverPointer& pointer) const;
+    std::optional<Point> groundAt(const CoverPointer& pointer) const;
     bool free() const;
     double height() const;
     void pointTyped();
@@ -51,10 +51,10 @@ private:
     std::optional<Vec3> curveEndAt(QPointF pixel) const;
     bool closes(QPointF pixel) const;
     bool near(const Vec3& point, QPointF pixel) const;
-    SurfacePath path(bool closed, bool withNext) const;
+    CoverPath path(bool closed, bool withNext) const;
     void updatePath();
     void finish(bool closed);
-    SurfaceLine ring(const Vec3& centre, double radius) const;
+    SceneLine ring(const Vec3& centre, double radius) const;
 
     std::vector<Point> m_points;
     std::optional<Point> m_next; ///< under the pointer
@@ -62,7 +62,7 @@ private:
     QPointF m_pointer; ///< pixels
     TypedEntry m_typed;
     bool m_typedGood = false;
-    SurfacePath m_shown;
+    CoverPath m_shown;
     bool m_smooth = true;
     bool m_closing = false; ///< a click now closes the curve
 };

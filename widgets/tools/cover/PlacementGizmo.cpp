@@ -99,7 +99,7 @@ PlacementGizmo::Handle PlacementGizmo::handleAt(QPointF position) const
     return best;
 }
 
-bool PlacementGizmo::press(const SurfacePointer& pointer)
+bool PlacementGizmo::press(const CoverPointer& pointer)
 {
     const std::optional<ElementId> id = subject();
     m_hovered = handleAt(pointer.pixel);
@@ -109,7 +109,7 @@ bool PlacementGizmo::press(const SurfacePointer& pointer)
     return true;
 }
 
-bool PlacementGizmo::move(const SurfacePointer& pointer)
+bool PlacementGizmo::move(const CoverPointer& pointer)
 {
     if (m_drag && !m_drag->gesture.active())
         m_drag.reset(); // undone or replaced meanwhile
@@ -120,7 +120,7 @@ bool PlacementGizmo::move(const SurfacePointer& pointer)
     return hovering();
 }
 
-void PlacementGizmo::release(const SurfacePointer& pointer)
+void PlacementGizmo::release(const CoverPointer& pointer)
 {
     if (!m_drag)
         return;
@@ -137,7 +137,7 @@ void PlacementGizmo::cancel()
     m_hovered = {};
 }
 
-Vec3 PlacementGizmo::wayOf(const SurfacePointer& pointer) const
+Vec3 PlacementGizmo::wayOf(const CoverPointer& pointer) const
 {
     const Camera& camera = m_context.toolCamera();
     if (m_hovered.kind == Handle::Kind::Arrow) {
@@ -154,7 +154,7 @@ Vec3 PlacementGizmo::wayOf(const SurfacePointer& pointer) const
 }
 
 /// Around the pivot in the picture, from where it was grabbed; the axis may point towards the eye or away.
-double PlacementGizmo::angleOf(const SurfacePointer& pointer) const
+double PlacementGizmo::angleOf(const CoverPointer& pointer) const
 {
     const Camera& camera = m_context.toolCamera();
     const std::optional<Vec2> middle = camera.pixel(m_drag->pivot);
@@ -166,7 +166,7 @@ double PlacementGizmo::angleOf(const SurfacePointer& pointer) const
     return snapped(towardsEye[m_hovered.axis] < 0 ? -turned : turned, snapAngle, pointer.modifiers);
 }
 
-void PlacementGizmo::update(const SurfacePointer& pointer)
+void PlacementGizmo::update(const CoverPointer& pointer)
 {
     const Design& start = m_drag->gesture.start();
     const ElementPtr element = start.element(m_drag->element);
@@ -210,16 +210,16 @@ QString PlacementGizmo::prompt() const
     return {};
 }
 
-std::vector<SurfaceLine> PlacementGizmo::guides() const
+std::vector<SceneLine> PlacementGizmo::guides() const
 {
-    std::vector<SurfaceLine> lines;
+    std::vector<SceneLine> lines;
     const std::optional<ElementId> id = subject();
     if (!id)
         return lines;
     for (const Shape& shape : shapes(pivot(*id))) {
         if (m_drag && shape.handle != m_hovered)
             continue;
-        SurfaceLine line;
+        SceneLine line;
         for (const Vec3& p : shape.points)
             line.points.push_back(p.cast<float>());
         line.color =

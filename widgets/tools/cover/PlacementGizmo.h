@@ -1,8 +1,8 @@
 // Handles that move and turn whatever has a place in space: frames, foam ...
 #pragma once
 
+#include "CoverTool.h"
 #include "Gesture.h"
-#include "SurfaceTool.h"
 
 #include <QCoreApplication>
 
@@ -17,21 +17,21 @@ class PlacementGizmo {
     Q_DECLARE_TR_FUNCTIONS(PlacementGizmo)
 
 public:
-    explicit PlacementGizmo(SurfaceToolContext& context)
+    explicit PlacementGizmo(CoverToolContext& context)
         : m_context(context)
     {}
 
     /// True: a handle was grabbed.
-    bool press(const SurfacePointer& pointer);
+    bool press(const CoverPointer& pointer);
     /// True: the pointer is on a handle, or drags one.
-    bool move(const SurfacePointer& pointer);
-    void release(const SurfacePointer& pointer);
+    bool move(const CoverPointer& pointer);
+    void release(const CoverPointer& pointer);
     bool dragging() const { return m_drag != nullptr; }
     bool hovering() const { return m_hovered.kind != Handle::Kind::None; }
     void cancel();
 
     QString prompt() const;
-    std::vector<SurfaceLine> guides() const;
+    std::vector<SceneLine> guides() const;
 
 private:
     struct Handle {
@@ -46,7 +46,7 @@ private:
         std::vector<Vec3> points;
     };
     struct Drag {
-        Drag(Document& document, ElementId subject, const Vec3& about, const SurfacePointer& grabbed)
+        Drag(Document& document, ElementId subject, const Vec3& about, const CoverPointer& grabbed)
             : gesture(document)
             , element(subject)
             , pivot(about)
@@ -55,7 +55,7 @@ private:
         Gesture gesture;
         ElementId element;
         Vec3 pivot;
-        SurfacePointer pressed;
+        CoverPointer pressed;
         Vec3 moved = Vec3::Zero();
         double turned = 0; ///< radians
     };
@@ -64,11 +64,11 @@ private:
     Vec3 pivot(ElementId id) const;
     std::vector<Shape> shapes(const Vec3& pivot) const;
     Handle handleAt(QPointF pixel) const;
-    void update(const SurfacePointer& pointer);
-    Vec3 wayOf(const SurfacePointer& pointer) const;
-    double angleOf(const SurfacePointer& pointer) const;
+    void update(const CoverPointer& pointer);
+    Vec3 wayOf(const CoverPointer& pointer) const;
+    double angleOf(const CoverPointer& pointer) const;
 
-    SurfaceToolContext& m_context;
+    CoverToolContext& m_context;
     Handle m_hovered; ///< or dragged
     std::unique_ptr<Drag> m_drag;
 };

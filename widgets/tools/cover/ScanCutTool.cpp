@@ -13,20 +13,20 @@ constexpr double leastSize = 4; // pixels: less is a click
 
 } // namespace
 
-ScanCutTool::ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep)
-    : SurfaceTool(context)
+ScanCutTool::ScanCutTool(CoverToolContext& context, ElementId scan, bool keep)
+    : CoverTool(context)
     , m_scan(scan)
     , m_keep(keep)
 {}
 
-void ScanCutTool::press(const SurfacePointer& pointer)
+void ScanCutTool::press(const CoverPointer& pointer)
 {
     m_from = pointer.pixel;
     m_to = pointer.pixel;
     m_context.refresh();
 }
 
-bool ScanCutTool::move(const SurfacePointer& pointer)
+bool ScanCutTool::move(const CoverPointer& pointer)
 {
     if (m_from) {
         m_to = pointer.pixel;
@@ -35,7 +35,7 @@ bool ScanCutTool::move(const SurfacePointer& pointer)
     return true;
 }
 
-void ScanCutTool::release(const SurfacePointer& pointer)
+void ScanCutTool::release(const CoverPointer& pointer)
 {
     if (!m_from)
         return;
@@ -89,12 +89,12 @@ QString ScanCutTool::prompt() const
                   : tr("Drag a rectangle over what is to be cut away of the scan. Esc ends.");
 }
 
-std::vector<SurfaceLine> ScanCutTool::guides() const
+std::vector<SceneLine> ScanCutTool::guides() const
 {
     if (!m_from)
         return {};
     const Camera& camera = m_context.toolCamera();
-    SurfaceLine line;
+    SceneLine line;
     for (const Vec2& pixel : corners())
         line.points.push_back(camera.onPlaneThrough(camera.target, pixel).cast<float>());
     line.points.push_back(line.points.front());

@@ -1,27 +1,27 @@
 // Cuts away what a rectangle in the 3D view covers, or keeps only that.
 #pragma once
 
-#include "SurfaceTool.h"
+#include "CoverTool.h"
 
 #include <QCoreApplication>
 
 namespace bolster {
 
 /// One drag, seen through to the far side of the scan; Escape or a click without a drag ends without a cut.
-class ScanCutTool : public SurfaceTool {
+class ScanCutTool : public CoverTool {
     Q_DECLARE_TR_FUNCTIONS(ScanCutTool)
 
 public:
-    ScanCutTool(SurfaceToolContext& context, ElementId scan, bool keep);
+    ScanCutTool(CoverToolContext& context, ElementId scan, bool keep);
 
-    void press(const SurfacePointer& pointer) override;
-    bool move(const SurfacePointer& pointer) override;
-    void release(const SurfacePointer& pointer) override;
+    void press(const CoverPointer& pointer) override;
+    bool move(const CoverPointer& pointer) override;
+    void release(const CoverPointer& pointer) override;
     bool escape() override;
 
     QString prompt() const override;
     QCursor cursor() const override { return Qt::CrossCursor; }
-    std::vector<SurfaceLine> guides() const override;
+    std::vector<SceneLine> guides() const override;
 
 private:
     /// Of the rectangle, around it.

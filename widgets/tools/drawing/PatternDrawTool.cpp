@@ -36,7 +36,7 @@ void PatternDrawTool::press(const PatternPointer& pointer)
         m_points.clear(); // it is gone meanwhile
     if (m_points.empty()) {
         const PatternHit hit = m_context.hit(pointer.pixel);
-        const ElementId on = hit.kind == PatternHit::Kind::Point ? settingsId : hit.patch;
+        const ElementId on = hit.kind == PatternHit::Kind::Point ? noElement : hit.patch;
         if (!m_context.document().design().find<Patch>(on)) {
             m_context.report(tr("Begin inside a patch."));
             return;

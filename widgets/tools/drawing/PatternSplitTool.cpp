@@ -134,7 +134,7 @@ edits::Outcome PatternSplitTool::outcome(const std::vector<Vec2>& line) const
 {
     const Design& design = m_context.document().design();
     if (line.size() < 2)
-        return edits::splitPatch(design, settingsId, line);
+        return edits::splitPatch(design, noElement, line);
     const PatternHit hit = m_context.hit(m_context.transform().toPixels(middleOf(line)));
     const ElementPtr element = hit ? design.element(hit.patch) : nullptr;
     const PatchCurve* drawn = element ? patchCurve(*element) : nullptr;
@@ -186,7 +186,7 @@ QString PatternSplitTool::prompt() const
 {
     if (m_points.empty())
         return tr("Click beside a patch or on its outline to begin the cut \u2013 Esc ends the tool");
-    if (m_splits != ElementId{})
+    if (m_splits != noElement)
         return tr(
             "Double click or Enter splits the patch \u2013 click to bend the cut, Backspace takes a point back");
     return tr(

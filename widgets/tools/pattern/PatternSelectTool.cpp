@@ -135,7 +135,7 @@ void PatternSelectTool::move(const PatternPointer& pointer)
         m_overCorner = m_overHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
         m_overEnd = m_overHandle || m_overCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
         m_hover = m_overHandle || m_overCorner || m_overEnd ? PatternHit{} : m_context.hit(pointer.pixel);
-        m_context.selection().hover(m_hover ? m_hover.element() : settingsId);
+        m_context.selection().hover(m_hover ? m_hover.element() : noElement);
     }
     m_context.refresh();
 }
@@ -256,7 +256,7 @@ void PatternSelectTool::leave()
     m_overHandle = false;
     m_overCorner.reset();
     m_overEnd.reset();
-    m_context.selection().hover(settingsId);
+    m_context.selection().hover(noElement);
     m_context.refresh();
 }
 
@@ -320,7 +320,7 @@ QString PatternSelectTool::prompt() const
         if (edge && m_context.selection().contains(*edge))
             return tr("Drag to move the edge, double click to add a control point here \u2013 its length is in the "
                       "properties");
-        return m_hover.seam == settingsId
+        return m_hover.seam == noElement
                    ? tr("Click to select the edge, double click to add a control point here, drag to move the "
                         "patch")
                    : tr("Click to select the seam and the edge, double click to add a control point here");

@@ -197,7 +197,7 @@ bool SewTool::escape()
     } else if (!m_taken.empty()) {
         takeBack();
     } else {
-        m_context.selection().hover(settingsId);
+        m_context.selection().hover(noElement);
         m_context.endTool();
     }
     m_context.refresh();
@@ -209,7 +209,7 @@ void SewTool::leave()
     if (m_pressed)
         return; // a drag outside goes on
     forgetOffer();
-    m_context.selection().hover(settingsId);
+    m_context.selection().hover(noElement);
     m_context.refresh();
 }
 

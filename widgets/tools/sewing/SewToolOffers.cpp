@@ -114,7 +114,7 @@ void SewTool::offer(const PatternPointer& pointer)
     judgeOffer();
     const auto sewn =
         m_refusal.isEmpty() || !m_mark ? std::nullopt : edits::sewnAt(design(), m_mark->patch, m_mark->parameter);
-    m_context.selection().hover(sewn ? sewn->first : settingsId);
+    m_context.selection().hover(sewn ? sewn->first : noElement);
     m_context.refresh();
 }
 

@@ -33,7 +33,7 @@ void TrimTool::press(const PatternPointer& pointer)
     const Design& design = document.design();
     SeamTrim stitched;
     stitched.stitch = SeamTrim::Stitch::Single;
-    if (target.element != settingsId) {
+    if (target.element != noElement) {
         if (!seamTrim(*design.element(target.element))->hasTrimmings())
             document.commit(edits::setTrim(design, std::array{target.element}, stitched));
         m_context.selection().set({target.element});
@@ -73,7 +73,7 @@ void TrimTool::leave()
 
 QString TrimTool::prompt() const
 {
-    if (m_hover.element != settingsId)
+    if (m_hover.element != noElement)
         return tr("Click to stitch this seam; stitches and piping are in the properties");
     if (m_hover.stretch)
         return tr("Click to stitch this edge; stitches and piping are in the properties");
@@ -82,7 +82,7 @@ QString TrimTool::prompt() const
 
 QCursor TrimTool::cursor() const
 {
-    return m_hover.stretch || m_hover.element != settingsId ? Qt::PointingHandCursor : Qt::CrossCursor;
+    return m_hover.stretch || m_hover.element != noElement ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
 void TrimTool::paint(QPainter& painter, const ViewColors& colors) const

@@ -29,7 +29,7 @@ public:
 private:
     /// What is under the pointer: an element that can have a trim, or a stretch for a new one.
     struct Target {
-        ElementId element = settingsId;
+        ElementId element = noElement;
         std::optional<Stretch> stretch;
     };
 

@@ -1,7 +1,7 @@
 // Turns and pans the 3D view with the pointer.
 #pragma once
 
-#include "SurfaceNavigation.h"
+#include "CoverNavigation.h"
 
 #include <QCursor>
 
@@ -13,7 +13,7 @@ namespace bolster {
 class CameraDrag {
 public:
     /// Both must outlive it.
-    CameraDrag(SurfaceNavigation& navigation, const ShownScene& shown)
+    CameraDrag(CoverNavigation& navigation, const ShownScene& shown)
         : m_navigation(navigation)
         , m_shown(shown)
     {}
@@ -29,7 +29,7 @@ public:
     bool clicked() const { return !m_far; }
 
 private:
-    SurfaceNavigation& m_navigation;
+    CoverNavigation& m_navigation;
     const ShownScene& m_shown;
     Qt::MouseButton m_button = Qt::NoButton;
     bool m_pans = false;

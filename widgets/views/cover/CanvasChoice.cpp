@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-CanvasChoice::CanvasChoice(const SurfaceScene& scene, const Camera& camera, QWidget& view)
+CanvasChoice::CanvasChoice(const ViewScene& scene, const Camera& camera, QWidget& view)
     : m_scene(scene)
     , m_camera(camera)
     , m_view(view)
@@ -43,7 +43,7 @@ void CanvasChoice::useSoftware(const QString& why)
     refresh(false);
 }
 
-void CanvasChoice::use(std::unique_ptr<SurfaceCanvas> canvas)
+void CanvasChoice::use(std::unique_ptr<SceneCanvas> canvas)
 {
     m_canvas = std::move(canvas);
     m_canvas->whenShownChanges([this] { emit pictured(); });

@@ -1,8 +1,8 @@
 // The canvas of the 3D view: with OpenGL where it works, else in software.
 #pragma once
 
+#include "SceneCanvas.h"
 #include "SoftwareRenderer.h"
-#include "SurfaceCanvas.h"
 
 #include <QObject>
 
@@ -20,7 +20,7 @@ public:
     };
 
     /// All must outlive it.
-    CanvasChoice(const SurfaceScene& scene, const Camera& camera, QWidget& view);
+    CanvasChoice(const ViewScene& scene, const Camera& camera, QWidget& view);
     ~CanvasChoice() override;
 
     /// Both before the canvas is made; without a renderer a view without OpenGL shows curves only.
@@ -31,7 +31,7 @@ public:
 
     /// Fills the view.
     void place();
-    /// Draws anew; see SurfaceCanvas.
+    /// Draws anew; see SceneCanvas.
     void refresh(bool moving);
     /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
     SurfaceMeshPtr shown() const { return m_canvas ? m_canvas->shown() : nullptr; }
@@ -49,15 +49,15 @@ signals:
     void pictured();
 
 private:
-    void use(std::unique_ptr<SurfaceCanvas> canvas);
+    void use(std::unique_ptr<SceneCanvas> canvas);
     void useSoftware(const QString& why);
 
-    const SurfaceScene& m_scene;
+    const ViewScene& m_scene;
     const Camera& m_camera;
     QWidget& m_view;
     std::shared_ptr<SoftwareRenderer> m_renderer;
     Drawing m_drawing = Drawing::Automatic;
-    std::unique_ptr<SurfaceCanvas> m_canvas;
+    std::unique_ptr<SceneCanvas> m_canvas;
 };
 
 } // namespace bolster

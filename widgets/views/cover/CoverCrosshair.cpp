@@ -33,7 +33,7 @@ void CoverCrosshair::place()
         m_crosshair->showAt(std::nullopt);
         return;
     }
-    const SurfaceHit front = m_shown.hits().hitSolid(m_camera, {pixel->x(), pixel->y()});
+    const CoverHit front = m_shown.hits().hitSolid(m_camera, {pixel->x(), pixel->y()});
     const bool behind = front && m_camera.depth(front.position) < m_camera.depth(*m_place) - nearlyThere;
     m_crosshair->showAt(QPointF(pixel->x(), pixel->y()), behind);
 }

@@ -26,7 +26,7 @@ PointerNote::PointerNote(QWidget* parent)
     hide();
 }
 
-void PointerNote::showNote(const std::optional<SurfaceNote>& note)
+void PointerNote::showNote(const std::optional<SceneNote>& note)
 {
     if (note == m_note)
         return;

@@ -1,7 +1,7 @@
 // What a tool of the 3D view writes beside the pointer.
 #pragma once
 
-#include "SurfaceTool.h"
+#include "CoverTool.h"
 
 #include <QWidget>
 
@@ -15,14 +15,14 @@ public:
     explicit PointerNote(QWidget* parent);
 
     /// Nothing hides it.
-    void showNote(const std::optional<SurfaceNote>& note);
-    const std::optional<SurfaceNote>& note() const { return m_note; }
+    void showNote(const std::optional<SceneNote>& note);
+    const std::optional<SceneNote>& note() const { return m_note; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    std::optional<SurfaceNote> m_note;
+    std::optional<SceneNote> m_note;
 };
 
 } // namespace bolster

@@ -134,18 +134,18 @@ QString SectionHandle::prompt() const
     return m_hovered ? tr("Drag to move the section, with Ctrl to turn it") : QString();
 }
 
-std::vector<SurfaceLine> SectionHandle::lines() const
+std::vector<SceneLine> SectionHandle::lines() const
 {
-    std::vector<SurfaceLine> result;
+    std::vector<SceneLine> result;
     if (!m_scene.section || m_scene.box.isEmpty())
         return result;
     const auto add = [&](const std::vector<Vec3>& points, const QColor& color, float width, float hidden) {
-        SurfaceLine line{{}, color, width, hidden, 0.9F};
+        SceneLine line{{}, color, width, hidden, 0.9F};
         for (const Vec3& p : points)
             line.points.push_back(p.cast<float>());
         result.push_back(std::move(line));
     };
-    const SurfaceScene& scene = m_scene;
+    const ViewScene& scene = m_scene;
     if (hovering())
         add(planeFrame(scene.box, scene.section->normal, scene.section->offset), scene.colors.hover, 1.4F, 0.35F);
     const QColor color = hovering() ? scene.colors.accent : QColor(0xf4, 0xf4, 0xf4);

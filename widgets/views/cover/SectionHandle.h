@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Camera.h"
-#include "SurfaceScene.h"
+#include "ViewScene.h"
 
 #include <QCoreApplication>
 #include <QPointF>
@@ -19,7 +19,7 @@ class SectionHandle {
 
 public:
     /// Both must outlive it. Nothing is there while the scene has no section.
-    SectionHandle(const SurfaceScene& scene, const Camera& camera)
+    SectionHandle(const ViewScene& scene, const Camera& camera)
         : m_scene(scene)
         , m_camera(camera)
     {}
@@ -38,7 +38,7 @@ public:
     void leave() { m_hovered = false; }
 
     QString prompt() const;
-    std::vector<SurfaceLine> lines() const;
+    std::vector<SceneLine> lines() const;
 
 private:
     struct Drag {
@@ -55,7 +55,7 @@ private:
     SectionPlane moved(QPointF pixel) const;
     SectionPlane turned(QPointF pixel) const;
 
-    const SurfaceScene& m_scene;
+    const ViewScene& m_scene;
     const Camera& m_camera;
     bool m_hovered = false;
     std::optional<Drag> m_drag;

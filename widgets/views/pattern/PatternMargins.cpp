@@ -35,7 +35,7 @@ QRect PatternMargins::freeRoom() const
     return m_view.rect().adjusted(ruler, ruler, 0, -scaleBarRoom);
 }
 
-void PatternMargins::setMap(const SurfaceMapPtr& map)
+void PatternMargins::setMap(const ShownMapPtr& map)
 {
     m_map = map;
     showLegend();

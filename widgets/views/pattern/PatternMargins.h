@@ -1,7 +1,7 @@
 // What lies over the edges of the pattern view: rulers, the scale bar, the legend of a map.
 #pragma once
 
-#include "SurfaceMap.h"
+#include "ShownMap.h"
 
 #include <QObject>
 #include <QRectF>
@@ -30,7 +30,7 @@ public:
     /// Off at first.
     void setRulersShown(bool shown);
     /// What its legend explains; null for none.
-    void setMap(const SurfaceMapPtr& map);
+    void setMap(const ShownMapPtr& map);
     void setMapReading(const QString& reading);
     /// Not beside another view that has one; shown at first.
     void setLegendShown(bool shown);
@@ -59,7 +59,7 @@ private:
     QWidget& m_view;
     std::array<PatternRuler*, 2> m_rulers; ///< the view's, as the legend is
     MapLegend* m_legend;
-    SurfaceMapPtr m_map;
+    ShownMapPtr m_map;
     bool m_legendShown = true;
 };
 

@@ -66,7 +66,7 @@ void PatternView::refreshed()
     update();
 }
 
-void PatternView::setMap(const SurfaceMapPtr& map)
+void PatternView::setMap(const ShownMapPtr& map)
 {
     m_shown.setMap(map);
     m_margins.setMap(map);

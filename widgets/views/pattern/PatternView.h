@@ -32,7 +32,7 @@ public:
     DrawingAids& aids() { return m_aids; }
 
     /// Colours on the patches; null for none.
-    void setMap(const bolster::SurfaceMapPtr& map);
+    void setMap(const bolster::ShownMapPtr& map);
     /// What the map says under the pointer.
     void setMapReading(const QString& reading) { m_margins.setMapReading(reading); }
     /// Not beside another view that has one; shown at first.

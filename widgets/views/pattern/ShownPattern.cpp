@@ -61,7 +61,7 @@ void ShownPattern::setSurface(const SurfaceMeshPtr& surface)
         emit changed();
 }
 
-void ShownPattern::setMap(const SurfaceMapPtr& map)
+void ShownPattern::setMap(const ShownMapPtr& map)
 {
     m_map.setMap(map);
     emit changed();

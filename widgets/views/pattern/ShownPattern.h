@@ -30,7 +30,7 @@ public:
     void setSurface(const bolster::SurfaceMeshPtr& surface);
     const SurfaceMeshPtr& surface() const { return m_surface; }
     /// Colours on the patches; null for none.
-    void setMap(const SurfaceMapPtr& map);
+    void setMap(const ShownMapPtr& map);
     /// What fabrics look like from far away, by their ids.
     void setFabricColors(std::map<bolster::ElementId, QColor> colors);
     /// Elements that the 3D view does not show.

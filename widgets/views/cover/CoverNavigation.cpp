@@ -1,0 +1,207 @@
+#include "CoverNavigation.h"
+
+#include "MeshShape.h"
+#include "ShownScene.h"
+
+#include <QWidget>
+
+#include <algorithm>
+
+namespace bolster {
+
+CoverNavigation::CoverNavigation(const ShownScene& shown, const QWidget& view)
+    : m_shown(shown)
+    , m_view(view)
+{
+    m_flight.setDuration(260);
+    m_flight.setEasingCurve(QEasingCurve::InOutCubic);
+    m_flight.setStartValue(0.0);
+    m_flight.setEndValue(1.0);
+    connect(&m_flight, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        m_to.size = m_camera.size;
+        apply(Camera::between(m_from, m_to, t.toDouble()));
+    });
+    connect(&shown, &ShownScene::boxChanged, this, &CoverNavigation::catchUp);
+}
+
+void CoverNavigation::resize()
+{
+    m_camera.size = {std::max(m_view.width(), 1), std::max(m_view.height(), 1)};
+}
+
+void CoverNavigation::apply(const Camera& camera)
+{
+    m_camera = camera;
+    resize();
+    emit moved(m_camera);
+}
+
+void CoverNavigation::stop()
+{
+    m_flight.stop();
+    m_fitPending = false;
+}
+
+void CoverNavigation::setCamera(const Camera& camera)
+{
+    stop();
+    const bool before = m_camera.perspective;
+    apply(camera);
+    if (before != m_camera.perspective)
+        emit perspectiveChanged(m_camera.perspective);
+}
+
+void CoverNavigation::goTo(const Camera& camera)
+{
+    stop();
+    m_from = m_camera;
+    m_to = camera;
+    if (m_view.isVisible())
+        m_flight.start();
+    else
+        apply(camera);
+}
+
+void CoverNavigation::flyTo(const Camera& camera)
+{
+    Camera there = camera;
+    there.size = m_camera.size;
+    goTo(there);
+    if (there.perspective != m_camera.perspective)
+        setPerspective(there.perspective);
+}
+
+void CoverNavigation::returnTo(const Viewpoint& view)
+{
+    m_returned = true;
+    setCamera(Camera{view, m_camera.size});
+}
+
+/// Where the camera is, or where it is flying to: who wants another part of that must not keep what lies between.
+Camera CoverNavigation::destination() const
+{
+    Camera camera = m_flight.state() == QAbstractAnimation::Running ? m_to : m_camera;
+    camera.size = m_camera.size;
+    return camera;
+}
+
+void CoverNavigation::setPerspective(bool perspective)
+{
+    Camera camera = destination();
+    camera.perspective = perspective;
+    setCamera(camera);
+}
+
+double CoverNavigation::frontSide() const
+{
+    const ViewScene& scene = m_shown.scene();
+    if (scene.surface)
+        return frontAzimuth(scene.surface->positions);
+    return scene.frames.empty() ? 0 : frontAzimuth(placedPoints(scene.frames.front()));
+}
+
+void CoverNavigation::setStandardView(StandardView view)
+{
+    m_returned = false;
+    Camera camera = destination();
+    camera.look(view);
+    if (view == StandardView::ThreeQuarter)
+        camera.azimuth += frontSide();
+    camera.fit(m_shown.scene().box);
+    goTo(camera);
+}
+
+void CoverNavigation::lookFrom(double azimuth, double elevation)
+{
+    Camera camera = m_camera;
+    camera.azimuth = azimuth;
+    camera.elevation = elevation;
+    camera.fit(m_shown.scene().box);
+    goTo(camera);
+}
+
+void CoverNavigation::fitAll()
+{
+    m_returned = false;
+    if (!m_view.isVisible()) {
+        m_fitPending = true;
+        return;
+    }
+    Camera camera = destination();
+    camera.fit(m_shown.scene().box);
+    goTo(camera);
+}
+
+void CoverNavigation::fitSelection()
+{
+    const Box3 box = m_shown.selectedBox();
+    if (box.isEmpty()) {
+        fitAll();
+        return;
+    }
+    Camera camera = m_camera;
+    camera.fit(box);
+    goTo(camera);
+}
+
+void CoverNavigation::catchUp()
+{
+    if (m_shown.empty()) {
+        m_fitPending = !m_returned;
+    } else if (m_fitPending && m_view.width() > 1 && m_view.isVisible()) {
+        m_fitPending = false;
+        m_camera.look(StandardView::ThreeQuarter);
+        m_camera.azimuth += frontSide();
+        m_camera.fit(m_shown.scene().box);
+    }
+}
+
+bool CoverNavigation::inPicture(const Box3& box) const
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto pixel = m_camera.pixel(box.corner(static_cast<Box3::CornerType>(corner)));
+        if (!pixel || !m_view.rect().contains(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())))
+            return false;
+    }
+    return true;
+}
+
+void CoverNavigation::reveal(const Vec3& place)
+{
+    const std::optional<Vec2> pixel = m_camera.pixel(place);
+    if (pixel && QRectF(m_view.rect()).contains(pixel->x(), pixel->y()))
+        return;
+    Camera camera = m_camera;
+    camera.target = place;
+    goTo(camera);
+}
+
+Vec3 CoverNavigation::middle() const
+{
+    const Box3& box = m_shown.scene().box;
+    return box.isEmpty() ? m_camera.target : Vec3(box.center());
+}
+
+Vec3 CoverNavigation::anchorAt(QPointF pixel) const
+{
+    if (const CoverHit solid = m_shown.hits().hitSolid(m_camera, pixel))
+        return solid.position;
+    const bool inFront = !m_camera.perspective || m_camera.depth(middle()) > 0;
+    return m_camera.onPlaneThrough(inFront ? middle() : m_camera.target, {pixel.x(), pixel.y()});
+}
+
+void CoverNavigation::turn(double azimuthBy, double elevationBy)
+{
+    Camera camera = m_camera;
+    camera.orbit(azimuthBy, elevationBy, middle());
+    setCamera(camera);
+}
+
+void CoverNavigation::zoom(double factor, QPointF pixel)
+{
+    Camera camera = m_camera;
+    camera.zoom(factor, anchorAt(pixel));
+    setCamera(camera);
+}
+
+} // namespace bolster

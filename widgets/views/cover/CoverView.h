@@ -1,0 +1,135 @@
+// The 3D view: the cover over its frame, with fixation curves that can be dragged.
+#pragma once
+
+#include "CameraDrag.h"
+#include "CanvasChoice.h"
+#include "CoverCrosshair.h"
+#include "CoverNavigation.h"
+#include "CoverToolHost.h"
+#include "SceneVisibility.h"
+#include "SectionControl.h"
+#include "ShownMap.h"
+#include "ShownScene.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace bolster {
+
+class MapLegend;
+class ViewCube;
+
+/// The middle or right button, or Alt with the left one, turns; with Shift it pans. The left button turns, too,
+/// where there is nothing to drag. The wheel zooms at the pointer; Home shows everything.
+class CoverView : public QWidget {
+    Q_OBJECT
+
+public:
+    using StandardView = Camera::StandardView;
+    using Layer = SceneVisibility::Layer;
+    using Drawing = CanvasChoice::Drawing;
+
+    CoverView(Document& document, Selection& selection, QWidget* parent = nullptr);
+    ~CoverView() override;
+
+    /// What is shown: cover, files, section ...
+    ShownScene& shown() { return m_shown; }
+    const ShownScene& shown() const { return m_shown; }
+    /// Which parts of it.
+    SceneVisibility& visibility() { return m_visibility; }
+    /// From where.
+    CoverNavigation& navigation() { return m_navigation; }
+    const CoverNavigation& navigation() const { return m_navigation; }
+
+    /// Both before the view is shown; without a renderer a view without OpenGL shows curves only.
+    void setSoftwareRenderer(std::unique_ptr<SoftwareRenderer> renderer);
+    void setDrawing(Drawing drawing);
+    /// The cover in the picture that is on the screen: an earlier one for a moment. May be null.
+    SurfaceMeshPtr shownSurface() const { return m_canvas.shown(); }
+    /// Whether the picture on the screen, if there is one, is of this surface.
+    bool pictures(const SurfaceMeshPtr& surface) const;
+    /// What the view shows now, in device pixels, drawn finely.
+    QImage grabPicture() { return m_canvas.grab(); }
+
+    /// Colours on the cover; null for none.
+    void setMap(const bolster::ShownMapPtr& map);
+    /// What the map says under the pointer.
+    void setMapReading(const QString& reading);
+    /// Cuts open what is shown; a panel in the corner moves the plane.
+    void setSectionShown(bool shown) { m_section.setOn(shown); }
+    /// A cross-hair where the point lies on the cover; nothing takes it away.
+    void showPlace(const std::optional<bolster::CoverPoint>& point) { m_crosshair.show(point); }
+    /// Moves the picture if the point is not in it.
+    void reveal(const bolster::CoverPoint& point);
+
+    void setTool(bolster::CoverToolKind kind) { m_tools.setTool(kind); }
+    CoverToolKind tool() const { return m_tools.kind(); }
+    /// The next drag cuts away, or keeps, a part of the scan.
+    void startScanCut(bolster::ElementId scan, bool keep) { m_tools.startScanCut(scan, keep); }
+    /// What can be done now, for the status bar.
+    QString prompt() const { return m_tools.prompt(); }
+    CoverHit hit(QPointF pixel) const { return m_tools.hit(pixel); }
+    QSize sizeHint() const override { return {760, 640}; }
+
+signals:
+    void promptChanged(const QString& prompt);
+    /// Where the pointer touches the cover, mm; nothing beside it.
+    void pointerMoved(const std::optional<bolster::Vec3>& point);
+    /// The point of the pattern under the pointer; nothing beside the cover.
+    void coverPointed(const std::optional<bolster::CoverPoint>& point);
+    /// Clicked with the tool that selects.
+    void coverClicked(const bolster::CoverPoint& point);
+    /// Another cover is in the picture on the screen.
+    void pictured();
+    void sectionClosed();
+    /// "No OpenGL: drawn in software", or "".
+    void rendererNote(const QString& note);
+    void toolChanged(bolster::CoverToolKind kind);
+    /// By a click with the right button or the menu key; what lies there is selected then.
+    void contextMenuWanted(const QPoint& global, bool onSomething);
+    /// Instead, while a tool has begun something.
+    void toolMenuWanted(const QPoint& global, const bolster::ToolKeys& keys);
+    /// What a tool could not do, in the user's words.
+    void failed(const QString& message);
+
+protected:
+    bool event(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void wireScene();
+    void wireTools();
+    void cameraMoved();
+    void draw(bool moving);
+    bool handle(QEvent* event);
+    void startDrag(const QMouseEvent& event, Qt::MouseButton button);
+
+    SceneVisibility m_visibility;
+    ShownScene m_shown;
+    CoverNavigation m_navigation;
+    CameraDrag m_drag;
+    CanvasChoice m_canvas;
+    SectionControl m_section;
+    CoverCrosshair m_crosshair;
+    CoverToolHost m_tools;
+    ViewCube* m_cube;
+    MapLegend* m_legend;
+    QPointF m_pressedAt; ///< the left button
+};
+
+} // namespace bolster
