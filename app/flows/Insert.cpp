@@ -90,7 +90,7 @@ double guessPadding(const Design& design, const Frame& frame, const TriangleMesh
     for (const auto& [a, b, c] : mesh.triangles)
         triangles.push_back(
             {frame.placed(mesh.points[a]), frame.placed(mesh.points[b]), frame.placed(mesh.points[c])});
-    const TriangleTree tree(std::move(triangles));
+    const TriangleTree tree(triangles);
     std::vector<double> distances;
     design.each<FixationCurve>([&](ElementId, const FixationCurve& fixation) {
         const BSpline3& curve = fixation.curve;

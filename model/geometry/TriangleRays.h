@@ -1,12 +1,11 @@
 // Finds the triangle that a ray meets, or that is nearest to a point: a tree of boxes that follows moving points.
 #pragma once
 
-#include "Geometry.h"
+#include "BoxTree.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace bolster {
@@ -37,26 +36,16 @@ public:
     bool blocked(const Vec3f& origin, const Vec3f& direction, float reach) const;
 
 private:
-    struct Node {
-        Eigen::Array3f low = Eigen::Array3f::Zero();
-        Eigen::Array3f high = Eigen::Array3f::Zero();
-        std::uint32_t first =
-            0; ///< triangle in the tree's order, or the right child; the left one follows its parent
-        std::uint32_t count = 0; ///< triangles; 0: an inner node
-    };
+    using Boxes = BoxTree<float>;
 
-    std::uint32_t split(std::uint32_t first, std::uint32_t count, std::vector<Eigen::Array3f>& centres);
-    void fitBox(Node& node) const;
-    void fitBoxes();
-    float approach(const Vec3f& origin, const Vec3f& direction) const;
     class Entry;
-    template <class Distance, class Visit>
-    void walk(const Distance& distance, const float& reach, const Visit& visit) const;
+    Boxes::Triangle cornersOf(const Triangle& triangle) const;
+    Boxes::Triangle cornersAt(std::uint32_t place) const { return cornersOf(m_triangles[place]); }
+    float approach(const Vec3f& origin, const Vec3f& direction) const;
 
     std::vector<Vec3f> m_points;
     std::vector<Triangle> m_triangles; ///< in the tree's order
-    std::vector<std::uint32_t> m_ids;  ///< of those triangles, as they were given
-    std::vector<Node> m_nodes;
+    Boxes m_boxes;
 };
 
 } // namespace bolster

@@ -132,8 +132,7 @@ FrameBody body(const WeldedFrame& welded, const std::vector<int>& triangles, boo
         const auto& [a, b, c] = welded.triangles[t];
         list.push_back({welded.points[a], welded.points[b], welded.points[c]});
     }
-    return {TriangleTree(std::move(list), stop), closed,
-            closed ? std::optional(thickness(welded, triangles)) : std::nullopt};
+    return {TriangleTree(list, stop), closed, closed ? std::optional(thickness(welded, triangles)) : std::nullopt};
 }
 
 /// Of one part.

@@ -1,9 +1,9 @@
 // Triangles in a tree of boxes: how often they wind around a point, and how far away they are.
 #pragma once
 
+#include "BoxTree.h"
 #include "Geometry.h"
 
-#include <array>
 #include <stop_token>
 #include <vector>
 
@@ -11,10 +11,10 @@ namespace bolster {
 
 class TriangleTree {
 public:
-    using Triangle = std::array<Vec3, 3>;
+    using Triangle = BoxTree<double>::Triangle;
 
     /// When stopped it means nothing.
-    explicit TriangleTree(std::vector<Triangle> triangles, const std::stop_token& stop = {});
+    explicit TriangleTree(const std::vector<Triangle>& triangles, const std::stop_token& stop = {});
 
     /// The generalised winding number: the solid angle of all triangles seen from `point`, over 4 pi. 1 inside of a
     /// closed surface that is oriented outwards, 0 outside, and something between near an opening. Far triangles
@@ -28,26 +28,19 @@ public:
     const std::vector<Triangle>& triangles() const { return m_triangles; }
 
 private:
-    /// In the order of a walk that visits parents first; `next` is where the walk goes on behind the subtree.
-    struct Node {
-        Box3 box;
+    /// What a node of the tree is from far away.
+    struct Dipole {
         Vec3 centre = Vec3::Zero(); ///< weighted by area
-        Vec3 dipole = Vec3::Zero(); ///< sum of area times normal
+        Vec3 moment = Vec3::Zero(); ///< sum of area times normal
         double radius = 0;          ///< of all corners around the centre
-        int first = 0;
-        int count = 0; ///< of triangles; 0 for inner nodes
-        int next = 0;
     };
 
-    void build(int begin, int end, const std::stop_token& stop);
-    Node summary(int begin, int end) const;
+    Dipole dipoleOf(const BoxTree<double>::Node& node) const;
 
-    std::vector<Triangle> m_triangles;
-    std::vector<Node> m_nodes;
+    std::vector<Triangle> m_triangles; ///< in the tree's order
+    BoxTree<double> m_boxes;
+    std::vector<Dipole> m_dipoles; ///< of each node
     Box3 m_box;
 };
-
-/// The point of a triangle that is nearest to `point`.
-Vec3 nearestPoint(const TriangleTree::Triangle& triangle, const Vec3& point);
 
 } // namespace bolster

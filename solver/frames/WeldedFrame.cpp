@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <tuple>
 #include <utility>
 
 namespace bolster {
@@ -118,22 +117,6 @@ private:
 };
 
 } // namespace
-
-std::vector<HalfEdge> halfEdges(const std::vector<Corners>& triangles, const std::stop_token& stop)
-{
-    std::vector<HalfEdge> halves;
-    halves.reserve(3 * triangles.size());
-    for (int t = 0; t < std::ssize(triangles); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-            halves.push_back({std::min(a, b), std::max(a, b), t, a < b});
-        }
-    const auto less = [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    };
-    sortUnlessStopped(halves, less, stop);
-    return halves;
-}
 
 FrameWelder::FrameWelder(const TriangleMesh& mesh, const Placement& placement, const std::stop_token& stop)
     : m_mesh(mesh)

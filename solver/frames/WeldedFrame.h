@@ -1,6 +1,7 @@
 // Triangles of a part of a frame, their corners numbered by place, each face once.
 #pragma once
 
+#include "HalfEdges.h"
 #include "Placement.h"
 #include "TriangleMesh.h"
 
@@ -46,31 +47,5 @@ private:
     std::vector<int> m_places;  // of each point of the mesh, the same for those in the same place
     std::vector<int> m_numbers; // of each place in what is being welded; -1 elsewhere
 };
-
-/// A side of a triangle.
-struct HalfEdge {
-    int low = 0;
-    int high = 0;
-    int triangle = 0;
-    bool forward = false; ///< from low to high
-
-    bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
-};
-
-/// Sorted, so that those of one edge follow each other. When stopped the order means nothing.
-std::vector<HalfEdge> halfEdges(const std::vector<WeldedFrame::Corners>& triangles,
-                                const std::stop_token& stop = {});
-
-/// Calls visit(first, last) for the half edges of each edge: pointers to the first and behind the last.
-template <class Visit>
-void eachEdge(const std::vector<HalfEdge>& halves, Visit visit)
-{
-    const HalfEdge* const end = halves.data() + halves.size();
-    for (const HalfEdge *first = halves.data(), *last = first; first != end; first = last) {
-        while (last != end && last->sameEdge(*first))
-            ++last;
-        visit(first, last);
-    }
-}
 
 } // namespace bolster

@@ -23,7 +23,7 @@ const TriangleTree* FrameDistance::tree(const Design& design, const DesignFiles&
                 triangle[k] = placement.placed(mesh->points[corners[k]]);
             triangles.push_back(triangle);
         }
-    m_tree = triangles.empty() ? nullptr : std::make_shared<const TriangleTree>(std::move(triangles));
+    m_tree = triangles.empty() ? nullptr : std::make_shared<const TriangleTree>(triangles);
     return m_tree.get();
 }
 

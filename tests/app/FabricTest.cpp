@@ -115,7 +115,8 @@ TEST_F(FabricTest, PresetsAreDrawnWhenTheirMenuIsSeen)
 {
     QMenu* menu = window.command("fabric.new")->menu();
     const QAction* first = menu->actions().front();
-    QTest::qWait(300);
+    waitUntilLaidOut();
+    waitForBackground();
     EXPECT_TRUE(first->icon().isNull()) << "nobody has asked for them";
     menu->popup(window.mapToGlobal(QPoint(100, 100)));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !first->icon().isNull(); }, 30000));

@@ -216,7 +216,7 @@ TEST_F(FilesTest, ADesignThatCannotBeOpenedLeavesTheJournalOfUnsavedWork)
     answer(QMessageBox::Ok); // it could not be opened
     window.open(write("broken.json", "{"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return answered == 2; }, 10000));
-    QTest::qWait(300);
+    waitForBackground();
     EXPECT_GT(copies(), 0);
     EXPECT_TRUE(window.document().dirty());
 }

@@ -54,7 +54,7 @@ TEST_F(WindowTest, EachPartSaysItsTitleOnce)
         MainWindow again;
         again.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
-        QTest::qWait(100);
+        waitUntilLaidOut();
         expectTitlesOnce(again, "after a start");
         if (start > 0)
             again.command("window.reset-layout")->trigger(); // kept for other tests
@@ -65,14 +65,14 @@ TEST_F(WindowTest, EachPartSaysItsTitleOnce)
 TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
 {
     window.command("window.reset-layout")->trigger();
-    QTest::qWait(100);
+    waitUntilLaidOut();
     window.close(); // keeps the arrangement
     std::vector<int> heights;
     for (int start = 0; start < 4; ++start) {
         MainWindow again;
         again.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
-        QTest::qWait(200);
+        waitUntilLaidOut();
         heights.push_back(again.findChild<Inspector*>()->height());
         again.close();
     }
@@ -84,7 +84,7 @@ TEST_F(WindowTest, TheArrangementIsTheSameAtEveryStart)
 TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
 {
     window.command("window.reset-layout")->trigger();
-    QTest::qWait(100);
+    waitUntilLaidOut();
     window.close();
     std::vector<int> widths;
     for (int start = 0; start < 4; ++start) {
@@ -94,7 +94,7 @@ TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
         again.open(sample("car-seat"));
         EXPECT_TRUE(QTest::qWaitFor([&] { return !again.document().design().elements().empty(); }, 30000));
         again.selection().set({again.document().design().elements().begin()->first}); // other fields, other widths
-        QTest::qWait(200);
+        waitUntilLaidOut();
         widths.push_back(again.patternView().width());
         again.document().markSaved();
         again.close();
@@ -106,7 +106,7 @@ TEST_F(WindowTest, ThePatternIsAsWideAtEveryStart)
 TEST_F(WindowTest, AWindowMadeSmallAndLargeAgainIsAsItWas)
 {
     window.command("window.reset-layout")->trigger();
-    QTest::qWait(100);
+    waitUntilLaidOut();
     const auto sizes = [&] {
         QList<QSize> found;
         for (const QDockWidget* dock : {window.docks().pattern, window.docks().cover, window.docks().inspector})
@@ -118,11 +118,11 @@ TEST_F(WindowTest, AWindowMadeSmallAndLargeAgainIsAsItWas)
     for (const QSize small : {QSize(900, 600), QSize(1100, 500), QSize(700, 800)}) {
         window.resize(small);
         EXPECT_TRUE(QTest::qWaitFor([&] { return window.width() < large.width(); }));
-        QTest::qWait(50);
+        waitUntilLaidOut();
     }
     window.resize(large);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.size() == large; }));
-    QTest::qWait(50);
+    waitUntilLaidOut();
     const QList<QSize> after = sizes();
     for (qsizetype i = 0; i < before.size(); ++i) {
         EXPECT_NEAR(after[i].width(), before[i].width(), 3) << i;
@@ -147,12 +147,12 @@ protected:
 TEST_F(WindowTest, ALargerWindowIsLaidOutOnce)
 {
     window.command("window.reset-layout")->trigger();
-    QTest::qWait(100);
+    waitUntilLaidOut();
     window.resize(1500, 960);
-    QTest::qWait(300);
+    waitUntilLaidOut();
     Layouts layouts;
     window.installEventFilter(&layouts);
-    QTest::qWait(300);
+    waitUntilLaidOut();
     EXPECT_LE(layouts.count, 2);
     window.removeEventFilter(&layouts);
 }
@@ -194,9 +194,8 @@ TEST_F(WindowTest, ANewDesignHasNoSurfaceAndShowsItsFirstFrame)
     Frame frame;
     frame.scale = 1000;
     ASSERT_TRUE(window.session().addWithFile(mesh, {importMesh(mesh).mesh, nullptr}, frame).empty());
-    QTest::qWait(500); // the view flies there
     const Camera& camera = window.coverView().navigation().camera();
-    EXPECT_GT(camera.distance, 1500) << "the chair is 2 m wide";
+    EXPECT_TRUE(QTest::qWaitFor([&] { return camera.distance > 1500; })) << "the chair is 2 m wide";
     EXPECT_LT(camera.distance, 10000);
 }
 

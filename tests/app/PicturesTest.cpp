@@ -18,23 +18,6 @@ namespace {
 
 class PicturesTest : public WindowTest {
 protected:
-    QAction* map(CoverMap::Kind kind)
-    {
-        switch (kind) {
-        case CoverMap::Kind::Along:
-            return window.command("map.along");
-        case CoverMap::Kind::Across:
-            return window.command("map.across");
-        case CoverMap::Kind::Shear:
-            return window.command("map.shear");
-        case CoverMap::Kind::Curvature:
-            return window.command("map.curvature");
-        case CoverMap::Kind::Thickness:
-            return window.command("map.thickness");
-        default:
-            return window.command("map.strain");
-        }
-    }
     bool measured()
     {
         return QTest::qWaitFor([&] { return window.maps().map() != nullptr; }, 30000);
@@ -157,7 +140,10 @@ TEST_F(PicturesTest, ARenderCanBeCancelled)
     QTest::keyClick(&dialog, Qt::Key_Escape);
     EXPECT_FALSE(dialog.rendering());
     EXPECT_TRUE(dialog.isVisible()) << "the first Escape ends the picture, not the dialog";
-    QTest::qWait(200);
+    setSize(dialog, 64, 64);
+    QSignalSpy next(&dialog, &RenderDialog::rendered);
+    dialog.renderTo(m_folder.filePath(QStringLiteral("small.png"))); // begins when the large one has ended
+    ASSERT_TRUE(next.wait(60000));
     EXPECT_FALSE(QFile::exists(path));
     QTest::keyClick(&dialog, Qt::Key_Escape);
     EXPECT_FALSE(dialog.isVisible());

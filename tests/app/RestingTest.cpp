@@ -85,7 +85,7 @@ protected:
         press(view, from);
         for (int i = 1; i <= 20; ++i) {
             move(view, from + (to - from) * i / 20, Qt::LeftButton);
-            QTest::qWait(16);
+            waitForPicture(view);
         }
         EXPECT_TRUE(window.document().gestureRunning());
         EXPECT_TRUE(QTest::qWaitFor(
@@ -95,6 +95,12 @@ protected:
             },
             20000));
         return to;
+    }
+
+    void lookAtPictures(int count)
+    {
+        for (int i = 0; i < count; ++i)
+            waitForPicture(window.coverView());
     }
 
     std::vector<Vec3> before; ///< of the surface
@@ -146,9 +152,9 @@ TEST_F(RestingTest, ThePictureFollowsUndo)
         SCOPED_TRACE(round);
         before = window.solver().surface()->positions;
         const QPoint at = dragCreaseFarAway();
-        QTest::qWait(upTo(300));
+        lookAtPictures(upTo(20));
         release(view, at);
-        QTest::qWait(upTo(900));
+        lookAtPictures(upTo(60));
         bool green = false, seen = false;
         QTest::keyClick(&view, Qt::Key_Z, Qt::ControlModifier);
         ASSERT_TRUE(waitUntilAtRest());

@@ -24,23 +24,6 @@ protected:
         ASSERT_TRUE(waitUntilAtRest()); // it does not move any more unless somebody edits
     }
 
-    QAction* map(CoverMap::Kind kind)
-    {
-        switch (kind) {
-        case CoverMap::Kind::Along:
-            return window.command("map.along");
-        case CoverMap::Kind::Across:
-            return window.command("map.across");
-        case CoverMap::Kind::Shear:
-            return window.command("map.shear");
-        case CoverMap::Kind::Curvature:
-            return window.command("map.curvature");
-        case CoverMap::Kind::Thickness:
-            return window.command("map.thickness");
-        default:
-            return window.command("map.strain");
-        }
-    }
     const std::vector<MapLink::Spot>& spots() { return window.maps().spots(); }
     bool listStrain()
     {
@@ -184,7 +167,7 @@ TEST_F(SpotsTest, TheCrossIsTakenAwayWithItsMap)
     map(CoverMap::Kind::Shear)->trigger();
     EXPECT_FALSE(crossShown());
     ASSERT_TRUE(QTest::qWaitFor([&] { return !spots().empty(); }, 30000));
-    QTest::qWait(1); // the list is filled
+    QCoreApplication::processEvents(); // the list is filled
     EXPECT_TRUE(selectedRows().empty()) << "nothing of this map was chosen";
     QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualItemRect(row(0)).center());
     ASSERT_TRUE(crossShown());

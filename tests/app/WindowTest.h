@@ -1,8 +1,10 @@
 // A main window with helpers for tests that use it like a person: by pointer and keys.
 #pragma once
 
+#include "Background.h"
 #include "Banner.h"
 #include "Commands.h"
+#include "CoverMap.h"
 #include "Docks.h"
 #include "MainWindow.h"
 #include "PatternView.h"
@@ -18,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 
 namespace bolster {
 
@@ -70,6 +73,54 @@ protected:
     {
         return QTest::qWaitFor([&] { return window.solver().upToDate() && window.solver().status().resting; },
                                mostMs);
+    }
+
+    /// The windows are laid out, whatever the window manager makes of them.
+    void waitUntilLaidOut()
+    {
+        constexpr int calmRounds = 5, mostRounds = 500;
+        for (int calm = 0, round = 0; calm < calmRounds && round < mostRounds; ++calm, ++round) {
+            const int before = application().changesOfLayout();
+            QGuiApplication::sync();
+            QCoreApplication::processEvents();
+            if (application().changesOfLayout() != before)
+                calm = 0;
+        }
+    }
+
+    /// What was begun beside the windows is done, and they know of it.
+    void waitForBackground()
+    {
+        backgroundPool().waitForDone();
+        QCoreApplication::processEvents();
+    }
+
+    /// A view is painted anew, as between two steps of a hand that drags.
+    static void waitForPicture(QWidget& view)
+    {
+        class Painted : public QObject {
+        public:
+            bool seen = false;
+
+        protected:
+            bool eventFilter(QObject*, QEvent* event) override
+            {
+                seen = seen || event->type() == QEvent::Paint;
+                return false;
+            }
+        } painted;
+        view.installEventFilter(&painted);
+        view.update();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return painted.seen; }, 20000));
+    }
+
+    QAction* map(CoverMap::Kind kind)
+    {
+        static const std::map<CoverMap::Kind, const char*> ids{
+            {CoverMap::Kind::Along, "map.along"},         {CoverMap::Kind::Across, "map.across"},
+            {CoverMap::Kind::Shear, "map.shear"},         {CoverMap::Kind::Curvature, "map.curvature"},
+            {CoverMap::Kind::Thickness, "map.thickness"}, {CoverMap::Kind::Strain, "map.strain"}};
+        return window.command(ids.at(kind));
     }
 
     std::uint64_t meshRevision() { return window.solver().surface() ? window.solver().surface()->revision : 0; }

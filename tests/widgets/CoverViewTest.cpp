@@ -547,8 +547,6 @@ TEST_F(CoverViewTest, NothingCoversTheCube)
 
 TEST_F(CoverViewTest, FitSelectionComesCloser)
 {
-    view.navigation().fitAll();
-    QTest::qWait(400);
     const double whole = view.navigation().camera().distance;
     selection.set({leftPatch});
     view.navigation().fitSelection();
@@ -583,7 +581,7 @@ TEST_F(CoverViewTest, LivesWithBrokenSurfaces)
         p.setConstant(std::numeric_limits<double>::quiet_NaN());
     view.shown().setSurface(broken);
     mouse.move({400, 300});
-    QTest::qWait(50);
+    QCoreApplication::processEvents();
     auto short_ = std::make_shared<SurfaceMesh>(*twoSquaresCover());
     short_->positions.pop_back();
     view.shown().setSurface(short_);

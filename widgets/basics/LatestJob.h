@@ -1,90 +1,41 @@
 // Work beside the GUI thread of which only the newest counts.
 #pragma once
 
+#include "LatestThread.h"
+
 #include <QObject>
 
-#include <condition_variable>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <stop_token>
-#include <thread>
 #include <utility>
 
 namespace bolster {
 
-/// One thread that takes the newest request; a newer one asks the running one to stop if `replace` says so.
-/// Results arrive on the thread that made the job; after destruction none do. What the work holds is destroyed on
-/// the job's thread.
+/// A LatestThread whose results arrive on the thread that made the job; after destruction none do.
 template <class Request, class Result>
 class LatestJob {
 public:
-    using Work = std::function<Result(const Request&, std::stop_token)>;
-    using Done = std::function<void(Result)>;
+    using Work = typename LatestThread<Request, Result>::Work;
+    using Done = typename LatestThread<Request, Result>::Done;
 
     LatestJob(Work work, Done done)
-        : m_work(std::move(work))
-        , m_done(std::move(done))
-        , m_thread([this](std::stop_token stop) { run(stop); })
+        : m_done(std::move(done))
+        , m_thread(std::move(work), [this](Result result) { deliver(std::move(result)); })
     {}
 
-    ~LatestJob()
-    {
-        cancel();
-        m_thread.request_stop();
-        m_wake.notify_all();
-    }
-
     /// Replaces a request that was not taken yet; the running one goes on to its end unless `stopRunning`.
-    void request(Request request, bool stopRunning = false)
-    {
-        {
-            const std::lock_guard lock(m_mutex);
-            m_next = std::move(request);
-            if (stopRunning)
-                m_running.request_stop();
-        }
-        m_wake.notify_all();
-    }
-
-    void cancel()
-    {
-        const std::lock_guard lock(m_mutex);
-        m_next.reset();
-        m_running.request_stop();
-    }
+    void request(Request request, bool stopRunning = false) { m_thread.request(std::move(request), stopRunning); }
+    void cancel() { m_thread.cancel(); }
 
 private:
-    void run(std::stop_token stop)
+    void deliver(Result result)
     {
-        const Work work = std::exchange(m_work, nullptr);
-        while (!stop.stop_requested()) {
-            std::optional<Request> request;
-            std::stop_token running;
-            {
-                std::unique_lock lock(m_mutex);
-                if (!m_wake.wait(lock, stop, [this] { return m_next.has_value(); }))
-                    return;
-                request.swap(m_next);
-                m_running = std::stop_source();
-                running = m_running.get_token();
-            }
-            Result result = work(*request, running);
-            if (!running.stop_requested())
-                QMetaObject::invokeMethod(
-                    &m_receiver, [this, result = std::move(result)]() mutable { m_done(std::move(result)); },
-                    Qt::QueuedConnection);
-        }
+        QMetaObject::invokeMethod(
+            &m_receiver, [this, result = std::move(result)]() mutable { m_done(std::move(result)); },
+            Qt::QueuedConnection);
     }
 
-    Work m_work;
     Done m_done;
-    QObject m_receiver; ///< drops results that come too late
-    std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::optional<Request> m_next;
-    std::stop_source m_running;
-    std::jthread m_thread; ///< last: it uses the others
+    QObject m_receiver;                     ///< drops results that come too late
+    LatestThread<Request, Result> m_thread; ///< last: it uses the others
 };
 
 } // namespace bolster

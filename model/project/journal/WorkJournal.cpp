@@ -27,6 +27,7 @@ const QString aboutEnding = QStringLiteral(".about");
 constexpr std::int64_t longestAbout = 100'000;
 constexpr int daysInBin = 30;
 constexpr std::chrono::seconds untilNextTry(2);
+constexpr std::chrono::seconds untilOthersHaveLooked(2);
 
 QString stateFolder(const char* name)
 {
@@ -44,11 +45,26 @@ QString bin()
 }
 
 /// Only the lock of a program that has ended can be had: no age makes a lock invalid.
-std::shared_ptr<QLockFile> lockOf(const QString& base)
+std::shared_ptr<QLockFile> lockOf(const QString& base, std::chrono::milliseconds patience = {})
 {
     auto lock = std::make_shared<QLockFile>(base + ".lock");
     lock->setStaleLockTime(0);
-    return lock->tryLock(0) ? std::move(lock) : nullptr;
+    return lock->tryLock(static_cast<int>(patience.count())) ? std::move(lock) : nullptr;
+}
+
+/// Who looks into journals has their locks, one after another, and would seem to be a program that works on them.
+/// So the threads of this program take turns.
+std::unique_lock<std::mutex> aloneWithJournals()
+{
+    static std::mutex only;
+    return std::unique_lock(only);
+}
+
+/// The lock of a journal that was found; another program that only looks into it is waited for.
+std::shared_ptr<QLockFile> lockOfFound(const QString& base)
+{
+    const auto alone = aloneWithJournals();
+    return lockOf(base, untilOthersHaveLooked);
 }
 
 QString newBase()
@@ -199,13 +215,9 @@ QString stampOfWork(const QString& base, const About& about)
     return stamps.join(u',');
 }
 
-/// Looks into journals one after another: who looks has their locks, and would seem to be a running program.
+/// Looks into journals, alone in this program.
 class JournalScan {
 public:
-    JournalScan()
-        : m_alone(mutex())
-    {}
-
     /// Reads the history of a journal only when it has changed since: a long one takes a while.
     bool hasUnsavedWork(const QString& base, const About& about) const
     {
@@ -220,13 +232,7 @@ public:
     }
 
 private:
-    static std::mutex& mutex()
-    {
-        static std::mutex only;
-        return only;
-    }
-
-    std::scoped_lock<std::mutex> m_alone;
+    const std::unique_lock<std::mutex> m_alone = aloneWithJournals();
 };
 
 bool isOfProject(const QString& journal, const QString& project)
@@ -284,7 +290,7 @@ std::optional<WorkJournal::Left> WorkJournal::leftOf(const QString& original)
 std::optional<WorkJournal::Left> WorkJournal::setAside(const Left& left)
 {
     const QString base = baseOf(left);
-    const auto lock = lockOf(base);
+    const auto lock = lockOfFound(base);
     if (!lock || left.damaged || Journal::open(left.journal).journal)
         return std::nullopt;
     Left aside = left;
@@ -342,7 +348,7 @@ WorkJournal::Taken WorkJournal::takeProject(const QString& project)
 WorkJournal::Taken WorkJournal::takeLeft(const Left& left)
 {
     const QString base = baseOf(left);
-    auto lock = lockOf(base);
+    auto lock = lockOfFound(base);
     if (!lock || !QFileInfo::exists(left.journal))
         return notTaken({QT_TRANSLATE_NOOP("Message", "another window has it"), {}});
     return taken(base, std::move(lock), Journal::open(left.journal));
@@ -350,7 +356,7 @@ WorkJournal::Taken WorkJournal::takeLeft(const Left& left)
 
 void WorkJournal::putIntoBin(const Left& left)
 {
-    if (const auto lock = lockOf(baseOf(left)))
+    if (const auto lock = lockOfFound(baseOf(left)))
         moveToBin(baseOf(left));
 }
 

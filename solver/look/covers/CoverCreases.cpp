@@ -1,5 +1,7 @@
 #include "CoverCreases.h"
 
+#include "HalfEdges.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,19 +24,12 @@ Edge edgeOf(std::uint32_t a, std::uint32_t b)
 /// The creases and borders at each vertex, counted.
 std::vector<int> sharpEdges(const LoopMesh& mesh)
 {
-    std::vector<Edge> edges, sharp = mesh.creases;
-    for (const auto& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            edges.push_back(edgeOf(t[k], t[(k + 1) % 3]));
-    std::ranges::sort(edges);
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        while (end < edges.size() && edges[end] == edges[i])
-            ++end;
-        if (end - i != 2)
-            sharp.push_back(edges[i]);
-        i = end;
-    }
+    std::vector<Edge> sharp = mesh.creases;
+    eachEdge(halfEdges(mesh.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first != 2)
+            sharp.push_back(
+                edgeOf(static_cast<std::uint32_t>(first->low), static_cast<std::uint32_t>(first->high)));
+    });
     std::ranges::sort(sharp);
     sharp.erase(std::ranges::unique(sharp).begin(), sharp.end());
     std::vector<int> count(mesh.vertexCount, 0);

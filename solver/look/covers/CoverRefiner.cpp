@@ -1,6 +1,7 @@
 #include "CoverRefiner.h"
 
 #include "CoverCreases.h"
+#include "HalfEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,11 @@ Points corrected(const Points& points, const std::vector<char>& held, const Loop
 
 std::vector<char> heldVertices(const SurfaceTopology& topology, const LoopMesh& patches)
 {
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    for (const auto& t : patches.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            edges.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-    std::ranges::sort(edges);
     std::vector<char> held(topology.pattern.size(), 0);
-    for (std::size_t i = 0; i < edges.size(); ++i) // an edge of one triangle is on the border
-        if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
-            held[edges[i][0]] = held[edges[i][1]] = 1;
+    eachEdge(halfEdges(patches.triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first == 1) // on the border
+            held[first->low] = held[first->high] = 1;
+    });
     for (const SurfaceTopology::Line& line : topology.lines)
         for (const std::uint32_t v : line.vertices)
             held[v] = 1;

@@ -1,5 +1,6 @@
 #include "FrameSkin.h"
 
+#include "HalfEdges.h"
 #include "MeshShape.h"
 
 #include <algorithm>
@@ -182,22 +183,11 @@ std::vector<std::uint8_t> grainAxes(const TriangleMesh& mesh)
 /// Which edges of each triangle no other one has, beginning with that from its first corner.
 std::vector<std::array<bool, 3>> rimsOf(const std::vector<TriangleRays::Triangle>& triangles)
 {
-    std::vector<SkinMesh::Edge> edges;
-    const auto edge = [](const TriangleRays::Triangle& t, std::size_t i) -> SkinMesh::Edge {
-        return std::minmax(t[i], t[(i + 1) % 3]);
-    };
-    for (const TriangleRays::Triangle& t : triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-            edges.push_back(edge(t, i));
-    std::sort(edges.begin(), edges.end());
-    std::vector<std::array<bool, 3>> rims;
-    for (const TriangleRays::Triangle& t : triangles) {
-        rims.push_back({});
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto [from, to] = std::equal_range(edges.begin(), edges.end(), edge(t, i));
-            rims.back()[i] = to - from < 2;
-        }
-    }
+    std::vector<std::array<bool, 3>> rims(triangles.size());
+    eachEdge(halfEdges(triangles), [&](const HalfEdge* first, const HalfEdge* last) {
+        if (last - first == 1)
+            rims[first->triangle][first->side] = true;
+    });
     return rims;
 }
 
