@@ -34,14 +34,14 @@ protected:
                                                          seen.revisions.insert(surface->revision);
                                                  });
         move(view, from, Qt::NoButton);
-        waitForPicture(view);
+        waitForPicture();
         application().startWatching();
         QElapsedTimer clock;
         clock.start();
         press(view, from);
         for (int i = 1; i <= steps; ++i) {
             move(view, from + by * i / steps, Qt::LeftButton);
-            waitForPicture(view);
+            waitForPicture();
         }
         // However slow the machine is, it follows.
         QPoint last = from + by, tremor(0, 1);
@@ -210,7 +210,7 @@ TEST_F(DragTest, LayoutLeavesTheSurfaceAlone)
     press(view, from);
     for (int i = 1; i <= 10; ++i) {
         move(view, from + QPoint(4 * i, 3 * i), Qt::LeftButton);
-        waitForPicture(view);
+        waitForPicture();
     }
     release(view, from + QPoint(40, 30));
     ASSERT_EQ(window.document().history().count(), 2);

@@ -85,7 +85,7 @@ protected:
         press(view, from);
         for (int i = 1; i <= 20; ++i) {
             move(view, from + (to - from) * i / 20, Qt::LeftButton);
-            waitForPicture(view);
+            waitForPicture();
         }
         EXPECT_TRUE(window.document().gestureRunning());
         EXPECT_TRUE(QTest::qWaitFor(
@@ -100,7 +100,7 @@ protected:
     void lookAtPictures(int count)
     {
         for (int i = 0; i < count; ++i)
-            waitForPicture(window.coverView());
+            waitForPicture();
     }
 
     std::vector<Vec3> before; ///< of the surface

@@ -26,12 +26,14 @@ public:
     const Longest& longestBlock() const { return m_block; }
     const Longest& longestPaint() const { return m_paint; }
 
+    /// How often something was painted.
+    int pictures() const { return m_pictures; }
     /// How often something was shown, moved, resized or laid out.
     int changesOfLayout() const { return m_layouts; }
 
     bool notify(QObject* receiver, QEvent* event) override
     {
-        countLayout(event->type());
+        count(event->type());
         const bool paint = event->type() == QEvent::Paint || event->type() == QEvent::UpdateRequest ||
                            event->type() == QEvent::UpdateLater;
         if (m_inPaint || (!paint && m_depth > 0))
@@ -79,13 +81,15 @@ private:
         longest.what = what;
     }
 
-    void countLayout(QEvent::Type type)
+    void count(QEvent::Type type)
     {
+        m_pictures += type == QEvent::Paint ? 1 : 0;
         for (const QEvent::Type layout :
              {QEvent::LayoutRequest, QEvent::Resize, QEvent::Move, QEvent::Show, QEvent::Hide})
             m_layouts += type == layout ? 1 : 0;
     }
 
+    int m_pictures = 0;
     int m_layouts = 0;
     int m_depth = 0;
     bool m_inPaint = false;

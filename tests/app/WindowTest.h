@@ -95,23 +95,12 @@ protected:
         QCoreApplication::processEvents();
     }
 
-    /// A view is painted anew, as between two steps of a hand that drags.
-    static void waitForPicture(QWidget& view)
+    /// The window is painted anew, as between two steps of a hand that drags.
+    void waitForPicture()
     {
-        class Painted : public QObject {
-        public:
-            bool seen = false;
-
-        protected:
-            bool eventFilter(QObject*, QEvent* event) override
-            {
-                seen = seen || event->type() == QEvent::Paint;
-                return false;
-            }
-        } painted;
-        view.installEventFilter(&painted);
-        view.update();
-        EXPECT_TRUE(QTest::qWaitFor([&] { return painted.seen; }, 20000));
+        const int before = application().pictures();
+        window.update();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return application().pictures() > before; }, 20000));
     }
 
     QAction* map(CoverMap::Kind kind)

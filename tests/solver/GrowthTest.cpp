@@ -132,7 +132,7 @@ TEST(Growth, ASmallBodyIsFilledInALargeGridAsFastAsInASmallOne)
         for (int round = 0; round < 20; ++round)
             EXPECT_TRUE(fillInside(bodies[0][0], *voxels, pool));
     };
-    EXPECT_LT(growth(50, grid, fill), 3);
+    EXPECT_LT(growth(50, grid, fill, 3), 3);
 }
 
 /// A layer of n small boxes that touch nothing.
@@ -175,7 +175,7 @@ TEST(Growth, TheNearestOfManyBodiesIsFoundAsFastAsOfAFew)
             EXPECT_FALSE(layer->tree->contains(point));
         }
     };
-    EXPECT_LT(growth(500, make, ask), 4);
+    EXPECT_LT(growth(500, make, ask, 4), 4);
 }
 
 using Stoppable = std::function<void(const std::stop_token&)>;
