@@ -1,5 +1,5 @@
 """Says where the rooms of the house are not in order: folders that are too full, folders whose includes form a cycle,
-headers of one name.
+headers of one name, and sources that do not begin with their own header.
 
     check_rooms.py SOURCE_FOLDER [--figures]
 """
@@ -69,6 +69,11 @@ def problems_of(root):
     for name, count in sorted(collections.Counter(f.name for f in files if f.suffix == ".h").items()):
         if count > 1:
             yield f"{count} headers are called {name}: which one is included is a matter of luck"
+    for file in files:
+        if file.suffix == ".cpp" and file.with_suffix(".h").exists():
+            first = next(included_names(file), "")
+            if first != file.stem + ".h":
+                yield f"{file.relative_to(root)} begins with {first}: whether its own header compiles alone is not seen"
     graph = graph_of(root, files)
     for group in cycles(graph):
         yield "These folders include each other in a circle: " + ", ".join(

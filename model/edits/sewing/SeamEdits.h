@@ -24,9 +24,9 @@ Edit setMatch(const Design& design, std::span<const ElementId> seams, Match matc
 
 enum class SeamSide { A, B };
 enum class StretchEnd { From, To };
-/// Moves an end of the stretch of a seam, fixation seam or trim (whose only side is A) along its outline, unchecked,
-/// as a drag does: brokenBy() says what is wrong with the result. An end on the other end makes the stretch the whole
-/// outline.
+/// Moves an end of the stretch of a seam, fixation seam or trim (whose only side is A) along its outline,
+/// unchecked, as a drag does: brokenBy() says what is wrong with the result. An end on the other end makes the
+/// stretch the whole outline.
 Edit dragStretchEnd(const Design& design, ElementId owner, SeamSide side, StretchEnd end, double parameter);
 
 } // namespace bolster::edits
