@@ -62,7 +62,7 @@ void Banner::warn(const QString& text, const QString& why, const QList<Button>& 
 
 void Banner::endWarning()
 {
-    if (!std::exchange(m_warning, {}))
+    if (!std::exchange(m_warning, std::nullopt))
         return;
     showNext();
 }

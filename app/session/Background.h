@@ -3,11 +3,13 @@
 
 #include <QCoreApplication>
 #include <QFuture>
+#include <QFutureWatcher>
 #include <QPromise>
 #include <QThreadPool>
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace bolster {
 
@@ -24,19 +26,44 @@ inline QThreadPool& backgroundPool()
     return pool;
 }
 
-/// Runs `work` on a thread of it. Take the result with `.then(receiver, ...)`: it arrives on the receiver's thread,
-/// and not at all when the receiver is gone. `work` must not throw.
+/// Work that was begun.
 template <class Result>
-QFuture<Result> inBackground(std::function<Result()> work)
+class Background {
+public:
+    explicit Background(QFuture<Result> future)
+        : m_future(std::move(future))
+    {}
+
+    /// Calls take(result) on the receiver's thread, which must be this one; not at all when the receiver is gone.
+    /// (QFuture::then looks for its receiver on the thread of the work, where it may go at that very moment.)
+    template <class Take>
+    void then(QObject* receiver, Take take) const
+    {
+        auto* watcher = new QFutureWatcher<Result>(receiver);
+        QObject::connect(watcher, &QFutureWatcherBase::finished, receiver,
+                         [watcher, take = std::move(take)]() mutable {
+                             watcher->deleteLater();
+                             take(watcher->result());
+                         });
+        watcher->setFuture(m_future);
+    }
+
+private:
+    QFuture<Result> m_future;
+};
+
+/// Runs `work` on a thread of it. `work` must not throw.
+template <class Result>
+Background<Result> inBackground(std::function<Result()> work)
 {
     auto promise = std::make_shared<QPromise<Result>>();
-    QFuture<Result> future = promise->future();
+    Background<Result> begun(promise->future());
     promise->start();
     backgroundPool().start([promise, work = std::move(work)] {
         promise->addResult(work());
         promise->finish();
     });
-    return future;
+    return begun;
 }
 
 } // namespace bolster

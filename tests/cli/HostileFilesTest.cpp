@@ -332,7 +332,7 @@ TEST_F(HostileFiles, OnlySoManyCushionsPush)
         EXPECT_EQ(run.exitCode, 0) << run.err;
         EXPECT_TRUE(contains(run.err, "cushion 200 \"Pad\", enabled: at most 100 cushions push")) << run.err;
     }
-    const Cost cost = costOf({"solve", file});
+    [[maybe_unused]] const Cost cost = costOf({"solve", file});
 #ifdef NDEBUG
     EXPECT_LE(cost.seconds, 20);
 #endif

@@ -38,10 +38,12 @@ CoverView::CoverView(Document& document, Selection& selection, QWidget* parent)
     });
     wireScene();
     wireTools();
+    m_whole = true;
 }
 
 CoverView::~CoverView()
 {
+    m_whole = false;
     // A tool that is taken away may take back what it has begun.
     m_shown.disconnect(this);
     m_shown.setOverlay({});

@@ -119,6 +119,7 @@ private:
     bool handle(QEvent* event);
     void startDrag(const QMouseEvent& event, Qt::MouseButton button);
 
+    bool m_whole = false; ///< else what is in it comes or goes, and there are no tools to handle events
     SceneVisibility m_visibility;
     ShownScene m_shown;
     CoverNavigation m_navigation;

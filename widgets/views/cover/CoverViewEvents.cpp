@@ -94,7 +94,7 @@ void CoverView::wheelEvent(QWheelEvent* event)
 
 bool CoverView::event(QEvent* event)
 {
-    return m_tools.guard([&] { return handle(event); });
+    return m_whole ? m_tools.guard([&] { return handle(event); }) : QWidget::event(event);
 }
 
 bool CoverView::handle(QEvent* event)

@@ -38,10 +38,12 @@ PatternView::PatternView(Document& document, Selection& selection, ProblemSet& p
     setMinimumSize(200, 160);
     setAttribute(Qt::WA_OpaquePaintEvent);
     wire();
+    m_whole = true;
 }
 
 PatternView::~PatternView()
 {
+    m_whole = false;
     m_shown.disconnect(&m_tools); // a tool that is taken away may take back what it has begun
 }
 
@@ -105,7 +107,7 @@ void PatternView::changeEvent(QEvent* event)
 
 bool PatternView::event(QEvent* event)
 {
-    return m_tools.guard([&] { return handle(event); });
+    return m_whole ? m_tools.guard([&] { return handle(event); }) : QWidget::event(event);
 }
 
 bool PatternView::handle(QEvent* event)

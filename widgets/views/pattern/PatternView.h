@@ -93,6 +93,7 @@ private:
     std::optional<bool> tabPressed(const QKeyEvent& event);
     PatternPointer pointerOf(const QMouseEvent& event) const;
 
+    bool m_whole = false; ///< else what is in it comes or goes, and there are no tools to handle events
     Document& m_document;
     Selection& m_selection;
     ShownPattern m_shown;
