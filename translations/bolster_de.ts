@@ -209,6 +209,37 @@
     </message>
 </context>
 <context>
+    <name>CoverSelectTool</name>
+    <message>
+        <source>There is a control point already.</source>
+        <translation>Hier ist schon ein Kontrollpunkt.</translation>
+    </message>
+    <message>
+        <source>Drag to move the control point – Shift+click selects several, Del removes</source>
+        <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
+    </message>
+    <message>
+        <source>Click to select the seam</source>
+        <translation>Klick wählt die Naht aus</translation>
+    </message>
+    <message>
+        <source>Click to select the patch, drag to turn the view</source>
+        <translation>Klick wählt das Schnittteil aus, Ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
+        <translation>Klick wählt aus, Ziehen dreht – Umschalt+mittlere Taste verschiebt die Ansicht, das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Click to select the curve, double click to add a control point here</source>
+        <translation>Klick wählt die Kurve, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
+    </message>
+    <message>
+        <source>Click to select what stands here, drag to turn the view</source>
+        <translation>Klicken wählt, was hier steht, Ziehen dreht die Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>CushionForm</name>
     <message>
         <source>Cover of %1</source>
@@ -4917,37 +4948,6 @@
     </message>
 </context>
 <context>
-    <name>CoverSelectTool</name>
-    <message>
-        <source>There is a control point already.</source>
-        <translation>Hier ist schon ein Kontrollpunkt.</translation>
-    </message>
-    <message>
-        <source>Drag to move the control point – Shift+click selects several, Del removes</source>
-        <translation>Ziehen verschiebt den Kontrollpunkt – Umschalt+Klick wählt mehrere aus, Entf entfernt</translation>
-    </message>
-    <message>
-        <source>Click to select the seam</source>
-        <translation>Klick wählt die Naht aus</translation>
-    </message>
-    <message>
-        <source>Click to select the patch, drag to turn the view</source>
-        <translation>Klick wählt das Schnittteil aus, Ziehen dreht die Ansicht</translation>
-    </message>
-    <message>
-        <source>Click to select, drag to turn – Shift+middle button pans, wheel zooms</source>
-        <translation>Klick wählt aus, Ziehen dreht – Umschalt+mittlere Taste verschiebt die Ansicht, das Rad zoomt</translation>
-    </message>
-    <message>
-        <source>Click to select the curve, double click to add a control point here</source>
-        <translation>Klick wählt die Kurve, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
-    </message>
-    <message>
-        <source>Click to select what stands here, drag to turn the view</source>
-        <translation>Klicken wählt, was hier steht, Ziehen dreht die Ansicht</translation>
-    </message>
-</context>
-<context>
     <name>ToolCommands</name>
     <message>
         <source>&amp;Select and move</source>
@@ -5378,6 +5378,29 @@
     <message>
         <source>Hides this piece of the frame from the view, drawing, cushioning and contact; the frame&apos;s properties bring it back</source>
         <translation>Blendet dieses Stück des Gestells aus: für die Ansicht, beim Zeichnen, Polstern und Anliegen; in den Eigenschaften des Gestells kommt es zurück</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CoverSelectTool</name>
+    <message>
+        <source>Moved by x %1, y %2, z %3 mm</source>
+        <translation>Um x %1, y %2, z %3 mm verschoben</translation>
+    </message>
+    <message>
+        <source>Kept to an axis; the same key frees it</source>
+        <translation>An eine Achse gebunden; dieselbe Taste löst sie</translation>
+    </message>
+    <message>
+        <source>Lifted off the frame along its normal; let go of Ctrl to slide on it</source>
+        <translation>Entlang der Normalen vom Gestell abgehoben; Strg loslassen, um darauf zu gleiten</translation>
+    </message>
+    <message>
+        <source>On the frame: Ctrl lifts off, S lets go of it, X, Y, Z or Shift keep to an axis</source>
+        <translation>Auf dem Gestell: Strg hebt ab, S löst davon, X, Y, Z oder Umschalt halten eine Achse ein</translation>
+    </message>
+    <message>
+        <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
+        <translation>X, Y, Z oder Umschalt halten eine Achse ein, S bleibt am Gestell, Strg hebt ab, Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -7069,26 +7092,36 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     </message>
 </context>
 <context>
-    <name>bolster::CoverSelectTool</name>
+    <name>bolster::ToolHost</name>
     <message>
-        <source>Moved by x %1, y %2, z %3 mm</source>
-        <translation>Um x %1, y %2, z %3 mm verschoben</translation>
+        <source>This could not be done, and nothing was changed: %1</source>
+        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::TrimTool</name>
+    <message>
+        <source>Click a seam or an edge of an outline.</source>
+        <translation>Eine Naht oder die Kante eines Umrisses anklicken.</translation>
     </message>
     <message>
-        <source>Kept to an axis; the same key frees it</source>
-        <translation>An eine Achse gebunden; dieselbe Taste löst sie</translation>
+        <source>Click to stitch this seam; stitches and piping are in the properties</source>
+        <translation>Klick steppt diese Naht ab; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
     <message>
-        <source>Lifted off the frame along its normal; let go of Ctrl to slide on it</source>
-        <translation>Entlang der Normalen vom Gestell abgehoben; Strg loslassen, um darauf zu gleiten</translation>
+        <source>Click to stitch this edge; stitches and piping are in the properties</source>
+        <translation>Klick steppt diese Kante ab; Stiche und Keder stehen bei den Eigenschaften</translation>
     </message>
     <message>
-        <source>On the frame: Ctrl lifts off, S lets go of it, X, Y, Z or Shift keep to an axis</source>
-        <translation>Auf dem Gestell: Strg hebt ab, S löst davon, X, Y, Z oder Umschalt halten eine Achse ein</translation>
+        <source>Click a seam or an edge of an outline to stitch it – Esc ends the tool</source>
+        <translation>Eine Naht oder Kante anklicken, um sie abzusteppen – Esc beendet das Werkzeug</translation>
     </message>
+</context>
+<context>
+    <name>bolster::VersionPane</name>
     <message>
-        <source>X, Y, Z or Shift keep to an axis, S keeps to the frame, Ctrl lifts off, Escape cancels</source>
-        <translation>X, Y, Z oder Umschalt halten eine Achse ein, S bleibt am Gestell, Strg hebt ab, Esc bricht ab</translation>
+        <source>Computing the cover …</source>
+        <translation>Der Bezug wird berechnet …</translation>
     </message>
 </context>
 <context>
@@ -7120,39 +7153,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
         <translation>Klick auf eine Fläche, Kante oder Ecke blickt von dort; Ziehen dreht</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::ToolHost</name>
-    <message>
-        <source>This could not be done, and nothing was changed: %1</source>
-        <translation>Das ging nicht, und nichts wurde verändert: %1</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::TrimTool</name>
-    <message>
-        <source>Click a seam or an edge of an outline.</source>
-        <translation>Eine Naht oder die Kante eines Umrisses anklicken.</translation>
-    </message>
-    <message>
-        <source>Click to stitch this seam; stitches and piping are in the properties</source>
-        <translation>Klick steppt diese Naht ab; Stiche und Keder stehen bei den Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Click to stitch this edge; stitches and piping are in the properties</source>
-        <translation>Klick steppt diese Kante ab; Stiche und Keder stehen bei den Eigenschaften</translation>
-    </message>
-    <message>
-        <source>Click a seam or an edge of an outline to stitch it – Esc ends the tool</source>
-        <translation>Eine Naht oder Kante anklicken, um sie abzusteppen – Esc beendet das Werkzeug</translation>
-    </message>
-</context>
-<context>
-    <name>bolster::VersionPane</name>
-    <message>
-        <source>Computing the cover …</source>
-        <translation>Der Bezug wird berechnet …</translation>
     </message>
 </context>
 </TS>

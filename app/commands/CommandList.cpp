@@ -2,6 +2,7 @@
 
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSet>
 
 #include <algorithm>
@@ -10,9 +11,12 @@ namespace bolster {
 
 namespace {
 
-QString plain(QString text)
+/// Without what is there for menus: keys, dots, the number of a file that was open lately.
+QString plain(const QString& text)
 {
-    return text.remove(u'&').remove(QStringLiteral("\u2026")).trimmed();
+    static const QRegularExpression numbered(QStringLiteral("^&\\d+ "));
+    QString said = text.section(u'\t', 0, 0).remove(numbered);
+    return said.remove(u'&').remove(QStringLiteral("\u2026")).trimmed();
 }
 
 void collect(const QList<QAction*>& actions, const QString& path, QSet<QAction*>& seen, QList<MenuEntry>& commands)
@@ -33,14 +37,22 @@ void collect(const QList<QAction*>& actions, const QString& path, QSet<QAction*>
     }
 }
 
-/// Whether the letters of `word` follow each other in `text`, with gaps.
-bool follows(const QString& word, const QString& text)
+/// Whether the letters of `word` follow each other in `text`, with gaps; of each word of the text that is used, the
+/// first letter is: "exsrf" means "export surface", but "mirror" is not scattered over a path.
+bool follows(QStringView word, QStringView text)
 {
-    qsizetype at = 0;
-    for (const QChar c : text)
-        if (at < word.size() && word.at(at) == c)
-            ++at;
-    return at == word.size();
+    if (word.isEmpty())
+        return true;
+    for (qsizetype start = 0; start < text.size(); ++start) {
+        if (text[start] != word.front() || (start > 0 && text[start - 1].isLetterOrNumber()))
+            continue;
+        qsizetype used = 0;
+        for (qsizetype at = start; at < text.size() && text[at].isLetterOrNumber() && used < word.size(); ++at)
+            if (text[at] == word[used])
+                if (follows(word.mid(++used), text.mid(at + 1)))
+                    return true;
+    }
+    return false;
 }
 
 int wordScore(const QString& word, const QString& text)

@@ -3,8 +3,9 @@
 #include "DockTitle.h"
 #include "PaneSizes.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QMainWindow>
+#include <QPointer>
 
 namespace bolster {
 
@@ -48,6 +49,7 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
 
 void Docks::reset()
 {
+    const QPointer<QWidget> worker = QApplication::focusWidget(); // loses the focus when its dock goes away
     for (QDockWidget* dock : all()) {
         dock->setFloating(false);
         m_window.removeDockWidget(dock);
@@ -67,6 +69,8 @@ void Docks::reset()
     m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
     m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);
     m_sizes->take();
+    if (worker && worker->isVisible())
+        worker->setFocus();
 }
 
 QByteArray Docks::saveSizes() const

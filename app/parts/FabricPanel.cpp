@@ -191,8 +191,8 @@ FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& l
     connect(&link, &FabricLink::changed, this, &FabricPanel::fillFabrics);
     connect(commands["fabric.on-balls"], &QAction::toggled, this, &FabricPanel::fillFabrics);
     connect(&selection, &Selection::changed, this, &FabricPanel::followSelection);
-    connect(m_fabrics, &QListWidget::currentItemChanged, this,
-            [this](const QListWidgetItem* item) { emit fabricChosen(idOf(item)); });
+    // Not the current item: a list that gets the focus makes its first one current, which nobody has chosen.
+    connect(m_fabrics, &QListWidget::itemSelectionChanged, this, [this] { emit fabricChosen(fabric()); });
     connect(m_fabrics, &QListWidget::itemActivated, this,
             [this](const QListWidgetItem* item) { emit editWanted(idOf(item)); });
     connect(m_fabrics, &QWidget::customContextMenuRequested, this, &FabricPanel::showMenu);
@@ -205,7 +205,8 @@ FabricPanel::FabricPanel(Document& document, Selection& selection, FabricLink& l
 
 ElementId FabricPanel::fabric() const
 {
-    return idOf(m_fabrics->currentItem());
+    const QList<QListWidgetItem*> chosen = m_fabrics->selectedItems();
+    return chosen.isEmpty() ? noElement : idOf(chosen.front());
 }
 
 void FabricPanel::setFabric(ElementId fabric)

@@ -24,9 +24,9 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
-    /// The design with the running gesture's preview, if there is one.
+    /// The design with the running gesture's edit, if there is one.
     const Design& design() const { return m_design; }
-    /// The design at the history's current node, without a gesture's preview.
+    /// The design at the history's current node, without a gesture's edit.
     const Design& committed() const { return m_base; }
     /// Increases with every change of design().
     std::uint64_t revision() const { return m_revision; }
@@ -70,7 +70,7 @@ public:
     void markSaved() { setHeld({mark(), false}); }
 
     bool gestureRunning() const { return m_gesture != nullptr; }
-    /// What the running gesture's preview would break, if anything: it is to be seen as invalid, not to be solved,
+    /// What the running gesture's edit would break, if anything: it is to be seen as invalid, not to be solved,
     /// and is taken back on release.
     const std::optional<edits::Breakage>& breakage() const { return m_breakage; }
     /// Takes back the running gesture, if there is one (undo during a drag, Escape). One that was let go is
@@ -104,7 +104,7 @@ private:
     void announceDirty();
 
     Design m_base;
-    Design m_design; // m_base, or the running gesture's preview
+    Design m_design; // m_base, or with the running gesture's edit
     std::uint64_t m_revision = 0;
     History m_history;
     HeldHistory m_held;

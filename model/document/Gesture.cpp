@@ -28,9 +28,9 @@ void Gesture::update(Edit edit)
     if (!m_document)
         return;
     m_edit = edits::withFollowers(m_start, std::move(edit));
-    Design preview = m_start.with(m_edit);
+    Design provisional = m_start.with(m_edit);
     m_document->m_breakage = edits::brokenBy(m_start, m_edit);
-    m_document->show(std::move(preview));
+    m_document->show(std::move(provisional));
 }
 
 void Gesture::commit()
@@ -38,7 +38,7 @@ void Gesture::commit()
     if (!m_document)
         return;
     m_letGo = false;
-    // Detached first: the document goes from the preview straight to the committed design, without a way back.
+    // Detached first: the document goes from the provisional design straight to the committed design, without a way back.
     Document& document = *std::exchange(m_document, nullptr);
     if (const std::optional<edits::Breakage> broken = document.m_breakage) {
         document.cancelGesture();

@@ -1,4 +1,4 @@
-// One drag: previews while the pointer moves, one commit on release, restored on Escape or destruction.
+// One drag: provisional edits while the pointer moves, one commit on release, restored on Escape or destruction.
 #pragma once
 
 #include "Design.h"
@@ -7,7 +7,7 @@ namespace bolster {
 
 class Document;
 
-/// Every preview is computed from `start()`, so there is no command merging. Only one gesture runs at a time:
+/// Every provisional edit is computed from `start()`, so there is no command merging. Only one gesture runs at a time:
 /// beginning a second one cancels the first, whose calls then do nothing.
 class Gesture {
 public:
@@ -21,7 +21,7 @@ public:
     const Design& start() const { return m_start; }
     /// Shows start() with this edit and what it means for mirror twins.
     void update(Edit edit);
-    /// Commits the last preview as one edit; nothing if there was none. One that would break something
+    /// Commits the last provisional edit; nothing if there was none. One that would break something
     /// (Document::breakage) is taken back instead, and Document::refused says why.
     void commit();
     void cancel();

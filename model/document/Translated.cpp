@@ -11,14 +11,19 @@ namespace bolster {
 
 namespace {
 
-/// Numbers come with a point, as files have them.
+/// Numbers come with a point, as files have them; numbers of elements in English ("2 patches"), as edits keep them.
 std::string localized(const std::string& arg)
 {
     static const QRegularExpression fraction(QStringLiteral("^-?\\d+\\.\\d+$"));
+    static const QRegularExpression counted(QStringLiteral("^(\\d+)( [a-z ]+)$"));
     QString text = QString::fromStdString(arg);
-    if (!fraction.match(text).hasMatch())
-        return arg;
-    return text.replace(u'.', QLocale().decimalPoint()).toStdString();
+    if (fraction.match(text).hasMatch())
+        return text.replace(u'.', QLocale().decimalPoint()).toStdString();
+    if (const auto parts = counted.match(text); parts.hasMatch())
+        return QCoreApplication::translate("ElementText", qUtf8Printable(QStringLiteral("%1") + parts.captured(2)))
+            .arg(parts.captured(1))
+            .toStdString();
+    return arg;
 }
 
 } // namespace

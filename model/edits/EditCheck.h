@@ -1,4 +1,4 @@
-// What an edit would break, for gestures: such a preview is shown as invalid and taken back on release.
+// What an edit would break, for gestures: until its end such an edit is shown as invalid and taken back on release.
 #pragma once
 
 #include "Design.h"

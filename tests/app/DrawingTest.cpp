@@ -11,6 +11,17 @@ namespace {
 
 using DrawingWindowTest = WindowTest;
 
+TEST_F(DrawingWindowTest, GuidesAreRemovedWhereThereAreSome)
+{
+    QAction* remove = window.command("draw.remove-guides");
+    EXPECT_FALSE(remove->isEnabled());
+    window.patternView().aids().setGuides({{100}, {}});
+    EXPECT_TRUE(remove->isEnabled());
+    remove->trigger();
+    EXPECT_TRUE(window.patternView().aids().guides().x.empty());
+    EXPECT_FALSE(remove->isEnabled());
+}
+
 TEST_F(DrawingWindowTest, AnEmptyDesignLetsOneDraw)
 {
     const auto* hint = window.findChild<StartHint*>();

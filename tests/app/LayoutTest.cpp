@@ -35,6 +35,17 @@ void expectTitlesOnce(MainWindow& window, const char* when)
         }
 }
 
+TEST_F(WindowTest, ResettingTheLayoutSelectsNothing)
+{
+    ASSERT_TRUE(open(sample("armchair")));
+    window.patternView().setFocus();
+    Docks::reveal(window.docks().fabrics);
+    window.command("window.reset-layout")->trigger();
+    waitUntilLaidOut();
+    EXPECT_TRUE(window.selection().elements().empty());
+    EXPECT_TRUE(window.patternView().hasFocus()) << "who worked there goes on there";
+}
+
 TEST_F(WindowTest, EachPartSaysItsTitleOnce)
 {
     window.command("window.reset-layout")->trigger();

@@ -65,6 +65,22 @@ TEST_F(PaletteTest, FindsByPartsOfWordsAndDoesWithEnter)
     EXPECT_FALSE(palette().isVisible());
 }
 
+TEST_F(PaletteTest, LettersAreNotPickedFromAnywhereInTheNamesOfFiles)
+{
+    QMenu* menu = window.menuBar()->addMenu("Upholstery");
+    menu->addAction("&1  armchair, mirrored later.json\t/work/samples");
+    menu->addAction("&2  my odd mirror.json\t/work/samples");
+    openPalette();
+    type("samples");
+    EXPECT_NE(first(), "armchair, mirrored later.json");
+    palette().field().clear();
+    type("arirored");
+    EXPECT_NE(first(), "armchair, mirrored later.json") << "not from the middle of a word";
+    palette().field().clear();
+    type("armmir");
+    EXPECT_EQ(first(), "armchair, mirrored later.json") << "without its number and its folder";
+}
+
 TEST_F(PaletteTest, OffersFirstWhatWasDoneLast)
 {
     openPalette();

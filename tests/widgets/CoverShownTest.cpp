@@ -11,6 +11,7 @@
 #include "SceneMarks.h"
 #include "SectionPanel.h"
 #include "Selection.h"
+#include "ShownMap.h"
 #include "TwinEdits.h"
 #include "Twins.h"
 #include "Units.h"
@@ -415,6 +416,26 @@ TEST_F(CoverShown, AFrameThatIsShownAgainIsUnderTheCoverAtOnce)
     again = picture(before, 2, 1);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->scene.frames[0].skin, whole);
+}
+
+TEST_F(CoverShown, SeamsAreDarkerOnAMapAtOnce)
+{
+    view.visibility().setLayerVisible(SceneVisibility::Layer::Checker, false);
+    const auto darkest = [&] {
+        int alpha = 0;
+        for (const SceneLine& line : view.shown().scene().lines)
+            alpha = std::max(alpha, line.color.rgb() == qRgb(18, 14, 12) ? line.color.alpha() : 0);
+        return alpha;
+    };
+    const int onCloth = darkest();
+    ASSERT_GT(onCloth, 0);
+    auto map = std::make_shared<ShownMap>();
+    map->topology = view.shown().surface()->topology;
+    map->values.assign(view.shown().surface()->positions.size(), 0);
+    view.setMap(map);
+    EXPECT_GT(darkest(), onCloth);
+    view.setMap(nullptr);
+    EXPECT_EQ(darkest(), onCloth);
 }
 
 TEST_F(CoverShown, OpacityOfFramesReachesThePicture)

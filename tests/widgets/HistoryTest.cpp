@@ -201,6 +201,43 @@ TEST_F(HistoryTest, AnEditAddsALineAndUndoAddsNone)
     EXPECT_EQ(resets, 1);
 }
 
+TEST_F(HistoryTest, NamingAnotherVersionLeavesTheListWhereItIs)
+{
+    static QStringList said;
+    said.clear();
+    const QtMessageHandler before =
+        qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString& text) { said << text; });
+    view.edit(row(1));
+    auto* editor = view.findChild<QLineEdit*>();
+    if (editor) {
+        QTest::keyClicks(editor, "With welt");
+        QTest::keyClick(editor, Qt::Key_Return);
+        (void)QTest::qWaitFor([&] { return view.findChildren<QLineEdit*>().isEmpty(); });
+    }
+    qInstallMessageHandler(before);
+    EXPECT_EQ(document.history().node(1).name, "With welt");
+    EXPECT_EQ(document.history().current(), 3);
+    EXPECT_TRUE(said.isEmpty()) << qPrintable(said.join('\n'));
+}
+
+TEST_F(HistoryTest, ThePresentVersionStaysInSightWhenItGetsLower)
+{
+    for (int i = 0; i < 30; ++i)
+        rename(std::to_string(i).c_str());
+    const auto inSight = [&] {
+        return view.viewport()->rect().contains(
+            view.visualRect(view.history().indexOf(document.history().current())));
+    };
+    ASSERT_TRUE(QTest::qWaitFor(inSight));
+    panel.resize(300, 160);
+    EXPECT_TRUE(QTest::qWaitFor(inSight));
+
+    view.scrollToTop(); // somebody looks elsewhere
+    panel.resize(300, 140);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(inSight());
+}
+
 TEST_F(HistoryTest, NamingLeavesTheDesignAlone)
 {
     const Design before = document.design();

@@ -21,6 +21,7 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <QTranslator>
 #include <QTreeWidget>
 #include <QWheelEvent>
 
@@ -152,6 +153,44 @@ TEST_F(InspectorTest, CoordinatesAreShownWhole)
             EXPECT_GE(line->width(), line->fontMetrics().horizontalAdvance("-214.335") + 4);
         }
     }
+}
+
+/// Of one word.
+class OneWord : public QTranslator {
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* text, const char*, int) const override
+    {
+        return qstrcmp(context, "ElementText") == 0 && qstrcmp(text, "%1 patches") == 0
+                   ? QStringLiteral("%1 Schnittteile")
+                   : QString();
+    }
+};
+
+TEST_F(InspectorTest, WhatAnEditSaysOfSeveralElementsIsInTheLanguageOfWhoeverReadsIt)
+{
+    OneWord german;
+    QCoreApplication::installTranslator(&german);
+    selection.set({firstSquare, secondSquare});
+    type(boxes("Pressure").front(), "7");
+    const Message verb = document.history().node(document.history().current()).edit.verb;
+    const QString shown = translated(verb);
+    QCoreApplication::removeTranslator(&german);
+    EXPECT_EQ(verb.english(), "Change the pressure of 2 patches");
+    EXPECT_TRUE(shown.endsWith("2 Schnittteile")) << qPrintable(shown);
+}
+
+TEST_F(InspectorTest, ADoubleClickBehindANumberTakesTheNumber)
+{
+    NumberBox box({.unit = " mm", .decimals = 2});
+    box.display(5);
+    box.resize(200, 30);
+    box.show();
+    auto* line = box.findChild<QLineEdit*>();
+    QTest::mouseDClick(line, Qt::LeftButton, {}, {190, 12});
+    QTest::keyClicks(line, "7");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(box.value(), 7);
 }
 
 TEST_F(InspectorTest, ChangesSeveralPatchesAsOneEdit)

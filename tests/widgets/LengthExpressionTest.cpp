@@ -38,6 +38,11 @@ TEST(LengthExpression, Calculates)
     EXPECT_DOUBLE_EQ(mm("100 - 10 - 1"), 89) << "from the left";
     EXPECT_DOUBLE_EQ(mm("3 \u00d7 25 mm"), 75);
     EXPECT_DOUBLE_EQ(mm("2*(1 in)"), 50.8);
+    EXPECT_DOUBLE_EQ(mm("1e3"), 1000);
+    EXPECT_DOUBLE_EQ(mm("2.5E-1 cm"), 2.5);
+    EXPECT_FALSE(parseLength(QStringLiteral("e3"), english));
+    EXPECT_FALSE(parseLength(QStringLiteral("1e"), english));
+    EXPECT_FALSE(parseLength(QStringLiteral("1e999"), english));
 }
 
 TEST(LengthExpression, FollowsTheLanguagesNumbers)

@@ -27,6 +27,16 @@ QString nameOrNumber(const Design& design, ElementId id)
     return name.isEmpty() ? QStringLiteral("%1 %2").arg(kindWord(kindOf(*element))).arg(number(id)) : name;
 }
 
+/// That of the settings, which stands for any, if they are of different ones.
+ElementKind commonKind(const Design& design, std::span<const ElementId> ids)
+{
+    std::optional<ElementKind> kind;
+    for (const ElementId id : ids)
+        if (const ElementPtr element = design.element(id))
+            kind = !kind || *kind == kindOf(*element) ? kindOf(*element) : kindOf<Settings>();
+    return kind.value_or(kindOf<Settings>());
+}
+
 } // namespace
 
 ElementKind kindOf(const Element& element)
@@ -73,11 +83,14 @@ QString countedText(const Design& design, std::span<const ElementId> ids)
 {
     if (ids.size() == 1)
         return displayName(design, ids.front());
-    std::optional<ElementKind> kind;
-    for (const ElementId id : ids)
-        if (const ElementPtr element = design.element(id))
-            kind = !kind || *kind == kindOf(*element) ? kindOf(*element) : kindOf<Settings>();
-    return inWords(kind.value_or(kindOf<Settings>()).names().counted).arg(ids.size());
+    return inWords(commonKind(design, ids).names().counted).arg(ids.size());
+}
+
+std::string countedWords(const Design& design, std::span<const ElementId> ids)
+{
+    if (ids.size() == 1)
+        return displayName(design, ids.front()).toStdString();
+    return filledIn(commonKind(design, ids).names().counted, {std::to_string(ids.size())});
 }
 
 double stretchLength(const Design& design, const Stretch& stretch)

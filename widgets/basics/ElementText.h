@@ -46,6 +46,8 @@ QString kindIcon(ElementKind kind);
 QString displayName(const Design& design, ElementId id);
 /// "3 patches", or "3 elements" if they are of different kinds; of a single one its name.
 QString countedText(const Design& design, std::span<const ElementId> ids);
+/// The same for the words of an edit, which are kept: the number in English, as `translated` takes it.
+std::string countedWords(const Design& design, std::span<const ElementId> ids);
 /// The lengths of a seam's two stretches and its ease, or "".
 QString seamSummary(const Design& design, const Seam& seam);
 /// Arc length of a seam's first stretch, of a fixation's or a trim's, mm; 0 for other elements.

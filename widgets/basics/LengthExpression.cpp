@@ -1,5 +1,7 @@
 #include "LengthExpression.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 
@@ -117,9 +119,20 @@ private:
         while (m_at < m_text.size() &&
                (m_text[m_at].isDigit() || m_text[m_at] == u'.' || m_text[m_at] == u',' || m_text[m_at] == m_point))
             ++m_at;
+        const QString digits = plain(m_text.mid(start, m_at - start));
         bool good = false;
-        const double value = plain(m_text.mid(start, m_at - start)).toDouble(&good);
+        const double value = QString(digits + exponent()).toDouble(&good);
         return good ? Parsed(Quantity{value}) : std::nullopt;
+    }
+
+    /// "e3", "E-2" right behind the digits, or nothing.
+    QString exponent()
+    {
+        static const QRegularExpression pattern(QStringLiteral("[eE][+-]?\\d{1,3}"));
+        const auto found = pattern.match(m_text, m_at, QRegularExpression::NormalMatch,
+                                         QRegularExpression::AnchorAtOffsetMatchOption);
+        m_at += found.capturedLength();
+        return found.captured();
     }
 
     /// With "." as the decimal sign and without grouped digits; not a number if it is ambiguous.

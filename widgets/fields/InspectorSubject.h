@@ -317,7 +317,7 @@ private:
             chain.add(edits::replaceElement(start, id, makeElement(std::move(value)),
                                             {verb, {displayName(start, id).toStdString()}}));
         }
-        return chain.result({verb, {countedText(start, m_ids).toStdString()}});
+        return chain.result({verb, {countedWords(start, m_ids)}});
     }
 
     Document* m_document;

@@ -47,6 +47,7 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     setKeyboardTracking(false);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumWidth(72);
+    lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         m_typedOver = false;
         emit entered(value);
@@ -80,6 +81,16 @@ bool NumberBox::event(QEvent* event)
         return false;
     }
     return QDoubleSpinBox::event(event);
+}
+
+/// A double click takes the number, also behind it: a unit alone is not what anybody means to type over.
+bool NumberBox::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonDblClick) {
+        selectAll();
+        return true;
+    }
+    return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 void NumberBox::display(std::optional<double> value)

@@ -248,6 +248,7 @@ HistoryView::HistoryView(Document& document, QWidget* parent)
     setEditTriggers(DoubleClicked | EditKeyPressed);
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         applyFilter(0, m_model->rowCount() - 1);
+        m_shown = -1;
         showCurrent();
     });
     connect(m_model, &QAbstractItemModel::rowsInserted, this,
@@ -341,11 +342,27 @@ void HistoryView::contextMenuEvent(QContextMenuEvent* event)
                                                             : viewport()->mapToGlobal(visualRect(index).center()));
 }
 
+/// Only when it is another one: while a version is being named the list stays where it is.
 void HistoryView::showCurrent()
 {
-    const QModelIndex current = m_model->indexOf(m_document.history().current());
+    const NodeId node = m_document.history().current();
+    if (node == m_shown)
+        return;
+    m_shown = node;
+    const QModelIndex current = m_model->indexOf(node);
     setCurrentIndex(current);
     scrollTo(current);
+}
+
+/// Keeps the present version in sight, unless somebody has scrolled away from it.
+void HistoryView::resizeEvent(QResizeEvent* event)
+{
+    const QModelIndex current = m_model->indexOf(m_document.history().current());
+    const bool inSight =
+        !event->oldSize().isValid() || visualRect(current).intersects(QRect(QPoint(), event->oldSize()));
+    QListView::resizeEvent(event);
+    if (inSight)
+        scrollTo(current);
 }
 
 } // namespace bolster

@@ -34,6 +34,7 @@ protected:
     bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showCurrent();
@@ -43,6 +44,7 @@ private:
     HistoryModel* m_model;
     PictureTip* m_tip;
     QStringList m_filter;
+    NodeId m_shown = -1; ///< the present version that was last shown
 };
 
 } // namespace bolster

@@ -122,8 +122,11 @@ void ShownScene::setFiles(const DesignFiles& files)
 
 void ShownScene::setMap(VertexMapPtr map)
 {
+    const bool others = bool(map) != bool(m_scene.map);
     m_scene.map = std::move(map);
     updateScans();
+    if (others)
+        updateMarks(); // they are darker on colours than on cloth
     emit changed(false);
 }
 

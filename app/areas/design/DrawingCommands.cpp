@@ -41,6 +41,8 @@ DrawingCommands::DrawingCommands(Commands& commands, PatternView& pattern, Statu
     addHelps();
     addPicture();
     addOpacities();
+    connect(&pattern.aids(), &DrawingAids::changed, this,
+            [&commands] { commands.update({"draw.remove-guides"}); });
 }
 
 void DrawingCommands::addHelps()
@@ -74,6 +76,7 @@ void DrawingCommands::addHelps()
                      .formerly = "remove-all-guides",
                      .text = tr("Remove all g&uides"),
                      .places = {"view.grid/1"},
+                     .enabled = [this] { return m_pattern.aids().guides() != PatternGuides(); },
                      .does = [this] { m_pattern.aids().setGuides({}); }},
                     kept("lasso", {.id = "draw.lasso",
                                    .formerly = "select-with-a-loop",
