@@ -212,12 +212,18 @@ void MainWindow::restoreSize()
         resize(QSize(1400, 900).boundedTo(0.92 * screen()->availableSize()));
 }
 
-/// Docks get the sizes they had only in a window that has its own.
 void MainWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (std::exchange(m_arranged, true))
-        return;
+    if (!std::exchange(m_wasShown, true))
+        QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
+}
+
+/// Docks get the sizes they had only in a window that has its own. Once it is on the screen: docks that float would come
+/// up before it, and lie behind it.
+void MainWindow::arrange()
+{
+    m_arranged = true;
     const bool restored = restoreState(QSettings().value(stateKey).toByteArray(), layoutVersion);
     m_docks->problems->hide();
     m_banner->parentWidget()->setVisible(m_banner->shown());
@@ -226,6 +232,8 @@ void MainWindow::showEvent(QShowEvent* event)
 
 void MainWindow::storeLayout()
 {
+    if (!m_arranged)
+        return; // it is kept from before
     QSettings settings;
     settings.setValue(geometryKey, saveGeometry());
     settings.setValue(stateKey, saveState(layoutVersion));

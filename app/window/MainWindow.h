@@ -107,6 +107,7 @@ private:
     void updateSolverState();
     void showProblem(ElementId element);
     void restoreSize();
+    void arrange();
     void storeLayout();
 
     std::unique_ptr<DesignSession> m_session;
@@ -140,6 +141,7 @@ private:
     ViewCommands* m_viewCommands = nullptr;
     MapCommands* m_mapCommands = nullptr;
     bool m_fitCover = false; ///< the next surface is the first of its design
+    bool m_wasShown = false;
     bool m_arranged = false; ///< docks and tool bars are where they were at the last end
     bool m_workKept = false; ///< closing was agreed to
 };

@@ -46,6 +46,23 @@ TEST_F(WindowTest, ResettingTheLayoutSelectsNothing)
     EXPECT_TRUE(window.patternView().hasFocus()) << "who worked there goes on there";
 }
 
+TEST_F(WindowTest, ADockThatFloatsComesBackAfterTheWindow)
+{
+    window.command("window.reset-layout")->trigger();
+    window.docks().inspector->setFloating(true);
+    waitUntilLaidOut();
+    window.close();
+    MainWindow again;
+    again.show();
+    EXPECT_FALSE(again.docks().inspector->isFloating()) << "the window is not on the screen yet";
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&again));
+    waitUntilLaidOut();
+    EXPECT_TRUE(again.docks().inspector->isFloating());
+    EXPECT_TRUE(again.docks().inspector->isVisible());
+    again.command("window.reset-layout")->trigger(); // kept for other tests
+    again.close();
+}
+
 TEST_F(WindowTest, EachPartSaysItsTitleOnce)
 {
     window.command("window.reset-layout")->trigger();

@@ -86,7 +86,7 @@ public:
         int rows = 0;
         for (QTreeWidgetItemIterator it(this); *it && rows < most; ++it)
             ++rows;
-        setFixedHeight(std::max(1, rows) * std::max(18, sizeHintForRow(0)) + 2 * frameWidth());
+        setFixedHeight(std::max(1, rows) * std::max(1, sizeHintForRow(0)) + 2 * frameWidth());
     }
 
     std::function<void(int)> pointed;
@@ -251,10 +251,12 @@ void PropertyForm::addChecks(const QString& label, const std::vector<Check>& che
         item->setText(0, check.text);
         item->setToolTip(0, check.text);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+        item->setCheckState(0, Qt::Unchecked); // before rows are measured: a mark is higher than a word
         item->setData(0, CheckList::number, static_cast<int>(items.size()));
         above = check.below ? above : item;
         items.push_back(item);
     }
+    list->setRootIsDecorated(std::ranges::any_of(checks, &Check::below));
     list->expandAll();
     list->fitRows();
     list->pointed = pointed;
