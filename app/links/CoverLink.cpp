@@ -28,6 +28,8 @@ public:
         try {
             Made made;
             const SurfaceTopology& topology = *wanted.surface->topology;
+            if (topology.vertexCount() == 0)
+                return {}; // OpenSubdiv would complain on the terminal
             if (m_last.cover && m_last.cover->surface == wanted.surface)
                 made.cover = m_last.cover;
             else

@@ -102,7 +102,10 @@ MainWindow::MainWindow(QWidget* parent)
     restoreSize();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    disconnect(qApp, nullptr, this, nullptr); // a dialog that goes with the window changes the focus
+}
 
 void MainWindow::open(const QString& path)
 {
@@ -219,8 +222,8 @@ void MainWindow::showEvent(QShowEvent* event)
         QMetaObject::invokeMethod(this, &MainWindow::arrange, Qt::QueuedConnection);
 }
 
-/// Docks get the sizes they had only in a window that has its own. Once it is on the screen: docks that float would come
-/// up before it, and lie behind it.
+/// Docks get the sizes they had only in a window that has its own. Once it is on the screen: docks that float would
+/// come up before it, and lie behind it.
 void MainWindow::arrange()
 {
     m_arranged = true;

@@ -38,7 +38,8 @@ void Gesture::commit()
     if (!m_document)
         return;
     m_letGo = false;
-    // Detached first: the document goes from the provisional design straight to the committed design, without a way back.
+    // Detached first: the document goes from the provisional design straight to the committed design, without a way
+    // back.
     Document& document = *std::exchange(m_document, nullptr);
     if (const std::optional<edits::Breakage> broken = document.m_breakage) {
         document.cancelGesture();

@@ -7,8 +7,8 @@ namespace bolster {
 
 class Document;
 
-/// Every provisional edit is computed from `start()`, so there is no command merging. Only one gesture runs at a time:
-/// beginning a second one cancels the first, whose calls then do nothing.
+/// Every provisional edit is computed from `start()`, so there is no command merging. Only one gesture runs at a
+/// time: beginning a second one cancels the first, whose calls then do nothing.
 class Gesture {
 public:
     explicit Gesture(Document& document);

@@ -11,10 +11,13 @@
 #include "StartHint.h"
 #include "Theme.h"
 
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
@@ -55,6 +58,22 @@ protected:
 
     QTemporaryDir folder;
 };
+
+/// Closing its dialogs moves the focus, which it must not hear of any more.
+TEST_F(FilesTest, AWindowGoesWithTheDialogThatIsOpenInIt)
+{
+    auto again = std::make_unique<MainWindow>();
+    again->show();
+    auto* dialog = new QDialog(again.get());
+    auto* field = new QLineEdit(dialog);
+    dialog->show();
+    dialog->activateWindow();
+    field->setFocus();
+    (void)QTest::qWaitForWindowActive(dialog);
+    const QPointer<QDialog> gone = dialog;
+    again.reset();
+    EXPECT_FALSE(gone);
+}
 
 TEST_F(FilesTest, EverySampleOpensFromTheMenu)
 {

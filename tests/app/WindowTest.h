@@ -52,7 +52,7 @@ protected:
         const auto connection =
             QObject::connect(&window.session(), &DesignSession::opened, &window, [&] { opened = true; });
         window.open(path);
-        const bool done = QTest::qWaitFor([&] { return opened; }, 30000);
+        const bool done = QTest::qWaitFor([&] { return opened; }, 120000);
         QObject::disconnect(connection);
         return done;
     }

@@ -41,8 +41,7 @@ DrawingCommands::DrawingCommands(Commands& commands, PatternView& pattern, Statu
     addHelps();
     addPicture();
     addOpacities();
-    connect(&pattern.aids(), &DrawingAids::changed, this,
-            [&commands] { commands.update({"draw.remove-guides"}); });
+    connect(&pattern.aids(), &DrawingAids::changed, this, [&commands] { commands.update({"draw.remove-guides"}); });
 }
 
 void DrawingCommands::addHelps()
