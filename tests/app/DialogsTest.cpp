@@ -163,8 +163,7 @@ TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
     };
     EXPECT_TRUE(type("wide").contains(QStringLiteral("\"wide\" is not a")));
     EXPECT_TRUE(type("-1").contains(QStringLiteral("at least")));
-    EXPECT_TRUE(type("1e9").contains(QStringLiteral("not a")));
-    EXPECT_TRUE(type("1000000000").contains(QStringLiteral("at most")));
+    EXPECT_TRUE(type("1e9").contains(QStringLiteral("at most")));
     EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
 }
 
