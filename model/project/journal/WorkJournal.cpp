@@ -3,6 +3,7 @@
 #include "EditCodec.h"
 #include "JournalFiles.h"
 #include "LastPlaces.h"
+#include "ProjectRows.h"
 #include "TemporaryFile.h"
 
 #include <QFileInfo>
