@@ -46,7 +46,7 @@ if(BOLSTER_ODR)
 endif()
 
 # Makes a library of Bolster of a folder and, where it has such, its rooms: warnings, its include roots, and a check that
-# every header compiles alone: one with a source is its first include (structure.rooms) and shows it in the preset odr, the
+# every header compiles alone: one with a source is its first include (structure.rooms) and shows it in the preset dev, the
 # others by the target NAME_verify_interface_header_sets.
 #   bolster_library(NAME UNITS [room/]name... PUBLIC lib... PRIVATE lib...)
 # A unit is a header, a source, or both of one name. Each folder that units are in is an include root.
