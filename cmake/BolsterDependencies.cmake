@@ -21,6 +21,13 @@ add_library(bolster_flann INTERFACE)
 target_include_directories(bolster_flann SYSTEM INTERFACE "${FLANN_INCLUDE_DIR}")
 target_link_libraries(bolster_flann INTERFACE "${LZ4_LIBRARY}")
 
+# No CMake config in Debian 12.
+find_path(CLIPPER_INCLUDE_DIR polyclipping/clipper.hpp REQUIRED)
+find_library(CLIPPER_LIBRARY polyclipping REQUIRED)
+add_library(bolster_clipper INTERFACE)
+target_include_directories(bolster_clipper SYSTEM INTERFACE "${CLIPPER_INCLUDE_DIR}")
+target_link_libraries(bolster_clipper INTERFACE "${CLIPPER_LIBRARY}")
+
 if(NOT BOLSTER_HEADLESS)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
     find_package(SQLite3 3.37 REQUIRED)

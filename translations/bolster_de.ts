@@ -88,6 +88,10 @@
         <source>%1 cannot be read as a picture: %2</source>
         <translation>%1 lässt sich nicht als Bild lesen: %2</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not an ordinary file.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei.</translation>
+    </message>
 </context>
 <context>
     <name>BackgroundScaleTool</name>
@@ -255,10 +259,36 @@
     </message>
 </context>
 <context>
+    <name>CutCornerForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+</context>
+<context>
     <name>DescribedField</name>
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>DesignCuttingSection</name>
+    <message>
+        <source>Cutting</source>
+        <translation>Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Seam allowance of all patches</source>
+        <translation>Nahtzugabe aller Teile</translation>
+    </message>
+    <message>
+        <source>Depth of notches</source>
+        <translation>Tiefe der Knipse</translation>
+    </message>
+    <message>
+        <source>Width of notches</source>
+        <translation>Breite der Knipse</translation>
     </message>
 </context>
 <context>
@@ -380,6 +410,24 @@
     <message>
         <source>&amp;Give up</source>
         <translation>&amp;Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>DrillHoleForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+</context>
+<context>
+    <name>EdgeAllowanceForm</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -615,6 +663,78 @@
         <source>Edge of %1</source>
         <translation>Kante von %1</translation>
     </message>
+    <message>
+        <source>Allowance of an edge</source>
+        <translation>Zugabe einer Kante</translation>
+    </message>
+    <message>
+        <source>Allowances of edges</source>
+        <translation>Zugaben von Kanten</translation>
+    </message>
+    <message>
+        <source>%1 allowances of edges</source>
+        <translation>%1 Zugaben von Kanten</translation>
+    </message>
+    <message>
+        <source>Corner of the cut line</source>
+        <translation>Ecke der Schnittlinie</translation>
+    </message>
+    <message>
+        <source>Corners of the cut line</source>
+        <translation>Ecken der Schnittlinie</translation>
+    </message>
+    <message>
+        <source>%1 corners of the cut line</source>
+        <translation>%1 Ecken der Schnittlinie</translation>
+    </message>
+    <message>
+        <source>Drill hole</source>
+        <translation>Bohrloch</translation>
+    </message>
+    <message>
+        <source>Drill holes</source>
+        <translation>Bohrlöcher</translation>
+    </message>
+    <message>
+        <source>%1 drill holes</source>
+        <translation>%1 Bohrlöcher</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>%1 notches</source>
+        <translation>%1 Knipse</translation>
+    </message>
+    <message>
+        <source>Internal line</source>
+        <translation>Innenlinie</translation>
+    </message>
+    <message>
+        <source>Internal lines</source>
+        <translation>Innenlinien</translation>
+    </message>
+    <message>
+        <source>%1 internal lines</source>
+        <translation>%1 Innenlinien</translation>
+    </message>
+    <message>
+        <source>%1, allowance %2</source>
+        <translation>%1, Zugabe %2</translation>
+    </message>
+    <message>
+        <source>Notch of %1</source>
+        <translation>Knips von %1</translation>
+    </message>
+    <message>
+        <source>Corner of %1</source>
+        <translation>Ecke von %1</translation>
+    </message>
 </context>
 <context>
     <name>FabricForm</name>
@@ -689,6 +809,10 @@
     <message>
         <source>Choose an&amp;other picture …</source>
         <translation>Anderes B&amp;ild wählen …</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Zuschnitt</translation>
     </message>
 </context>
 <context>
@@ -1398,6 +1522,234 @@
         <source>Valley</source>
         <translation>Mulde</translation>
     </message>
+    <message>
+        <source>Mitred – to a point</source>
+        <translation>Auf Gehrung – spitz</translation>
+    </message>
+    <message>
+        <source>Square – cut off</source>
+        <translation>Gerade abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Abgerundet</translation>
+    </message>
+    <message>
+        <source>Folded – lies under the piece</source>
+        <translation>Umgelegt – liegt unter dem Teil</translation>
+    </message>
+    <message>
+        <source>Stepped</source>
+        <translation>Gestuft</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>From the sewing line to the line where the fabric is cut.</source>
+        <translation>Von der Nahtlinie bis zu der Linie, an der der Stoff geschnitten wird.</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Corners of the cut line</source>
+        <translation>Ecken der Schnittlinie</translation>
+    </message>
+    <message>
+        <source>as the design&apos;s</source>
+        <translation>wie im Entwurf</translation>
+    </message>
+    <message>
+        <source>Lies at</source>
+        <translation>Liegt bei</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Schlitz</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Castle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>Depth of notches</source>
+        <translation>Tiefe der Knipse</translation>
+    </message>
+    <message>
+        <source>Width of notches</source>
+        <translation>Breite der Knipse</translation>
+    </message>
+    <message>
+        <source>Notches along seams every</source>
+        <translation>Knipse entlang von Nähten alle</translation>
+    </message>
+    <message>
+        <source>Notches at ends of seams</source>
+        <translation>Knipse an Enden von Nähten</translation>
+    </message>
+    <message>
+        <source>Notches that tell halves apart</source>
+        <translation>Knipse, die Hälften unterscheiden</translation>
+    </message>
+    <message>
+        <source>Two side by side</source>
+        <translation>Zwei nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Label at</source>
+        <translation>Beschriftung bei</translation>
+    </message>
+    <message>
+        <source>Label turned by</source>
+        <translation>Beschriftung gedreht um</translation>
+    </message>
+    <message>
+        <source>Two ways – either end up</source>
+        <translation>Beide Richtungen – jedes Ende oben</translation>
+    </message>
+    <message>
+        <source>One way – one end up</source>
+        <translation>Eine Richtung – ein Ende oben</translation>
+    </message>
+    <message>
+        <source>Any direction</source>
+        <translation>Jede Richtung</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Stückzahl</translation>
+    </message>
+    <message>
+        <source>Mirrored pair</source>
+        <translation>Gespiegeltes Paar</translation>
+    </message>
+    <message>
+        <source>Nap</source>
+        <translation>Strichrichtung</translation>
+    </message>
+    <message>
+        <source>Grain may be off by</source>
+        <translation>Fadenlauf darf abweichen um</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>where it finds room</source>
+        <translation>wo Platz ist</translation>
+    </message>
+    <message>
+        <source>Usable width</source>
+        <translation>Nutzbare Breite</translation>
+    </message>
+    <message>
+        <source>Shrinks along</source>
+        <translation>Schrumpft längs</translation>
+    </message>
+    <message>
+        <source>Pieces are cut so much larger along the grain that they have their size when the fabric has shrunk.</source>
+        <translation>Teile werden längs zum Fadenlauf um so viel größer geschnitten, dass sie ihr Maß haben, wenn der Stoff geschrumpft ist.</translation>
+    </message>
+    <message>
+        <source>Shrinks across</source>
+        <translation>Schrumpft quer</translation>
+    </message>
+    <message>
+        <source>10 mm</source>
+        <translation>10 mm</translation>
+    </message>
+    <message>
+        <source>Automatic notches</source>
+        <translation>Automatische Knipse</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Artikel</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Weggelassen</translation>
+    </message>
+    <message>
+        <source>On the cutting table</source>
+        <translation>Auf dem Zuschneidetisch</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Hilfslinie</translation>
+    </message>
+    <message>
+        <source>Top stitching</source>
+        <translation>Steppnaht</translation>
+    </message>
+    <message>
+        <source>Tie-down strip</source>
+        <translation>Abspannstreifen</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Falz</translation>
+    </message>
+    <message>
+        <source>Purpose</source>
+        <translation>Zweck</translation>
+    </message>
+    <message>
+        <source>Ease wanted</source>
+        <translation>Gewünschte Mehrweite</translation>
+    </message>
+    <message>
+        <source>How much longer the second side shall be than the first one: it is gathered when it is sewn.</source>
+        <translation>Um wie viel länger die zweite Seite als die erste sein soll: sie wird beim Nähen eingehalten.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -1472,6 +1824,10 @@
     <message>
         <source>Ren&amp;der picture …</source>
         <translation>Bild be&amp;rechnen …</translation>
+    </message>
+    <message>
+        <source>Export patter&amp;n …</source>
+        <translation>Schnitt expor&amp;tieren …</translation>
     </message>
 </context>
 <context>
@@ -2048,6 +2404,17 @@
     </message>
 </context>
 <context>
+    <name>InternalLineForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+</context>
+<context>
     <name>LayerCommands</name>
     <message>
         <source>La&amp;yers</source>
@@ -2120,6 +2487,10 @@
     <message>
         <source>&amp;Grid</source>
         <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Cut lines, &amp;notches and labels</source>
+        <translation>Sch&amp;nittlinien, Knipse und Beschriftungen</translation>
     </message>
 </context>
 <context>
@@ -2222,6 +2593,17 @@
     <message>
         <source>Choose a map of strain first</source>
         <translation>Zuerst eine Karte der Dehnung wählen</translation>
+    </message>
+</context>
+<context>
+    <name>MarkDrag</name>
+    <message>
+        <source>Allowance of %1 – Ctrl for any width, Esc takes it back</source>
+        <translation>Zugabe %1 – Strg für jede Breite, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag it to where it belongs – Esc takes it back</source>
+        <translation>Dorthin ziehen, wo es hingehört – Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -4177,6 +4559,161 @@
         <source>the kind %1 is unknown; there are %2 and %3</source>
         <translation>die Art %1 ist unbekannt; es gibt %2 und %3</translation>
     </message>
+    <message>
+        <source>its second side is %1 mm longer than its first one, but shall be %2 mm longer: true the seam, or say in its properties how much ease is wanted</source>
+        <translation>ihre zweite Seite ist %1 mm länger als ihre erste, soll aber %2 mm länger sein: Seiten angleichen, oder in den Eigenschaften sagen, wie viel Mehrweite gewünscht ist</translation>
+    </message>
+    <message>
+        <source>its label finds no room: make the words shorter, or put it elsewhere</source>
+        <translation>seine Beschriftung findet keinen Platz: Worte kürzen oder an eine andere Stelle setzen</translation>
+    </message>
+    <message>
+        <source>its cut lines meet here: make the allowance smaller</source>
+        <translation>seine Schnittlinien treffen hier zusammen: Zugabe verkleinern</translation>
+    </message>
+    <message>
+        <source>a notch of %1 mm reaches the sewing line, which is %2 mm away: make it shallower, or the allowance wider</source>
+        <translation>ein Knips von %1 mm reicht bis zur Nahtlinie, die %2 mm entfernt ist: flacher machen oder die Zugabe verbreitern</translation>
+    </message>
+    <message>
+        <source>nothing is sewn where it is, so it has no partner</source>
+        <translation>wo er ist, wird nichts genäht, also hat er kein Gegenstück</translation>
+    </message>
+    <message>
+        <source>it has no partner on the other side of its seam: another notch is too near there</source>
+        <translation>er hat kein Gegenstück auf der anderen Seite der Naht: dort ist ein anderer Knips zu nah</translation>
+    </message>
+    <message>
+        <source>it is %1 mm wide across the grain, but &quot;%2&quot; only %3 mm: split it, or turn its grain</source>
+        <translation>es ist quer zum Fadenlauf %1 mm breit, „%2“ aber nur %3 mm: teilen oder den Fadenlauf drehen</translation>
+    </message>
+    <message>
+        <source>an inner corner of %1 degrees is too sharp for its seam allowances: make them smaller there, or the corner wider</source>
+        <translation>eine innere Ecke von %1 Grad ist zu spitz für ihre Nahtzugaben: dort verkleinern oder die Ecke öffnen</translation>
+    </message>
+    <message>
+        <source>There is no such place on an outline.</source>
+        <translation>Eine solche Stelle auf einem Umriss gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A part of this stretch of %1 has a seam allowance of its own already: change that one, or choose another stretch.</source>
+        <translation>Ein Teil dieses Abschnitts von %1 hat schon eine eigene Nahtzugabe: diese ändern oder einen anderen Abschnitt wählen.</translation>
+    </message>
+    <message>
+        <source>There is a notch of %1 at this place already.</source>
+        <translation>An dieser Stelle von %1 ist schon ein Knips.</translation>
+    </message>
+    <message>
+        <source>This corner of %1 has a join of its own already.</source>
+        <translation>Diese Ecke von %1 hat schon eine eigene Form.</translation>
+    </message>
+    <message>
+        <source>Change the seam allowance of %1 patches</source>
+        <translation>Nahtzugabe von %1 Teilen ändern</translation>
+    </message>
+    <message>
+        <source>Change the seam allowance of an edge of %1</source>
+        <translation>Nahtzugabe einer Kante von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change a corner of the cut line of %1</source>
+        <translation>Ecke der Schnittlinie von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Add a notch to %1</source>
+        <translation>Knips an %1 setzen</translation>
+    </message>
+    <message>
+        <source>Move a notch</source>
+        <translation>Knips verschieben</translation>
+    </message>
+    <message>
+        <source>Move the join of a corner</source>
+        <translation>Form einer Ecke verschieben</translation>
+    </message>
+    <message>
+        <source>A drill hole must lie inside its patch.</source>
+        <translation>Ein Bohrloch muss in seinem Teil liegen.</translation>
+    </message>
+    <message>
+        <source>Move %1 drill holes</source>
+        <translation>%1 Bohrlöcher verschieben</translation>
+    </message>
+    <message>
+        <source>Move the label of %1</source>
+        <translation>Beschriftung von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>The stretch would overlap another one of %1 that has its own seam allowance.</source>
+        <translation>Der Abschnitt würde einen anderen von %1 mit eigener Nahtzugabe überlappen.</translation>
+    </message>
+    <message>
+        <source>Give an edge its own seam allowance</source>
+        <translation>Einer Kante eine eigene Nahtzugabe geben</translation>
+    </message>
+    <message>
+        <source>Change a corner of the cut line</source>
+        <translation>Ecke der Schnittlinie ändern</translation>
+    </message>
+    <message>
+        <source>Add drill hole %1</source>
+        <translation>Bohrloch %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the diameter of %1</source>
+        <translation>Durchmesser von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the notches of %1</source>
+        <translation>Knipse von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the automatic notches</source>
+        <translation>Automatische Knipse ändern</translation>
+    </message>
+    <message>
+        <source>Add a notch</source>
+        <translation>Knips hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change how %1 is cut</source>
+        <translation>Zuschnitt von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change how the pattern is cut</source>
+        <translation>Zuschnitt des Schnitts ändern</translation>
+    </message>
+    <message>
+        <source>Add internal line %1</source>
+        <translation>Innenlinie %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the purpose of %1</source>
+        <translation>Zweck von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the ease of %1</source>
+        <translation>Mehrweite von %1 ändern</translation>
+    </message>
+    <message>
+        <source>is %1, but must be a whole number; %2 are cut</source>
+        <translation>ist %1, muss aber eine ganze Zahl sein; %2 werden geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 is an allowance of a part of this stretch already; remove one of the two, or make their stretches meet</source>
+        <translation>%1 ist schon eine Zugabe eines Teils dieses Abschnitts; eine der beiden entfernen, oder die Abschnitte aneinanderstoßen lassen</translation>
+    </message>
+    <message>
+        <source>the hole lies outside of &quot;%1&quot;; move it inside</source>
+        <translation>das Loch liegt außerhalb von „%1“; nach innen verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>NotchForm</name>
+    <message>
+        <source>Patch</source>
+        <translation>Schnittteil</translation>
+    </message>
 </context>
 <context>
     <name>OrientationFields</name>
@@ -4327,6 +4864,41 @@
         <source>Click for the next point, double click or Enter ends – B makes it smooth, Backspace takes a point back</source>
         <translation>Klick setzt den nächsten Punkt, Doppelklick oder Eingabe beendet – B macht sie rund, Rücktaste nimmt einen Punkt zurück</translation>
     </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Linie %1</translation>
+    </message>
+    <message>
+        <source>Click inside a patch or on its outline to begin a line for the cutter – Esc ends the tool</source>
+        <translation>In ein Teil oder auf seinen Umriss klicken, um eine Linie für den Zuschnitt zu beginnen – Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>PatternPdf</name>
+    <message>
+        <source>100 mm</source>
+        <translation>100 mm</translation>
+    </message>
+    <message>
+        <source>1 inch</source>
+        <translation>1 Zoll</translation>
+    </message>
+    <message>
+        <source>Print at 100 %</source>
+        <translation>Mit 100 % drucken</translation>
+    </message>
+    <message>
+        <source>%1 – print at 100 %</source>
+        <translation>%1 – mit 100 % drucken</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2 of %3 x %4</source>
+        <translation>Zeile %1, Spalte %2 von %3 x %4</translation>
+    </message>
+    <message>
+        <source>Overview of %1 x %2 sheets</source>
+        <translation>Übersicht über %1 x %2 Blätter</translation>
+    </message>
 </context>
 <context>
     <name>PatternSelectTool</name>
@@ -4373,6 +4945,10 @@
     <message>
         <source>Click to select the seam and the edge, double click to add a control point here</source>
         <translation>Klick wählt Naht und Kante aus, Doppelklick fügt hier einen Kontrollpunkt ein</translation>
+    </message>
+    <message>
+        <source>Click to select it, drag to move it, Delete removes it</source>
+        <translation>Klicken wählt es aus, ziehen verschiebt es, Entf entfernt es</translation>
     </message>
 </context>
 <context>
@@ -4434,6 +5010,17 @@
     <message>
         <source>%1 Let go here, and it goes back to where it was.</source>
         <translation>%1 Wird hier losgelassen, kehrt alles dorthin zurück, wo es war.</translation>
+    </message>
+</context>
+<context>
+    <name>PieceCuttingSection</name>
+    <message>
+        <source>Cutting</source>
+        <translation>Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Own seam allowance</source>
+        <translation>Eigene Nahtzugabe</translation>
     </message>
 </context>
 <context>
@@ -4997,6 +5584,26 @@
         <source>&amp;Draw fixation curve</source>
         <translation>&amp;Fixierkurve zeichnen</translation>
     </message>
+    <message>
+        <source>Draw &amp;internal line</source>
+        <translation>&amp;Innenlinie zeichnen</translation>
+    </message>
+    <message>
+        <source>Allowance of an ed&amp;ge</source>
+        <translation>Zu&amp;gabe einer Kante</translation>
+    </message>
+    <message>
+        <source>&amp;Corner of the cut line</source>
+        <translation>E&amp;cke der Schnittlinie</translation>
+    </message>
+    <message>
+        <source>Place &amp;notches</source>
+        <translation>K&amp;nipse setzen</translation>
+    </message>
+    <message>
+        <source>Place &amp;drill holes</source>
+        <translation>Bohrlöcher s&amp;etzen</translation>
+    </message>
 </context>
 <context>
     <name>TrimSection</name>
@@ -5449,6 +6056,154 @@
     <message>
         <source>Find an element</source>
         <translation>Element suchen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::ExportPatternDialog</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Schnitt exportieren</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>What to look at before cutting</source>
+        <translation>Was vor dem Zuschnitt anzusehen ist</translation>
+    </message>
+    <message>
+        <source>A double click shows where it is.</source>
+        <translation>Ein Doppelklick zeigt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Export …</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>PDF – to print and put together</source>
+        <translation>PDF – zum Drucken und Zusammensetzen</translation>
+    </message>
+    <message>
+        <source>DXF AAMA – for cutters</source>
+        <translation>DXF AAMA – für Cutter</translation>
+    </message>
+    <message>
+        <source>DXF ASTM – for cutters</source>
+        <translation>DXF ASTM – für Cutter</translation>
+    </message>
+    <message>
+        <source>DXF, plain lines</source>
+        <translation>DXF, einfache Linien</translation>
+    </message>
+    <message>
+        <source>SVG – 1:1</source>
+        <translation>SVG – 1:1</translation>
+    </message>
+    <message>
+        <source>HPGL – for plotters</source>
+        <translation>HPGL – für Plotter</translation>
+    </message>
+    <message>
+        <source>Roll, %1 mm wide</source>
+        <translation>Rolle, %1 mm breit</translation>
+    </message>
+    <message>
+        <source>&amp;Landscape</source>
+        <translation>&amp;Querformat</translation>
+    </message>
+    <message>
+        <source>Mirrored pairs as &amp;two pieces</source>
+        <translation>Gespiegelte Paare als z&amp;wei Teile</translation>
+    </message>
+    <message>
+        <source>The design says it; it is changed in its properties.</source>
+        <translation>Der Entwurf sagt es; es wird in seinen Eigenschaften geändert.</translation>
+    </message>
+    <message>
+        <source>Of patches and edges that have none of their own.</source>
+        <translation>Von Teilen und Kanten ohne eigene.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>Seam &amp;allowance</source>
+        <translation>Naht&amp;zugabe</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Sewing li&amp;nes</source>
+        <translation>&amp;Nahtlinien</translation>
+    </message>
+    <message>
+        <source>Notc&amp;hes</source>
+        <translation>&amp;Knipse</translation>
+    </message>
+    <message>
+        <source>&amp;Grain lines</source>
+        <translation>Fa&amp;denläufe</translation>
+    </message>
+    <message>
+        <source>La&amp;bels</source>
+        <translation>&amp;Beschriftungen</translation>
+    </message>
+    <message>
+        <source>&amp;Internal lines</source>
+        <translation>Innen&amp;linien</translation>
+    </message>
+    <message>
+        <source>&amp;Drill holes</source>
+        <translation>Bohrlö&amp;cher</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1-mal schneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1 and %1 mirrored</source>
+        <translation>%1-mal schneiden, %1-mal gespiegelt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces on %1 x %2 mm</source>
+        <translation>
+            <numerusform>%n Teil auf %1 x %2 mm</numerusform>
+            <numerusform>%n Teile auf %1 x %2 mm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%n Seite</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patches are left out: their outlines cross themselves</source>
+        <translation>
+            <numerusform>%n Teil wird weggelassen: sein Umriss kreuzt sich</numerusform>
+            <numerusform>%n Teile werden weggelassen: ihre Umrisse kreuzen sich</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>C&amp;ut lines</source>
+        <translation>Schnittl&amp;inien</translation>
     </message>
 </context>
 <context>
@@ -6048,6 +6803,22 @@
         <source>The damaged work is kept under File &gt; Unsaved work</source>
         <translation>Die beschädigte Arbeit bleibt unter Datei &gt; Nicht gespeicherte Arbeit</translation>
     </message>
+    <message>
+        <source>Export pattern</source>
+        <translation>Schnitt exportieren</translation>
+    </message>
+    <message>
+        <source>-pattern</source>
+        <translation>-Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 (*.%2)</source>
+        <translation>%1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>The pattern could not be exported.</source>
+        <translation>Der Schnitt konnte nicht exportiert werden.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -6331,6 +7102,33 @@
     <message>
         <source>Deviation from the scan</source>
         <translation>Abweichung vom Scan</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::MarkTool</name>
+    <message>
+        <source>Hole %1</source>
+        <translation>Loch %1</translation>
+    </message>
+    <message>
+        <source>Click to select it, drag to move it – its properties say what it is like</source>
+        <translation>Klicken wählt es aus, ziehen verschiebt es – seine Eigenschaften sagen, wie es ist</translation>
+    </message>
+    <message>
+        <source>Click an outline to place a notch; on a seam the other side gets one, too – Esc ends the tool</source>
+        <translation>Einen Umriss anklicken, um einen Knips zu setzen; an einer Naht bekommt die andere Seite auch einen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click inside a patch to place a drill hole – Esc ends the tool</source>
+        <translation>In ein Teil klicken, um ein Bohrloch zu setzen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click an edge to give it a seam allowance of its own, drag its handle – Esc ends the tool</source>
+        <translation>Eine Kante anklicken, um ihr eine eigene Nahtzugabe zu geben; am Griff ziehen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click a corner of an outline to choose how its cut lines are joined – Esc ends the tool</source>
+        <translation>Eine Ecke eines Umrisses anklicken, um die Form der Schnittlinie zu wählen – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -6857,6 +7655,17 @@
     </message>
 </context>
 <context>
+    <name>bolster::SheetPreview</name>
+    <message>
+        <source>What will be on the sheets</source>
+        <translation>Was auf den Blättern sein wird</translation>
+    </message>
+    <message>
+        <source>There is nothing to cut.</source>
+        <translation>Es gibt nichts zu schneiden.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::ShortcutsDialog</name>
     <message>
         <source>&amp;No keys</source>
@@ -6916,6 +7725,14 @@
     <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1-mal schneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1 and %1 mirrored</source>
+        <translation>%1-mal schneiden, %1-mal gespiegelt</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,30 @@
     </message>
 </context>
 <context>
+    <name>bolster::ExportPatternDialog</name>
+    <message numerus="yes">
+        <source>%n pieces on %1 x %2 mm</source>
+        <translation>
+            <numerusform>%n piece on %1 x %2 mm</numerusform>
+            <numerusform>%n pieces on %1 x %2 mm</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%n page</numerusform>
+            <numerusform>%n pages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n patches are left out: their outlines cross themselves</source>
+        <translation>
+            <numerusform>%n patch is left out: its outline crosses itself</numerusform>
+            <numerusform>%n patches are left out: their outlines cross themselves</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::FabricCommands</name>
     <message numerus="yes">
         <source>%n patches have &quot;%1&quot;. What shall they get instead?</source>

@@ -15,6 +15,7 @@ namespace {
 const char* const help = R"(Usage: bolster [DESIGN ...]         open the workbench, a window for each
        bolster solve DESIGN ...     solve a design and write the cover
        bolster render DESIGN ...    draw pictures of the cover
+       bolster export DESIGN ...    write the pattern for cutters, plotters and printers
        bolster check DESIGN         report everything that is wrong with a design
        bolster dump FILE            write a project's design as text
        bolster import DESIGN FILE   make a project of a design
@@ -36,11 +37,11 @@ struct Command {
 };
 
 const Command commands[] = {
-    {"solve", cli::solveHelp, cli::solve},          {"render", cli::renderHelp, cli::render},
-    {"check", cli::checkHelp, cli::check},          {"dump", cli::dumpHelp, cli::dump},
-    {"import", cli::importHelp, cli::importDesign}, {"history", cli::historyHelp, cli::history},
-    {"verify", cli::verifyHelp, cli::verify},       {"salvage", cli::salvageHelp, cli::salvage},
-    {"bench", cli::benchHelp, cli::bench}};
+    {"solve", cli::solveHelp, cli::solve},           {"render", cli::renderHelp, cli::render},
+    {"check", cli::checkHelp, cli::check},           {"dump", cli::dumpHelp, cli::dump},
+    {"import", cli::importHelp, cli::importDesign},  {"history", cli::historyHelp, cli::history},
+    {"verify", cli::verifyHelp, cli::verify},        {"salvage", cli::salvageHelp, cli::salvage},
+    {"export", cli::exportHelp, cli::exportPattern}, {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

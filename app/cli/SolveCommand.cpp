@@ -86,7 +86,7 @@ int solve(std::span<const std::string> words)
 
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    outputs.protectInputs(path, opened.design);
+    outputs.files().protectInputs(path, opened.design);
     interrupt.whenEnded([&] { outputs.write(interruptedResult(), {}, {}); });
     const SolveResult result = solveOpened(opened, options, interrupt.token());
     printFindings(result);

@@ -135,14 +135,24 @@ void ShortcutsDialog::fill(const QList<MenuEntry>& commands)
     }
 }
 
+/// What has the words themselves; only where nothing has, what has their letters.
 void ShortcutsDialog::filter(const QString& text)
 {
+    constexpr int letters = 10; // of matchScore
+    const auto score = [&](const QTreeWidgetItem* menu, QTreeWidgetItem* item) {
+        return matchScore(text, {actionOf(item), item->text(0), menu->text(0)});
+    };
+    int best = 0;
+    for (int m = 0; m < m_tree->topLevelItemCount(); ++m)
+        for (int i = 0; i < m_tree->topLevelItem(m)->childCount(); ++i)
+            best = std::max(best, score(m_tree->topLevelItem(m), m_tree->topLevelItem(m)->child(i)));
+    const int least = best > letters + 1 ? letters + 2 : 1;
     for (int m = 0; m < m_tree->topLevelItemCount(); ++m) {
         QTreeWidgetItem* menu = m_tree->topLevelItem(m);
         bool any = false;
         for (int i = 0; i < menu->childCount(); ++i) {
             QTreeWidgetItem* item = menu->child(i);
-            const bool found = matchScore(text, {actionOf(item), item->text(0), menu->text(0)}) > 0 ||
+            const bool found = score(menu, item) >= least ||
                                item->text(1).contains(text.trimmed(), Qt::CaseInsensitive);
             item->setHidden(!found);
             any = any || found;

@@ -19,6 +19,7 @@ class QWidget;
 namespace bolster {
 
 class Banner;
+struct PatternOrder;
 struct Salvaged;
 
 class FileFlow : public QObject {
@@ -49,6 +50,8 @@ public:
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
+    /// Asks how, then where.
+    void exportPattern();
     /// Named like the design and beside it.
     QString proposedPicture() const { return proposed(QStringLiteral("png")); }
 
@@ -66,6 +69,8 @@ signals:
     void done(const QString& what);
     /// A frame or a scan is in the design now.
     void imported(bolster::FileKind kind);
+    /// Something in the pattern shall be seen: in outline coordinates, mm.
+    void placeWanted(bolster::ElementId element, bolster::ElementId patch, const bolster::Vec2& place);
     /// The user wants to see what is wrong.
     void problemsWanted();
     /// The user wants to see what has been done.
@@ -112,6 +117,7 @@ private:
     void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
     void place(const QString& path, const FileContent& content, const Element& element,
                std::optional<ElementId> replaced);
+    void exportPatternTo(const QString& path, const PatternOrder& order);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);
     void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);

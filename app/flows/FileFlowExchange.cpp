@@ -1,6 +1,7 @@
 // Importing frames and scans, exporting surfaces and pictures.
 #include "Ask.h"
 #include "Background.h"
+#include "ExportPatternDialog.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
 #include "SurfaceExport.h"
@@ -140,6 +141,32 @@ void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& pat
             emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
         else
             fail(tr("The surface could not be exported."), problem);
+    });
+}
+
+void FileFlow::exportPattern()
+{
+    auto* dialog = new ExportPatternDialog(m_session.document().design(), m_session.title(), m_window);
+    connect(dialog, &ExportPatternDialog::placeWanted, this, &FileFlow::placeWanted);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        const PatternOrder order = dialog->order();
+        const QString ending = patternEnding(order.format);
+        chooseTarget(tr("Export pattern"), proposed(ending, tr("-pattern")),
+                     tr("%1 (*.%2)").arg(ending.toUpper(), ending), {ending},
+                     [this, order](const QString& path) { exportPatternTo(path, order); });
+    });
+    openDialog(dialog);
+}
+
+void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order)
+{
+    inBackground<Message>([design = m_session.document().design(), path, order] {
+        return replaceWholeFile(path, patternBytes(cutPattern(design, order.cutting), order));
+    }).then(this, [this, path](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+        else
+            fail(tr("The pattern could not be exported."), problem);
     });
 }
 

@@ -259,6 +259,11 @@ void MainWindow::connectFiles()
     });
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
     connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
+    connect(m_files, &FileFlow::placeWanted, this, [this](ElementId element, ElementId patch, const Vec2& place) {
+        m_selection.set({element});
+        m_pattern->reveal({patch, place});
+        m_pattern->showPlace(CoverPoint{patch, place});
+    });
     connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
     connect(m_fabricCommands, &FabricCommands::done, m_status, &StatusLine::flash);
     connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen

@@ -6,15 +6,6 @@
 
 namespace bolster {
 
-namespace {
-
-double cross(const Vec2& a, const Vec2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-} // namespace
-
 PatternLocator::PatternLocator(const SurfaceTopology& topology, const SurfaceTopology::PatchRange& patch)
     : m_topology(topology)
 {

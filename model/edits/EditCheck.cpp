@@ -138,6 +138,8 @@ std::vector<Stretch> stretchesOf(const Element& element)
         return {seam->stretch};
     if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
         return {trimmed->stretch};
+    if (const auto* allowance = std::get_if<EdgeAllowance>(&element))
+        return {allowance->stretch};
     return {};
 }
 
@@ -202,6 +204,10 @@ std::optional<Message> overlapBreaks(const Design& design, ElementId id, const E
                 return Message{QT_TRANSLATE_NOOP("Message",
                                                  "The stretch would overlap another one of %1 that has a "
                                                  "trim."),
+                               {displayName(design, stretch.patch)}};
+            if (design.find<EdgeAllowance>(other))
+                return Message{QT_TRANSLATE_NOOP("Message", "The stretch would overlap another one of %1 that has "
+                                                            "its own seam allowance."),
                                {displayName(design, stretch.patch)}};
             const auto& seam = *design.find<Seam>(other);
             return Message{QT_TRANSLATE_NOOP("Message", "The stretch would overlap the seam of %1 and %2."),

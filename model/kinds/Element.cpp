@@ -1,6 +1,7 @@
 #include "Element.h"
 
 #include "Kinds.h"
+#include "PatchMark.h"
 
 #include <algorithm>
 
@@ -40,7 +41,7 @@ const std::string* elementFile(const Element& element)
 {
     return std::visit(
         [](const auto& value) -> const std::string* {
-            if constexpr (requires { value.shape; })
+            if constexpr (requires { Foam::Shape(value.shape); })
                 return value.shape == Foam::Shape::Mesh ? &value.file : nullptr;
             else if constexpr (requires { value.look; })
                 return value.look.kind == FabricLook::Kind::Image ? &value.look.file : nullptr;
@@ -100,14 +101,26 @@ ElementPtr withTrim(const Element& element, SeamTrim trim)
 
 bool liesOnPatch(const Element& element)
 {
-    return seamTrim(element) || patchCurve(element); // all that can be trimmed does
+    bool mark = false;
+    visitMark(element, [&](const auto&) { mark = true; });
+    return mark || seamTrim(element) || patchCurve(element); // all that can be trimmed does
 }
 
 const PatchCurve* patchCurve(const Element& element)
 {
-    if (const auto* handle = std::get_if<HandleCurve>(&element))
-        return handle;
-    return std::get_if<FancySeam>(&element);
+    return std::visit(
+        [](const auto& value) -> const PatchCurve* {
+            if constexpr (std::is_base_of_v<PatchCurve, std::remove_cvref_t<decltype(value)>>)
+                return &value;
+            else
+                return nullptr;
+        },
+        element);
+}
+
+const PatchCurve* shapingCurve(const Element& element)
+{
+    return std::holds_alternative<InternalLine>(element) ? nullptr : patchCurve(element);
 }
 
 namespace {

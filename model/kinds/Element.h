@@ -3,6 +3,9 @@
 
 #include "Colourway.h"
 #include "Cushion.h"
+#include "CutCorner.h"
+#include "DrillHole.h"
+#include "EdgeAllowance.h"
 #include "Fabric.h"
 #include "FancySeam.h"
 #include "FixationCurve.h"
@@ -10,6 +13,8 @@
 #include "Foam.h"
 #include "Frame.h"
 #include "HandleCurve.h"
+#include "InternalLine.h"
+#include "Notch.h"
 #include "OutlineTrim.h"
 #include "Patch.h"
 #include "Quarantined.h"
@@ -25,7 +30,8 @@
 namespace bolster {
 
 using Element = std::variant<Settings, Fabric, Patch, Seam, FixationCurve, FixationSeam, Frame, HandleCurve,
-                             FancySeam, Cushion, Foam, Scan, Colourway, OutlineTrim, Quarantined>;
+                             FancySeam, Cushion, Foam, Scan, Colourway, OutlineTrim, EdgeAllowance, CutCorner,
+                             Notch, DrillHole, InternalLine, Quarantined>;
 using ElementPtr = std::shared_ptr<const Element>;
 
 template <class T>
@@ -52,8 +58,10 @@ ElementPtr withFile(const Element& element, std::string file);
 const SeamTrim* seamTrim(const Element& element);
 /// The same element with other ones; it must be of a kind with a trim.
 ElementPtr withTrim(const Element& element, SeamTrim trim);
-/// What a handle curve or fancy seam draws in a patch, or null for other kinds.
+/// What a handle curve, fancy seam or internal line draws in a patch, or null for other kinds.
 const PatchCurve* patchCurve(const Element& element);
+/// The same, but for lines that only a cutter sees.
+const PatchCurve* shapingCurve(const Element& element);
 /// Seams of all kinds, outline trims, handle curves and fancy seams: what a patch takes along.
 bool liesOnPatch(const Element& element);
 /// The curve in outline coordinates: of a patch its outline, of handle curves and fancy seams the drawn one; or

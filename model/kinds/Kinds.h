@@ -3,6 +3,7 @@
 
 #include "ColourwayFields.h"
 #include "CushionFields.h"
+#include "DrillHoleFields.h"
 #include "Element.h"
 #include "FabricFields.h"
 #include "FixationFields.h"

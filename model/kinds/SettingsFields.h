@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Field.h"
+#include "PieceCuttingFields.h"
 #include "Settings.h"
 
 namespace bolster {
@@ -55,6 +56,7 @@ struct Description<Settings> {
                  .meaning = "the one that is shown; without it each patch shows its own fabric",
                  .without = QT_TRANSLATE_NOOP("Field", "as made")},
                 Refers<Colourway>{Need::Shown, false}, s.colourway...);
+        v.group(cuttingField, s.cutting...);
     }
 };
 

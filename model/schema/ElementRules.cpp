@@ -335,6 +335,10 @@ void ElementRules::rules(const Patch& patch)
 {
     if (const std::optional<Message>& wrong = outlineProblemOf(m_id, patch.outline))
         error("outline.points", *wrong);
+    if (patch.cutting.quantity != std::round(patch.cutting.quantity))
+        warn("cutting.quantity",
+             {QT_TRANSLATE_NOOP("Message", "is %1, but must be a whole number; %2 are cut"),
+              {numberText(patch.cutting.quantity), numberText(std::ceil(patch.cutting.quantity))}});
 }
 
 template <int Dim>
@@ -542,6 +546,47 @@ void ElementRules::rules(const Colourway& colourway)
 void ElementRules::rules(const OutlineTrim& trimmed)
 {
     stretch("", trimmed.stretch);
+}
+
+void ElementRules::rules(const EdgeAllowance& allowance)
+{
+    const Patch* patch = stretch("", allowance.stretch);
+    if (!patch)
+        return;
+    m_design.each<EdgeAllowance>([&](ElementId other, const EdgeAllowance& before) {
+        if (other < m_id && before.stretch.patch == allowance.stretch.patch &&
+            stretchesOverlap(patch->outline, before.stretch, allowance.stretch))
+            error("from",
+                  {QT_TRANSLATE_NOOP("Message", "%1 is an allowance of a part of this stretch already; remove "
+                                                "one of the two, or make their stretches meet"),
+                   {elementLabel(other, *m_design.element(other))}});
+    });
+}
+
+void ElementRules::rules(const CutCorner& corner)
+{
+    place(corner.place);
+}
+
+void ElementRules::rules(const Notch& notch)
+{
+    place(notch.place);
+}
+
+void ElementRules::place(const OutlinePlace& place)
+{
+    const Patch* patch = m_design.find<Patch>(place.patch);
+    if (patch && !patch->outline.empty())
+        inRange("at", place.at, patch->outline.domainStart(), patch->outline.domainEnd());
+}
+
+void ElementRules::rules(const DrillHole& hole)
+{
+    const Patch* patch = m_design.find<Patch>(hole.place.patch);
+    if (patch && !patch->outline.empty() && hole.place.position.allFinite() &&
+        !patch->outline.boundingBox().contains(hole.place.position))
+        warn("position",
+             {QT_TRANSLATE_NOOP("Message", "the hole lies outside of \"%1\"; move it inside"), {patch->name}});
 }
 
 void ElementRules::rules(const Quarantined& quarantined)

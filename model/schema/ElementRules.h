@@ -37,6 +37,10 @@ private:
     void rules(const Scan& scan);
     void rules(const Colourway& colourway);
     void rules(const OutlineTrim& trimmed);
+    void rules(const EdgeAllowance& allowance);
+    void rules(const CutCorner& corner);
+    void rules(const Notch& notch);
+    void rules(const DrillHole& hole);
     void rules(const Quarantined& quarantined);
 
     void twin(const Element& element);
@@ -54,6 +58,8 @@ private:
     template <int Dim>
     void needsLength(std::string field, const BSpline<Dim>& curve);
     void color(std::string field, const std::string& text);
+    /// Reports a parameter that the outline does not have.
+    void place(const OutlinePlace& place);
     template <int Dim>
     bool range(const std::string& fromField, const std::string& toField, const BSpline<Dim>& curve, double from,
                double to);

@@ -240,7 +240,13 @@ std::map<std::string, std::string> allTables()
 {
     std::map<std::string, std::string> tables{{"settings", tableOf<Settings>()}, {"look", tableOf<FabricLook>()},
                                               {"trim", tableOf<SeamTrim>()},     {"stretch", tableOf<Stretch>()},
-                                              {"twin", tableOf<Twin>()},         {"symmetry", tableOf<Symmetry>()}};
+                                              {"twin", tableOf<Twin>()},         {"symmetry", tableOf<Symmetry>()},
+                                              {"allowance", tableOf<CutAllowance>()},
+                                              {"notch_shape", tableOf<NotchShape>()},
+                                              {"automatic_notches", tableOf<AutomaticNotches>()},
+                                              {"piece_cutting", tableOf<PieceCutting>()},
+                                              {"fabric_cutting", tableOf<FabricCutting>()},
+                                              {"design_cutting", tableOf<DesignCutting>()}};
     eachWrittenKind([&]<class T>() { tables[Description<T>::word] = tableOf<T>(); });
     return tables;
 }

@@ -100,7 +100,12 @@ SolvePlan planOf(const Element& before, const Element& after)
     if (before.index() != after.index())
         return SolvePlan::Resew;
     CostWalker walker;
-    std::visit([&]<class T>(const T& a) { walker.part({}, a, std::get<T>(after)); }, before);
+    std::visit(
+        [&]<class T>(const T& a) {
+            if constexpr (!requires { Description<T>::shapesNothing; })
+                walker.part({}, a, std::get<T>(after));
+        },
+        before);
     return walker.cost;
 }
 

@@ -7,15 +7,6 @@
 
 namespace bolster {
 
-namespace {
-
-double cross(const Vec2& a, const Vec2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-} // namespace
-
 PatchBorder::PatchBorder(const BSpline2& outline, double step)
     : m_outline(&outline)
 {

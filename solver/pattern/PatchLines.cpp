@@ -247,7 +247,7 @@ PatchLines drawPatchLines(const Design& design)
     PatchLines result;
     std::map<ElementId, PatchDrawer> drawers;
     for (const auto& [id, element] : design.elements())
-        if (const PatchCurve* drawn = patchCurve(*element))
+        if (const PatchCurve* drawn = shapingCurve(*element))
             drawers.try_emplace(drawn->patch, design, *design.find<Patch>(drawn->patch), result)
                 .first->second.draw(id, *element);
     return result;

@@ -16,11 +16,6 @@ namespace bolster {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 std::vector<int> firstVertices(const std::vector<PatchMesh>& meshes)
 {
     std::vector<int> first{0};

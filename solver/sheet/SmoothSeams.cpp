@@ -25,11 +25,6 @@ constexpr double tipEdges = 4;
 // A vertex of a seam takes much longer than others.
 constexpr int chunk = 32;
 
-double crossProduct(const Vec2& a, const Vec2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// 1 for one sheet, 0 for an edge.
 double smoothness(const Eigen::Vector4d& a, const Eigen::Vector4d& b)
 {
@@ -167,8 +162,8 @@ void SmoothSeams::join(const SurfaceTopology::Chain& seam, Continuity continuity
         const double outwardV = m_mesh.parts[partOf[v]].outward, outwardW = m_mesh.parts[partOf[w]].outward;
         const bool mirrored = outwardV != outwardW;
         const Eigen::Matrix2d to = planeMap(along, other, mirrored);
-        const double sideV = crossProduct(along, sumOfRing(m_mesh, v, false));
-        const double sideW = crossProduct(along, to * sumOfRing(m_mesh, w, false));
+        const double sideV = cross(along, sumOfRing(m_mesh, v, false));
+        const double sideW = cross(along, to * sumOfRing(m_mesh, w, false));
         if (sideV * sideW >= 0)
             continue; // right side to wrong side
         const std::size_t before = k > 0 ? k - 1 : 0, after = std::min(k + 1, seam.a.size() - 1);
@@ -255,7 +250,7 @@ Eigen::Matrix2d SmoothSeams::mapNow(const Joint& joint, const Side& side, const 
     };
     const Vec2 here = alone(joint.vertex, own, joint.rest);
     const Vec2 there = side.to * alone(side.partner, other, side.rest);
-    const Vec2 turn(there.dot(here), crossProduct(there, here));
+    const Vec2 turn(there.dot(here), cross(there, here));
     const double size = turn.norm();
     if (!(size > 0))
         return side.to;

@@ -166,6 +166,23 @@ TEST_F(SalvageTest, ADamagedHeadCostsNothing)
     }
 }
 
+TEST_F(SalvageTest, ADamagedListOfTablesCostsNothing)
+{
+    make(20);
+    std::vector<std::size_t> places = {100, 103, 104, 105, 106, 108, 109, 110};
+    for (const char* const word :
+         {"TABLE thumbnail", "TABLE node", "tablenode", "run INTEGER", "png BLOB", "tablestate"})
+        places.push_back(m_bytes.find(word) + 4);
+    for (const std::size_t place : places) {
+        ASSERT_LT(place, 8192u);
+        std::string bytes = m_bytes;
+        bytes[place] = static_cast<char>(bytes[place] ^ 0x02);
+        QFile::remove(path("a.bolster"));
+        write("a.bolster", bytes);
+        EXPECT_EQ(salvaged().history.count(), m_document.history().count()) << place;
+    }
+}
+
 TEST_F(SalvageTest, SaysWhenNothingCanBeSavedAndReplacesNothing)
 {
     for (const std::string& bytes : {std::string(), std::string("hello"), std::string(100'000, 'x')}) {

@@ -15,6 +15,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <cmath>
 
 namespace bolster {
@@ -455,6 +457,12 @@ TEST(BackgroundPicture, IsReadIntoTheMiddleOrSaysWhyNot)
     QString problem;
     EXPECT_TRUE(readBackground(folder.filePath(QStringLiteral("none.png")), into, &problem).empty());
     EXPECT_TRUE(problem.contains(QStringLiteral("none.png")));
+
+    // Reading a pipe would wait for whoever writes into it, for ever.
+    const QString pipe = folder.filePath(QStringLiteral("pipe.png"));
+    ASSERT_EQ(::mkfifo(pipe.toUtf8().constData(), 0600), 0);
+    EXPECT_TRUE(readBackground(pipe, into, &problem).empty());
+    EXPECT_TRUE(problem.contains(QStringLiteral("not an ordinary file"))) << problem.toStdString();
 }
 
 } // namespace

@@ -59,6 +59,25 @@ QString kindIcon(ElementKind kind)
     return QString::fromLatin1(kind.names().icon);
 }
 
+namespace {
+
+/// Of marks for the cutter that have no name of their own.
+QString markText(const Design& design, const Element& element)
+{
+    if (const auto* edge = std::get_if<EdgeAllowance>(&element))
+        return QCoreApplication::translate("ElementText", "%1, allowance %2")
+            .arg(nameOrNumber(design, edge->stretch.patch), lengthText(edge->width));
+    if (const auto* notch = std::get_if<Notch>(&element))
+        return QCoreApplication::translate("ElementText", "Notch of %1")
+            .arg(nameOrNumber(design, notch->place.patch));
+    if (const auto* corner = std::get_if<CutCorner>(&element))
+        return QCoreApplication::translate("ElementText", "Corner of %1")
+            .arg(nameOrNumber(design, corner->place.patch));
+    return {};
+}
+
+} // namespace
+
 QString displayName(const Design& design, ElementId id)
 {
     if (const Seam* seam = design.find<Seam>(id))
@@ -73,6 +92,9 @@ QString displayName(const Design& design, ElementId id)
     if (const OutlineTrim* trimmed = design.find<OutlineTrim>(id))
         return QCoreApplication::translate("ElementText", "Edge of %1")
             .arg(nameOrNumber(design, trimmed->stretch.patch));
+    if (const ElementPtr element = design.element(id))
+        if (const QString text = markText(design, *element); !text.isEmpty())
+            return text;
     if (const Quarantined* bad = design.find<Quarantined>(id))
         if (!bad->problems.empty() && !bad->problems.front().label.empty())
             return QString::fromStdString(bad->problems.front().label);
@@ -109,6 +131,8 @@ double sewnLength(const Design& design, ElementId id)
         return stretchLength(design, seam->a);
     if (const OutlineTrim* trimmed = design.find<OutlineTrim>(id))
         return stretchLength(design, trimmed->stretch);
+    if (const EdgeAllowance* edge = design.find<EdgeAllowance>(id))
+        return stretchLength(design, edge->stretch);
     const FixationSeam* fixation = design.find<FixationSeam>(id);
     return fixation ? stretchLength(design, fixation->stretch) : 0;
 }

@@ -37,6 +37,7 @@ void HandleCurveForm::add(PropertyForm& form, const Ids& ids) const
         return h.hasTarget() ? lengthOf(h.target) : tr("free");
     });
     handle.field(&HandleCurve::match);
+    handle.field(&HandleCurve::use);
     OrientationFields::add(form, handle);
 }
 
@@ -48,12 +49,24 @@ void FancySeamForm::add(PropertyForm& form, const Ids& ids) const
     seam.field(&FancySeam::width);
     seam.field(&FancySeam::depth);
     seam.field(&FancySeam::profile);
+    seam.field(&FancySeam::use);
     seam.info(tr("Length"), [](const Design&, const FancySeam& s) { return lengthOf(s.curve); });
     form.addNote([seam] {
         return seam.shared([](const FancySeam& s) { return s.depth < 0; }) == true ? tr("It stands out: a welt.")
                                                                                    : QString();
     });
     TrimSection::add(form, seam);
+}
+
+void InternalLineForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<InternalLine> line(m_document, ids, form);
+    line.name();
+    line.info(tr("Patch"),
+              [](const Design& design, const InternalLine& l) { return displayName(design, l.patch); });
+    line.field(&InternalLine::purpose);
+    line.field(&InternalLine::use);
+    line.info(tr("Length"), [](const Design&, const InternalLine& l) { return lengthOf(l.curve); });
 }
 
 } // namespace bolster

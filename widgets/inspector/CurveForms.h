@@ -51,4 +51,18 @@ private:
     Document& m_document;
 };
 
+class InternalLineForm : public ElementForm {
+    Q_DECLARE_TR_FUNCTIONS(InternalLineForm)
+
+public:
+    explicit InternalLineForm(Document& document)
+        : m_document(document)
+    {}
+
+    void add(PropertyForm& form, const Ids& ids) const override;
+
+private:
+    Document& m_document;
+};
+
 } // namespace bolster

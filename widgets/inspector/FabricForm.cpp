@@ -66,6 +66,10 @@ void FabricForm::add(PropertyForm& form, const Ids& ids) const
     fabric.field(&Fabric::limits, &StretchLimits::along);
     fabric.field(&Fabric::limits, &StretchLimits::across);
     fabric.field(&Fabric::limits, &StretchLimits::shear);
+    form.addHeading(tr("Cutting"), icon(QStringLiteral("notch")));
+    fabric.field(&Fabric::cutting, &FabricCutting::width);
+    fabric.field(&Fabric::cutting, &FabricCutting::shrinkAlong);
+    fabric.field(&Fabric::cutting, &FabricCutting::shrinkAcross);
 }
 
 void FabricForm::addPictures(PropertyForm& form, ElementId id) const

@@ -3,6 +3,7 @@
 #include "ColourwayForm.h"
 #include "CurveForms.h"
 #include "CushionForm.h"
+#include "CuttingForms.h"
 #include "DescribedForm.h"
 #include "FabricForm.h"
 #include "FoamForm.h"
@@ -38,6 +39,9 @@ InspectorForms::InspectorForms(Document& document, const Selection& selection, c
     eachWrittenKind([&]<class T>() { use<T, DescribedForm<T>>(document); });
     use<Colourway, ColourwayForm>(document);
     use<Cushion, CushionForm>(document, m_sources, m_wishes);
+    use<CutCorner, CutCornerForm>(document);
+    use<DrillHole, DrillHoleForm>(document);
+    use<EdgeAllowance, EdgeAllowanceForm>(document);
     use<Fabric, FabricForm>(document, m_sources, m_wishes);
     use<FancySeam, FancySeamForm>(document);
     use<FixationCurve, FixationCurveForm>(document);
@@ -45,6 +49,8 @@ InspectorForms::InspectorForms(Document& document, const Selection& selection, c
     use<Foam, FoamForm>(document);
     use<Frame, FrameForm>(document, m_sources, m_wishes);
     use<HandleCurve, HandleCurveForm>(document);
+    use<InternalLine, InternalLineForm>(document);
+    use<Notch, NotchForm>(document);
     use<OutlineTrim, OutlineTrimForm>(document);
     use<Patch, PatchForm>(document);
     use<Quarantined, UnusableForm>(document);

@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "CheckedNumber.h"
+#include "CuttingForms.h"
 #include "InspectorSubject.h"
 #include "PatchShapeEdits.h"
 #include "Units.h"
@@ -22,6 +23,7 @@ void PatchForm::add(PropertyForm& form, const Ids& ids) const
     patch.info(tr("Outline"), [](const Design&, const Patch& p) {
         return p.outline.empty() ? QString() : lengthText(ArcLength2(p.outline).total(), 0);
     });
+    PieceCuttingSection::add(form, patch);
 }
 
 void PatchForm::addSize(PropertyForm& form, const Ids& ids) const

@@ -1,5 +1,6 @@
 #include "SettingsForm.h"
 
+#include "CuttingForms.h"
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "PlacementFields.h"
@@ -47,6 +48,7 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
         });
         return tr("%1, %2 m in all").arg(count).arg(decimalText(length * 1e-3, 2, true));
     });
+    DesignCuttingSection::add(form, InspectorSubject<Settings>(m_document, {settingsId}, form));
     form.addNote([] { return tr("Select something to see its properties."); });
 }
 

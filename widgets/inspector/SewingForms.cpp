@@ -23,6 +23,7 @@ void SeamForm::add(PropertyForm& form, const Ids& ids) const
                    ? tr("%1, %2").arg(lengthText(std::abs(a - b)), percentText(std::max(a, b) / std::min(a, b) - 1))
                    : QString();
     });
+    seam.field(&Seam::ease);
     seam.field(&Seam::continuity);
     seam.field(&Seam::match);
     seam.field(&Seam::reversed);

@@ -39,6 +39,12 @@ BackgroundPicture BackgroundPicture::moved(const Vec2& delta) const
 
 BackgroundPicture readBackground(const QString& path, const Box2& into, QString* problem)
 {
+    if (const QFileInfo file(path); file.exists() && !file.isFile()) { // reading a pipe would wait for its writer
+        if (problem)
+            *problem = QCoreApplication::translate("BackgroundPicture", "\"%1\" is not an ordinary file.")
+                           .arg(file.fileName());
+        return {};
+    }
     QImageReader reader(path);
     reader.setAutoTransform(true);
     if (const QSize size = reader.size(); std::max(size.width(), size.height()) > mostPicturePixels)

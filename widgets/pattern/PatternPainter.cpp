@@ -2,6 +2,7 @@
 
 #include "CurvePath.h"
 #include "Icons.h"
+#include "PatternCut.h"
 #include "PatternGrid.h"
 #include "PatternLabel.h"
 #include "PatternMarks.h"
@@ -56,6 +57,8 @@ void PatternPainter::paint()
         paintGrid(m_painter, m_in.transform, m_in.size, m_in.colors);
     if (m_in.layers.symmetry && m_in.scene.twins().symmetry)
         paintSymmetryAxis(m_painter, *m_in.scene.twins().symmetry, m_in.transform, m_in.size, m_in.colors);
+    if (m_in.cut)
+        paintAllowances(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors);
     for (const auto& [id, patch] : m_in.scene.patches())
         if (visible(patch))
             paintPatch(patch);
@@ -66,6 +69,8 @@ void PatternPainter::paint()
             paintInside(patch);
     if (m_in.layers.seams)
         paintSeamLinks();
+    if (m_in.cut)
+        paintCutMarks(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors, m_in.selection);
     if (m_in.layers.points)
         paintAllPoints();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);

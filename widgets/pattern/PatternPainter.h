@@ -15,6 +15,7 @@ class QPainter;
 namespace bolster {
 
 class ProblemSet;
+struct CutPattern;
 class Selection;
 
 /// What the pattern view shows; a window offers these as toggles.
@@ -26,8 +27,12 @@ struct PatternLayers {
     bool labels = true;
     bool handles = true; ///< handle curves
     bool fancySeams = true;
+    bool cutting = false; ///< cut lines, notches, labels, holes
 
-    bool shows(const PatternLine& line) const { return line.fancy() ? fancySeams : handles; }
+    bool shows(const PatternLine& line) const
+    {
+        return line.fancy() ? fancySeams : std::holds_alternative<InternalLine>(*line.element) || handles;
+    }
     bool twins = true;    ///< the mirror image of what is selected
     bool symmetry = true; ///< the axis
 
@@ -52,6 +57,7 @@ public:
         QSize size;
         const std::set<ElementId>& mirrored; ///< of what is selected or under the pointer
         const std::set<ElementId>& hidden;   ///< in the 3D view: drawn faintly here
+        const CutPattern* cut = nullptr;     ///< the production pattern, if it is shown
     };
 
     PatternPainter(QPainter& painter, const Input& input);

@@ -3,6 +3,7 @@
 #include "ArcLength.h"
 #include "CurvePath.h"
 #include "FabricShown.h"
+#include "PatchMark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,7 @@ void PatternScene::reset(const Design& design)
     m_patches.clear();
     m_stretches.clear();
     m_lines.clear();
+    m_marks.clear();
     m_trims = {};
     std::set<ElementId> all;
     for (const auto& [id, element] : design.elements())
@@ -107,9 +109,11 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
         if (changed.contains(seam.stretch.patch))
             owners.insert(id);
     });
-    design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& border) {
-        if (changed.contains(border.stretch.patch))
-            owners.insert(id);
+    eachMarkKind([&]<class T>() {
+        design.each<T>([&](ElementId id, const T& mark) {
+            if (changed.contains(whereOf(mark).patch))
+                owners.insert(id);
+        });
     });
     for (const auto& [id, element] : design.elements())
         if (const PatchCurve* drawn = patchCurve(*element); drawn && changed.contains(drawn->patch))
@@ -119,9 +123,55 @@ void PatternScene::update(const Design& design, const std::set<ElementId>& chang
     for (const ElementId id : owners)
         updateLine(design, id);
     for (const ElementId id : owners)
+        updateMark(design, id);
+    for (const ElementId id : owners)
         updateStretches(design, id);
     m_trims.update(design, owners, changed);
     m_twins = PatternTwins::of(design);
+}
+
+namespace {
+
+/// In outline coordinates; of the allowance of an edge the middle of its cut line.
+std::optional<Vec2> markPlace(const Patch& patch, const Element& element)
+{
+    const BSpline2& outline = patch.outline;
+    if (const auto* edge = std::get_if<EdgeAllowance>(&element)) {
+        const std::optional<double> end = endOf(edge->stretch, outline);
+        if (!end)
+            return std::nullopt;
+        const double middle = outline.wrapped((edge->stretch.from + *end) / 2);
+        const Vec2 along = outline.derivative(middle).normalized();
+        const Vec2 right(along.y(), -along.x());
+        return outline.at(middle) + edge->width * (outline.signedArea() < 0 ? Vec2(-right) : right);
+    }
+    std::optional<Vec2> place;
+    visitMark(element, [&](const auto& mark) {
+        if constexpr (requires { mark.place.at; }) {
+            if (std::isfinite(mark.place.at))
+                place = outline.at(outline.wrapped(mark.place.at));
+        } else if constexpr (requires { mark.place.position; }) {
+            place = mark.place.position;
+        }
+    });
+    return place;
+}
+
+} // namespace
+
+void PatternScene::updateMark(const Design& design, ElementId id)
+{
+    m_marks.erase(id);
+    const ElementPtr element = design.element(id);
+    if (!element)
+        return;
+    ElementId on = noElement;
+    visitMark(*element, [&](const auto& mark) { on = whereOf(mark).patch; });
+    const Patch* patch = on == noElement ? nullptr : design.find<Patch>(on);
+    if (!patch || patch->outline.empty())
+        return;
+    if (const std::optional<Vec2> place = markPlace(*patch, *element))
+        m_marks.emplace(id, PatternMark{id, on, toLayout(*patch, *place)});
 }
 
 void PatternScene::setFabricColors(const Design& design, std::map<ElementId, QColor> colors)
@@ -253,10 +303,12 @@ Box2 PatternScene::boundingBox(const std::set<ElementId>& ids) const
 }
 
 PatternHit PatternScene::hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
-                             const std::function<bool(const PatternLine&)>& lineShown) const
+                             const std::function<bool(const PatternLine&)>& lineShown, bool marksShown) const
 {
     if (const std::optional<PatternHit> point = hitPoint(at, tolerance, pointsShown))
         return *point;
+    if (const std::optional<PatternHit> mark = marksShown ? hitMark(at, tolerance) : std::nullopt)
+        return *mark;
     if (const std::optional<PatternHit> line = hitLine(at, tolerance, lineShown))
         return *line;
     if (const std::optional<PatternHit> outline = hitOutline(at, tolerance))
@@ -265,6 +317,18 @@ PatternHit PatternScene::hit(const Vec2& at, double tolerance, const std::functi
         if (entry->second.box.contains(at) && entry->second.path.contains(toPoint(at)))
             return {PatternHit::Kind::Inside, entry->first};
     return {};
+}
+
+std::optional<PatternHit> PatternScene::hitMark(const Vec2& at, double tolerance) const
+{
+    std::optional<PatternHit> best;
+    double nearest = tolerance;
+    for (const auto& [id, mark] : m_marks)
+        if (const double distance = (mark.place - at).norm(); distance < nearest) {
+            nearest = distance;
+            best = PatternHit{PatternHit::Kind::Mark, mark.patch, -1, 0, id};
+        }
+    return best;
 }
 
 std::optional<PatternHit> PatternScene::hitPoint(const Vec2& at, double tolerance,

@@ -69,15 +69,23 @@ struct PatternLine {
     const FancySeam* fancy() const { return std::get_if<FancySeam>(element.get()); }
 };
 
+/// A notch, a corner of the cut line, a drill hole, or the allowance of an edge: what is picked as a point.
+struct PatternMark {
+    ElementId id{};
+    ElementId patch{};
+    Vec2 place = Vec2::Zero(); ///< in the layout
+};
+
 /// What lies at a place of the layout.
 struct PatternHit {
-    enum class Kind { Nothing, Inside, Outline, Line, Point };
+    enum class Kind { Nothing, Inside, Outline, Line, Point, Mark };
 
     Kind kind = Kind::Nothing;
     ElementId patch{};          ///< Kind::Point: the element whose point it is
     int point = -1;             ///< Kind::Point
     double parameter = 0;       ///< Kind::Outline, Kind::Line
-    ElementId seam = noElement; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line: the line
+    ElementId seam = noElement; ///< Kind::Outline: the seam or fixation seam that runs there; Kind::Line and
+                                ///< Kind::Mark: the line, the mark
 
     explicit operator bool() const { return kind != Kind::Nothing; }
     /// The element that a click selects.
@@ -98,6 +106,7 @@ public:
     const std::multimap<ElementId, PatternStretch>& stretches() const { return m_stretches; }
 
     const std::map<ElementId, PatternLine>& lines() const { return m_lines; }
+    const std::map<ElementId, PatternMark>& marks() const { return m_marks; }
     const PatternTwins& twins() const { return m_twins; }
     const PatternTrims& trims() const { return m_trims; }
 
@@ -107,18 +116,20 @@ public:
 
     /// Points before lines before outlines before inside; upper patches before lower ones. `tolerance` in mm.
     /// Points are hit only where `pointsShown`.
-    /// Lines are hit only where `lineShown`.
+    /// Lines are hit only where `lineShown`, marks if `marksShown`.
     PatternHit hit(const Vec2& at, double tolerance, const std::function<bool(ElementId)>& pointsShown,
-                   const std::function<bool(const PatternLine&)>& lineShown = {}) const;
+                   const std::function<bool(const PatternLine&)>& lineShown = {}, bool marksShown = false) const;
 
 private:
     QColor colorShown(const Design& design, ElementId patch) const;
     void updatePatch(const Design& design, ElementId id);
     void updateLine(const Design& design, ElementId id);
+    void updateMark(const Design& design, ElementId id);
     void updateStretches(const Design& design, ElementId owner);
     void addStretch(PatternStretch added, const Stretch& stretch);
     std::optional<PatternHit> hitPoint(const Vec2& at, double tolerance,
                                        const std::function<bool(ElementId)>& pointsShown) const;
+    std::optional<PatternHit> hitMark(const Vec2& at, double tolerance) const;
     std::optional<PatternHit> hitLine(const Vec2& at, double tolerance,
                                       const std::function<bool(const PatternLine&)>& lineShown) const;
     std::optional<PatternHit> hitOutline(const Vec2& at, double tolerance) const;
@@ -126,6 +137,7 @@ private:
     std::map<ElementId, PatternPatch> m_patches; ///< later ones lie on top
     std::multimap<ElementId, PatternStretch> m_stretches;
     std::map<ElementId, PatternLine> m_lines;
+    std::map<ElementId, PatternMark> m_marks;
     PatternTwins m_twins;
     std::map<ElementId, QColor> m_fabricColors;
     PatternTrims m_trims;

@@ -1,5 +1,7 @@
 #include "Hiding.h"
 
+#include "PatchMark.h"
+
 namespace bolster {
 
 namespace {
@@ -8,7 +10,7 @@ bool canBeHidden(const Element& element)
 {
     return std::holds_alternative<Patch>(element) || std::holds_alternative<Frame>(element) ||
            std::holds_alternative<Foam>(element) || std::holds_alternative<Scan>(element) ||
-           std::holds_alternative<FixationCurve>(element) || patchCurve(element);
+           std::holds_alternative<FixationCurve>(element) || shapingCurve(element);
 }
 
 } // namespace
@@ -35,9 +37,11 @@ std::set<ElementId> allBut(const Design& design, const std::set<ElementId>& elem
         if (kept.contains(seam.stretch.patch))
             kept.insert(seam.curve);
     });
-    design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& trimmed) {
-        if (elements.contains(id))
-            kept.insert(trimmed.stretch.patch);
+    eachMarkKind([&]<class T>() {
+        design.each<T>([&](ElementId id, const T& mark) {
+            if (elements.contains(id))
+                kept.insert(whereOf(mark).patch);
+        });
     });
     std::set<ElementId> hidden;
     for (const auto& [id, element] : design.elements()) {

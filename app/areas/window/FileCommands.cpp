@@ -9,6 +9,8 @@
 #include "RenderDialog.h"
 #include "SolverLink.h"
 
+#include <algorithm>
+
 namespace bolster {
 
 FileCommands::FileCommands(Commands& commands, FileFlow& files, DesignSession& session, SolverLink& solver,
@@ -108,6 +110,11 @@ void FileCommands::addSaving(Commands& commands)
 
 void FileCommands::addExchange(Commands& commands)
 {
+    const auto patches = [this] {
+        const auto& elements = m_session.document().design().elements();
+        return std::ranges::any_of(elements,
+                                   [](const auto& e) { return std::holds_alternative<Patch>(*e.second); });
+    };
     const auto covered = [this] { return m_solver.surface() != nullptr; };
     commands.add(
         {{.id = "file.import-frame",
@@ -132,6 +139,13 @@ void FileCommands::addExchange(Commands& commands)
           .places = {"file/4"},
           .enabled = covered,
           .does = [this] { m_cover.then([this] { m_files.exportSurface(m_solver.surface()); }); }},
+         {.id = "file.export-pattern",
+          .text = tr("Export patter&n \u2026"),
+          .icon = "patch",
+          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_E},
+          .places = {"file/4"},
+          .enabled = patches,
+          .does = [this] { m_files.exportPattern(); }},
          {.id = "file.export-picture",
           .formerly = "export-picture",
           .text = tr("Export &picture \u2026"),

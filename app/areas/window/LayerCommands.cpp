@@ -88,6 +88,14 @@ void LayerCommands::add()
                      .places = {"view.layers/1"},
                      .on = true,
                      .toggled = show},
+                    {.id = "layer.cutting",
+                     .text = tr("Cut lines, &notches and labels"),
+                     .icon = "notch",
+                     .keys = {Qt::SHIFT | Qt::Key_C},
+                     .places = {"view.layers/1"},
+                     .bar = 508,
+                     .on = false,
+                     .toggled = show},
                     {.id = "layer.labels",
                      .formerly = "labels",
                      .text = tr("&Labels"),
@@ -173,6 +181,7 @@ void LayerCommands::apply()
     layers.seams = on("layer.seams");
     layers.points = on("layer.points");
     layers.labels = on("layer.labels");
+    layers.cutting = on("layer.cutting");
     layers.handles = on("layer.handles");
     layers.fancySeams = on("layer.fancy-seams");
     layers.twins = on("layer.twins");

@@ -8,6 +8,16 @@
 
 namespace bolster {
 
+namespace {
+
+bool isOfCutting(PatternToolKind kind)
+{
+    return kind == PatternToolKind::Notch || kind == PatternToolKind::DrillHole ||
+           kind == PatternToolKind::EdgeAllowance || kind == PatternToolKind::CutCorner;
+}
+
+} // namespace
+
 ToolCommands::ToolCommands(Commands& commands, PatternView& pattern, CoverView& surface, const Docks& docks)
     : m_pattern(pattern)
     , m_surface(surface)
@@ -46,6 +56,11 @@ void ToolCommands::add(Commands& commands)
          Qt::SHIFT | Qt::Key_A},
         {Kind::Trim, "tool.trim", "stitch-or-pipe-a-seam", tr("Stitch or pipe a seam"), "outline-trim",
          Qt::SHIFT | Qt::Key_T},
+        {Kind::InternalLine, "tool.internal-line", "", tr("Draw &internal line"), "internal-line", {}},
+        {Kind::EdgeAllowance, "tool.edge-allowance", "", tr("Allowance of an ed&ge"), "edge-allowance", {}},
+        {Kind::CutCorner, "tool.cut-corner", "", tr("&Corner of the cut line"), "cut-corner", {}},
+        {Kind::Notch, "tool.notch", "", tr("Place &notches"), "notch", Qt::SHIFT | Qt::Key_N},
+        {Kind::DrillHole, "tool.drill-hole", "", tr("Place &drill holes"), "drill-hole", {}},
         {Kind::Measure, "tool.measure", "measure", tr("&Measure"), "measure", Qt::SHIFT | Qt::Key_M},
     };
     int bar = 301;
@@ -59,9 +74,14 @@ void ToolCommands::add(Commands& commands)
                       .icon = row.icon,
                       .keys = {row.keys},
                       .places = places,
-                      .bar = bar++,
+                      .bar = isOfCutting(row.kind) || row.kind == Kind::InternalLine ? 0 : bar++,
                       .checked = [this, kind = row.kind] { return isOn(kind); },
-                      .does = [this, kind = row.kind] { begin(kind); }});
+                      .does =
+                          [this, &commands, kind = row.kind] {
+                              if (isOfCutting(kind)) // what is placed shall be seen
+                                  commands["layer.cutting"]->setChecked(true);
+                              begin(kind);
+                          }});
     }
 }
 

@@ -62,14 +62,24 @@ Arguments::Arguments(std::span<const std::string> words, std::span<const OptionR
             text = words[++i];
         if (rule->takesValue && text.empty())
             throw UsageError(name + " needs a value");
-        if (!m_options.emplace(name, text).second)
+        if (m_options.contains(name) && !rule->mayRepeat)
             throw UsageError(name + " is given twice");
+        m_options.emplace(name, text);
     }
 }
 
 QString Arguments::path(std::string_view option) const
 {
     return QString::fromStdString(value(option).value_or(""));
+}
+
+std::vector<std::string> Arguments::values(std::string_view option) const
+{
+    std::vector<std::string> all;
+    const auto [from, to] = m_options.equal_range(option);
+    for (auto at = from; at != to; ++at)
+        all.push_back(at->second);
+    return all;
 }
 
 double Arguments::number(std::string_view option, double fallback, double least, double most) const

@@ -24,17 +24,20 @@ QString exactText(const std::string& word);
 struct OptionRule {
     std::string_view name; ///< with the dashes
     bool takesValue = false;
+    bool mayRepeat = false;
 };
 
 /// `--name VALUE`, `--name=VALUE`, `--switch` in any order between positional arguments; "--" ends the options.
 class Arguments {
 public:
-    /// Throws UsageError for unknown options, missing values, and options given twice.
+    /// Throws UsageError for unknown options, missing values, and options given twice that may not be.
     Arguments(std::span<const std::string> words, std::span<const OptionRule> rules);
 
     bool has(std::string_view option) const { return m_options.contains(option); }
     /// The path of an option, or "".
     QString path(std::string_view option) const;
+    /// All values of an option that may be repeated.
+    std::vector<std::string> values(std::string_view option) const;
     /// Numbers throw UsageError when they are none, or not within [least, most]. "." is the decimal point.
     double number(std::string_view option, double fallback, double least, double most) const;
     int integer(std::string_view option, int fallback, int least, int most) const;
@@ -49,7 +52,7 @@ public:
 private:
     std::optional<std::string> value(std::string_view option) const;
 
-    std::map<std::string, std::string, std::less<>> m_options;
+    std::multimap<std::string, std::string, std::less<>> m_options;
     std::vector<std::string> m_positional;
 };
 

@@ -1,6 +1,7 @@
 // What an edit of seams, fixations and trims means on the other side of the mirror.
 #include "SewingLead.h"
 
+#include "CuttingEdits.h"
 #include "EditBuilder.h"
 #include "ElementRules.h"
 #include "SeamStretches.h"
@@ -26,6 +27,8 @@ bool isTaken(const Design& design, ElementId id)
     }
     if (const auto* trimmed = std::get_if<OutlineTrim>(element.get()))
         return trimProblem(design, trimmed->stretch, id).has_value();
+    if (!std::holds_alternative<FixationSeam>(*element))
+        return markProblem(design, id, *element).has_value();
     const auto& fixation = std::get<FixationSeam>(*element);
     const BSpline2& outline = design.find<Patch>(fixation.stretch.patch)->outline;
     bool taken = false;
@@ -77,18 +80,18 @@ public:
         for (const ElementId id : touched) {
             removeLike<Seam>(id);
             removeLike<FixationSeam>(id);
-            removeLike<OutlineTrim>(id);
+            eachMarkKind([&]<class T>() { removeLike<T>(id); });
         }
         for (const ElementId id : touched) {
             change<Seam>(id);
             change<FixationSeam>(id);
-            change<OutlineTrim>(id);
+            eachMarkKind([&]<class T>() { change<T>(id); });
         }
         takeBackWhatIsInTheWay();
         for (const ElementId id : touched) {
             addLike<Seam>(id);
             addLike<FixationSeam>(id);
-            addLike<OutlineTrim>(id);
+            eachMarkKind([&]<class T>() { addLike<T>(id); });
         }
         return m_builder.now();
     }
@@ -184,7 +187,9 @@ private:
         }
     }
     void changeOwnMirror(ElementId, const Lead<FixationSeam>&) {}
-    void changeOwnMirror(ElementId, const Lead<OutlineTrim>&) {}
+    template <PatchMark T>
+    void changeOwnMirror(ElementId, const Lead<T>&)
+    {}
 
     void takeBackWhatIsInTheWay()
     {
@@ -197,7 +202,11 @@ private:
     bool hasNewCurve(const FixationSeam& fixation) const { return fixation.hasCurve() && isNew(fixation.curve); }
 
     std::optional<Seam> imageOf(const Seam& seam) { return m_new.of(seam); }
-    std::optional<OutlineTrim> imageOf(const OutlineTrim& trimmed) { return m_new.of(trimmed); }
+    template <PatchMark T>
+    std::optional<T> imageOf(const T& mark)
+    {
+        return m_new.of(mark);
+    }
     /// Also of one with a curve that is new: this one gets a twin.
     std::optional<FixationSeam> imageOf(const FixationSeam& fixation)
     {

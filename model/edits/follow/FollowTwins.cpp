@@ -72,6 +72,13 @@ private:
     T* m_now[2];
 };
 
+PieceCutting mirroredCutting(PieceCutting cutting)
+{
+    if (cutting.label)
+        cutting.label = PieceLabelPlace{mirroredInOutline(cutting.label->position), -cutting.label->rotation};
+    return cutting;
+}
+
 void followValues(Twins& twins, const Symmetry& symmetry)
 {
     if (const Members<Patch> patch(twins); patch) {
@@ -79,13 +86,21 @@ void followValues(Twins& twins, const Symmetry& symmetry)
         patch.follow(&Patch::grain, mirroredGrain);
         patch.follow(&Patch::pressure);
         patch.follow(&Patch::wrongSideOut);
+        patch.follow(&Patch::allowance);
+        patch.follow(&Patch::cutting, mirroredCutting);
     }
     if (const Members<HandleCurve> handle(twins); handle) {
         handle.follow(&HandleCurve::match);
+        handle.follow(&HandleCurve::use);
         handle.follow(&HandleCurve::orientation,
                       [&](const Orientation& o) { return mirroredOrientation(o, symmetry); });
     }
+    if (const Members<InternalLine> line(twins); line) {
+        line.follow(&InternalLine::purpose);
+        line.follow(&InternalLine::use);
+    }
     if (const Members<FancySeam> fancy(twins); fancy) {
+        fancy.follow(&FancySeam::use);
         fancy.follow(&FancySeam::width);
         fancy.follow(&FancySeam::depth);
         fancy.follow(&FancySeam::profile);

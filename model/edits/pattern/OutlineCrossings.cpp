@@ -11,11 +11,6 @@ namespace {
 
 constexpr double near = 0.05; // mm: as good as met
 
-double cross(const Vec2& a, const Vec2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Calls visit(piece of almost no length) where a piece meets the line through a point.
 template <class Visit>
 void meetLine(const BezierPiece<2>& piece, const Vec2& through, const Vec2& direction, int depth,

@@ -234,6 +234,12 @@ void moveCurves(const Design& design, ElementId from, ElementId to, const Map2& 
                             },
                             *moved));
     }
+    design.each<DrillHole>([&](ElementId id, DrillHole hole) {
+        if (hole.place.patch != from)
+            return;
+        hole.place = {to, map * hole.place.position};
+        builder.replace(id, std::move(hole));
+    });
     design.each<Cushion>([&](ElementId id, Cushion cushion) {
         if (std::erase(cushion.patches, from) == 0)
             return;

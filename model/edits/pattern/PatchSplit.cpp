@@ -67,6 +67,12 @@ public:
         for (const auto& [id, element] : m_design.elements())
             if (const PatchCurve* drawn = patchCurve(*element); drawn && drawn->patch == m_id)
                 divide(id, *element, outcome.dropped);
+        m_design.each<DrillHole>([&](ElementId id, DrillHole hole) {
+            if (hole.place.patch != m_id || side(hole.place.position) != 1)
+                return;
+            hole.place.patch = m_small.id;
+            m_builder.replace(id, std::move(hole));
+        });
         m_design.each<Cushion>([&](ElementId id, Cushion cushion) {
             if (std::ranges::find(cushion.patches, m_id) == cushion.patches.end())
                 return;

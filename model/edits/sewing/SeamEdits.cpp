@@ -91,7 +91,11 @@ Edit flipSeams(const Design& design, std::span<const ElementId> seams)
 Edit swapSeamSides(const Design& design, std::span<const ElementId> seams)
 {
     return changedSeams(
-        design, seams, [](Seam& seam) { std::swap(seam.a, seam.b); },
+        design, seams,
+        [](Seam& seam) {
+            std::swap(seam.a, seam.b);
+            seam.ease = -seam.ease;
+        },
         QT_TRANSLATE_NOOP("Message", "Swap the sides of %1"),
         QT_TRANSLATE_NOOP("Message", "Swap the sides of %1 seams"));
 }

@@ -34,6 +34,8 @@ std::optional<Seam> followed(const Lead<Seam>& lead, bool swapped, const SewnMir
         seam.continuity = lead.now.continuity;
     if (!(lead.before.trim == lead.now.trim))
         seam.trim = lead.now.trim;
+    if (lead.before.ease != lead.now.ease)
+        seam.ease = swapped ? -lead.now.ease : lead.now.ease;
     return seam;
 }
 
@@ -60,19 +62,6 @@ std::optional<FixationSeam> followed(const Lead<FixationSeam>& lead, bool, const
     return fixation;
 }
 
-std::optional<OutlineTrim> followed(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror,
-                                    OutlineTrim trimmed)
-{
-    const auto image = mirror.of(lead.now);
-    if (!image)
-        return std::nullopt;
-    if (!(lead.before.stretch == lead.now.stretch) && !mirror.same(trimmed.stretch, image->stretch))
-        trimmed.stretch = image->stretch;
-    if (!(lead.before.trim == lead.now.trim))
-        trimmed.trim = lead.now.trim;
-    return trimmed;
-}
-
 bool alike(const Lead<Seam>& lead, bool swapped, const SewnMirror& mirror, const Seam& other)
 {
     const auto image = mirror.of(lead.now);
@@ -82,12 +71,6 @@ bool alike(const Lead<Seam>& lead, bool swapped, const SewnMirror& mirror, const
 }
 
 bool alike(const Lead<FixationSeam>& lead, bool, const SewnMirror& mirror, const FixationSeam& other)
-{
-    const auto image = mirror.of(lead.now);
-    return image && *image == other;
-}
-
-bool alike(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror, const OutlineTrim& other)
 {
     const auto image = mirror.of(lead.now);
     return image && *image == other;

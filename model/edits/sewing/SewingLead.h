@@ -18,12 +18,28 @@ std::optional<Seam> followed(const Lead<Seam>& lead, bool swapped, const SewnMir
 std::optional<FixationSeam> followed(const Lead<FixationSeam>& lead, bool, const SewnMirror& mirror,
                                      FixationSeam fixation);
 
-std::optional<OutlineTrim> followed(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror,
-                                    OutlineTrim trimmed);
+template <PatchMark T>
+std::optional<T> followed(const Lead<T>& lead, bool, const SewnMirror& mirror, const T& there)
+{
+    const auto image = mirror.of(lead.now);
+    if (!image)
+        return std::nullopt;
+    T rest = lead.before;
+    whereOf(rest) = whereOf(lead.now);
+    T result = rest == lead.now ? there : *image; // all but the place follows at once
+    const bool moved = !(whereOf(lead.before) == whereOf(lead.now));
+    whereOf(result) = moved && !mirror.same(whereOf(there), whereOf(*image)) ? whereOf(*image) : whereOf(there);
+    return result;
+}
 
 /// Whether the edit has made both alike already.
 bool alike(const Lead<Seam>& lead, bool swapped, const SewnMirror& mirror, const Seam& other);
 bool alike(const Lead<FixationSeam>& lead, bool, const SewnMirror& mirror, const FixationSeam& other);
-bool alike(const Lead<OutlineTrim>& lead, bool, const SewnMirror& mirror, const OutlineTrim& other);
+template <PatchMark T>
+bool alike(const Lead<T>& lead, bool, const SewnMirror& mirror, const T& other)
+{
+    const auto image = mirror.of(lead.now);
+    return image && *image == other;
+}
 
 } // namespace bolster::edits

@@ -1,6 +1,7 @@
 #include "StretchRemap.h"
 
-#include "ArcLength.h"
+#include "MatchedRange.h"
+#include "PatchMark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,47 +11,6 @@ namespace bolster::edits {
 namespace {
 
 constexpr double shortestRest = 0.01; // mm: what is shorter is no piece of its own
-
-/// A range of a curve, addressed by the fractions that a match means.
-template <int Dim>
-class Range {
-public:
-    Range(const BSpline<Dim>& curve, double from, double to, Match match)
-        : m_length(curve)
-        , m_from(from)
-        , m_to(unwrappedEnd(from, to, curve.domainStart(), curve.domainEnd()))
-        , m_match(match)
-    {}
-
-    double from() const { return m_from; }
-    double to() const { return m_to; }
-    double total() const { return m_length.between(m_from, m_to); }
-
-    double parameter(double fraction) const
-    {
-        if (fraction <= 0)
-            return m_from;
-        if (fraction >= 1)
-            return m_to;
-        return m_match == Match::Length ? m_length.parameterAt(m_length.at(m_from) + fraction * total())
-                                        : m_from + fraction * (m_to - m_from);
-    }
-    double fraction(double parameter) const
-    {
-        return m_match == Match::Length ? lengthFraction(parameter) : (parameter - m_from) / (m_to - m_from);
-    }
-    double lengthFraction(double parameter) const
-    {
-        const double whole = total();
-        return whole > 0 ? m_length.between(m_from, parameter) / whole : 0;
-    }
-    double lengthTo(double parameter) const { return m_length.between(m_from, parameter); }
-
-private:
-    ArcLength<Dim> m_length;
-    double m_from, m_to;
-    Match m_match;
-};
 
 /// A range as the text form has it: inside the domain, exactly on knots that are almost met.
 template <int Dim>
@@ -150,7 +110,7 @@ private:
     const BSpline2& m_outline;
     const Design& m_after;
     Stretch m_stretch;
-    Range<2> m_range;
+    MatchedRange<2> m_range;
     const std::vector<OutlineArc>* m_arcs = nullptr;
     std::map<double, double> m_cuts;
 };
@@ -209,7 +169,7 @@ public:
                 const auto onB = b.placed(b0, b1);
                 if (onA && onB)
                     kept.push_back({onA->stretch, onB->stretch, (seam.reversed != onA->backwards) != onB->backwards,
-                                    seam.match, seam.continuity, seam.trim});
+                                    seam.match, seam.continuity, seam.trim, seam.ease * (ends[k + 1] - ends[k])});
             }
         }
         put(id, std::move(kept));
@@ -231,19 +191,33 @@ public:
         put(id, std::move(kept));
     }
 
-    void trim(ElementId id, const OutlineTrim& trimmed)
+    /// Trims and allowances of edges, and whatever lies at one place of an outline.
+    template <PatchMark T>
+    void mark(ElementId id, const T& mark)
     {
-        if (!concerns(trimmed.stretch))
-            return;
-        std::vector<OutlineTrim> kept;
-        if (usable(trimmed.stretch)) {
-            const Side side(m_before, m_after, m_arcs, trimmed.stretch, Match::Length);
-            const std::vector<double> ends = piecesOf(side);
-            for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-                if (const auto placed = side.placed(ends[k], ends[k + 1]))
-                    kept.push_back({placed->stretch, trimmed.trim});
+        std::vector<T> kept;
+        const auto keep = [&](const auto& where) {
+            kept.push_back(mark);
+            whereOf(kept.back()) = where;
+        };
+        if constexpr (requires { mark.stretch; }) {
+            if (!concerns(mark.stretch))
+                return;
+            if (usable(mark.stretch)) {
+                const Side side(m_before, m_after, m_arcs, mark.stretch, Match::Length);
+                const std::vector<double> ends = piecesOf(side);
+                for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+                    if (const auto placed = side.placed(ends[k], ends[k + 1]))
+                        keep(placed->stretch);
+            }
+            put(id, std::move(kept));
+        } else if constexpr (requires { mark.place.at; }) {
+            if (!m_arcs.contains(mark.place.patch))
+                return;
+            if (const auto place = placed(mark.place))
+                keep(*place);
+            put(id, std::move(kept));
         }
-        put(id, std::move(kept));
     }
 
 private:
@@ -253,6 +227,24 @@ private:
     {
         const Patch* patch = m_before.find<Patch>(stretch.patch);
         return patch && !patch->outline.empty() && std::isfinite(stretch.from) && std::isfinite(stretch.to);
+    }
+
+    std::optional<OutlinePlace> placed(const OutlinePlace& place) const
+    {
+        const Patch* patch = m_before.find<Patch>(place.patch);
+        if (!patch || patch->outline.empty() || !std::isfinite(place.at))
+            return std::nullopt;
+        const double period = patch->outline.period(), slack = 1e-9 * period;
+        for (const OutlineArc& arc : m_arcs.at(place.patch)) {
+            const double ahead = place.at - arc.from - period * std::floor((place.at - arc.from + slack) / period);
+            const BSpline2& outline = m_after.find<Patch>(arc.patch)->outline;
+            if (ahead <= arc.to - arc.from + slack)
+                return OutlinePlace{
+                    arc.patch,
+                    normalised(outline, arc.backwards ? arc.start - ahead : arc.start + ahead, outline.domainEnd())
+                        .first};
+        }
+        return std::nullopt;
     }
 
     static FixationSeam partOfFixation(const FixationSeam& held, const FixationCurve* curve, const Side& side,
@@ -265,7 +257,7 @@ private:
         if (curve && !whole) {
             const BSpline3& c = curve->curve;
             const auto [from, to] = held.curveRange.value_or(std::pair(c.domainStart(), c.domainEnd()));
-            const Range<3> range(c, from, to, held.match);
+            const MatchedRange<3> range(c, from, to, held.match);
             const double g0 = held.reversed ? 1 - f1 : f0, g1 = held.reversed ? 1 - f0 : f1;
             part.curveRange = normalised(c, range.parameter(g0), range.parameter(g1));
         }
@@ -310,9 +302,11 @@ void remapStretches(const Design& before, const OutlineArcs& arcs, const std::se
         if (!except.contains(id))
             remap.fixation(id, held);
     });
-    before.each<OutlineTrim>([&](ElementId id, const OutlineTrim& trimmed) {
-        if (!except.contains(id))
-            remap.trim(id, trimmed);
+    eachMarkKind([&]<class T>() {
+        before.each<T>([&](ElementId id, const T& mark) {
+            if (!except.contains(id))
+                remap.mark(id, mark);
+        });
     });
 }
 

@@ -19,9 +19,9 @@ struct OutlineArc {
 /// By the old patch; other patches stay as they are.
 using OutlineArcs = std::map<ElementId, std::vector<OutlineArc>>;
 
-/// Rewrites the seams, fixation seams and outline trims of `before` for the outlines of `builder.now()`, all but
-/// those in `except`. One that runs over the end of an arc is divided into several; one of which nothing is left is
-/// removed and added to `dropped`.
+/// Rewrites the seams, fixation seams and marks on outlines of `before` for the outlines of `builder.now()`, all
+/// but those in `except`. One that runs over the end of an arc is divided into several; one of which nothing is
+/// left is removed and added to `dropped`.
 void remapStretches(const Design& before, const OutlineArcs& arcs, const std::set<ElementId>& except,
                     EditBuilder& builder, std::vector<ElementId>& dropped);
 

@@ -178,11 +178,19 @@ private:
         patch.twin = Twin{m_original, {}};
         put(m_follower, patch);
         moveDrawn(fit, before.outline, *outline);
+        const auto at = [&](double t) { return parameterNear(*outline, fit.from(before.outline.at(t))); };
         const auto stretch = [&](const Stretch& s) {
-            const auto at = [&](double t) { return parameterNear(*outline, fit.from(before.outline.at(t))); };
             return fit.backwards ? Stretch{s.patch, at(s.to), at(s.from)} : Stretch{s.patch, at(s.from), at(s.to)};
         };
-        moveSewn(stretch, fit.backwards);
+        const auto moved = [&]<class Where>(const Where& where) {
+            if constexpr (std::is_same_v<Where, Stretch>)
+                return stretch(where);
+            else if constexpr (std::is_same_v<Where, OutlinePlace>)
+                return OutlinePlace{where.patch, at(where.at)};
+            else
+                return PatchPoint{where.patch, fit.from(where.position)};
+        };
+        moveSewn(stretch, moved, fit.backwards);
         return std::nullopt;
     }
 
@@ -207,8 +215,8 @@ private:
         }
     }
 
-    template <class Map>
-    void moveSewn(const Map& stretch, bool backwards)
+    template <class Map, class Moved>
+    void moveSewn(const Map& stretch, const Moved& moved, bool backwards)
     {
         m_design.each<Seam>([&](ElementId id, Seam seam) {
             for (Stretch* side : {&seam.a, &seam.b})
@@ -227,11 +235,13 @@ private:
                 std::reverse(seam.orientation.directions.begin(), seam.orientation.directions.end());
             put(id, seam);
         });
-        m_design.each<OutlineTrim>([&](ElementId id, OutlineTrim trimmed) {
-            if (trimmed.stretch.patch != m_follower)
-                return;
-            trimmed.stretch = stretch(trimmed.stretch);
-            put(id, trimmed);
+        eachMarkKind([&]<class T>() {
+            m_design.each<T>([&](ElementId id, T mark) {
+                if (whereOf(mark).patch != m_follower)
+                    return;
+                whereOf(mark) = moved(whereOf(mark));
+                put(id, mark);
+            });
         });
     }
 
@@ -286,6 +296,8 @@ private:
             putDrawn(twin, *before, *curve);
         } else if (const auto* fancy = std::get_if<FancySeam>(&original)) {
             putDrawn(FancySeam(*fancy), *before, *curve);
+        } else if (const auto* line = std::get_if<InternalLine>(&original)) {
+            putDrawn(InternalLine(*line), *before, *curve);
         }
         return std::nullopt;
     }

@@ -168,10 +168,12 @@ private:
         const ElementPtr copy = mirroredDrawn(*m_start.element(id), on, m_symmetry);
         if (!copy)
             return;
-        if (const auto* handle = std::get_if<HandleCurve>(copy.get()))
-            putTwin(id, *handle);
-        else
-            putTwin(id, std::get<FancySeam>(*copy));
+        std::visit(
+            [&]<class T>(const T& drawn) {
+                if constexpr (std::is_base_of_v<PatchCurve, T>)
+                    putTwin(id, drawn);
+            },
+            *copy);
     }
 
     void addSewn(ElementId patch)
@@ -184,11 +186,13 @@ private:
             if (seam.stretch.patch == patch)
                 addFixation(seam);
         });
-        m_start.each<OutlineTrim>([&](ElementId, const OutlineTrim& trimmed) {
-            if (trimmed.stretch.patch != patch)
-                return;
-            if (const auto image = SewnMirror(m_now, twinPairs(m_now)).of(trimmed))
-                put(makeElement(*image));
+        eachMarkKind([&]<class T>() {
+            m_start.each<T>([&](ElementId, const T& mark) {
+                if (whereOf(mark).patch != patch)
+                    return;
+                if (const auto image = SewnMirror(m_now, twinPairs(m_now)).of(mark))
+                    put(makeElement(*image));
+            });
         });
     }
 

@@ -17,6 +17,8 @@ ElementPtr withStretches(const Element& element, const std::vector<Stretch>& str
         fixation->stretch = stretches[0];
     } else if (auto* trimmed = std::get_if<OutlineTrim>(&result)) {
         trimmed->stretch = stretches[0];
+    } else if (auto* allowance = std::get_if<EdgeAllowance>(&result)) {
+        allowance->stretch = stretches[0];
     }
     return std::make_shared<const Element>(std::move(result));
 }

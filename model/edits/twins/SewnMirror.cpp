@@ -125,10 +125,20 @@ std::optional<FixationSeam> SewnMirror::of(const FixationSeam& fixation) const
     return result;
 }
 
-std::optional<OutlineTrim> SewnMirror::of(const OutlineTrim& trimmed) const
+std::optional<OutlinePlace> SewnMirror::of(const OutlinePlace& place) const
 {
-    const auto stretch = twin(trimmed.stretch.patch) == noElement ? std::nullopt : of(trimmed.stretch);
-    return stretch ? std::optional(OutlineTrim{stretch->stretch, trimmed.trim}) : std::nullopt;
+    const auto* patch = m_design.find<Patch>(place.patch);
+    const auto* other = m_design.find<Patch>(twin(place.patch));
+    if (!patch || !other || other->outline.knots() != patch->outline.knots())
+        return std::nullopt;
+    return OutlinePlace{twin(place.patch), place.at};
+}
+
+std::optional<PatchPoint> SewnMirror::of(const PatchPoint& point) const
+{
+    if (twin(point.patch) == noElement)
+        return std::nullopt;
+    return PatchPoint{twin(point.patch), mirroredInOutline(point.position)};
 }
 
 bool SewnMirror::same(const Stretch& a, const Stretch& b) const
@@ -144,6 +154,18 @@ bool SewnMirror::same(const Stretch& a, const Stretch& b) const
         return (outline.at(outline.wrapped(s)) - outline.at(outline.wrapped(t))).norm() <= 2 * ownMirrorTolerance;
     };
     return near(a.from, b.from) && near(a.to, b.to);
+}
+
+bool SewnMirror::same(const OutlinePlace& a, const OutlinePlace& b) const
+{
+    const auto* patch = m_design.find<Patch>(a.patch);
+    return a.patch == b.patch && patch && !patch->outline.empty() &&
+           std::abs(std::remainder(a.at - b.at, patch->outline.period())) <= 1e-9 * patch->outline.period();
+}
+
+bool SewnMirror::same(const PatchPoint& a, const PatchPoint& b) const
+{
+    return a.patch == b.patch && (a.position - b.position).norm() <= mirrorTolerance;
 }
 
 SewnMirror::Counterpart SewnMirror::counterpart(const Seam& seam) const
@@ -178,34 +200,29 @@ SewnMirror::Counterpart SewnMirror::counterpart(const FixationSeam& fixation) co
     return result;
 }
 
-SewnMirror::Counterpart SewnMirror::counterpart(const OutlineTrim& trimmed) const
-{
-    Counterpart result;
-    const auto image = of(trimmed);
-    if (!image)
-        return result;
-    m_design.each<OutlineTrim>([&](ElementId id, const OutlineTrim& other) {
-        if (result.id == noElement && same(other.stretch, image->stretch))
-            result.id = id;
-    });
-    return result;
-}
-
 bool SewnMirror::released(const Element& sewn) const
 {
-    bool onTwin = false;
-    for (const Stretch& stretch : stretchesOf(sewn)) {
-        const auto* patch = m_design.find<Patch>(stretch.patch);
-        const ElementId other = twin(stretch.patch);
+    bool onTwin = false, released = true;
+    const auto look = [&](ElementId id, const auto& pointsOf) {
+        const auto* patch = m_design.find<Patch>(id);
+        const ElementId other = twin(id);
         if (!patch || patch->outline.empty() || other == noElement)
-            continue;
+            return;
         onTwin = true;
-        const Twin* link = twinLink(*m_design.element(m_originals.contains(stretch.patch) ? stretch.patch : other));
-        for (const int point : pointsOnStretch(patch->outline, stretch.from, stretch.to))
-            if (!link || !std::ranges::binary_search(link->released, point))
-                return false;
-    }
-    return onTwin;
+        const Twin* link = twinLink(*m_design.element(m_originals.contains(id) ? id : other));
+        for (const int point : pointsOf(patch->outline))
+            released = released && link && std::ranges::binary_search(link->released, point);
+    };
+    for (const Stretch& stretch : stretchesOf(sewn))
+        look(stretch.patch,
+             [&](const BSpline2& outline) { return pointsOnStretch(outline, stretch.from, stretch.to); });
+    visitMark(sewn, [&](const auto& mark) {
+        if constexpr (requires { mark.place.at; })
+            look(mark.place.patch, [&](const BSpline2& outline) {
+                return std::vector{outline.pointAt(outline.wrapped(mark.place.at))};
+            });
+    });
+    return onTwin && released;
 }
 
 SewnMirror::Pairs heldPairs(const Design& design, const Design& other)
@@ -225,9 +242,12 @@ std::vector<Stretch> stretchesOf(const Element& element)
         return {seam->a, seam->b};
     if (const auto* fixation = std::get_if<FixationSeam>(&element))
         return {fixation->stretch};
-    if (const auto* trimmed = std::get_if<OutlineTrim>(&element))
-        return {trimmed->stretch};
-    return {};
+    std::vector<Stretch> result;
+    visitMark(element, [&](const auto& mark) {
+        if constexpr (requires { mark.stretch; })
+            result = {mark.stretch};
+    });
+    return result;
 }
 
 ElementPtr mirroredDrawn(const Element& drawn, ElementId patch, const Symmetry& symmetry)
@@ -247,11 +267,16 @@ ElementPtr mirroredDrawn(const Element& drawn, ElementId patch, const Symmetry& 
         copy.twin.reset();
         return makeElement(std::move(copy));
     }
-    FancySeam copy = std::get<FancySeam>(drawn);
-    copy.patch = patch;
-    copy.curve = *curve;
-    copy.twin.reset();
-    return makeElement(std::move(copy));
+    return std::visit(
+        [&](auto copy) {
+            if constexpr (std::is_base_of_v<PatchCurve, decltype(copy)>) {
+                copy.patch = patch;
+                copy.curve = *curve;
+                copy.twin.reset();
+            }
+            return makeElement(std::move(copy));
+        },
+        drawn);
 }
 
 } // namespace bolster::edits

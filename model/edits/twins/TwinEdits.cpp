@@ -106,15 +106,18 @@ std::optional<FixationSeam> imageThere(const Design& design, const SewnMirror& m
     return result;
 }
 
-std::optional<OutlineTrim> imageThere(const Design& design, const SewnMirror& mirror, ElementId id,
-                                      const OutlineTrim& trimmed)
+/// Of marks only those along stretches can be somewhere else than their images and still be meant.
+template <PatchMark T>
+std::optional<T> imageThere(const Design& design, const SewnMirror& mirror, ElementId id, const T& mark)
 {
-    const auto place = mirror.of(trimmed);
-    std::optional<OutlineTrim> result;
-    design.each<OutlineTrim>([&](ElementId other, const OutlineTrim& there) {
-        if (place && other != id && !result && meet(design, place->stretch, there.stretch))
-            result = mirror.of(there);
-    });
+    std::optional<T> result;
+    if constexpr (requires { mark.stretch; }) {
+        const auto place = mirror.of(mark);
+        design.each<T>([&](ElementId other, const T& there) {
+            if (place && other != id && !result && meet(design, place->stretch, there.stretch))
+                result = mirror.of(there);
+        });
+    }
     return result;
 }
 
@@ -125,9 +128,10 @@ ElementId mirrored(const Design& design, const SewnMirror& mirror, ElementId id)
         return mirror.counterpart(*seam).id;
     if (const auto* fixation = std::get_if<FixationSeam>(element.get()))
         return mirror.counterpart(*fixation).id;
-    if (const auto* trimmed = std::get_if<OutlineTrim>(element.get()))
-        return mirror.counterpart(*trimmed).id;
-    return mirror.twin(id);
+    ElementId there = mirror.twin(id);
+    if (element)
+        visitMark(*element, [&](const auto& mark) { there = mirror.counterpart(mark).id; });
+    return there;
 }
 
 } // namespace
@@ -224,10 +228,13 @@ Edit relinkSewing(const Design& design, ElementId id)
     if (const auto* fixation = design.find<FixationSeam>(id))
         if (const auto there = imageThere(design, mirror, id, *fixation))
             return replaceWith(design, id, *there, verb);
-    if (const auto* trimmed = design.find<OutlineTrim>(id))
-        if (const auto there = imageThere(design, mirror, id, *trimmed))
-            return replaceWith(design, id, *there, verb);
-    return {};
+    Edit edit;
+    if (const ElementPtr element = design.element(id))
+        visitMark(*element, [&](const auto& mark) {
+            if (const auto there = imageThere(design, mirror, id, mark))
+                edit = replaceWith(design, id, *there, verb);
+        });
+    return edit;
 }
 
 std::vector<int> pointsOnStretch(const BSpline2& outline, double from, double to)

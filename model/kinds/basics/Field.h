@@ -189,6 +189,7 @@ struct KindNames {
 ///   static constexpr KindNames names: of kinds
 ///   static constexpr const char* added: of kinds, the verb of adding one, with its name as %1
 ///   static SolveCost comes(const T&): of kinds, what one that comes or goes asks of the solver
+///   static constexpr bool shapesNothing: of kinds that are no business of the solver's, whatever their parts say
 ///   static constexpr const char* section: of parts, where docs/design-json.md is about it
 ///   static constexpr const char* wrong: of parts, what is said where there is something else than an object
 ///   static T usual(const T&): where a field decides the usual values of the others; `of` calls v.usual(s...)

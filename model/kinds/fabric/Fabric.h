@@ -1,6 +1,7 @@
 // The cover material: how it behaves and what it looks like.
 #pragma once
 
+#include "FabricCutting.h"
 #include "FabricLook.h"
 #include "StretchLimits.h"
 
@@ -14,6 +15,7 @@ struct Fabric {
     std::string color = "#7a4a2b"; ///< "#rrggbb", lower case
     FabricLook look = {};
     StretchLimits limits = {};
+    FabricCutting cutting = {};
 
     friend bool operator==(const Fabric&, const Fabric&) = default;
 };

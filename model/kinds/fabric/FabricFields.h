@@ -3,6 +3,7 @@
 
 #include "Fabric.h"
 #include "Field.h"
+#include "PieceCuttingFields.h"
 
 namespace bolster {
 
@@ -135,6 +136,7 @@ struct Description<Fabric> {
                  .label = QT_TRANSLATE_NOOP("Field", "Strain limits"),
                  .meaning = "how far it may be strained; a map of strain shows what is beyond"},
                 s.limits...);
+        v.group(cuttingField, s.cutting...);
     }
 };
 

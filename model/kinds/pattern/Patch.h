@@ -3,6 +3,7 @@
 
 #include "BSpline.h"
 #include "ElementId.h"
+#include "PieceCutting.h"
 #include "Twin.h"
 
 #include <optional>
@@ -21,6 +22,8 @@ struct Patch {
     double pressure = 0;       ///< 1 is a membrane force per D in units of the stretch stiffness (docs/solver.md)
     bool wrongSideOut = false; ///< worn with -z of the pattern plane outside
     BSpline2 outline;          ///< closed, mm
+    std::optional<CutAllowance> allowance = {}; ///< nothing: the design's
+    PieceCutting cutting = {};
     std::optional<Twin> twin = {}; ///< mirrored at x = 0 of the outlines; place and rotation are free
 
     friend bool operator==(const Patch&, const Patch&) = default;

@@ -10,10 +10,14 @@
 
 namespace bolster {
 
+/// What becomes of a drawn curve when its piece is cut.
+enum class LineUse { Drawn, Cut, Ignored };
+
 struct PatchCurve {
     std::string name;
     ElementId patch{};
-    BSpline2 curve;                ///< open or closed, outline coordinates, mm
+    BSpline2 curve; ///< open or closed, outline coordinates, mm
+    LineUse use = LineUse::Drawn;
     std::optional<Twin> twin = {}; ///< mirrored at x = 0 of the outlines, targets at the plane of the design
 
     friend bool operator==(const PatchCurve&, const PatchCurve&) = default;

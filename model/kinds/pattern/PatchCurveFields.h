@@ -3,6 +3,7 @@
 
 #include "FancySeam.h"
 #include "HandleCurve.h"
+#include "InternalLine.h"
 #include "OrientationFields.h"
 #include "TrimFields.h"
 #include "TwinFields.h"
@@ -11,6 +12,11 @@ namespace bolster {
 
 template <>
 struct Description<PatchCurve> {
+    static constexpr const char* uses[] = {"drawn", "cut", "ignored"};
+    static constexpr const char* useLabels[] = {QT_TRANSLATE_NOOP("Field", "Drawn"),
+                                                QT_TRANSLATE_NOOP("Field", "Cut"),
+                                                QT_TRANSLATE_NOOP("Field", "Left out")};
+
     template <class V, class... S>
     static void of(V& v, S&... s)
     {
@@ -20,6 +26,11 @@ struct Description<PatchCurve> {
                  .cost = SolveCost::Rebuild,
                  .presence = Presence::Required},
                 Refers<Patch>{}, s.patch...);
+        v.field({.key = "use",
+                 .label = QT_TRANSLATE_NOOP("Field", "On the cutting table"),
+                 .meaning = "what becomes of it when its piece is cut",
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change how %1 is cut")},
+                Words{uses, useLabels}, s.use...);
         v.group(twinField, s.twin...);
         v.field({.key = "curve",
                  .label = QT_TRANSLATE_NOOP("Field", "Curve"),
@@ -96,6 +107,32 @@ struct Description<FancySeam> {
                  .cost = SolveCost::Republish},
                 Words{profiles, profileLabels}, s.profile...);
         v.group(trimField, s.trim...);
+    }
+};
+
+template <>
+struct Description<InternalLine> {
+    static constexpr const char* word = "internal_line";
+    static constexpr KindNames names{65, QT_TRANSLATE_NOOP("ElementText", "Internal line"),
+                                     QT_TRANSLATE_NOOP("ElementText", "Internal lines"),
+                                     QT_TRANSLATE_NOOP("ElementText", "%1 internal lines"), "internal-line"};
+    static constexpr const char* added = QT_TRANSLATE_NOOP("Message", "Add internal line %1");
+    static SolveCost comes(const InternalLine&) { return SolveCost::Nothing; }
+    static constexpr bool shapesNothing = true;
+
+    static constexpr const char* purposes[] = {"guide", "top_stitch", "tie_down", "fold"};
+    static constexpr const char* purposeLabels[] = {
+        QT_TRANSLATE_NOOP("Field", "Guide"), QT_TRANSLATE_NOOP("Field", "Top stitching"),
+        QT_TRANSLATE_NOOP("Field", "Tie-down strip"), QT_TRANSLATE_NOOP("Field", "Fold")};
+
+    template <class V, class... S>
+    static void of(V& v, S&... s)
+    {
+        v.part({}, asBase<PatchCurve>(s)...);
+        v.field({.key = "purpose",
+                 .label = QT_TRANSLATE_NOOP("Field", "Purpose"),
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change the purpose of %1")},
+                Words{purposes, purposeLabels}, s.purpose...);
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "Field.h"
 #include "Patch.h"
+#include "PieceCuttingFields.h"
 #include "TwinFields.h"
 
 namespace bolster {
@@ -60,6 +61,8 @@ struct Description<Patch> {
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the right side of %1"),
                  .cost = SolveCost::Rebuild},
                 Flag{}, s.wrongSideOut...);
+        v.group(allowanceField, s.allowance...);
+        v.group(cuttingField, s.cutting...);
         v.group(twinField, s.twin...);
         v.field({.key = "outline",
                  .label = QT_TRANSLATE_NOOP("Field", "Outline"),

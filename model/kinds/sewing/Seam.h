@@ -15,6 +15,7 @@ struct Seam {
     Match match = Match::Length;
     Continuity continuity = Continuity::C0;
     SeamTrim trim = {};
+    double ease = 0; ///< how much longer than the first side the second one is wanted, mm
 
     friend bool operator==(const Seam&, const Seam&) = default;
 };

@@ -48,6 +48,14 @@ struct Description<Seam> {
                  .cost = SolveCost::Refactor},
                 Words{continuities, continuityLabels}, s.continuity...);
         v.group(trimField, s.trim...);
+        v.field(
+            {.key = "ease_mm",
+             .label = QT_TRANSLATE_NOOP("Field", "Ease wanted"),
+             .meaning = "how much longer than the first side the second one shall be; checked before cutting",
+             .tip = QT_TRANSLATE_NOOP("Field", "How much longer the second side shall be than the first one: it "
+                                               "is gathered when it is sewn."),
+             .verb = QT_TRANSLATE_NOOP("Message", "Change the ease of %1")},
+            Number{-1000, 1000, Unit::Millimetres, {.step = 1, .decimals = 2}}, s.ease...);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "HelperProcess.h"
 #include "Salvager.h"
 #include "Schema.h"
+#include "SchemaRepair.h"
 #include "TemporaryFile.h"
 #include "Unfinished.h"
 #include "WholeFile.h"
@@ -20,14 +21,16 @@ constexpr qsizetype fileHeadSize = 100;
 constexpr std::size_t mostOtherTables = 50;
 constexpr qsizetype longestAnswer = 16 << 20;
 
-/// The head of a project file is the same in all of them but for these numbers: a damaged one is written anew.
-/// False when nothing behind it can be right.
+/// The head of a project file is the same in all of them but for these numbers, and so is the list of its tables:
+/// damaged ones are written anew. False when nothing behind it can be right.
 bool repairHead(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadWrite) || !file.resize(file.size() / pageSize * pageSize))
         return false;
     QByteArray page = file.read(pageSize);
+    if (page.size() == pageSize)
+        page = withRepairedSchema(page);
     if (page.size() < pageSize ||
         !tablesFitOnePage(std::string_view(page.constData() + fileHeadSize, pageSize - fileHeadSize),
                           mostOtherTables))
@@ -49,7 +52,8 @@ bool repairHead(const QString& path)
     put(64, 0);
     put(68, applicationId);
     head.replace(92, 4, head.mid(24, 4));
-    return file.seek(0) && file.write(head) == fileHeadSize && file.flush();
+    page.replace(0, fileHeadSize, head);
+    return file.seek(0) && file.write(page) == pageSize && file.flush();
 }
 
 Salvaged blamed(const Message& problem)

@@ -32,13 +32,18 @@ constexpr const char* tables[] = {
 
 constexpr std::size_t mostLooked = 1'000;
 
-std::string tableName(std::string_view sql)
+} // namespace
+
+std::span<const char* const> tableStatements()
 {
-    sql.remove_prefix(std::string_view("CREATE TABLE ").size());
-    return std::string(sql.substr(0, sql.find('(')));
+    return tables;
 }
 
-} // namespace
+std::string tableName(std::string_view statement)
+{
+    statement.remove_prefix(std::string_view("CREATE TABLE ").size());
+    return std::string(statement.substr(0, statement.find('(')));
+}
 
 bool tablesFitOnePage(std::string_view page, std::size_t mostOthers)
 {

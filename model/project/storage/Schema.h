@@ -4,12 +4,18 @@
 #include "Database.h"
 
 #include <set>
+#include <span>
+#include <string>
 
 namespace bolster {
 
 inline constexpr std::int64_t applicationId = 0x426C7374; // "Blst"
 inline constexpr std::int64_t schemaVersion = 1;
 inline constexpr std::int64_t pageSize = 8192;
+
+/// "CREATE TABLE name(...)" of each of them.
+std::span<const char* const> tableStatements();
+std::string tableName(std::string_view statement);
 
 /// Whether the list of tables, from byte 100 of a file on, is one that ours fit in, with some others. Asked before
 /// SQLite reads it, which believes all that is in there, and may need 40 times as much memory.

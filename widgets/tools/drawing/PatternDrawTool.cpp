@@ -1,6 +1,7 @@
 #include "PatternDrawTool.h"
 
 #include "CurvePath.h"
+#include "CuttingEdits.h"
 #include "Document.h"
 #include "DrawingKeys.h"
 #include "HandleEdits.h"
@@ -147,6 +148,11 @@ Edit PatternDrawTool::edit(BSpline2 curve) const
         design.each<FancySeam>([&](ElementId, const FancySeam&) { ++count; });
         return edits::addFancySeam(design, m_patch, std::move(curve), tr("Fancy seam %1").arg(count).toStdString());
     }
+    if (m_kind == DrawnKind::InternalLine) {
+        design.each<InternalLine>([&](ElementId, const InternalLine&) { ++count; });
+        return edits::addInternalLine(design, m_patch, std::move(curve), InternalLine::Purpose::Guide,
+                                      tr("Line %1").arg(count).toStdString());
+    }
     design.each<HandleCurve>([&](ElementId, const HandleCurve&) { ++count; });
     const SurfaceMeshPtr surface = m_context.surface();
     return surface ? edits::addHandleCurve(design, *surface, m_patch, std::move(curve),
@@ -180,6 +186,8 @@ void PatternDrawTool::finish(bool closed)
 
 QString PatternDrawTool::prompt() const
 {
+    if (m_points.empty() && m_kind == DrawnKind::InternalLine)
+        return tr("Click inside a patch or on its outline to begin a line for the cutter \u2013 Esc ends the tool");
     if (m_points.empty())
         return m_kind == DrawnKind::HandleCurve
                    ? tr("Click inside a patch to begin a handle curve \u2013 Esc ends the tool")

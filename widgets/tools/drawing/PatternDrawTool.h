@@ -1,4 +1,4 @@
-// Draws handle curves and fancy seams into a patch.
+// Draws handle curves, fancy seams and internal lines into a patch.
 #pragma once
 
 #include "PatternTool.h"
@@ -8,7 +8,7 @@
 namespace bolster {
 
 /// What PatternDrawTool makes of a curve.
-enum class DrawnKind { HandleCurve, FancySeam };
+enum class DrawnKind { HandleCurve, FancySeam, InternalLine };
 
 /// Clicks set control points, within reach of the outline on it; Shift keeps to an axis. A double click or Enter
 /// ends the curve, a click on its first point closes it. B switches between straight and smooth, Backspace takes

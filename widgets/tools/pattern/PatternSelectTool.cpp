@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "HitSelection.h"
+#include "MarkDrag.h"
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
@@ -91,6 +92,8 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
                    ? dragPoints(m_context, *m_pressed, selection.points())
                    : nullptr;
+    case PatternHit::Kind::Mark:
+        return selection.contains(m_pressedHit.seam) ? dragMark(m_context, *m_pressed, m_pressedHit.seam) : nullptr;
     case PatternHit::Kind::Line:
         return selection.contains(m_pressedHit.seam)
                    ? dragPoints(m_context, *m_pressed, allPoints(m_pressedHit.seam))
@@ -325,6 +328,8 @@ QString PatternSelectTool::prompt() const
                         "patch")
                    : tr("Click to select the seam and the edge, double click to add a control point here");
     }
+    case PatternHit::Kind::Mark:
+        return tr("Click to select it, drag to move it, Delete removes it");
     case PatternHit::Kind::Line:
         return tr("Click to select the curve, drag to move it, double click to add a control point here");
     case PatternHit::Kind::Inside:
@@ -348,6 +353,7 @@ QCursor PatternSelectTool::cursor() const
                                                                                     : Qt::SizeBDiagCursor;
     switch (m_hover.kind) {
     case PatternHit::Kind::Point:
+    case PatternHit::Kind::Mark:
         return Qt::SizeAllCursor;
     case PatternHit::Kind::Outline:
     case PatternHit::Kind::Line:

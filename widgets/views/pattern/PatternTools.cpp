@@ -3,6 +3,7 @@
 #include "AttachTool.h"
 #include "BackgroundTools.h"
 #include "BoxShapeTool.h"
+#include "MarkTool.h"
 #include "MeasureTool.h"
 #include "OutlineTool.h"
 #include "PatternDrawTool.h"
@@ -26,6 +27,16 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<PatternDrawTool>(context, DrawnKind::HandleCurve);
     case PatternToolKind::FancySeam:
         return std::make_unique<PatternDrawTool>(context, DrawnKind::FancySeam);
+    case PatternToolKind::InternalLine:
+        return std::make_unique<PatternDrawTool>(context, DrawnKind::InternalLine);
+    case PatternToolKind::Notch:
+        return std::make_unique<MarkTool>(context, MarkKind::Notch);
+    case PatternToolKind::DrillHole:
+        return std::make_unique<MarkTool>(context, MarkKind::DrillHole);
+    case PatternToolKind::EdgeAllowance:
+        return std::make_unique<MarkTool>(context, MarkKind::EdgeAllowance);
+    case PatternToolKind::CutCorner:
+        return std::make_unique<MarkTool>(context, MarkKind::CutCorner);
     case PatternToolKind::Sew:
         return std::make_unique<SewTool>(context);
     case PatternToolKind::Attach:

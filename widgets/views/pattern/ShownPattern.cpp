@@ -27,6 +27,18 @@ ShownPattern::ShownPattern(const Document& document, const Selection& selection,
     , m_selection(selection)
     , m_problems(problems)
     , m_colors(colors)
+    , m_cutJob(
+          [](const Design& design, const std::stop_token&) {
+              CutOptions options;
+              options.chord = 0.2; // finer than a pixel
+              options.faceUp = false;
+              options.words = {tr("Cut %1").toStdString(), tr("Cut %1 and %1 mirrored").toStdString()};
+              return std::make_shared<const CutPattern>(cutPattern(design, options));
+          },
+          [this](std::shared_ptr<const CutPattern> cut) {
+              m_cut = m_layers.cutting ? std::move(cut) : nullptr;
+              emit changed();
+          })
 {
     connect(&document, &Document::changed, this, &ShownPattern::designChanged);
     connect(&selection, &Selection::changed, this, &ShownPattern::selectionChanged);
@@ -44,7 +56,14 @@ void ShownPattern::designChanged(const std::set<ElementId>& ids)
         return; // the pattern stays as it is while a curve is dragged in 3D
     m_scene.update(design, ids);
     m_seamColors = seamColors(design, m_colors.dark);
+    requestCut();
     selectionChanged();
+}
+
+void ShownPattern::requestCut()
+{
+    if (m_layers.cutting)
+        m_cutJob.request(m_document.design());
 }
 
 void ShownPattern::selectionChanged()
@@ -82,6 +101,10 @@ void ShownPattern::setHidden(std::set<ElementId> hidden)
 void ShownPattern::setLayers(const PatternLayers& layers)
 {
     m_layers = layers;
+    if (layers.cutting && !m_cut)
+        requestCut();
+    if (!layers.cutting)
+        m_cut = nullptr;
     emit layersChanged();
     emit changed();
 }
@@ -97,7 +120,7 @@ PatternHit ShownPattern::hit(const PatternTransform& transform, QPointF pixel) c
     return m_scene.hit(
         transform.toLayout(pixel), transform.millimetres(grabRadius),
         [&](ElementId id) { return pointsShown(id, transform); },
-        [this](const PatternLine& line) { return m_layers.shows(line); });
+        [this](const PatternLine& line) { return m_layers.shows(line); }, m_layers.cutting);
 }
 
 std::optional<CoverPoint> ShownPattern::pointOf(const PatternHit& found, const PatternTransform& transform,

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "CoverPlaces.h"
+#include "CutPattern.h"
+#include "LatestJob.h"
 #include "PatternPainter.h"
 #include "SurfaceMesh.h"
 
@@ -40,6 +42,8 @@ public:
     void setColors(const ViewColors& colors);
 
     const PatternScene& scene() const { return m_scene; }
+    /// The production pattern while its layer is shown, a little behind the design; or null.
+    const std::shared_ptr<const CutPattern>& cut() const { return m_cut; }
     /// What lies under the pixel.
     PatternHit hit(const PatternTransform& transform, QPointF pixel) const;
     /// The point of a patch under the pixel, where `found` lies.
@@ -61,6 +65,7 @@ signals:
 private:
     void designChanged(const std::set<bolster::ElementId>& ids);
     void selectionChanged();
+    void requestCut();
 
     const Document& m_document;
     const Selection& m_selection;
@@ -74,6 +79,8 @@ private:
     PatternLayers m_layers;
     std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
     std::set<ElementId> m_hidden;   ///< in the 3D view
+    std::shared_ptr<const CutPattern> m_cut;
+    LatestJob<Design, std::shared_ptr<const CutPattern>> m_cutJob; ///< last: it uses the others
 };
 
 } // namespace bolster

@@ -1,0 +1,70 @@
+#include "OutputFiles.h"
+
+#include "Output.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace bolster::cli {
+namespace {
+
+/// One name for one file, however it is reached. Several outputs may go to the same device.
+QString resolved(const QString& path)
+{
+    constexpr int mostLinks = 40;
+    QFileInfo info(path);
+    for (int links = 0; info.isSymLink() && links < mostLinks; ++links)
+        info.setFile(info.symLinkTarget()); // which may not be there yet
+    const QString folder = QFileInfo(info.absolutePath()).canonicalFilePath();
+    return folder.isEmpty() ? info.absoluteFilePath() : folder + "/" + info.fileName();
+}
+
+bool isDevice(const QString& path)
+{
+    return QFileInfo::exists(path) && !QFileInfo(path).isFile();
+}
+
+} // namespace
+
+OutputFiles::OutputFiles(const Arguments& arguments, std::initializer_list<const char*> options)
+{
+    std::map<QString, std::string> taken;
+    for (const char* const option : options) {
+        if (!arguments.has(option))
+            continue;
+        const QString path = arguments.path(option);
+        m_paths.emplace(option, path);
+        const auto [other, isNew] = taken.emplace(resolved(path), option);
+        if (!isNew && !isDevice(path))
+            throw UsageError(other->second + " and " + option + " are the same file");
+    }
+}
+
+void OutputFiles::protectInputs(const QString& designPath, const Design& design) const
+{
+    std::map<QString, std::string> inputs = {{resolved(designPath), "the design"}};
+    const QString folder = QFileInfo(designPath).absolutePath();
+    for (const auto& [id, element] : design.elements())
+        if (const std::string* file = elementFile(*element))
+            inputs.emplace(resolved(folder + "/" + QString::fromStdString(*file)),
+                           "the file \"" + *file + "\" of " + elementLabel(id, *element));
+    for (const auto& [option, path] : m_paths)
+        if (const auto input = inputs.find(resolved(path)); input != inputs.end() && QFileInfo(path).isFile())
+            throw UsageError(option + " would overwrite " + input->second);
+}
+
+bool OutputFiles::write(const std::string& option, const std::function<Message(const QString&)>& writer) const
+{
+    const auto found = m_paths.find(option);
+    if (found == m_paths.end())
+        return true;
+    const Message problem = writer(found->second);
+    if (problem.empty())
+        printResult("wrote " + found->second.toStdString());
+    else
+        printError("error: " + problem.english());
+    return problem.empty();
+}
+
+} // namespace bolster::cli

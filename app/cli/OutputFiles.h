@@ -1,0 +1,31 @@
+// The files that a subcommand is told to write.
+#pragma once
+
+#include "Arguments.h"
+#include "Design.h"
+
+#include <functional>
+#include <initializer_list>
+
+namespace bolster::cli {
+
+class OutputFiles {
+public:
+    /// Throws UsageError when two of these options name the same file.
+    OutputFiles(const Arguments& arguments, std::initializer_list<const char*> options);
+
+    bool empty() const { return m_paths.empty(); }
+
+    /// Throws UsageError when an output would overwrite the design or one of its files: "chair.json --obj
+    /// chair.obj" beside a frame chair.obj is typed soon.
+    void protectInputs(const QString& designPath, const Design& design) const;
+
+    /// Calls the writer with the option's file if there is one, and prints a line about what came of it. False when
+    /// it could not be written.
+    bool write(const std::string& option, const std::function<Message(const QString&)>& writer) const;
+
+private:
+    std::map<std::string, QString> m_paths; // by option
+};
+
+} // namespace bolster::cli

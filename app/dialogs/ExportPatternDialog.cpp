@@ -1,0 +1,223 @@
+#include "ExportPatternDialog.h"
+
+#include "AllowanceFields.h"
+#include "DescribedField.h"
+#include "ElementText.h"
+#include "Icons.h"
+#include "NumberBox.h"
+#include "Translated.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, QWidget* parent)
+    : QDialog(parent)
+    , m_design(std::move(design))
+    , m_style(style.toStdString())
+    , m_job(
+          [design = m_design](const CutOptions& options, const std::stop_token&) {
+              const auto pattern = std::make_shared<const CutPattern>(cutPattern(design, options));
+              return Made{pattern, checkCutting(design, *pattern)};
+          },
+          [this](const Made& made) {
+              m_pattern = made.pattern;
+              showFindings(made.findings);
+              preview();
+          })
+{
+    setWindowTitle(tr("Export pattern"));
+    build();
+    changed();
+}
+
+void ExportPatternDialog::build()
+{
+    m_preview = new SheetPreview(this);
+    m_summary = new QLabel(this);
+    m_summary->setWordWrap(true);
+    auto* right = new QVBoxLayout;
+    right->addWidget(buildChoices());
+    right->addWidget(buildLines());
+    buildPieces();
+    auto* pieces = new QGroupBox(tr("Pieces"), this);
+    (new QVBoxLayout(pieces))->addWidget(m_pieces);
+    right->addWidget(pieces, 1);
+
+    auto* left = new QVBoxLayout;
+    left->addWidget(m_preview, 1);
+    left->addWidget(m_summary);
+    m_findings = new QListWidget(this);
+    m_findings->setAccessibleName(tr("What to look at before cutting"));
+    m_findings->setToolTip(tr("A double click shows where it is."));
+    m_findings->setWordWrap(true);
+    m_findings->setMaximumHeight(110);
+    m_findings->hide();
+    left->addWidget(m_findings);
+    auto* top = new QHBoxLayout;
+    top->addLayout(left, 1);
+    top->addLayout(right);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_export = buttons->addButton(tr("&Export \u2026"), QDialogButtonBox::AcceptRole);
+    m_export->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* all = new QVBoxLayout(this);
+    all->addLayout(top, 1);
+    all->addWidget(buttons);
+}
+
+QWidget* ExportPatternDialog::buildChoices()
+{
+    m_format = new QComboBox(this);
+    m_format->setObjectName(QStringLiteral("format"));
+    m_format->addItems({tr("PDF \u2013 to print and put together"), tr("DXF AAMA \u2013 for cutters"),
+                        tr("DXF ASTM \u2013 for cutters"), tr("DXF, plain lines"), tr("SVG \u2013 1:1"),
+                        tr("HPGL \u2013 for plotters")});
+    m_paper = new QComboBox(this);
+    m_paper->setObjectName(QStringLiteral("paper"));
+    for (const QString& name : paperNames())
+        m_paper->addItem(name, name);
+    for (const int width : {600, 900, 1400, 1800})
+        m_paper->addItem(tr("Roll, %1 mm wide").arg(width), QStringLiteral("roll:%1").arg(width));
+    m_landscape = new QCheckBox(tr("&Landscape"), this);
+    m_unfold = new QCheckBox(tr("Mirrored pairs as &two pieces"), this);
+    const CutAllowance usual;
+    m_allowance = new NumberBox(describedField(usual, &usual.width).range(), this);
+    m_allowance->setObjectName(QStringLiteral("allowance"));
+    const auto& said = m_design.settings().cutting.allowance;
+    m_allowance->display(said.value_or(usual).width);
+    m_allowance->setEnabled(!said);
+    m_allowance->setToolTip(said ? tr("The design says it; it is changed in its properties.")
+                                 : tr("Of patches and edges that have none of their own."));
+
+    auto* group = new QGroupBox(tr("File"), this);
+    auto* form = new QFormLayout(group);
+    form->addRow(tr("&Format"), m_format);
+    form->addRow(tr("&Paper"), m_paper);
+    form->addRow(QString(), m_landscape);
+    form->addRow(tr("Seam &allowance"), m_allowance);
+    form->addRow(QString(), m_unfold);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportPatternDialog::preview);
+    connect(m_paper, &QComboBox::currentIndexChanged, this, &ExportPatternDialog::preview);
+    connect(m_landscape, &QCheckBox::toggled, this, &ExportPatternDialog::preview);
+    connect(m_unfold, &QCheckBox::toggled, this, &ExportPatternDialog::changed);
+    connect(m_allowance, &NumberBox::entered, this, &ExportPatternDialog::changed);
+    return group;
+}
+
+QWidget* ExportPatternDialog::buildLines()
+{
+    auto* group = new QGroupBox(tr("Lines"), this);
+    auto* grid = new QGridLayout(group);
+    const std::pair<QString, bool CutLayers::*> lines[] = {
+        {tr("C&ut lines"), &CutLayers::cut},    {tr("Sewing li&nes"), &CutLayers::sew},
+        {tr("Notc&hes"), &CutLayers::notches},  {tr("&Grain lines"), &CutLayers::grain},
+        {tr("La&bels"), &CutLayers::labels},    {tr("&Internal lines"), &CutLayers::internal},
+        {tr("&Drill holes"), &CutLayers::holes}};
+    int place = 0;
+    for (const auto& [text, layer] : lines) {
+        auto* box = new QCheckBox(text, this);
+        box->setChecked(true);
+        connect(box, &QCheckBox::toggled, this, &ExportPatternDialog::preview);
+        grid->addWidget(box, place / 2, place % 2);
+        m_layers.emplace_back(box, layer);
+        ++place;
+    }
+    return group;
+}
+
+void ExportPatternDialog::buildPieces()
+{
+    m_pieces = new QListWidget(this);
+    m_pieces->setAccessibleName(tr("Pieces"));
+    m_design.each<Patch>([this](ElementId id, const Patch& patch) {
+        auto* item = new QListWidgetItem(QString::fromStdString(patch.name), m_pieces);
+        item->setData(Qt::UserRole, static_cast<qlonglong>(number(id)));
+        item->setCheckState(Qt::Checked);
+    });
+    connect(m_pieces, &QListWidget::itemChanged, this, &ExportPatternDialog::changed);
+}
+
+PatternOrder ExportPatternDialog::order() const
+{
+    PatternOrder order;
+    order.format = static_cast<PatternFormat>(m_format->currentIndex());
+    order.paper = paperSize(m_paper->currentData().toString()).value_or(PaperSize());
+    order.landscape = m_landscape->isChecked();
+    for (const auto& [box, layer] : m_layers)
+        order.layers.*layer = box->isChecked();
+    order.cutting.allowance = m_allowance->value();
+    order.cutting.unfold = m_unfold->isChecked();
+    order.cutting.style = m_style;
+    order.cutting.words = {tr("Cut %1").toStdString(), tr("Cut %1 and %1 mirrored").toStdString()};
+    std::set<ElementId> chosen;
+    for (int row = 0; row < m_pieces->count(); ++row)
+        if (m_pieces->item(row)->checkState() == Qt::Checked)
+            chosen.insert(static_cast<ElementId>(m_pieces->item(row)->data(Qt::UserRole).toLongLong()));
+    order.cutting.only = std::move(chosen);
+    return order;
+}
+
+void ExportPatternDialog::showFindings(const std::vector<CutFinding>& findings)
+{
+    m_findings->clear();
+    m_findings->disconnect(this);
+    m_findings->setVisible(!findings.empty());
+    for (const CutFinding& finding : findings)
+        new QListWidgetItem(
+            icon(QStringLiteral("warning")),
+            tr("%1: %2").arg(displayName(m_design, finding.problem.element), translated(finding.problem.message)),
+            m_findings);
+    connect(m_findings, &QListWidget::itemActivated, this, [this, findings](QListWidgetItem* item) {
+        const CutFinding& finding = findings[static_cast<std::size_t>(m_findings->row(item))];
+        emit placeWanted(finding.problem.element, finding.patch, finding.place);
+    });
+}
+
+/// Other pieces, not only other sheets.
+void ExportPatternDialog::changed()
+{
+    m_pattern = nullptr;
+    m_export->setEnabled(false);
+    m_job.request(order().cutting);
+}
+
+void ExportPatternDialog::preview()
+{
+    const PatternOrder order = this->order();
+    const bool sheets = hasSheets(order.format);
+    m_paper->setEnabled(sheets || order.format == PatternFormat::Hpgl);
+    m_landscape->setEnabled(sheets && !order.paper.roll);
+    if (!m_pattern)
+        return;
+    const double width = m_paper->isEnabled() ? tableWidth(order.paper, order.landscape) : usualTableWidth;
+    SheetPreview::Shown shown{m_pattern, arranged(*m_pattern, width), order.layers, std::nullopt};
+    const Vec2 size = shown.table.size;
+    QString summary = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))
+                          .arg(qRound(size.x()))
+                          .arg(qRound(size.y()));
+    if (sheets) {
+        shown.grid = sheetGrid(size, order.paper, order.landscape);
+        const PatternPdf pdf(*m_pattern, {order.paper, order.landscape, order.layers});
+        summary += QStringLiteral(", ") + tr("%n pages", nullptr, pdf.pages());
+    }
+    if (!m_pattern->leftOut.empty())
+        summary += QStringLiteral(" \u2013 ") + tr("%n patches are left out: their outlines cross themselves",
+                                                   nullptr, static_cast<int>(m_pattern->leftOut.size()));
+    m_preview->show(std::move(shown));
+    m_summary->setText(summary);
+    m_export->setEnabled(!m_pattern->pieces.empty());
+}
+
+} // namespace bolster

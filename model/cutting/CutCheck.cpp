@@ -1,0 +1,180 @@
+#include "CutCheck.h"
+
+#include "DesignCheck.h"
+#include "SewnPair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+constexpr double sameLength = 1;       // mm
+constexpr double sameShare = 0.005;    // of the length
+constexpr double sharpest = 30;        // degrees outside of an inner corner
+constexpr double leastBeyondNotch = 1; // mm from a notch to the sewing line
+
+class Check {
+public:
+    Check(const Design& design, const CutPattern& pattern)
+        : m_design(design)
+        , m_pattern(pattern)
+    {}
+
+    std::vector<CutFinding> run()
+    {
+        m_design.each<Seam>([&](ElementId id, const Seam& seam) { lengths(id, seam); });
+        for (const CutPiece& piece : m_pattern.pieces)
+            if (!piece.mirrored)
+                look(piece);
+        return std::move(m_found);
+    }
+
+private:
+    void add(ElementId id, ElementId patch, const Vec2& place, Message message)
+    {
+        const ElementPtr element = m_design.element(id);
+        m_found.push_back(
+            {{id, element ? elementLabel(id, *element) : std::string(), "", std::move(message), Severity::Warning},
+             patch,
+             place});
+    }
+
+    bool isCut(ElementId patch) const
+    {
+        return std::ranges::find(m_pattern.pieces, patch, &CutPiece::patch) != m_pattern.pieces.end();
+    }
+
+    void lengths(ElementId id, const Seam& seam)
+    {
+        const SewnPair pair(m_design, seam);
+        if (!pair.usable() || !isCut(seam.a.patch) || !isCut(seam.b.patch))
+            return;
+        const double difference = pair.lengthB() - pair.lengthA();
+        if (std::abs(difference - seam.ease) <= std::max(sameLength, sameShare * pair.length()))
+            return;
+        add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
+            {QT_TRANSLATE_NOOP("Message",
+                               "its second side is %1 mm longer than its first one, but shall be %2 mm longer: "
+                               "true the seam, or say in its properties how much ease is wanted"),
+             {numberText(std::round(10 * difference) / 10), numberText(seam.ease)}});
+    }
+
+    void look(const CutPiece& piece)
+    {
+        notches(piece);
+        if (!piece.label.fits)
+            add(piece.patch, piece.patch, piece.label.at,
+                {QT_TRANSLATE_NOOP("Message",
+                                   "its label finds no room: make the words shorter, or put it elsewhere")});
+        for (const Vec2& gap : piece.gaps)
+            add(piece.patch, piece.patch, gap,
+                {QT_TRANSLATE_NOOP("Message", "its cut lines meet here: make the allowance smaller")});
+        width(piece);
+        corners(piece);
+    }
+
+    void notches(const CutPiece& piece)
+    {
+        for (const CutNotch& notch : piece.notches) {
+            const ElementId id = notch.element == noElement ? piece.patch : notch.element;
+            const double room = (notch.at - notch.sewn).norm();
+            if (notch.shape.depth > room - leastBeyondNotch && room > 0)
+                add(id, piece.patch, notch.sewn,
+                    {QT_TRANSLATE_NOOP("Message",
+                                       "a notch of %1 mm reaches the sewing line, which is %2 mm away: make it "
+                                       "shallower, or the allowance wider"),
+                     {numberText(notch.shape.depth), numberText(std::round(10 * room) / 10)}});
+            if (notch.element != noElement && notch.seam == noElement)
+                add(id, piece.patch, notch.sewn,
+                    {QT_TRANSLATE_NOOP("Message", "nothing is sewn where it is, so it has no partner")});
+            else if (notch.seam != noElement && !hasPartner(piece, notch))
+                add(id, piece.patch, notch.sewn,
+                    {QT_TRANSLATE_NOOP("Message",
+                                       "it has no partner on the other side of its seam: another notch is "
+                                       "too near there")});
+        }
+    }
+
+    /// On another piece, or on another place of the same one.
+    bool hasPartner(const CutPiece& piece, const CutNotch& notch) const
+    {
+        const auto meets = [&](const CutPiece& other) {
+            return std::ranges::any_of(other.notches, [&](const CutNotch& there) {
+                return &there != &notch && there.seam == notch.seam &&
+                       std::abs(there.fraction - notch.fraction) < 1e-6;
+            });
+        };
+        const Seam* seam = m_design.find<Seam>(notch.seam);
+        if (!seam)
+            return true;
+        const ElementId other = seam->a.patch == piece.patch ? seam->b.patch : seam->a.patch;
+        bool cut = false, met = false;
+        for (const CutPiece& there : m_pattern.pieces)
+            if (there.patch == other) {
+                cut = true;
+                met = met || meets(there);
+            }
+        return met || !cut;
+    }
+
+    void width(const CutPiece& piece)
+    {
+        const Fabric* fabric = m_design.find<Fabric>(piece.fabric);
+        const Vec2 grain = piece.grain.to - piece.grain.from;
+        if (!fabric || !(grain.norm() > 0))
+            return;
+        const auto across = [&](const Vec2& axis) {
+            double low = 1e9, high = -1e9;
+            for (const LinePoint& point : piece.cut) {
+                low = std::min(low, point.at.dot(axis));
+                high = std::max(high, point.at.dot(axis));
+            }
+            return high - low;
+        };
+        const Vec2 along = grain.normalized();
+        double least = across({-along.y(), along.x()});
+        if (piece.nap == Nap::Any)
+            least = std::min(least, across(along));
+        if (least > fabric->cutting.width)
+            add(piece.patch, piece.patch, piece.box().center(),
+                {QT_TRANSLATE_NOOP("Message",
+                                   "it is %1 mm wide across the grain, but \"%2\" only %3 mm: split it, or turn "
+                                   "its grain"),
+                 {numberText(std::ceil(least)), fabric->name, numberText(fabric->cutting.width)}});
+    }
+
+    /// At an inner corner the allowances must be spread when it is sewn.
+    void corners(const CutPiece& piece)
+    {
+        const std::size_t count = piece.sew.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!piece.sew[i].corner)
+                continue;
+            const Vec2 in = piece.sew[i].at - piece.sew[(i + count - 1) % count].at;
+            const Vec2 out = piece.sew[(i + 1) % count].at - piece.sew[i].at;
+            const double turn = std::atan2(cross(in, out), in.dot(out)) * 180 / std::numbers::pi;
+            if (turn < sharpest - 180 && areaOf(piece.cut) > areaOf(piece.sew) + 1)
+                add(piece.patch, piece.patch, piece.sew[i].at,
+                    {QT_TRANSLATE_NOOP("Message",
+                                       "an inner corner of %1 degrees is too sharp for its seam allowances: "
+                                       "make them smaller there, or the corner wider"),
+                     {numberText(std::round(180 + turn))}});
+        }
+    }
+
+    const Design& m_design;
+    const CutPattern& m_pattern;
+    std::vector<CutFinding> m_found;
+};
+
+} // namespace
+
+std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern)
+{
+    return Check(design, pattern).run();
+}
+
+} // namespace bolster

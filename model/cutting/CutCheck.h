@@ -1,0 +1,19 @@
+// What is wrong with a pattern before it is cut.
+#pragma once
+
+#include "CutPattern.h"
+#include "Problem.h"
+
+namespace bolster {
+
+struct CutFinding {
+    Problem problem;           ///< a warning; of the element that is meant
+    ElementId patch{};         ///< on which it is to be seen; none: of no single one
+    Vec2 place = Vec2::Zero(); ///< in the patch's outline coordinates, mm
+};
+
+/// Sides of seams that are not as long as wanted, notches that nobody meets or that reach the sewing line, labels
+/// without room, pieces that are wider than their fabric, inner corners that cannot be spread, cut lines that meet.
+std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern);
+
+} // namespace bolster

@@ -1,0 +1,269 @@
+#include "CutPattern.h"
+
+#include "CutNotches.h"
+#include "DesignCheck.h"
+#include "FabricShown.h"
+#include "PieceLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+constexpr double samePlace = 0.1; // mm
+
+std::string counted(std::string words, int count)
+{
+    for (std::size_t at = words.find("%1"); at != std::string::npos; at = words.find("%1"))
+        words.replace(at, 2, std::to_string(count));
+    return words;
+}
+
+/// What fabric has to be larger by, so that it has its size when it has shrunk.
+Eigen::Matrix2d growth(const Fabric* fabric, double grain)
+{
+    if (!fabric)
+        return Eigen::Matrix2d::Identity();
+    const auto factor = [](double percent) { return 1 / (1 - percent / 100); };
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(grain * std::numbers::pi / 180).toRotationMatrix();
+    const Eigen::Vector2d factors(factor(fabric->cutting.shrinkAlong), factor(fabric->cutting.shrinkAcross));
+    return turn * factors.asDiagonal() * turn.transpose();
+}
+
+/// Whether a parameter lies on the stretch.
+bool isOn(const Stretch& stretch, const BSpline2& outline, double t)
+{
+    const double period = outline.period();
+    const double length =
+        unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
+    return t - stretch.from - period * std::floor((t - stretch.from) / period) < length;
+}
+
+class PieceMaker {
+public:
+    PieceMaker(const Design& design, const CutOptions& options, ElementId id, const Patch& patch)
+        : m_design(design)
+        , m_options(options)
+        , m_id(id)
+        , m_patch(patch)
+        , m_fabric(design.find<Fabric>(fabricShown(design, id)))
+        , m_grown(growth(m_fabric, patch.grain))
+        , m_usual(allowanceOf(design, patch, options.allowance))
+    {
+        design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
+            if (edge.stretch.patch == id && std::isfinite(edge.stretch.from) && std::isfinite(edge.stretch.to))
+                m_edges.push_back(edge);
+        });
+    }
+
+    CutPiece make(const std::vector<NotchPlace>& notches)
+    {
+        const PieceCutting& cutting = m_patch.cutting;
+        m_piece.patch = m_id;
+        m_piece.name = m_patch.name;
+        m_piece.quantity = static_cast<int>(std::ceil(cutting.quantity));
+        m_piece.pair = cutting.pair;
+        m_piece.nap = cutting.nap;
+        m_piece.tolerance = cutting.tolerance;
+        m_piece.fabric = fabricShown(m_design, m_id);
+        m_piece.fabricName = m_fabric ? m_fabric->name : std::string();
+        addLines();
+        for (const NotchPlace& place : notches)
+            addNotch(place);
+        m_design.each<DrillHole>([&](ElementId hole, const DrillHole& drilled) {
+            if (drilled.place.patch == m_id)
+                m_piece.holes.push_back({m_grown * drilled.place.position, drilled.diameter, hole, drilled.name});
+        });
+        for (const auto& [element, value] : m_design.elements())
+            if (const PatchCurve* drawn = patchCurve(*value); drawn && drawn->patch == m_id)
+                addInner(element, *drawn);
+        m_piece.grain = placeGrain(m_piece, m_patch.grain);
+        return std::move(m_piece);
+    }
+
+private:
+    void addLines()
+    {
+        SampleOrder order{m_options.chord, m_usual.width, {}};
+        for (const EdgeAllowance& edge : m_edges) {
+            order.reach = std::max(order.reach, edge.width);
+            order.breaks.push_back(edge.stretch.from);
+            order.breaks.push_back(edge.stretch.to);
+        }
+        std::vector<OutlineSample> samples = sampled(m_patch.outline, order);
+        const std::size_t count = samples.size();
+        SewingLine line;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double end = i + 1 < count ? samples[i + 1].parameter : m_patch.outline.domainEnd();
+            line.vertices.push_back({m_grown * samples[i].at, widthAt((samples[i].parameter + end) / 2),
+                                     samples[i].corner, m_usual.corner});
+        }
+        m_design.each<CutCorner>([&](ElementId, const CutCorner& corner) {
+            if (corner.place.patch != m_id || !std::isfinite(corner.place.at))
+                return;
+            const Vec2 at = m_patch.outline.at(m_patch.outline.wrapped(corner.place.at));
+            for (std::size_t i = 0; i < count; ++i)
+                if ((samples[i].at - at).norm() < samePlace)
+                    line.vertices[i].join = corner.join;
+        });
+        if (m_patch.outline.signedArea() < 0)
+            turnRound(line);
+        for (const SewingLine::Vertex& vertex : line.vertices)
+            m_piece.sew.push_back({vertex.at, vertex.corner});
+        CutOutline cut = cutOutline(line);
+        m_piece.cut = std::move(cut.points);
+        m_piece.gaps = std::move(cut.gaps);
+    }
+
+    /// The width of an edge is kept at the vertex where it begins.
+    static void turnRound(SewingLine& line)
+    {
+        std::ranges::reverse(line.vertices);
+        const double first = line.vertices.front().width;
+        for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i)
+            line.vertices[i].width = line.vertices[i + 1].width;
+        line.vertices.back().width = first;
+    }
+
+    double widthAt(double t) const
+    {
+        for (const EdgeAllowance& edge : m_edges)
+            if (isOn(edge.stretch, m_patch.outline, t))
+                return edge.width;
+        return m_usual.width;
+    }
+
+    void addNotch(const NotchPlace& place)
+    {
+        const BSpline2& outline = m_patch.outline;
+        CutNotch notch;
+        notch.sewn = m_grown * outline.at(place.at);
+        notch.inwards = inwardsAt(place.at);
+        notch.at = onCutLine(notch.sewn, -notch.inwards);
+        notch.shape = place.shape;
+        notch.twice = place.twice;
+        notch.element = place.element;
+        notch.seam = place.seam;
+        notch.fraction = place.fraction;
+        m_piece.notches.push_back(notch);
+    }
+
+    /// At right angles to the sewing line; at corners between its two sides.
+    Vec2 inwardsAt(double t) const
+    {
+        const BSpline2& outline = m_patch.outline;
+        const double step = 1e-4 * outline.period();
+        const auto at = [&](double s) { return Vec2(m_grown * outline.at(outline.wrapped(s))); };
+        const Vec2 along = (at(t + step) - at(t)).normalized() + (at(t) - at(t - step)).normalized();
+        const Vec2 left(-along.y(), along.x());
+        const Vec2 inwards = outline.signedArea() < 0 ? Vec2(-left) : left;
+        return inwards.norm() > 1e-9 ? Vec2(inwards.normalized()) : Vec2(0, 1);
+    }
+
+    /// Where the ray meets the cut line first; the point itself where it lies on it.
+    Vec2 onCutLine(const Vec2& from, const Vec2& way) const
+    {
+        double nearest = std::numeric_limits<double>::infinity();
+        const std::vector<LinePoint>& cut = m_piece.cut;
+        for (std::size_t i = 0; i < cut.size(); ++i) {
+            const Vec2 a = cut[i].at - from, b = cut[(i + 1) % cut.size()].at - from;
+            const double sideA = way.x() * a.y() - way.y() * a.x(), sideB = way.x() * b.y() - way.y() * b.x();
+            if ((sideA > 0) == (sideB > 0))
+                continue;
+            const double t = (a + (b - a) * (sideA / (sideA - sideB))).dot(way);
+            if (t >= -1e-3)
+                nearest = std::min(nearest, std::max(t, 0.0));
+        }
+        return std::isfinite(nearest) ? Vec2(from + nearest * way) : from;
+    }
+
+    void addInner(ElementId id, const PatchCurve& drawn)
+    {
+        if (drawn.use == LineUse::Ignored || drawn.curve.empty())
+            return;
+        PieceLine line{{}, drawn.curve.closed(), drawn.use == LineUse::Cut, id, drawn.name};
+        for (const OutlineSample& sample : sampled(drawn.curve, {m_options.chord, 0, {}}))
+            line.points.push_back({m_grown * sample.at, sample.corner});
+        m_piece.inner.push_back(std::move(line));
+    }
+
+    const Design& m_design;
+    const CutOptions& m_options;
+    ElementId m_id;
+    const Patch& m_patch;
+    const Fabric* m_fabric;
+    Eigen::Matrix2d m_grown;
+    CutAllowance m_usual;
+    std::vector<EdgeAllowance> m_edges;
+    CutPiece m_piece;
+};
+
+std::vector<std::string> labelLines(const CutPiece& piece, const Patch& patch, const CutPattern& pattern,
+                                    const CutWords& words)
+{
+    std::vector<std::string> lines{piece.name, counted(piece.pair ? words.pair : words.single, piece.quantity)};
+    if (!piece.fabricName.empty())
+        lines.push_back(piece.fabricName);
+    std::string article = pattern.style;
+    if (!pattern.version.empty())
+        article += (article.empty() ? "" : " ") + pattern.version;
+    if (!article.empty())
+        lines.push_back(std::move(article));
+    if (!patch.cutting.note.empty())
+        lines.push_back(patch.cutting.note);
+    return lines;
+}
+
+} // namespace
+
+CutAllowance allowanceOf(const Design& design, const Patch& patch, std::optional<double> otherwise)
+{
+    if (patch.allowance)
+        return *patch.allowance;
+    if (design.settings().cutting.allowance)
+        return *design.settings().cutting.allowance;
+    CutAllowance usual;
+    usual.width = otherwise.value_or(usual.width);
+    return usual;
+}
+
+CutPattern cutPattern(const Design& design, const CutOptions& options)
+{
+    const DesignCutting& cutting = design.settings().cutting;
+    CutPattern pattern;
+    pattern.style = cutting.style.empty() ? options.style : cutting.style;
+    pattern.version = cutting.version;
+    AutomaticNotches automatic = cutting.notches;
+    automatic.spacing = options.notchSpacing.value_or(automatic.spacing);
+    const auto notches = notchPlaces(design, automatic);
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (options.only && !options.only->contains(id))
+            return;
+        if (outlineProblem(patch.outline)) {
+            pattern.leftOut.push_back(id);
+            return;
+        }
+        const auto there = notches.find(id);
+        CutPiece piece = PieceMaker(design, options, id, patch)
+                             .make(there == notches.end() ? std::vector<NotchPlace>() : there->second);
+        const bool unfolded = options.unfold && piece.pair;
+        if (unfolded)
+            piece.pair = false;
+        std::vector<std::string> lines = labelLines(piece, patch, pattern, options.words);
+        piece.label = patch.cutting.label ? placeLabel(piece, std::move(lines), *patch.cutting.label)
+                                          : placeLabel(piece, std::move(lines), patch.grain);
+        if (options.faceUp && patch.wrongSideOut) {
+            piece = mirroredPiece(std::move(piece));
+            piece.mirrored = false;
+        }
+        pattern.pieces.push_back(piece);
+        if (unfolded)
+            pattern.pieces.push_back(mirroredPiece(std::move(piece)));
+    });
+    return pattern;
+}
+
+} // namespace bolster

@@ -1,0 +1,47 @@
+// Numbers and words as files for cutters have them. Private to the library.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace bolster {
+
+/// With a point and at most so many decimals, whatever the language; "0" for what is nearly that.
+inline std::string decimal(double value, int decimals = 4)
+{
+    char text[64];
+    const auto end = std::to_chars(std::begin(text), std::end(text), value, std::chars_format::fixed, decimals).ptr;
+    std::string result(text, end);
+    if (result.find('.') != std::string::npos) {
+        result.erase(result.find_last_not_of('0') + 1);
+        if (result.back() == '.')
+            result.pop_back();
+    }
+    return result == "-0" ? "0" : result;
+}
+
+/// ASCII, for formats that know nothing else: letters of Western Europe lose their marks, others become "_".
+inline std::string ascii(std::string_view text)
+{
+    static constexpr std::string_view plain =
+        "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo-ouuuuyty"; // U+00C0 to U+00FF
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte < 0x80) {
+            result += byte < 0x20 || byte == 0x7F ? ' ' : text[i];
+        } else if (byte == 0xC3 && i + 1 < text.size()) {
+            const auto next = static_cast<unsigned char>(text[++i]);
+            result += next >= 0x80 && next < 0xC0 ? plain[next - 0x80] : '_';
+        } else {
+            while (i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xC0) == 0x80)
+                ++i;
+            result += '_';
+        }
+    }
+    return result;
+}
+
+} // namespace bolster

@@ -1,0 +1,336 @@
+#include "DxfWriter.h"
+
+#include "CutTable.h"
+#include "CutText.h"
+
+#include <numbers>
+#include <set>
+
+namespace bolster {
+
+namespace {
+
+/// Layers of AAMA and ASTM by number, of the plain one by name.
+struct Layers {
+    const char *cut, *turn, *curve, *notch, *grain, *internal, *cutOut, *hole, *sew, *text;
+};
+constexpr Layers numbered{"1", "2", "3", "4", "7", "8", "11", "13", "14", "15"};
+constexpr Layers named{"cut", "", "", "notches", "grain", "internal", "internal-cut", "holes", "sew", "labels"};
+
+class Dxf {
+public:
+    void pair(int code, std::string_view value)
+    {
+        const std::string number = std::to_string(code);
+        m_text.append(number.size() < 3 ? 3 - number.size() : 0, ' ').append(number).append("\r\n");
+        m_text.append(value).append("\r\n");
+    }
+    void number(int code, double value) { pair(code, decimal(value)); }
+    void point(int code, const Vec2& at)
+    {
+        number(code, at.x());
+        number(code + 10, at.y());
+    }
+    void entity(std::string_view kind, std::string_view layer)
+    {
+        pair(0, kind);
+        pair(8, layer);
+    }
+    void begin(std::string_view section)
+    {
+        pair(0, "SECTION");
+        pair(2, section);
+    }
+    void end() { pair(0, "ENDSEC"); }
+
+    void line(std::string_view layer, const Vec2& from, const Vec2& to)
+    {
+        entity("LINE", layer);
+        point(10, from);
+        point(11, to);
+    }
+    void dot(std::string_view layer, const Vec2& at)
+    {
+        entity("POINT", layer);
+        point(10, at);
+    }
+    void polyline(std::string_view layer, const std::vector<Vec2>& points, bool closed)
+    {
+        entity("POLYLINE", layer);
+        pair(66, "1");
+        pair(70, closed ? "1" : "0");
+        for (const Vec2& at : points) {
+            entity("VERTEX", layer);
+            point(10, at);
+        }
+        entity("SEQEND", layer);
+    }
+    void text(std::string_view layer, const Vec2& at, double height, double degrees, std::string_view words)
+    {
+        entity("TEXT", layer);
+        point(10, at);
+        number(40, height);
+        pair(1, ascii(words));
+        if (degrees != 0)
+            number(50, degrees);
+    }
+
+    std::string result() { return std::move(m_text); }
+
+private:
+    std::string m_text;
+};
+
+std::vector<Vec2> placesOf(const std::vector<LinePoint>& line, const TablePiece& place)
+{
+    std::vector<Vec2> points;
+    for (const LinePoint& point : line)
+        points.push_back(place.at(point.at));
+    return points;
+}
+
+class PieceWriter {
+public:
+    PieceWriter(Dxf& dxf, const DxfOrder& order, const CutPiece& piece, const TablePiece& place)
+        : m_dxf(dxf)
+        , m_order(order)
+        , m_names(order.standard == DxfStandard::Plain ? named : numbered)
+        , m_piece(piece)
+        , m_place(place)
+    {}
+
+    void write()
+    {
+        const CutLayers& layers = m_order.layers;
+        if (layers.cut)
+            outline(m_names.cut, m_piece.cut);
+        // A piece without its cut line has its sewing line for a boundary.
+        if (layers.sew)
+            outline(layers.cut || isPlain() ? m_names.sew : m_names.cut, m_piece.sew);
+        if (!isPlain())
+            corners(layers.cut ? m_piece.cut : m_piece.sew);
+        if (layers.notches)
+            for (const CutNotch& notch : m_piece.notches)
+                isPlain() ? drawn(notch) : point(notch);
+        if (layers.grain && m_piece.grain.from != m_piece.grain.to)
+            m_dxf.line(m_names.grain, m_place.at(m_piece.grain.from), m_place.at(m_piece.grain.to));
+        if (layers.internal)
+            for (const PieceLine& line : m_piece.inner)
+                m_dxf.polyline(line.cut ? m_names.cutOut : m_names.internal, placesOf(line.points, m_place),
+                               line.closed);
+        if (layers.holes)
+            for (const CutHole& hole : m_piece.holes)
+                this->hole(hole);
+        if (layers.labels)
+            label();
+    }
+
+private:
+    bool isPlain() const { return m_order.standard == DxfStandard::Plain; }
+
+    void outline(const char* layer, const std::vector<LinePoint>& line)
+    {
+        m_dxf.polyline(layer, placesOf(line, m_place), true);
+    }
+
+    void corners(const std::vector<LinePoint>& line)
+    {
+        for (const LinePoint& point : line)
+            m_dxf.dot(point.corner ? m_names.turn : m_names.curve, m_place.at(point.at));
+    }
+
+    static const char* layerOf(NotchShape::Kind kind)
+    {
+        switch (kind) {
+        case NotchShape::Kind::T:
+            return "80";
+        case NotchShape::Kind::Castle:
+            return "81";
+        case NotchShape::Kind::U:
+            return "83";
+        case NotchShape::Kind::Slit:
+        case NotchShape::Kind::V:
+            break;
+        }
+        return "4";
+    }
+
+    /// Depth as others have it: in z, negative because it goes inwards; width as thickness, a slit without one.
+    void point(const CutNotch& notch)
+    {
+        const Vec2 inwards = Eigen::Rotation2Dd(m_place.angle) * notch.inwards;
+        for (const Vec2& at : notchPoints(notch)) {
+            m_dxf.dot(layerOf(notch.shape.kind), m_place.at(at));
+            m_dxf.number(30, -notch.shape.depth);
+            if (notch.shape.kind != NotchShape::Kind::Slit)
+                m_dxf.number(39, notch.shape.width);
+            m_dxf.number(50, std::atan2(inwards.y(), inwards.x()) * 180 / std::numbers::pi);
+        }
+    }
+
+    void drawn(const CutNotch& notch)
+    {
+        for (const std::vector<Vec2>& line : notchLines(notch)) {
+            std::vector<Vec2> points;
+            for (const Vec2& point : line)
+                points.push_back(m_place.at(point));
+            m_dxf.polyline(m_names.notch, points, false);
+        }
+    }
+
+    void hole(const CutHole& hole)
+    {
+        if (isPlain()) {
+            m_dxf.entity("CIRCLE", m_names.hole);
+            m_dxf.point(10, m_place.at(hole.at));
+            m_dxf.number(40, hole.diameter / 2);
+            return;
+        }
+        m_dxf.dot(m_names.hole, m_place.at(hole.at));
+        m_dxf.number(30, hole.diameter);
+    }
+
+    void label()
+    {
+        const PieceLabel& label = m_piece.label;
+        const Eigen::Rotation2Dd turn(label.rotation * std::numbers::pi / 180);
+        double down = static_cast<double>(label.lines.size()) / 2 - 0.8;
+        for (const std::string& line : label.lines) {
+            const Vec2 at = label.at + turn * Vec2(-label.width / 2, down * label.height);
+            m_dxf.text(m_names.text, m_place.at(at), 0.7 * label.height,
+                       label.rotation + m_place.angle * 180 / std::numbers::pi, line);
+            down -= 1;
+        }
+    }
+
+    Dxf& m_dxf;
+    const DxfOrder& m_order;
+    const Layers& m_names;
+    const CutPiece& m_piece;
+    const TablePiece& m_place;
+};
+
+/// A name for each block: ASCII, and no two alike.
+class BlockNames {
+public:
+    std::string name(const CutPiece& piece)
+    {
+        std::string stem;
+        for (const char c : ascii(piece.name))
+            stem += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == ' ' ? c : '_';
+        if (stem.empty())
+            stem = "Piece";
+        if (piece.mirrored)
+            stem += " mirrored";
+        std::string name = stem + "_M";
+        for (int count = 2; !m_taken.insert(name).second; ++count)
+            name = stem + " " + std::to_string(count) + "_M";
+        return name;
+    }
+
+private:
+    std::set<std::string> m_taken;
+};
+
+/// Whole sheets, without blocks.
+void writePlain(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
+{
+    const CutTable table = arranged(pattern, usualTableWidth);
+    dxf.begin("HEADER");
+    dxf.pair(9, "$ACADVER");
+    dxf.pair(1, "AC1009");
+    dxf.pair(9, "$EXTMIN");
+    dxf.point(10, Vec2::Zero());
+    dxf.pair(9, "$EXTMAX");
+    dxf.point(10, table.size);
+    dxf.end();
+    dxf.begin("ENTITIES");
+    for (const TablePiece& place : table.pieces)
+        PieceWriter(dxf, order, pattern.pieces[place.piece], place).write();
+    dxf.end();
+}
+
+void writeBlock(Dxf& dxf, const CutPiece& piece, const std::string& name, const DxfOrder& order)
+{
+    dxf.entity("BLOCK", "0");
+    dxf.pair(2, name);
+    dxf.pair(70, "64");
+    dxf.point(10, Vec2::Zero());
+    const std::string quantity =
+        std::to_string(piece.quantity) + "," + std::to_string(piece.pair ? piece.quantity : 0);
+    double line = piece.box().isEmpty() ? 0 : piece.box().min().y() - 10;
+    for (const auto& [key, value] : {std::pair<const char*, std::string>("Piece Name", piece.name),
+                                     {"Size", "M"},
+                                     {"Quantity", quantity},
+                                     {"Fabric", piece.fabricName},
+                                     {"Annotation", piece.mirrored ? "mirrored" : ""}})
+        if (!value.empty()) {
+            dxf.text("1", {piece.box().min().x(), line}, 5, 0, std::string(key) + ": " + value);
+            line -= 7;
+        }
+    PieceWriter(dxf, order, piece, {}).write();
+    dxf.entity("ENDBLK", "0");
+}
+
+void writeBlocks(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
+{
+    const CutTable table = arranged(pattern, usualTableWidth);
+    dxf.begin("HEADER");
+    dxf.pair(9, "$ACADVER");
+    dxf.pair(1, "AC1009");
+    dxf.end();
+    BlockNames names;
+    std::vector<std::string> blocks;
+    dxf.begin("BLOCKS");
+    for (const CutPiece& piece : pattern.pieces) {
+        blocks.push_back(names.name(piece));
+        writeBlock(dxf, piece, blocks.back(), order);
+    }
+    dxf.end();
+
+    dxf.begin("ENTITIES");
+    std::vector<std::string> style;
+    const bool astm = order.standard == DxfStandard::Astm;
+    if (astm)
+        style.push_back("ASTM/D13Proposal 1 Version: D 6673-04");
+    style.push_back("Style Name: " + (pattern.style.empty() ? std::string("Bolster") : pattern.style));
+    if (!order.date.empty())
+        style.push_back("Creation Date: " + order.date);
+    if (!order.time.empty())
+        style.push_back("Creation Time: " + order.time);
+    style.push_back("Author: Bolster");
+    style.push_back("Product: Bolster");
+    if (!pattern.version.empty())
+        style.push_back("Version: " + pattern.version);
+    style.push_back("Sample Size: M");
+    style.push_back("Units: METRIC");
+    style.push_back(astm ? "Curve Tolerance: 0.05" : "Tolerance: 0.05");
+    double line = -20;
+    for (const std::string& text : style) {
+        dxf.text("1", {0, line}, 10, 0, text);
+        line -= 15;
+    }
+    for (const TablePiece& place : table.pieces) {
+        dxf.entity("INSERT", "1");
+        dxf.pair(2, blocks[place.piece]);
+        dxf.point(10, place.offset);
+        if (place.angle != 0)
+            dxf.number(50, place.angle * 180 / std::numbers::pi);
+    }
+    dxf.end();
+}
+
+} // namespace
+
+std::string dxfText(const CutPattern& pattern, const DxfOrder& order)
+{
+    Dxf dxf;
+    if (order.standard == DxfStandard::Plain)
+        writePlain(dxf, pattern, order);
+    else
+        writeBlocks(dxf, pattern, order);
+    dxf.pair(0, "EOF");
+    return dxf.result();
+}
+
+} // namespace bolster

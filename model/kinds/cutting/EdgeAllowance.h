@@ -1,0 +1,15 @@
+// Another seam allowance along a stretch of an outline.
+#pragma once
+
+#include "Stretch.h"
+
+namespace bolster {
+
+struct EdgeAllowance {
+    Stretch stretch;
+    double width = 10; ///< mm, >= 0; 0: cut on the sewing line
+
+    friend bool operator==(const EdgeAllowance&, const EdgeAllowance&) = default;
+};
+
+} // namespace bolster

@@ -1,0 +1,18 @@
+// A notch that somebody placed.
+#pragma once
+
+#include "NotchShape.h"
+#include "OutlinePlace.h"
+
+namespace bolster {
+
+/// On a seam, the other side has one where it meets this one.
+struct Notch {
+    OutlinePlace place;
+    NotchShape shape = {};
+    bool twice = false; ///< two side by side, to tell front from back
+
+    friend bool operator==(const Notch&, const Notch&) = default;
+};
+
+} // namespace bolster

@@ -1,0 +1,161 @@
+// A designer prepares a car seat's pattern for the cutter, in the real window.
+#include "WindowTest.h"
+
+#include "CutPattern.h"
+#include "ExportPatternDialog.h"
+#include "PatchMark.h"
+#include "Selection.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
+
+#include <algorithm>
+
+namespace bolster {
+namespace {
+
+class CuttingTest : public WindowTest {
+protected:
+    const Design& design() { return window.document().design(); }
+
+    template <class T>
+    std::vector<std::pair<ElementId, T>> all()
+    {
+        std::vector<std::pair<ElementId, T>> found;
+        design().each<T>([&](ElementId id, const T& value) { found.emplace_back(id, value); });
+        return found;
+    }
+
+    std::pair<ElementId, Patch> firstPatch() { return all<Patch>().front(); }
+
+    /// A place on the outline, between control points.
+    QPoint onOutline(const Patch& patch, double share)
+    {
+        const BSpline2& outline = patch.outline;
+        return patternPixel(
+            toLayout(patch, outline.at(outline.wrapped(outline.domainStart() + share * outline.period()))));
+    }
+
+    void click(QPoint at)
+    {
+        move(window.patternView(), at, Qt::NoButton);
+        press(window.patternView(), at);
+        release(window.patternView(), at);
+    }
+
+    void begin(const char* tool)
+    {
+        window.command(tool)->trigger();
+        EXPECT_TRUE(window.command(tool)->isChecked()) << tool;
+    }
+
+    /// The cut pattern is shown for the present design.
+    bool waitForCut(const std::function<bool(const CutPattern&)>& right)
+    {
+        return QTest::qWaitFor(
+            [&] {
+                const auto& cut = window.patternView().shown().cut();
+                return cut && right(*cut);
+            },
+            30000);
+    }
+};
+
+TEST_F(CuttingTest, NotchesAreClickedOntoOutlinesMovedAndRemoved)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    const auto [id, patch] = firstPatch();
+    EXPECT_FALSE(window.patternView().shown().cut()) << "its layer is off";
+    begin("tool.notch");
+    EXPECT_TRUE(window.command("layer.cutting")->isChecked()) << "what is placed shall be seen";
+    const QPoint at = onOutline(patch, 0.13);
+    click(at);
+    ASSERT_EQ(all<Notch>().size(), 1u);
+    const auto [notch, before] = all<Notch>().front();
+    EXPECT_EQ(before.place.patch, id);
+    EXPECT_TRUE(window.selection().contains(notch));
+    EXPECT_TRUE(waitForCut([&, notch = notch](const CutPattern& cut) {
+        return std::ranges::any_of(cut.pieces, [&](const CutPiece& piece) {
+            return std::ranges::any_of(piece.notches, [&](const CutNotch& n) { return n.element == notch; });
+        });
+    }));
+
+    // By the tool that selects it is dragged along the outline.
+    begin("tool.select");
+    const QPoint to = onOutline(patch, 0.17);
+    move(window.patternView(), at, Qt::NoButton);
+    press(window.patternView(), at);
+    move(window.patternView(), (at + to) / 2, Qt::LeftButton);
+    move(window.patternView(), to, Qt::LeftButton);
+    release(window.patternView(), to);
+    ASSERT_EQ(all<Notch>().size(), 1u);
+    EXPECT_NE(all<Notch>().front().second.place.at, before.place.at);
+    EXPECT_EQ(design().find<Patch>(id)->outline, patch.outline) << "the outline stays";
+
+    QTest::keyClick(&window.patternView(), Qt::Key_Delete);
+    EXPECT_TRUE(all<Notch>().empty());
+    for (int k = 0; k < 3; ++k)
+        window.command("edit.undo")->trigger();
+    EXPECT_TRUE(all<Notch>().empty()) << "before it was placed";
+    window.command("edit.redo")->trigger();
+    EXPECT_EQ(all<Notch>().size(), 1u);
+}
+
+TEST_F(CuttingTest, EdgesCornersAndHolesAreClickedToo)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const auto [id, patch] = firstPatch();
+    begin("tool.edge-allowance");
+    click(onOutline(patch, 0.125));
+    ASSERT_EQ(all<EdgeAllowance>().size(), 1u);
+    EXPECT_EQ(all<EdgeAllowance>().front().second.stretch.patch, id);
+    EXPECT_EQ(all<EdgeAllowance>().front().second.width, 10);
+    begin("tool.cut-corner");
+    click(patternPixel(toLayout(patch, patch.outline.at(patch.outline.corners().front()))));
+    ASSERT_EQ(all<CutCorner>().size(), 1u);
+    begin("tool.drill-hole");
+    click(patternPixel(toLayout(patch, patch.outline.boundingBox().center())));
+    ASSERT_EQ(all<DrillHole>().size(), 1u);
+    EXPECT_TRUE(waitForCut([&, id = id](const CutPattern& cut) {
+        const auto piece = std::ranges::find(cut.pieces, id, &CutPiece::patch);
+        return piece != cut.pieces.end() && piece->holes.size() == 1;
+    }));
+}
+
+TEST_F(CuttingTest, ThePatternIsExportedAsItIsShown)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    QTemporaryDir folder;
+    window.command("file.export-pattern")->trigger();
+    ExportPatternDialog* dialog = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        dialog = window.findChild<ExportPatternDialog*>();
+        return dialog && dialog->isVisible() && dialog->pattern();
+    }));
+    EXPECT_EQ(dialog->pattern()->pieces.size(), all<Patch>().size());
+    auto* format = dialog->findChild<QComboBox*>(QStringLiteral("format"));
+    format->setCurrentIndex(static_cast<int>(PatternFormat::Svg));
+    EXPECT_FALSE(dialog->findChild<QComboBox*>(QStringLiteral("paper"))->isEnabled()) << "it has no pages";
+    dialog->accept();
+    QFileDialog* files = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        files = window.findChild<QFileDialog*>();
+        return files && files->isVisible();
+    }));
+    const QString path = folder.filePath(QStringLiteral("seat.svg"));
+    files->findChild<QLineEdit*>()->setText(path);
+    QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+    waitForBackground();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray svg = file.readAll();
+    EXPECT_EQ(svg.mid(svg.indexOf("<g id=\"cut\"")).count("<path"), static_cast<int>(all<Patch>().size()));
+}
+
+} // namespace
+} // namespace bolster

@@ -1,0 +1,101 @@
+#include "CutCheck.h"
+
+#include "Panels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+using namespace test;
+
+/// What is found in a design that was sound.
+std::vector<CutFinding> findings(const Design& design)
+{
+    return checkCutting(design, cutPattern(design, {}));
+}
+
+bool says(const std::vector<CutFinding>& found, const std::string& words)
+{
+    return std::ranges::any_of(found, [&](const CutFinding& finding) {
+        return finding.problem.message.english().find(words) != std::string::npos;
+    });
+}
+
+} // namespace
+
+TEST(CutCheck, HasNothingToSayOfASoundPattern)
+{
+    for (const CutFinding& finding : findings(twoPanels()))
+        ADD_FAILURE() << finding.problem.english();
+}
+
+TEST(CutCheck, ComparesSidesOfSeamsWithTheEaseThatIsWanted)
+{
+    Design design = twoPanels();
+    Patch taller = *design.find<Patch>(right);
+    taller.outline = rectangle(200, 106);
+    design = with(design, right, taller);
+    EXPECT_TRUE(says(findings(design), "6 mm longer"));
+    Seam seam = *design.find<Seam>(between);
+    seam.ease = 6;
+    EXPECT_FALSE(says(findings(with(design, between, seam)), "longer"));
+    seam.ease = -6;
+    EXPECT_TRUE(says(findings(with(design, between, seam)), "longer"));
+}
+
+TEST(CutCheck, FindsNotchesThatNobodyMeetsOrThatCutTheSeam)
+{
+    Notch notch;
+    notch.place = {left, 0.5};
+    const auto alone = findings(with(twoPanels(), ElementId{9}, notch));
+    ASSERT_TRUE(says(alone, "no partner"));
+    EXPECT_EQ(alone.front().problem.element, ElementId{9});
+    EXPECT_EQ(alone.front().patch, left);
+    EXPECT_TRUE(alone.front().place.isApprox(Vec2(100, 0)) || alone.front().place == Vec2(100, 0));
+    notch.place = {left, 1.5};
+    EXPECT_FALSE(says(findings(with(twoPanels(), ElementId{9}, notch)), "no partner"));
+    notch.shape.depth = 9.5;
+    EXPECT_TRUE(says(findings(with(twoPanels(), ElementId{9}, notch)), "reaches the sewing line"));
+}
+
+TEST(CutCheck, FindsWhatDoesNotFit)
+{
+    Design design = twoPanels();
+    Patch wide = *design.find<Patch>(left);
+    wide.outline = rectangle(1500, 100);
+    EXPECT_TRUE(says(findings(with(design, left, wide)), "wide across the grain"));
+    wide.cutting.nap = Nap::Any;
+    EXPECT_FALSE(says(findings(with(design, left, wide)), "wide across the grain")) << "it may be turned";
+    Patch strip = *design.find<Patch>(left);
+    strip.outline = rectangle(200, 3);
+    EXPECT_TRUE(says(findings(with(design, left, strip)), "no room"));
+}
+
+TEST(CutCheck, FindsCornersThatCannotBeSewnAndCutLinesThatMeet)
+{
+    Design design = twoPanels();
+    Patch slit = *design.find<Patch>(left);
+    slit.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 100}, {104, 100}, {100, 20}, {96, 100}, {0, 100}});
+    EXPECT_TRUE(says(findings(with(design, left, slit)), "too sharp"));
+    Patch ring = *design.find<Patch>(left);
+    ring.outline = BSpline2(1, true,
+                            {{0, 0},
+                             {200, 0},
+                             {200, 200},
+                             {105, 200},
+                             {105, 150},
+                             {150, 150},
+                             {150, 50},
+                             {50, 50},
+                             {50, 150},
+                             {95, 150},
+                             {95, 200},
+                             {0, 200}});
+    EXPECT_TRUE(says(findings(with(design, left, ring)), "cut lines meet"));
+}
+
+} // namespace bolster

@@ -1,0 +1,124 @@
+#include "CuttingForms.h"
+
+#include "Icons.h"
+#include "Units.h"
+
+namespace bolster {
+
+namespace {
+
+/// An allowance that may be there or not: a mark, and its fields while it is there. `at` finds it in an element.
+template <class T, class At>
+void addAllowance(PropertyForm& form, const InspectorSubject<T>& subject, const QString& own, At at)
+{
+    const CutAllowance usual;
+    const DescribedField width = describedField(usual, &usual.width), corner = describedField(usual, &usual.corner);
+    const char* const verb = width.field.verb;
+    form.addCheck(
+        own, [subject, at] { return subject.shared([&](const T& t) { return at(t).has_value(); }); },
+        [subject, at, verb](bool on) {
+            subject.change(verb, [&](T& t) { at(t) = on ? std::optional(CutAllowance()) : std::nullopt; });
+        });
+    form.addNumber(
+        width.label(), width.range(),
+        [subject, at] { return subject.shared([&](const T& t) { return at(t).value_or(CutAllowance()).width; }); },
+        [subject, at, verb](double value) {
+            subject.change(verb, [&](T& t) {
+                if (!at(t))
+                    at(t) = CutAllowance();
+                at(t)->width = value;
+            });
+        });
+    form.addChoice(
+        corner.label(), corner.choices(),
+        [subject, at] {
+            const auto shared = subject.shared([&](const T& t) { return at(t).value_or(CutAllowance()).corner; });
+            return shared ? static_cast<int>(*shared) : -1;
+        },
+        [subject, at, verb](int chosen) {
+            subject.change(verb, [&](T& t) {
+                if (!at(t))
+                    at(t) = CutAllowance();
+                at(t)->corner = static_cast<CornerJoin>(chosen);
+            });
+        });
+}
+
+QString placeText(const Design& design, ElementId patch)
+{
+    return displayName(design, patch);
+}
+
+} // namespace
+
+void PieceCuttingSection::add(PropertyForm& form, const InspectorSubject<Patch>& patch)
+{
+    form.addHeading(tr("Cutting"), icon(QStringLiteral("notch")));
+    addAllowance(
+        form, patch, tr("Own seam allowance"), [](auto& p) -> auto& { return p.allowance; });
+    patch.field(&Patch::cutting, &PieceCutting::quantity);
+    patch.field(&Patch::cutting, &PieceCutting::pair);
+    patch.field(&Patch::cutting, &PieceCutting::nap);
+    patch.field(&Patch::cutting, &PieceCutting::tolerance);
+    patch.textRow(
+        patch.fieldAt(&Patch::cutting, &PieceCutting::note), [](auto& p) -> auto& { return p.cutting.note; });
+}
+
+void DesignCuttingSection::add(PropertyForm& form, const InspectorSubject<Settings>& settings)
+{
+    form.addHeading(tr("Cutting"), icon(QStringLiteral("notch")));
+    addAllowance(
+        form, settings, tr("Seam allowance of all patches"), [](auto& s) -> auto& { return s.cutting.allowance; });
+    const auto notches = &Settings::cutting;
+    settings.field(notches, &DesignCutting::notches, &AutomaticNotches::shape, &NotchShape::kind);
+    settings.labelledField(tr("Depth of notches"), notches, &DesignCutting::notches, &AutomaticNotches::shape,
+                           &NotchShape::depth);
+    settings.labelledField(tr("Width of notches"), notches, &DesignCutting::notches, &AutomaticNotches::shape,
+                           &NotchShape::width);
+    settings.field(notches, &DesignCutting::notches, &AutomaticNotches::spacing);
+    settings.field(notches, &DesignCutting::notches, &AutomaticNotches::ends);
+    settings.field(notches, &DesignCutting::notches, &AutomaticNotches::telling);
+    settings.textRow(
+        settings.fieldAt(notches, &DesignCutting::style), [](auto& s) -> auto& { return s.cutting.style; });
+    settings.textRow(
+        settings.fieldAt(notches, &DesignCutting::version), [](auto& s) -> auto& { return s.cutting.version; });
+}
+
+void EdgeAllowanceForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<EdgeAllowance> edge(m_document, ids, form);
+    edge.info(tr("Outline"), [](const Design& design, const EdgeAllowance& e) {
+        return tr("%1, %2").arg(placeText(design, e.stretch.patch), lengthText(stretchLength(design, e.stretch)));
+    });
+    edge.field(&EdgeAllowance::width);
+}
+
+void CutCornerForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<CutCorner> corner(m_document, ids, form);
+    corner.info(tr("Patch"),
+                [](const Design& design, const CutCorner& c) { return placeText(design, c.place.patch); });
+    corner.field(&CutCorner::join);
+}
+
+void NotchForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<Notch> notch(m_document, ids, form);
+    notch.info(tr("Patch"), [](const Design& design, const Notch& n) { return placeText(design, n.place.patch); });
+    notch.field(&Notch::shape, &NotchShape::kind);
+    notch.field(&Notch::shape, &NotchShape::depth);
+    notch.field(&Notch::shape, &NotchShape::width);
+    notch.field(&Notch::twice);
+}
+
+void DrillHoleForm::add(PropertyForm& form, const Ids& ids) const
+{
+    const InspectorSubject<DrillHole> hole(m_document, ids, form);
+    hole.name();
+    hole.info(tr("Patch"),
+              [](const Design& design, const DrillHole& h) { return placeText(design, h.place.patch); });
+    hole.field(&DrillHole::place, &PatchPoint::position);
+    hole.field(&DrillHole::diameter);
+}
+
+} // namespace bolster

@@ -1,0 +1,138 @@
+#include "PatternCut.h"
+
+#include "CutPattern.h"
+#include "PatternScene.h"
+#include "PatternTransform.h"
+#include "Selection.h"
+#include "ViewColors.h"
+
+#include <QPainter>
+
+#include <cmath>
+
+namespace bolster {
+
+namespace {
+
+constexpr double leastLetters = 6; // pixels from line to line: smaller ones would be a grey bar
+constexpr double markRadius = 4;   // pixels
+
+/// From a piece's coordinates, which grow with what the fabric shrinks, to pixels.
+class PiecePlace {
+public:
+    PiecePlace(const PatternPatch& patch, const PatternTransform& transform)
+        : m_patch(patch.patch())
+        , m_transform(transform)
+    {}
+
+    QPointF operator()(const Vec2& point) const { return m_transform.toPixels(toLayout(m_patch, point)); }
+    double rotation() const { return m_patch.rotation; }
+
+    QPainterPath path(const std::vector<LinePoint>& line, bool closed) const
+    {
+        QPainterPath path;
+        for (std::size_t i = 0; i < line.size(); ++i)
+            i == 0 ? path.moveTo((*this)(line[i].at)) : path.lineTo((*this)(line[i].at));
+        if (closed)
+            path.closeSubpath();
+        return path;
+    }
+
+private:
+    const Patch& m_patch;
+    const PatternTransform& m_transform;
+};
+
+void paintLabel(QPainter& painter, const PieceLabel& label, const PiecePlace& place, double scale,
+                const QColor& color)
+{
+    const double step = label.height * scale;
+    if (step < leastLetters)
+        return;
+    painter.save();
+    painter.translate(place(label.at));
+    painter.rotate(-(label.rotation + place.rotation()));
+    QFont font = painter.font();
+    font.setPixelSize(std::max(1, static_cast<int>(std::lround(0.72 * step))));
+    painter.setFont(font);
+    painter.setPen(color);
+    double y = -step * static_cast<double>(label.lines.size()) / 2;
+    for (const std::string& line : label.lines) {
+        painter.drawText(QRectF(-1000, y, 2000, step), Qt::AlignCenter, QString::fromStdString(line));
+        y += step;
+    }
+    painter.restore();
+}
+
+void paintGrain(QPainter& painter, const GrainLine& grain, const PiecePlace& place)
+{
+    if (grain.from == grain.to)
+        return;
+    const QPointF from = place(grain.from), to = place(grain.to);
+    const double length = std::hypot(to.x() - from.x(), to.y() - from.y());
+    if (length < 12)
+        return;
+    const QPointF along = (to - from) / length, side(-along.y(), along.x());
+    painter.drawLine(from, to);
+    const auto head = [&](const QPointF& tip, const QPointF& back) {
+        painter.drawLine(tip, tip + 7 * back + 3 * side);
+        painter.drawLine(tip, tip + 7 * back - 3 * side);
+    };
+    head(to, -along);
+    if (grain.nap != Nap::OneWay)
+        head(from, along);
+}
+
+} // namespace
+
+void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
+                     const PatternTransform& transform, const ViewColors& colors)
+{
+    for (const CutPiece& piece : pattern.pieces) {
+        const PatternPatch* patch = scene.patch(piece.patch);
+        if (!patch)
+            continue;
+        const QPainterPath path = PiecePlace(*patch, transform).path(piece.cut, true);
+        painter.fillPath(path, mixed(colors.canvas, patch->fabric, 0.12));
+        painter.strokePath(path, QPen(mixed(colors.canvas, colors.outline, 0.55), 1));
+    }
+}
+
+void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
+                   const PatternTransform& transform, const ViewColors& colors, const Selection& selection)
+{
+    const QColor ink = mixed(colors.canvas, colors.outline, 0.75);
+    for (const CutPiece& piece : pattern.pieces) {
+        const PatternPatch* patch = scene.patch(piece.patch);
+        if (!patch)
+            continue;
+        const PiecePlace place(*patch, transform);
+        painter.setBrush(Qt::NoBrush);
+        for (const CutNotch& notch : piece.notches) {
+            const bool marked = notch.element != noElement &&
+                                (selection.contains(notch.element) || selection.hovered() == notch.element);
+            painter.setPen(QPen(marked ? colors.accent : ink, marked ? 2 : 1.2));
+            for (const std::vector<Vec2>& line : notchLines(notch)) {
+                QPolygonF points;
+                for (const Vec2& point : line)
+                    points << place(point);
+                painter.drawPolyline(points);
+            }
+        }
+        painter.setPen(QPen(ink, 1));
+        for (const CutHole& hole : piece.holes) {
+            const double radius = std::max(2.0, hole.diameter / 2 * transform.scale());
+            painter.drawEllipse(place(hole.at), radius, radius);
+        }
+        paintGrain(painter, piece.grain, place);
+        paintLabel(painter, piece.label, place, transform.scale(), piece.label.fits ? ink : colors.warning);
+    }
+    for (const auto& [id, mark] : scene.marks()) {
+        const bool selected = selection.contains(id), hovered = selection.hovered() == id;
+        painter.setPen(QPen(selected || hovered ? colors.accent : ink, selected ? 2 : 1.2));
+        painter.setBrush(selected ? colors.accent : colors.pointFill);
+        painter.drawEllipse(transform.toPixels(mark.place), markRadius, markRadius);
+    }
+}
+
+} // namespace bolster

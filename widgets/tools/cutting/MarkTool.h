@@ -1,0 +1,53 @@
+// Places what a cutter needs: notches, drill holes, allowances of edges, corners of the cut line.
+#pragma once
+
+#include "PatternDrags.h"
+#include "Stretch.h"
+
+#include <QCoreApplication>
+
+namespace bolster {
+
+enum class MarkKind { Notch, DrillHole, EdgeAllowance, CutCorner };
+
+/// A click places one; one that is there is selected instead, and can be dragged. The properties say what it is
+/// like.
+class MarkTool : public PatternTool {
+    Q_DECLARE_TR_FUNCTIONS(bolster::MarkTool)
+
+public:
+    MarkTool(PatternToolContext& context, MarkKind kind)
+        : PatternTool(context)
+        , m_kind(kind)
+    {}
+
+    void press(const PatternPointer& pointer) override;
+    void move(const PatternPointer& pointer) override;
+    void release(const PatternPointer& pointer) override;
+    bool escape() override;
+    void leave() override;
+    QString prompt() const override;
+    QCursor cursor() const override;
+    void paint(QPainter& painter, const ViewColors& colors) const override;
+
+private:
+    /// What a click would mean.
+    struct Target {
+        ElementId mark = noElement;  ///< one that is there
+        ElementId patch = noElement; ///< a new one on it
+        double at = 0;               ///< of the outline
+        Vec2 place = Vec2::Zero();   ///< in the layout
+        std::optional<Stretch> stretch;
+    };
+
+    Target targetAt(const PatternPointer& pointer) const;
+    Edit edit(const Target& target, Message& problem) const;
+
+    MarkKind m_kind;
+    Target m_hover;
+    std::unique_ptr<PatternDrag> m_drag; ///< of what was pressed
+    QPointF m_pressedAt;
+    bool m_moved = false; ///< far enough to be a drag
+};
+
+} // namespace bolster
