@@ -4560,10 +4560,6 @@
         <translation>die Art %1 ist unbekannt; es gibt %2 und %3</translation>
     </message>
     <message>
-        <source>its second side is %1 mm longer than its first one, but shall be %2 mm longer: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>ihre zweite Seite ist %1 mm länger als ihre erste, soll aber %2 mm länger sein: Seiten angleichen, oder in den Eigenschaften sagen, wie viel Mehrweite gewünscht ist</translation>
-    </message>
-    <message>
         <source>its label finds no room: make the words shorter, or put it elsewhere</source>
         <translation>seine Beschriftung findet keinen Platz: Worte kürzen oder an eine andere Stelle setzen</translation>
     </message>
@@ -4706,6 +4702,10 @@
     <message>
         <source>the hole lies outside of &quot;%1&quot;; move it inside</source>
         <translation>das Loch liegt außerhalb von „%1“; nach innen verschieben</translation>
+    </message>
+    <message>
+        <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or say in its properties how much ease is wanted</source>
+        <translation>ihre Seiten sind %1 mm und %2 mm lang, die zweite soll aber um %3 mm länger sein: Seiten angleichen, oder in den Eigenschaften sagen, wie viel Mehrweite gewünscht ist</translation>
     </message>
 </context>
 <context>

@@ -57,9 +57,10 @@ private:
             return;
         add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
             {QT_TRANSLATE_NOOP("Message",
-                               "its second side is %1 mm longer than its first one, but shall be %2 mm longer: "
+                               "its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: "
                                "true the seam, or say in its properties how much ease is wanted"),
-             {numberText(std::round(10 * difference) / 10), numberText(seam.ease)}});
+             {numberText(std::round(10 * pair.lengthA()) / 10), numberText(std::round(10 * pair.lengthB()) / 10),
+              numberText(seam.ease)}});
     }
 
     void look(const CutPiece& piece)

@@ -39,12 +39,12 @@ TEST(CutCheck, ComparesSidesOfSeamsWithTheEaseThatIsWanted)
     Patch taller = *design.find<Patch>(right);
     taller.outline = rectangle(200, 106);
     design = with(design, right, taller);
-    EXPECT_TRUE(says(findings(design), "6 mm longer"));
+    EXPECT_TRUE(says(findings(design), "100 mm and 106 mm"));
     Seam seam = *design.find<Seam>(between);
     seam.ease = 6;
-    EXPECT_FALSE(says(findings(with(design, between, seam)), "longer"));
+    EXPECT_FALSE(says(findings(with(design, between, seam)), "its sides"));
     seam.ease = -6;
-    EXPECT_TRUE(says(findings(with(design, between, seam)), "longer"));
+    EXPECT_TRUE(says(findings(with(design, between, seam)), "its sides"));
 }
 
 TEST(CutCheck, FindsNotchesThatNobodyMeetsOrThatCutTheSeam)

@@ -8,7 +8,8 @@ namespace bolster {
 
 namespace {
 
-constexpr double gap = 20; // mm
+constexpr double gap = 20;        // mm
+constexpr double tableBorder = 5; // mm: a cut line on the tableBorder of a sheet could not be seen
 
 /// Everything of the piece that a file may hold.
 Box2 turnedBox(const CutPiece& piece, double angle)
@@ -40,7 +41,7 @@ CutTable arranged(const CutPattern& pattern, double width)
     }
     std::ranges::stable_sort(waiting, std::ranges::greater(), [](const Waiting& w) { return w.box.sizes().y(); });
     CutTable table;
-    double x = 0, y = 0, height = 0;
+    double x = tableBorder, y = tableBorder, height = 0;
     bool backwards = false; // a pen comes back in the next row
     std::size_t rowStart = 0;
     const auto endRow = [&] {
@@ -49,16 +50,17 @@ CutTable arranged(const CutPattern& pattern, double width)
         backwards = !backwards;
         rowStart = table.pieces.size();
         y += height + gap;
-        x = height = 0;
+        x = tableBorder;
+        height = 0;
     };
     for (const Waiting& next : waiting) {
         const Vec2 size = next.box.sizes();
-        if (x > 0 && x + size.x() > width)
+        if (x > tableBorder && x + size.x() + tableBorder > width)
             endRow();
         table.pieces.push_back({next.piece, next.angle, Vec2(x, y) - next.box.min()});
         x += size.x();
         height = std::max(height, size.y());
-        table.size = table.size.cwiseMax(Vec2(x, y + height));
+        table.size = table.size.cwiseMax(Vec2(x + tableBorder, y + height + tableBorder));
         x += gap;
     }
     endRow();

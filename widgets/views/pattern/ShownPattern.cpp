@@ -177,7 +177,7 @@ void ShownPattern::paint(QPainter& painter, const PatternTransform& transform, c
     const std::set<ElementId> invalid = m_document.breakage() ? m_document.breakage()->elements : ChangeSet();
     const PatternPainter::Input input{m_scene, m_mesh,       m_map,      m_selection, m_problems,
                                       invalid, m_seamColors, transform,  m_layers,    m_colors,
-                                      font,    size,         m_mirrored, m_hidden};
+                                      font,    size,         m_mirrored, m_hidden,    m_cut.get()};
     PatternPainter(painter, input).paint();
 }
 
