@@ -4704,8 +4704,12 @@
         <translation>das Loch liegt außerhalb von „%1“; nach innen verschieben</translation>
     </message>
     <message>
-        <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or say in its properties how much ease is wanted</source>
-        <translation>ihre Seiten sind %1 mm und %2 mm lang, die zweite soll aber um %3 mm länger sein: Seiten angleichen, oder in den Eigenschaften sagen, wie viel Mehrweite gewünscht ist</translation>
+        <source>its sides are %1 mm and %2 mm long: true the seam, or say in its properties how much ease is wanted</source>
+        <translation>ihre Seiten sind %1 mm und %2 mm lang: Seiten angleichen, oder in den Eigenschaften sagen, wie viel Mehrweite gewünscht ist</translation>
+    </message>
+    <message>
+        <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
+        <translation>ihre Seiten sind %1 mm und %2 mm lang, die zweite soll aber um %3 mm länger sein: Seiten angleichen, oder die Mehrweite in den Eigenschaften ändern</translation>
     </message>
 </context>
 <context>

@@ -47,7 +47,7 @@ void SheetPreview::paintEvent(QPaintEvent*)
     painter.translate(0, m_shown.table.size.y());
     painter.scale(1, -1);
     for (const TablePiece& place : m_shown.table.pieces)
-        drawPiece(painter, m_shown.pattern->pieces[place.piece], place, m_shown.layers);
+        drawPiece(painter, m_shown.pattern->pieces[place.piece], place, m_shown.layers, 4 / scale);
     painter.restore();
     if (const auto& grid = m_shown.grid) {
         painter.setPen(QPen(palette().color(QPalette::Highlight), 1.2 / scale, Qt::DashLine));

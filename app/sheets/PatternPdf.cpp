@@ -210,10 +210,10 @@ private:
         m_painter->drawRect(room);
     }
 
-    void pieces()
+    void pieces(double thickness = 1)
     {
         for (const TablePiece& place : m_pdf.m_table.pieces)
-            drawPiece(*m_painter, m_pdf.m_pattern.pieces[place.piece], place, m_pdf.m_order.layers);
+            drawPiece(*m_painter, m_pdf.m_pattern.pieces[place.piece], place, m_pdf.m_order.layers, thickness);
     }
 
     void sheet(int row, int column)
@@ -245,7 +245,7 @@ private:
         m_painter->save();
         m_painter->translate(0, grid.table.y());
         m_painter->scale(1, -1);
-        pieces();
+        pieces(1 / scale);
         m_painter->restore();
         for (int row = 0; row < grid.rows; ++row)
             for (int column = 0; column < grid.columns; ++column) {

@@ -18,14 +18,15 @@ QPointF toPoint(const Vec2& point)
 
 class Drawing {
 public:
-    Drawing(QPainter& painter, const TablePiece& place)
+    Drawing(QPainter& painter, const TablePiece& place, double thickness)
         : m_painter(painter)
         , m_place(place)
+        , m_thickness(thickness)
     {}
 
     void pen(const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine)
     {
-        m_painter.setPen(QPen(color, width, style, Qt::FlatCap, Qt::MiterJoin));
+        m_painter.setPen(QPen(color, width * m_thickness, style, Qt::FlatCap, Qt::MiterJoin));
         m_painter.setBrush(Qt::NoBrush);
     }
     void line(const std::vector<Vec2>& points, bool closed)
@@ -87,13 +88,15 @@ public:
 private:
     QPainter& m_painter;
     const TablePiece& m_place;
+    double m_thickness;
 };
 
 } // namespace
 
-void drawPiece(QPainter& painter, const CutPiece& piece, const TablePiece& place, const CutLayers& layers)
+void drawPiece(QPainter& painter, const CutPiece& piece, const TablePiece& place, const CutLayers& layers,
+               double thickness)
 {
-    Drawing drawing(painter, place);
+    Drawing drawing(painter, place, thickness);
     if (layers.internal)
         for (const PieceLine& inner : piece.inner) {
             drawing.pen(inner.cut ? ink : innerInk, 0.25, inner.cut ? Qt::SolidLine : Qt::DashLine);

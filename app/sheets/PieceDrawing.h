@@ -8,7 +8,8 @@ class QPainter;
 
 namespace bolster {
 
-/// In mm, y up, on a painter that is set up for that; lines of the sizes they have on paper.
-void drawPiece(QPainter& painter, const CutPiece& piece, const TablePiece& place, const CutLayers& layers);
+/// In mm, y up, on a painter that is set up for that. Lines are as wide as on paper, or so many times.
+void drawPiece(QPainter& painter, const CutPiece& piece, const TablePiece& place, const CutLayers& layers,
+               double thickness = 1);
 
 } // namespace bolster

@@ -55,12 +55,17 @@ private:
         const double difference = pair.lengthB() - pair.lengthA();
         if (std::abs(difference - seam.ease) <= std::max(sameLength, sameShare * pair.length()))
             return;
-        add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
-            {QT_TRANSLATE_NOOP("Message",
-                               "its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: "
-                               "true the seam, or say in its properties how much ease is wanted"),
-             {numberText(std::round(10 * pair.lengthA()) / 10), numberText(std::round(10 * pair.lengthB()) / 10),
-              numberText(seam.ease)}});
+        const std::string a = numberText(std::round(10 * pair.lengthA()) / 10);
+        const std::string b = numberText(std::round(10 * pair.lengthB()) / 10);
+        Message message{QT_TRANSLATE_NOOP("Message", "its sides are %1 mm and %2 mm long: true the seam, or say in "
+                                                     "its properties how much ease is wanted"),
+                        {a, b}};
+        if (seam.ease != 0)
+            message = {QT_TRANSLATE_NOOP("Message",
+                                         "its sides are %1 mm and %2 mm long, but the second one shall be longer "
+                                         "by %3 mm: true the seam, or change the ease in its properties"),
+                       {a, b, numberText(seam.ease)}};
+        add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))), std::move(message));
     }
 
     void look(const CutPiece& piece)

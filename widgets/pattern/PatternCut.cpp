@@ -51,7 +51,9 @@ void paintLabel(QPainter& painter, const PieceLabel& label, const PiecePlace& pl
         return;
     painter.save();
     painter.translate(place(label.at));
-    painter.rotate(-(label.rotation + place.rotation()));
+    // On the screen nobody reads upside down.
+    const double turned = std::remainder(label.rotation + place.rotation(), 360);
+    painter.rotate(std::abs(turned) > 91 ? 180 - turned : -turned);
     QFont font = painter.font();
     font.setPixelSize(std::max(1, static_cast<int>(std::lround(0.72 * step))));
     painter.setFont(font);
@@ -84,6 +86,11 @@ void paintGrain(QPainter& painter, const GrainLine& grain, const PiecePlace& pla
 }
 
 } // namespace
+
+bool pieceLabelsReadable(const PatternTransform& transform)
+{
+    return PieceLabel().height * transform.scale() >= leastLetters;
+}
 
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
                      const PatternTransform& transform, const ViewColors& colors)

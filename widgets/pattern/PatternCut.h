@@ -11,6 +11,9 @@ class Selection;
 struct CutPattern;
 struct ViewColors;
 
+/// Whether labels of pieces are large enough to be read.
+bool pieceLabelsReadable(const PatternTransform& transform);
+
 /// Below the patches: the allowances, faintly.
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
                      const PatternTransform& transform, const ViewColors& colors);

@@ -286,7 +286,8 @@ void PatternPainter::paintFixations(const PatternPatch& patch)
 void PatternPainter::paintInside(const PatternPatch& patch)
 {
     QRectF written;
-    if (m_in.layers.labels) {
+    // Words that will be on the piece itself take the place of the view's own.
+    if (m_in.layers.labels && !(m_in.cut && pieceLabelsReadable(m_in.transform))) {
         const PatternLabel label(patch, m_in.transform, m_in.font);
         const bool faint = hidden(patch.id);
         const bool onMap = !faint && m_in.map.picture(patch.id);
