@@ -1750,6 +1750,10 @@
         <source>How much longer the second side shall be than the first one: it is gathered when it is sewn.</source>
         <translation>Um wie viel länger die zweite Seite als die erste sein soll: sie wird beim Nähen eingehalten.</translation>
     </message>
+    <message>
+        <source>Bulge of the allowance</source>
+        <translation>Wulst der Nahtzugabe</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -1826,8 +1830,8 @@
         <translation>Bild be&amp;rechnen …</translation>
     </message>
     <message>
-        <source>Export patter&amp;n …</source>
-        <translation>Schnitt expor&amp;tieren …</translation>
+        <source>E&amp;xport pattern …</source>
+        <translation>Schnitt e&amp;xportieren …</translation>
     </message>
 </context>
 <context>
@@ -2489,8 +2493,8 @@
         <translation>&amp;Raster</translation>
     </message>
     <message>
-        <source>Cut lines, &amp;notches and labels</source>
-        <translation>Sch&amp;nittlinien, Knipse und Beschriftungen</translation>
+        <source>Cut lines, notches and la&amp;bels</source>
+        <translation>Schnittlinien, Knipse und &amp;Beschriftungen</translation>
     </message>
 </context>
 <context>
@@ -4711,6 +4715,38 @@
         <source>its sides are %1 mm and %2 mm long, but the second one shall be longer by %3 mm: true the seam, or change the ease in its properties</source>
         <translation>ihre Seiten sind %1 mm und %2 mm lang, die zweite soll aber um %3 mm länger sein: Seiten angleichen, oder die Mehrweite in den Eigenschaften ändern</translation>
     </message>
+    <message>
+        <source>The mouth of a dart must be at least 1 mm wide.</source>
+        <translation>Die Öffnung eines Abnähers muss mindestens 1 mm breit sein.</translation>
+    </message>
+    <message>
+        <source>The tip of a dart must lie inside its patch, at least 5 mm from its mouth.</source>
+        <translation>Die Spitze eines Abnähers muss in seinem Teil liegen, mindestens 5 mm von der Öffnung entfernt.</translation>
+    </message>
+    <message>
+        <source>The legs of the dart would cross the outline of %1: put its tip elsewhere.</source>
+        <translation>Die Schenkel des Abnähers würden den Umriss von %1 kreuzen: Spitze an eine andere Stelle setzen.</translation>
+    </message>
+    <message>
+        <source>Add a dart to %1</source>
+        <translation>Abnäher in %1 setzen</translation>
+    </message>
+    <message>
+        <source>Select the seam of a dart.</source>
+        <translation>Die Naht eines Abnähers auswählen.</translation>
+    </message>
+    <message>
+        <source>Without this dart the outline of %1 would cross itself.</source>
+        <translation>Ohne diesen Abnäher würde der Umriss von %1 sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>Remove a dart of %1</source>
+        <translation>Abnäher von %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Move a dart of %1</source>
+        <translation>Abnäher von %1 verschieben</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5607,6 +5643,10 @@
     <message>
         <source>Place &amp;drill holes</source>
         <translation>Bohrlöcher s&amp;etzen</translation>
+    </message>
+    <message>
+        <source>&amp;Cutting</source>
+        <translation>&amp;Zuschnitt</translation>
     </message>
 </context>
 <context>

@@ -152,8 +152,8 @@ void ShortcutsDialog::filter(const QString& text)
         bool any = false;
         for (int i = 0; i < menu->childCount(); ++i) {
             QTreeWidgetItem* item = menu->child(i);
-            const bool found = score(menu, item) >= least ||
-                               item->text(1).contains(text.trimmed(), Qt::CaseInsensitive);
+            const bool found =
+                score(menu, item) >= least || item->text(1).contains(text.trimmed(), Qt::CaseInsensitive);
             item->setHidden(!found);
             any = any || found;
         }

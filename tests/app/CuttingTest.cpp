@@ -70,7 +70,7 @@ TEST_F(CuttingTest, NotchesAreClickedOntoOutlinesMovedAndRemoved)
     ASSERT_TRUE(open(sample("car-seat")));
     const auto [id, patch] = firstPatch();
     EXPECT_FALSE(window.patternView().shown().cut()) << "its layer is off";
-    begin("tool.notch");
+    begin("cutting.notch");
     EXPECT_TRUE(window.command("layer.cutting")->isChecked()) << "what is placed shall be seen";
     const QPoint at = onOutline(patch, 0.13);
     click(at);
@@ -109,15 +109,15 @@ TEST_F(CuttingTest, EdgesCornersAndHolesAreClickedToo)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
     const auto [id, patch] = firstPatch();
-    begin("tool.edge-allowance");
+    begin("cutting.edge-allowance");
     click(onOutline(patch, 0.125));
     ASSERT_EQ(all<EdgeAllowance>().size(), 1u);
     EXPECT_EQ(all<EdgeAllowance>().front().second.stretch.patch, id);
     EXPECT_EQ(all<EdgeAllowance>().front().second.width, 10);
-    begin("tool.cut-corner");
+    begin("cutting.cut-corner");
     click(patternPixel(toLayout(patch, patch.outline.at(patch.outline.corners().front()))));
     ASSERT_EQ(all<CutCorner>().size(), 1u);
-    begin("tool.drill-hole");
+    begin("cutting.drill-hole");
     click(patternPixel(toLayout(patch, patch.outline.boundingBox().center())));
     ASSERT_EQ(all<DrillHole>().size(), 1u);
     EXPECT_TRUE(waitForCut([&, id = id](const CutPattern& cut) {

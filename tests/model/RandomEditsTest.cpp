@@ -1,6 +1,7 @@
 // The editing rules on a real design: whatever the user does, and undoes, the design equals its replay.
 #include "ColourwayEdits.h"
 #include "CurveEdits.h"
+#include "CuttingEdits.h"
 #include "DesignFile.h"
 #include "DesignJson.h"
 #include "Document.h"
@@ -88,7 +89,11 @@ private:
     {
         const std::vector point = {pick(patch.outline.pointCount())};
         const std::vector ids = {id};
-        switch (pick(15)) {
+        switch (pick(21)) {
+        case 15:
+        case 16:
+        case 17:
+            return cuttingEdit(design, id);
         case 13:
             return edits::addOutlineTrim(design, {id, 0.5 * pick(8), 0.5 * pick(8)}, anyTrim(design));
         case 14:
@@ -149,6 +154,34 @@ private:
             return whole && other ? edits::sewInRow(design, *whole, std::vector{*other}, pick(2) == 0) : Edit{};
         default:
             return pick(5) == 0 ? edits::removeElements(design, ids) : Edit{};
+        }
+    }
+
+    Edit cuttingEdit(const Design& design, ElementId id)
+    {
+        const OutlinePlace place{id, 0.25 * pick(16)};
+        const ElementId mark = anyElement(design);
+        switch (pick(9)) {
+        case 0:
+            return edits::addNotch(design, place, {static_cast<NotchShape::Kind>(pick(5))});
+        case 1:
+            return edits::setEdgeAllowance(design, {id, 0.5 * pick(8), 0.5 * pick(8)}, pick(30));
+        case 2:
+            return edits::setCutCorner(design, place, static_cast<CornerJoin>(pick(5)));
+        case 3:
+            return edits::addDrillHole(design, {id, {somewhere(100), somewhere(100)}}, "Hole");
+        case 4:
+            return edits::addInternalLine(design, id, BSpline2(1, false, {{30, 10}, {somewhere(90), 50}}),
+                                          static_cast<InternalLine::Purpose>(pick(4)), "Line");
+        case 5:
+            return edits::setAllowance(design, std::vector{id},
+                                       pick(2) == 0 ? std::nullopt : std::optional(CutAllowance{somewhere(20)}));
+        case 6:
+            return edits::setLabel(design, id, PieceLabelPlace{{somewhere(50), somewhere(50)}, somewhere(90)});
+        case 7:
+            return edits::movePlace(design, mark, place.at);
+        default:
+            return edits::moveDrillHoles(design, std::vector{mark}, {somewhere(9), somewhere(9)});
         }
     }
 

@@ -140,7 +140,7 @@ void FileCommands::addExchange(Commands& commands)
           .enabled = covered,
           .does = [this] { m_cover.then([this] { m_files.exportSurface(m_solver.surface()); }); }},
          {.id = "file.export-pattern",
-          .text = tr("Export patter&n \u2026"),
+          .text = tr("E&xport pattern \u2026"),
           .icon = "patch",
           .keys = {Qt::CTRL | Qt::ALT | Qt::Key_E},
           .places = {"file/4"},

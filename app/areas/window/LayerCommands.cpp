@@ -89,7 +89,7 @@ void LayerCommands::add()
                      .on = true,
                      .toggled = show},
                     {.id = "layer.cutting",
-                     .text = tr("Cut lines, &notches and labels"),
+                     .text = tr("Cut lines, notches and la&bels"),
                      .icon = "notch",
                      .keys = {Qt::SHIFT | Qt::Key_C},
                      .places = {"view.layers/1"},

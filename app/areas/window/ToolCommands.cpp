@@ -56,25 +56,27 @@ void ToolCommands::add(Commands& commands)
          Qt::SHIFT | Qt::Key_A},
         {Kind::Trim, "tool.trim", "stitch-or-pipe-a-seam", tr("Stitch or pipe a seam"), "outline-trim",
          Qt::SHIFT | Qt::Key_T},
-        {Kind::InternalLine, "tool.internal-line", "", tr("Draw &internal line"), "internal-line", {}},
-        {Kind::EdgeAllowance, "tool.edge-allowance", "", tr("Allowance of an ed&ge"), "edge-allowance", {}},
-        {Kind::CutCorner, "tool.cut-corner", "", tr("&Corner of the cut line"), "cut-corner", {}},
-        {Kind::Notch, "tool.notch", "", tr("Place &notches"), "notch", Qt::SHIFT | Qt::Key_N},
-        {Kind::DrillHole, "tool.drill-hole", "", tr("Place &drill holes"), "drill-hole", {}},
+        {Kind::InternalLine, "cutting.internal-line", "", tr("Draw &internal line"), "internal-line", {}},
+        {Kind::EdgeAllowance, "cutting.edge-allowance", "", tr("Allowance of an ed&ge"), "edge-allowance", {}},
+        {Kind::CutCorner, "cutting.cut-corner", "", tr("&Corner of the cut line"), "cut-corner", {}},
+        {Kind::Notch, "cutting.notch", "", tr("Place &notches"), "notch", Qt::SHIFT | Qt::Key_N},
+        {Kind::DrillHole, "cutting.drill-hole", "", tr("Place &drill holes"), "drill-hole", {}},
         {Kind::Measure, "tool.measure", "measure", tr("&Measure"), "measure", Qt::SHIFT | Qt::Key_M},
     };
+    commands.add(MenuPlace{"pattern.cutting", tr("&Cutting"), "pattern/2"});
     int bar = 301;
     for (const auto& row : tools) {
-        QList<const char*> places{"pattern/1"};
+        const bool cutting = QByteArrayView(row.id).startsWith("cutting.");
+        QList<const char*> places{cutting ? "pattern.cutting/1" : "pattern/1"};
         if (row.kind == Kind::Sew)
             places.append("seam/1");
         commands.add({.id = row.id,
                       .formerly = row.formerly,
                       .text = row.text,
                       .icon = row.icon,
-                      .keys = {row.keys},
+                      .keys = row.keys.isEmpty() ? QList<QKeySequence>() : QList{row.keys},
                       .places = places,
-                      .bar = isOfCutting(row.kind) || row.kind == Kind::InternalLine ? 0 : bar++,
+                      .bar = cutting ? 0 : bar++,
                       .checked = [this, kind = row.kind] { return isOn(kind); },
                       .does =
                           [this, &commands, kind = row.kind] {

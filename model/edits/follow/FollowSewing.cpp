@@ -4,6 +4,7 @@
 #include "CuttingEdits.h"
 #include "EditBuilder.h"
 #include "ElementRules.h"
+#include "PatchMark.h"
 #include "SeamStretches.h"
 #include "SeamsOfTwins.h"
 #include "TrimEdits.h"

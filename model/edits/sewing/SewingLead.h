@@ -1,6 +1,7 @@
 // How a seam, fixation or trim follows the one where the mirror shows it. Private to the library.
 #pragma once
 
+#include "PatchMark.h"
 #include "SewnMirror.h"
 
 namespace bolster::edits {

@@ -4,6 +4,7 @@
 #include "ArcLength.h"
 #include "EditHelpers.h"
 #include "OutlinePlaces.h"
+#include "PatchMark.h"
 #include "Twins.h"
 
 #include <algorithm>

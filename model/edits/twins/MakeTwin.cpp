@@ -3,6 +3,7 @@
 
 #include "ColourwayEdits.h"
 #include "EditHelpers.h"
+#include "PatchMark.h"
 #include "SewnMirror.h"
 #include "Twins.h"
 

@@ -2,6 +2,7 @@
 
 #include "EditHelpers.h"
 #include "ElementRules.h"
+#include "PatchMark.h"
 #include "SewnMirror.h"
 #include "Twins.h"
 

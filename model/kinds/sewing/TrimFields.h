@@ -58,7 +58,7 @@ struct Description<SeamTrim> {
                 Refers<Fabric>{Need::Seen}, s.pipingFabric...);
         v.field(
             {.key = "allowance_mm",
-             .label = QT_TRANSLATE_NOOP("Field", "Seam allowance"),
+             .label = QT_TRANSLATE_NOOP("Field", "Bulge of the allowance"),
              .meaning = "width of the bulge that the allowance of a seam between patches makes beside it; 0: none",
              .verb = QT_TRANSLATE_NOOP("Message", "Change the seam allowance of %1")},
             Number{0, 100, Unit::Millimetres}, s.allowance...);

@@ -14,12 +14,15 @@ constexpr qsizetype headSize = 100;   // of the file, before the list
 constexpr qsizetype treeHeadSize = 8; // of a leaf: its kind, gaps, the number and start of its cells
 constexpr char leafOfATable = 0x0D;
 constexpr qsizetype mostPageBytes = 4; // of the number of a table's first page
+constexpr qsizetype mostWrong = 6;     // bytes of the words of a table: more are another table
 
 struct Table {
     QByteArray words; ///< kind, name and name again, as they stand before the page's number
     QByteArray name;
     QByteArray sql;
     std::uint32_t firstPage = 0;
+    qsizetype pageBytes = mostPageBytes; ///< in which that number is written
+    qsizetype at = 0;                    ///< where the words stand
 };
 
 /// In how many bytes they differ.
@@ -31,11 +34,11 @@ qsizetype difference(const QByteArray& page, qsizetype at, const QByteArray& tex
     return count;
 }
 
-/// Where the text stands, with at most one wrong byte in eight.
+/// Where the text stands, with few wrong bytes.
 std::optional<qsizetype> placeOf(const QByteArray& text, const QByteArray& page)
 {
     std::optional<qsizetype> place;
-    qsizetype best = text.size() / 8 + 1;
+    qsizetype best = mostWrong + 1;
     for (qsizetype at = headSize + treeHeadSize; at + text.size() <= page.size(); ++at)
         if (const qsizetype wrong = difference(page, at, text); wrong < best) {
             best = wrong;
@@ -54,7 +57,7 @@ std::optional<Table> found(const char* statement, const QByteArray& page)
     const std::optional<qsizetype> sql = placeOf(table.sql, page);
     if (!sql)
         return std::nullopt;
-    qsizetype length = 0, best = table.words.size() / 4 + 1;
+    qsizetype length = 0, best = mostWrong + 1;
     for (qsizetype bytes = 1; bytes <= mostPageBytes; ++bytes) {
         const qsizetype at = *sql - bytes - table.words.size();
         if (at < headSize)
@@ -62,10 +65,12 @@ std::optional<Table> found(const char* statement, const QByteArray& page)
         if (const qsizetype wrong = difference(page, at, table.words); wrong < best) {
             best = wrong;
             length = bytes;
+            table.at = at;
         }
     }
     if (length == 0)
         return std::nullopt;
+    table.pageBytes = length;
     for (qsizetype i = *sql - length; i < *sql; ++i)
         table.firstPage = table.firstPage << 8 | static_cast<unsigned char>(page[i]);
     return table;
@@ -81,19 +86,44 @@ QByteArray variable(qsizetype number)
     return bytes;
 }
 
-/// A row of the list: kind, name, name of the table, first page, statement.
-QByteArray cellOf(const Table& table, int row)
+/// What stands before the words of a row: how long it is, its number, the types of kind, names, first page and
+/// statement.
+QByteArray cellHead(const Table& table, int row)
 {
     const auto text = [](const QByteArray& value) { return variable(13 + 2 * value.size()); };
-    constexpr char wholeNumberOf4Bytes = 4;
     QByteArray types = text("table") + text(table.name) + text(table.name);
-    types.append(wholeNumberOf4Bytes);
+    types.append(static_cast<char>(table.pageBytes)); // 1 to 4: a whole number of so many bytes
     types += text(table.sql);
+    const QByteArray head = variable(types.size() + 1) + types;
+    const qsizetype size = head.size() + table.words.size() + table.pageBytes + table.sql.size();
+    return variable(size) + variable(row) + head;
+}
+
+QByteArray cellOf(const Table& table, int row)
+{
     QByteArray number;
-    for (int shift = 24; shift >= 0; shift -= 8)
+    for (qsizetype shift = 8 * (table.pageBytes - 1); shift >= 0; shift -= 8)
         number.append(static_cast<char>(table.firstPage >> shift));
-    const QByteArray record = variable(types.size() + 1) + types + table.words + number + table.sql;
-    return variable(record.size()) + variable(row) + record;
+    return cellHead(table, row) + table.words + number + table.sql;
+}
+
+/// Whether the list has this row, to the letter.
+bool isListed(const Table& table, const QByteArray& page)
+{
+    constexpr int mostRows = 127;
+    for (int row = 1; row <= mostRows; ++row) {
+        const QByteArray cell = cellOf(table, row);
+        const qsizetype start = table.at - cellHead(table, row).size();
+        if (page.mid(start, cell.size()) != cell)
+            continue;
+        QByteArray pointer;
+        pointer.append(static_cast<char>(start >> 8)).append(static_cast<char>(start));
+        const qsizetype count = static_cast<unsigned char>(page[headSize + 4]);
+        for (qsizetype i = 0; i < count; ++i)
+            if (page.mid(headSize + treeHeadSize + 2 * i, 2) == pointer)
+                return true;
+    }
+    return false;
 }
 
 QByteArray madeAnew(const QByteArray& page, const std::vector<Table>& tables)
@@ -125,7 +155,7 @@ QByteArray withRepairedSchema(const QByteArray& page)
         tablesFitOnePage({page.constData() + headSize, static_cast<std::size_t>(page.size() - headSize)}, 0);
     for (const char* statement : tableStatements()) {
         const std::optional<Table> table = found(statement, page);
-        sound = sound && table && page.contains(table->words) && page.contains(table->sql);
+        sound = sound && table && isListed(*table, page);
         if (table)
             tables.push_back(*table);
     }

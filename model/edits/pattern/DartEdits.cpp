@@ -1,0 +1,260 @@
+#include "DartEdits.h"
+
+#include "DesignCheck.h"
+#include "EditBuilder.h"
+#include "MatchedRange.h"
+#include "OutlineCrossings.h"
+#include "PlaneCurves.h"
+#include "StretchRemap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster::edits {
+
+namespace {
+
+constexpr double narrowest = 1; // mm: of a mouth
+constexpr double shortest = 5;  // mm: of a leg
+constexpr double samePlace = 1e-6;
+
+Edit refused(Message* problem, Message why)
+{
+    if (problem)
+        *problem = std::move(why);
+    return {};
+}
+
+/// From one end of the mouth to the other the shorter way, unwrapped.
+struct Mouth {
+    double from = 0;
+    double to = 0;
+};
+
+Mouth shorterWay(const BSpline2& outline, double a, double b)
+{
+    const ArcLength2 length(outline);
+    const double period = outline.period();
+    a = outline.wrapped(a);
+    b = outline.wrapped(b);
+    const double end = b > a ? b : b + period;
+    if (2 * length.between(a, end) <= length.total())
+        return {a, end};
+    return {b, a > b ? a : a + period};
+}
+
+/// The same outline with its domain beginning elsewhere; what joined() gives begins at 0.
+BSpline2 beginningAt(const BSpline2& outline, double start)
+{
+    std::vector<double> knots = outline.knots();
+    for (double& knot : knots)
+        knot += start;
+    return {outline.degree(), true, outline.points(), std::move(knots)};
+}
+
+/// The outline with straight lines through `points` in place of a part, which keeps its parameters; `corners`
+/// becomes those of the points in between.
+std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, const std::vector<Vec2>& inner,
+                                  std::vector<double>* corners = nullptr)
+{
+    const double period = outline.period();
+    const BSpline2 kept = outline.part(outline.wrapped(part.to), outline.wrapped(part.from));
+    std::vector<Vec2> points{kept.points().back()};
+    points.insert(points.end(), inner.begin(), inner.end());
+    points.push_back(kept.points().front());
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        length += (points[i] - points[i - 1]).norm();
+    if (!(length > 0))
+        return std::nullopt;
+    const double speed = length / (part.to - part.from);
+    std::vector<double> starts;
+    const BSpline2 whole = joined({kept, polyline(points, outline.degree(), 0, speed)}, &starts);
+    const double start = part.to - period * std::floor((part.to - outline.domainStart()) / period);
+    const BSpline2 result = beginningAt(whole, start);
+    if (corners) {
+        double at = starts[1] + start;
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            at += (points[i] - points[i - 1]).norm() / speed;
+            corners->push_back(at);
+        }
+    }
+    return outlineProblem(result) ? std::nullopt : std::optional(result);
+}
+
+/// A seam with the mouth strictly inside of one of its sides, divided there.
+class DividedSeam {
+public:
+    DividedSeam(const Design& design, const Seam& seam, ElementId patch, const Mouth& mouth)
+        : m_seam(seam)
+    {
+        for (Stretch Seam::*side : {&Seam::a, &Seam::b}) {
+            const Stretch& stretch = seam.*side;
+            Stretch Seam::*other = side == &Seam::a ? &Seam::b : &Seam::a;
+            const auto* there = design.find<Patch>((seam.*other).patch);
+            if (stretch.patch != patch || (seam.*other).patch == patch || !there || there->outline.empty())
+                continue;
+            const BSpline2& outline = design.find<Patch>(patch)->outline;
+            const double period = outline.period();
+            const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+            for (int turn = -1; turn <= 1; ++turn) {
+                const double from = mouth.from + turn * period, to = mouth.to + turn * period;
+                if (!(from > stretch.from + samePlace && to < end - samePlace))
+                    continue;
+                const ArcLength2 length(outline);
+                const double before = length.between(stretch.from, from), after = length.between(to, end);
+                m_parts = divided(side, other, {outline.wrapped(from), outline.wrapped(to)},
+                                  before / (before + after), there->outline);
+                return;
+            }
+        }
+    }
+
+    /// Empty when the mouth is elsewhere.
+    const std::vector<Seam>& parts() const { return m_parts; }
+
+private:
+    std::vector<Seam> divided(Stretch Seam::*side, Stretch Seam::*other, const std::pair<double, double>& ends,
+                              double share, const BSpline2& outline) const
+    {
+        const Stretch& there = m_seam.*other;
+        const MatchedRange<2> range(outline, there.from, there.to, Match::Length);
+        const double cut = outline.wrapped(range.parameter(m_seam.reversed ? 1 - share : share));
+        Seam first = m_seam, second = m_seam;
+        (first.*side).to = ends.first;
+        (second.*side).from = ends.second;
+        (m_seam.reversed ? (first.*other).from : (first.*other).to) = cut;
+        (m_seam.reversed ? (second.*other).to : (second.*other).from) = cut;
+        first.ease = share * m_seam.ease;
+        second.ease = m_seam.ease - first.ease;
+        return {first, second};
+    }
+
+    Seam m_seam;
+    std::vector<Seam> m_parts;
+};
+
+} // namespace
+
+Edit addDart(const Design& design, const DartShape& shape, Message* problem)
+{
+    const Patch* patch = design.find<Patch>(shape.patch);
+    if (!patch || outlineProblem(patch->outline))
+        return refused(problem, {QT_TRANSLATE_NOOP("Message", "There is no such place on an outline."), {}});
+    const BSpline2& outline = patch->outline;
+    const Mouth mouth = shorterWay(outline, shape.from, shape.to);
+    const Vec2 a = outline.at(outline.wrapped(mouth.from)), b = outline.at(outline.wrapped(mouth.to));
+    if ((b - a).norm() < narrowest)
+        return refused(problem,
+                       {QT_TRANSLATE_NOOP("Message", "The mouth of a dart must be at least 1 mm wide."), {}});
+    if (!isInside(outline, shape.tip) || std::min((shape.tip - a).norm(), (shape.tip - b).norm()) < shortest)
+        return refused(problem,
+                       {QT_TRANSLATE_NOOP("Message", "The tip of a dart must lie inside its patch, at least 5 mm "
+                                                     "from its mouth."),
+                        {}});
+    std::vector<double> tip;
+    const std::optional<BSpline2> cut = withLines(outline, mouth, {shape.tip}, &tip);
+    if (!cut)
+        return refused(problem,
+                       {QT_TRANSLATE_NOOP("Message", "The legs of the dart would cross the outline of %1: put its "
+                                                     "tip elsewhere."),
+                        {displayName(design, shape.patch)}});
+    EditBuilder builder(design);
+    Patch changed = *patch;
+    changed.outline = *cut;
+    builder.replace(shape.patch, std::move(changed));
+
+    std::set<ElementId> divided;
+    std::vector<ElementId> dropped;
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        const std::vector<Seam> parts = DividedSeam(design, seam, shape.patch, mouth).parts();
+        if (parts.empty())
+            return;
+        divided.insert(id);
+        builder.replace(id, parts[0]);
+        builder.add(parts[1]);
+    });
+    const double period = outline.period();
+    remapStretches(design, {{shape.patch, {{mouth.to, mouth.from + period, shape.patch, mouth.to}}}}, divided,
+                   builder, dropped);
+    const double first = cut->wrapped(mouth.from), middle = cut->wrapped(tip.front()),
+                 last = cut->wrapped(mouth.to);
+    builder.add(
+        Seam{{shape.patch, first, middle}, {shape.patch, middle, last}, true, Match::Length, Continuity::C1});
+    return builder.result({QT_TRANSLATE_NOOP("Message", "Add a dart to %1"), {displayName(design, shape.patch)}});
+}
+
+std::optional<DartShape> dartOf(const Design& design, ElementId id)
+{
+    const Seam* seam = design.find<Seam>(id);
+    const Patch* patch = seam ? design.find<Patch>(seam->a.patch) : nullptr;
+    if (!patch || seam->b.patch != seam->a.patch || patch->outline.empty() || !seam->reversed)
+        return std::nullopt;
+    const BSpline2& outline = patch->outline;
+    const auto at = [&](double t) { return outline.at(outline.wrapped(t)); };
+    const bool aFirst = (at(seam->a.to) - at(seam->b.from)).norm() < samePlace;
+    const Stretch &one = aFirst ? seam->a : seam->b, &two = aFirst ? seam->b : seam->a;
+    if ((at(one.to) - at(two.from)).norm() >= samePlace)
+        return std::nullopt;
+    const auto isStraight = [&](const Stretch& leg) {
+        const double end = unwrappedEnd(leg.from, leg.to, outline.domainStart(), outline.domainEnd());
+        const double chord = (at(end) - at(leg.from)).norm();
+        return ArcLength2(outline).between(leg.from, end) < chord * (1 + 1e-6) + samePlace;
+    };
+    if (!isStraight(one) || !isStraight(two))
+        return std::nullopt;
+    return DartShape{seam->a.patch, one.from, two.to, at(one.to)};
+}
+
+Edit removeDart(const Design& design, ElementId id, Message* problem)
+{
+    const std::optional<DartShape> dart = dartOf(design, id);
+    if (!dart)
+        return refused(problem, {QT_TRANSLATE_NOOP("Message", "Select the seam of a dart."), {}});
+    const Patch& patch = *design.find<Patch>(dart->patch);
+    const BSpline2& outline = patch.outline;
+    const Mouth legs{dart->from, unwrappedEnd(dart->from, dart->to, outline.domainStart(), outline.domainEnd())};
+    const std::optional<BSpline2> closed = withLines(outline, legs, {});
+    if (!closed)
+        return refused(problem,
+                       {QT_TRANSLATE_NOOP("Message", "Without this dart the outline of %1 would cross itself."),
+                        {displayName(design, dart->patch)}});
+    EditBuilder builder(design);
+    Patch changed = patch;
+    changed.outline = *closed;
+    builder.replace(dart->patch, std::move(changed));
+    builder.remove(id);
+    return builder.result(
+        {QT_TRANSLATE_NOOP("Message", "Remove a dart of %1"), {displayName(design, dart->patch)}});
+}
+
+Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
+{
+    const std::optional<DartShape> dart = dartOf(design, id);
+    const Edit removed = dart ? removeDart(design, id, problem) : Edit{};
+    if (removed.empty())
+        return dart ? Edit{} : refused(problem, {QT_TRANSLATE_NOOP("Message", "Select the seam of a dart."), {}});
+    const Design without = design.with(removed);
+    const BSpline2& outline = without.find<Patch>(dart->patch)->outline;
+    const ArcLength2 length(outline);
+    const Mouth before{dart->from, unwrappedEnd(dart->from, dart->to, outline.domainStart(), outline.domainEnd())};
+    const double half = length.between(before.from, before.to) / 2;
+    const auto place = [&](double s) { return outline.at(outline.wrapped(length.parameterAt(s))); };
+    // The tip lies as before, seen from the mouth.
+    const Vec2 oldFrom = outline.at(outline.wrapped(before.from)), oldTo = outline.at(outline.wrapped(before.to));
+    const Vec2 along = (oldTo - oldFrom).normalized(), left(-along.y(), along.x());
+    const Vec2 seen = dart->tip - (oldFrom + oldTo) / 2;
+    const double middle = length.at(outline.wrapped(at));
+    const Vec2 from = place(middle - half), to = place(middle + half);
+    const Vec2 newAlong = (to - from).normalized(), newLeft(-newAlong.y(), newAlong.x());
+    const DartShape moved{dart->patch, outline.wrapped(length.parameterAt(middle - half)),
+                          outline.wrapped(length.parameterAt(middle + half)),
+                          (from + to) / 2 + seen.dot(along) * newAlong + seen.dot(left) * newLeft};
+    const Edit added = addDart(without, moved, problem);
+    if (added.empty())
+        return {};
+    return editBetween(design, without.with(added),
+                       {QT_TRANSLATE_NOOP("Message", "Move a dart of %1"), {displayName(design, dart->patch)}});
+}
+
+} // namespace bolster::edits

@@ -1,0 +1,151 @@
+#include "DartEdits.h"
+
+#include "ArcLength.h"
+#include "DesignCheck.h"
+#include "DesignJson.h"
+#include "FollowEdits.h"
+#include "TwinEdits.h"
+#include "Twins.h"
+
+#include "Panels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+using namespace test;
+
+std::vector<std::pair<ElementId, Seam>> seamsOf(const Design& design)
+{
+    std::vector<std::pair<ElementId, Seam>> found;
+    design.each<Seam>([&](ElementId id, const Seam& seam) { found.emplace_back(id, seam); });
+    return found;
+}
+
+double length(const Design& design, const Stretch& stretch)
+{
+    const BSpline2& outline = design.find<Patch>(stretch.patch)->outline;
+    return ArcLength2(outline).between(
+        stretch.from, unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
+}
+
+std::size_t errorsIn(const Design& design)
+{
+    const Problems problems = checkDesign(design);
+    for (const Problem& problem : problems)
+        if (problem.severity == Severity::Error)
+            ADD_FAILURE() << problem.english();
+    return problems.size();
+}
+
+/// The bottom edge of the left panel, 20 mm wide, 50 mm deep.
+const edits::DartShape bottom{left, 0.4, 0.5, {90, 50}};
+
+} // namespace
+
+TEST(Darts, TakeAWedgeOutAndSewItsLegs)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, bottom));
+    errorsIn(cut);
+    EXPECT_NEAR(cut.find<Patch>(left)->outline.signedArea(), 200 * 100 - 20 * 50 / 2, 1e-6);
+    ASSERT_EQ(seamsOf(cut).size(), 2u);
+    const auto& [id, legs] = seamsOf(cut).back();
+    const double leg = std::hypot(10, 50);
+    EXPECT_NEAR(length(cut, legs.a), leg, 1e-9);
+    EXPECT_NEAR(length(cut, legs.b), leg, 1e-9);
+    EXPECT_EQ(legs.continuity, Continuity::C1);
+    EXPECT_EQ(seamsOf(cut).front().second, *design.find<Seam>(between))
+        << "parameters elsewhere keep their meaning";
+
+    const auto dart = edits::dartOf(cut, id);
+    ASSERT_TRUE(dart);
+    EXPECT_TRUE(dart->tip.isApprox(bottom.tip, 1e-9));
+    EXPECT_FALSE(edits::dartOf(cut, between)) << "an ordinary seam";
+    const ReadDesign read = readDesign(writeDesign(cut));
+    EXPECT_TRUE(read.design == cut);
+}
+
+TEST(Darts, OverASeamShareItsOtherSide)
+{
+    // The right edge, 100 mm, is sewn; a dart of 20 mm in it at 30 to 50 mm.
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, {left, 1.3, 1.5, {150, 40}}));
+    errorsIn(cut);
+    ASSERT_EQ(seamsOf(cut).size(), 3u);
+    double other = 0;
+    for (const auto& [id, seam] : seamsOf(cut)) {
+        if (seam.b.patch != right)
+            continue;
+        const double share = length(cut, seam.a) / 80;
+        EXPECT_NEAR(length(cut, seam.b), 100 * share, 1e-6) << "by their lengths";
+        other += length(cut, seam.b);
+    }
+    EXPECT_NEAR(other, 100, 1e-6) << "nothing of it is left over";
+}
+
+TEST(Darts, InCurvesAndOverTheStartOfTheOutline)
+{
+    Design design = twoPanels();
+    Patch round = *design.find<Patch>(left);
+    std::vector<Vec2> points;
+    for (int k = 0; k < 12; ++k)
+        points.push_back(100 * Vec2(std::cos(k * 0.5235987756), std::sin(k * 0.5235987756)));
+    round.outline = BSpline2(3, true, points);
+    design = with(design, left, round).with({{}, {{between, nullptr, nullptr}}});
+    for (const double at : {0.0, 3.3, 11.9}) {
+        const Design cut = design.with(edits::addDart(design, {left, at - 0.2, at + 0.2, {0, 0}}));
+        errorsIn(cut);
+        ASSERT_EQ(seamsOf(cut).size(), 1u) << at;
+        const auto& outline = cut.find<Patch>(left)->outline;
+        EXPECT_TRUE(outline.at(outline.wrapped(6)).isApprox(round.outline.at(6), 1e-9)) << "the rest stays";
+        const auto& [id, legs] = seamsOf(cut).front();
+        const Design closed = cut.with(edits::removeDart(cut, id));
+        errorsIn(closed);
+        EXPECT_TRUE(seamsOf(closed).empty());
+        EXPECT_NEAR(closed.find<Patch>(left)->outline.signedArea(), round.outline.signedArea(), 60)
+            << "but for what the chord cuts off";
+    }
+}
+
+TEST(Darts, AreMovedAlongTheOutline)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, bottom));
+    const Design moved = cut.with(edits::moveDart(cut, seamsOf(cut).back().first, 0.7));
+    errorsIn(moved);
+    const auto dart = edits::dartOf(moved, seamsOf(moved).back().first);
+    ASSERT_TRUE(dart);
+    EXPECT_TRUE(dart->tip.isApprox(Vec2(140, 50), 1e-6)) << dart->tip.transpose();
+    EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), cut.find<Patch>(left)->outline.signedArea(), 1e-6);
+}
+
+TEST(Darts, AreRefusedWhereTheyCannotBe)
+{
+    const Design design = twoPanels();
+    Message problem;
+    EXPECT_TRUE(edits::addDart(design, {left, 0.4, 0.5, {90, -50}}, &problem).empty());
+    EXPECT_FALSE(problem.empty());
+    EXPECT_TRUE(edits::addDart(design, {left, 0.4, 0.4001, {90, 50}}, &problem).empty());
+    EXPECT_TRUE(edits::removeDart(design, between, &problem).empty());
+}
+
+TEST(Darts, AreCutIntoTwinsToo)
+{
+    Design design = twoPanels();
+    design = design.with(edits::makeTwins(design, std::array{left}, [](const std::string& n) { return n + "'"; }));
+    const ElementId twin = twinOf(design, left);
+    design = design.with(edits::withFollowers(design, edits::addDart(design, bottom)));
+    errorsIn(design);
+    EXPECT_NEAR(std::abs(design.find<Patch>(twin)->outline.signedArea()), 200 * 100 - 20 * 50 / 2, 1e-6);
+    int darts = 0;
+    for (const auto& [id, seam] : seamsOf(design))
+        darts += edits::dartOf(design, id).has_value();
+    EXPECT_EQ(darts, 2);
+}
+
+} // namespace bolster
