@@ -230,11 +230,11 @@ Path tidied(Path path)
 
 } // namespace
 
-CutOutline cutOutline(const SewingLine& line)
+CutLine cutLineOf(const SewingLine& line)
 {
     const std::vector<SewingLine::Vertex>& vertices = line.vertices;
     const std::size_t count = vertices.size();
-    CutOutline result;
+    CutLine result;
     if (count < 3)
         return result;
     if (std::ranges::all_of(vertices, [](const auto& v) { return v.width <= 0; })) {

@@ -26,13 +26,13 @@ struct SewingLine {
     std::vector<Vertex> vertices; ///< counter-clockwise, closed, none twice
 };
 
-struct CutOutline {
+struct CutLine {
     std::vector<LinePoint> points; ///< counter-clockwise; empty when the sewing line encloses nothing
     std::vector<Vec2> gaps; ///< where the allowance closes up around something that is cut out: cut lines meet
 };
 
 /// The boundary of everything that is within the allowance of an edge, on its outer side, and of what joins them at
 /// corners. It never crosses itself. Where all allowances are 0 it is the sewing line.
-CutOutline cutOutline(const SewingLine& line);
+CutLine cutLineOf(const SewingLine& line);
 
 } // namespace bolster

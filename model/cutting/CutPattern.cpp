@@ -113,7 +113,7 @@ private:
             turnRound(line);
         for (const SewingLine::Vertex& vertex : line.vertices)
             m_piece.sew.push_back({vertex.at, vertex.corner});
-        CutOutline cut = cutOutline(line);
+        CutLine cut = cutLineOf(line);
         m_piece.cut = std::move(cut.points);
         m_piece.gaps = std::move(cut.gaps);
     }

@@ -76,7 +76,7 @@ SewingLine sewnAlong(const BSpline2& outline, double width)
 
 TEST(CutLine, OfASquareIsASquareThatIsLargerByTwoAllowances)
 {
-    const CutOutline cut = cutOutline(polygon(square, 10));
+    const CutLine cut = cutLineOf(polygon(square, 10));
     ASSERT_EQ(cut.points.size(), 4u);
     EXPECT_NEAR(areaOf(cut.points), 120 * 120, 0.01);
     for (const LinePoint& point : cut.points)
@@ -87,24 +87,24 @@ TEST(CutLine, OfASquareIsASquareThatIsLargerByTwoAllowances)
 TEST(CutLine, WithoutAllowanceIsTheSewingLine)
 {
     const SewingLine line = polygon(square, 0);
-    EXPECT_EQ(cutOutline(line).points, asLine(line));
+    EXPECT_EQ(cutLineOf(line).points, asLine(line));
 }
 
 TEST(CutLine, HasCornersAsTheyAreAskedFor)
 {
     const double pi = std::numbers::pi;
-    EXPECT_NEAR(areaOf(cutOutline(polygon(square, 10, CornerJoin::Rounded)).points), 14000 + 100 * pi, 0.5);
+    EXPECT_NEAR(areaOf(cutLineOf(polygon(square, 10, CornerJoin::Rounded)).points), 14000 + 100 * pi, 0.5);
     // A square corner is cut off at the allowance's distance: the mitre's tip is 10 sqrt(2) away.
     const double cutOff = std::pow(10 * std::numbers::sqrt2 - 10, 2);
-    EXPECT_NEAR(areaOf(cutOutline(polygon(square, 10, CornerJoin::Square)).points), 14400 - 4 * cutOff, 0.05);
+    EXPECT_NEAR(areaOf(cutLineOf(polygon(square, 10, CornerJoin::Square)).points), 14400 - 4 * cutOff, 0.05);
     // At right angles the mirror image of a cut line is the cut line.
-    EXPECT_NEAR(areaOf(cutOutline(polygon(square, 10, CornerJoin::Folded)).points), 14400, 0.05);
-    EXPECT_NEAR(areaOf(cutOutline(polygon(square, 10, CornerJoin::Stepped)).points), 14400, 0.05);
+    EXPECT_NEAR(areaOf(cutLineOf(polygon(square, 10, CornerJoin::Folded)).points), 14400, 0.05);
+    EXPECT_NEAR(areaOf(cutLineOf(polygon(square, 10, CornerJoin::Stepped)).points), 14400, 0.05);
 }
 
 TEST(CutLine, MitresThatWouldBeLongAreCutOff)
 {
-    const CutOutline cut = cutOutline(polygon({{0, 0}, {200, 0}, {0, 20}}, 10));
+    const CutLine cut = cutLineOf(polygon({{0, 0}, {200, 0}, {0, 20}}, 10));
     double farthest = 0;
     for (const LinePoint& point : cut.points)
         farthest = std::max(farthest, point.at.x());
@@ -118,7 +118,7 @@ TEST(CutLine, AFoldedAllowanceLiesUnderThePiece)
     for (const double lean : {100 / std::sqrt(3.0), -100 / std::sqrt(3.0)}) {
         SewingLine line = polygon({{0, 0}, {300, 0}, {300 - lean, 100}, {0, 100}}, 10);
         line.vertices[1].join = CornerJoin::Folded;
-        const CutOutline cut = cutOutline(line);
+        const CutLine cut = cutLineOf(line);
         int looked = 0;
         for (const LinePoint& point : cut.points)
             if (point.at.y() < -1 && point.at.x() > 250) { // folded up along the first edge
@@ -136,7 +136,7 @@ TEST(CutLine, ASteppedCornerEndsAtRightAngles)
 {
     SewingLine line = polygon({{0, 0}, {200, 0}, {300, 100}, {0, 100}}, 10);
     line.vertices[1].join = CornerJoin::Stepped;
-    const CutOutline cut = cutOutline(line);
+    const CutLine cut = cutLineOf(line);
     // Straight out from where the other cut line crosses the edge: at 200 + 10 sqrt(2).
     const double foot = 200 + 10 * std::numbers::sqrt2;
     EXPECT_LT(distanceTo(cut.points, {foot, -5}), 1e-3);
@@ -148,7 +148,7 @@ TEST(CutLine, EdgesHaveAllowancesOfTheirOwn)
     SewingLine line = polygon(square, 10);
     line.vertices[0].width = 0;  // bottom
     line.vertices[1].width = 25; // right
-    const CutOutline cut = cutOutline(line);
+    const CutLine cut = cutLineOf(line);
     Box2 box;
     for (const LinePoint& point : cut.points)
         box.extend(point.at);
@@ -162,7 +162,7 @@ TEST(CutLine, OfACurveIsOffsetWithin50Micrometres)
     for (const double width : {0.5, 8.0, 30.0}) {
         const BSpline2 outline = circle(60);
         const double radius = outline.at(0.3).norm();
-        const CutOutline cut = cutOutline(sewnAlong(outline, width));
+        const CutLine cut = cutLineOf(sewnAlong(outline, width));
         for (std::size_t i = 0; i < cut.points.size(); ++i) {
             const Vec2 middle = (cut.points[i].at + cut.points[(i + 1) % cut.points.size()].at) / 2;
             EXPECT_NEAR(cut.points[i].at.norm(), radius + width, 0.05);
@@ -176,7 +176,7 @@ TEST(CutLine, OfACurveIsOffsetWithin50Micrometres)
 
 TEST(CutLine, AtInnerCornersIsWhereBothAllowancesMeet)
 {
-    const CutOutline cut = cutOutline(polygon({{0, 0}, {100, 0}, {100, 40}, {40, 40}, {40, 100}, {0, 100}}, 10));
+    const CutLine cut = cutLineOf(polygon({{0, 0}, {100, 0}, {100, 40}, {40, 40}, {40, 100}, {0, 100}}, 10));
     ASSERT_EQ(cut.points.size(), 6u);
     EXPECT_LT(distanceTo(cut.points, {50, 50}), 1e-3);
     EXPECT_NEAR(areaOf(cut.points), 120 * 60 + 60 * 60, 0.05);
@@ -185,7 +185,7 @@ TEST(CutLine, AtInnerCornersIsWhereBothAllowancesMeet)
 TEST(CutLine, SaysWhereItMeetsItself)
 {
     // A ring with a gap of 10 mm, which allowances of 10 mm close.
-    const CutOutline cut = cutOutline(polygon({{0, 0},
+    const CutLine cut = cutLineOf(polygon({{0, 0},
                                                {200, 0},
                                                {200, 200},
                                                {105, 200},
@@ -220,7 +220,7 @@ TEST(CutLine, NeverCrossesItselfAndKeepsItsDistance)
                 {150 * share(random) * Vec2(std::cos(angle), std::sin(angle)), w, true, joins[random() % 5]});
         }
         const std::vector<LinePoint> sewn = asLine(line);
-        const CutOutline cut = cutOutline(line);
+        const CutLine cut = cutLineOf(line);
         ASSERT_GE(cut.points.size(), 3u);
         EXPECT_FALSE(crossesItself(cut.points)) << "round " << round;
         EXPECT_GE(areaOf(cut.points), areaOf(sewn) - 0.01);

@@ -54,7 +54,7 @@ TEST(Darts, TakeAWedgeOutAndSewItsLegs)
     errorsIn(cut);
     EXPECT_NEAR(cut.find<Patch>(left)->outline.signedArea(), 200 * 100 - 20 * 50 / 2, 1e-6);
     ASSERT_EQ(seamsOf(cut).size(), 2u);
-    const auto& [id, legs] = seamsOf(cut).back();
+    const auto [id, legs] = seamsOf(cut).back();
     const double leg = std::hypot(10, 50);
     EXPECT_NEAR(length(cut, legs.a), leg, 1e-9);
     EXPECT_NEAR(length(cut, legs.b), leg, 1e-9);
@@ -103,8 +103,10 @@ TEST(Darts, InCurvesAndOverTheStartOfTheOutline)
         ASSERT_EQ(seamsOf(cut).size(), 1u) << at;
         const auto& outline = cut.find<Patch>(left)->outline;
         EXPECT_TRUE(outline.at(outline.wrapped(6)).isApprox(round.outline.at(6), 1e-9)) << "the rest stays";
-        const auto& [id, legs] = seamsOf(cut).front();
-        const Design closed = cut.with(edits::removeDart(cut, id));
+        const auto [id, legs] = seamsOf(cut).front();
+        Message problem;
+        const Design closed = cut.with(edits::removeDart(cut, id, &problem));
+        EXPECT_EQ(problem.english(), "");
         errorsIn(closed);
         EXPECT_TRUE(seamsOf(closed).empty());
         EXPECT_NEAR(closed.find<Patch>(left)->outline.signedArea(), round.outline.signedArea(), 60)
