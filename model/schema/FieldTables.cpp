@@ -238,9 +238,12 @@ std::string tableOf()
 
 std::map<std::string, std::string> allTables()
 {
-    std::map<std::string, std::string> tables{{"settings", tableOf<Settings>()}, {"look", tableOf<FabricLook>()},
-                                              {"trim", tableOf<SeamTrim>()},     {"stretch", tableOf<Stretch>()},
-                                              {"twin", tableOf<Twin>()},         {"symmetry", tableOf<Symmetry>()},
+    std::map<std::string, std::string> tables{{"settings", tableOf<Settings>()},
+                                              {"look", tableOf<FabricLook>()},
+                                              {"trim", tableOf<SeamTrim>()},
+                                              {"stretch", tableOf<Stretch>()},
+                                              {"twin", tableOf<Twin>()},
+                                              {"symmetry", tableOf<Symmetry>()},
                                               {"allowance", tableOf<CutAllowance>()},
                                               {"notch_shape", tableOf<NotchShape>()},
                                               {"automatic_notches", tableOf<AutomaticNotches>()},

@@ -186,18 +186,18 @@ TEST(CutLine, SaysWhereItMeetsItself)
 {
     // A ring with a gap of 10 mm, which allowances of 10 mm close.
     const CutLine cut = cutLineOf(polygon({{0, 0},
-                                               {200, 0},
-                                               {200, 200},
-                                               {105, 200},
-                                               {105, 150},
-                                               {150, 150},
-                                               {150, 50},
-                                               {50, 50},
-                                               {50, 150},
-                                               {95, 150},
-                                               {95, 200},
-                                               {0, 200}},
-                                              10));
+                                           {200, 0},
+                                           {200, 200},
+                                           {105, 200},
+                                           {105, 150},
+                                           {150, 150},
+                                           {150, 50},
+                                           {50, 50},
+                                           {50, 150},
+                                           {95, 150},
+                                           {95, 200},
+                                           {0, 200}},
+                                          10));
     EXPECT_EQ(cut.gaps.size(), 1u);
     EXPECT_NEAR(areaOf(cut.points), 220 * 220, 0.1) << "the outer line";
 }

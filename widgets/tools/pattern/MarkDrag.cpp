@@ -37,7 +37,7 @@ public:
     {
         if (const auto* edge = m_context.document().design().find<EdgeAllowance>(m_mark))
             return markText(QT_TRANSLATE_NOOP("MarkDrag",
-                                          "Allowance of %1 \u2013 Ctrl for any width, Esc takes it back"))
+                                              "Allowance of %1 \u2013 Ctrl for any width, Esc takes it back"))
                 .arg(lengthText(edge->width));
         return markText(QT_TRANSLATE_NOOP("MarkDrag", "Drag it to where it belongs \u2013 Esc takes it back"));
     }
