@@ -19,6 +19,8 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster check DESIGN         report everything that is wrong with a design
        bolster dump FILE            write a project's design as text
        bolster import DESIGN FILE   make a project of a design
+       bolster import-pattern FILE DESIGN.json
+                                    make a design of a pattern (DXF, SVG)
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -37,11 +39,12 @@ struct Command {
 };
 
 const Command commands[] = {
-    {"solve", cli::solveHelp, cli::solve},           {"render", cli::renderHelp, cli::render},
-    {"check", cli::checkHelp, cli::check},           {"dump", cli::dumpHelp, cli::dump},
-    {"import", cli::importHelp, cli::importDesign},  {"history", cli::historyHelp, cli::history},
-    {"verify", cli::verifyHelp, cli::verify},        {"salvage", cli::salvageHelp, cli::salvage},
-    {"export", cli::exportHelp, cli::exportPattern}, {"bench", cli::benchHelp, cli::bench}};
+    {"solve", cli::solveHelp, cli::solve},          {"render", cli::renderHelp, cli::render},
+    {"check", cli::checkHelp, cli::check},          {"dump", cli::dumpHelp, cli::dump},
+    {"import", cli::importHelp, cli::importDesign}, {"import-pattern", cli::importPatternHelp, cli::importPattern},
+    {"history", cli::historyHelp, cli::history},    {"verify", cli::verifyHelp, cli::verify},
+    {"salvage", cli::salvageHelp, cli::salvage},    {"export", cli::exportHelp, cli::exportPattern},
+    {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

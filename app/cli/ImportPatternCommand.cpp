@@ -1,0 +1,150 @@
+#include "DesignJson.h"
+#include "Interrupt.h"
+#include "Output.h"
+#include "PatternDesign.h"
+#include "PatternImport.h"
+#include "ProgressLine.h"
+#include "Subcommands.h"
+#include "Unfinished.h"
+#include "WholeFile.h"
+
+#include <QFileInfo>
+
+#include <array>
+
+namespace bolster::cli {
+
+const char* const importPatternHelp = R"(Usage: bolster import-pattern FILE DESIGN.json [options]
+
+Makes a design of a pattern in a file: DXF (AAMA, ASTM, or as drawn) or SVG. Each
+piece becomes a patch, with its seam allowance, notches, grain line, drill holes,
+lines inside, quantity and fabric, as far as the file has them. Seams are not made.
+
+Options:
+  --unit mm|cm|in       what the numbers in the file are; without it, what the file
+                        and the size of the pieces say
+  --size NAME           of a graded pattern; without it, the sample size
+  --layers sew|cut      which line becomes the outline of a patch: the sewing line
+                        (the usual one; where there is one), or the cut line
+  --close MM            closes outlines whose ends are so far apart (0)
+
+Exit code:
+  0  done
+  1  DESIGN.json is there already, or cannot be written, or interrupted
+  2  FILE cannot be read, holds no piece, or wrong usage
+)";
+
+namespace {
+
+constexpr std::array importPatternRules = {OptionRule{"--unit", true}, OptionRule{"--size", true},
+                                           OptionRule{"--layers", true}, OptionRule{"--close", true}};
+
+double unitOf(const Arguments& arguments, const Drawing& drawing)
+{
+    const QString word = arguments.path("--unit");
+    if (word.isEmpty())
+        return guessedUnit(drawing);
+    if (word == QLatin1String("mm"))
+        return 1;
+    if (word == QLatin1String("cm"))
+        return 10;
+    if (word == QLatin1String("in"))
+        return 25.4;
+    throw UsageError("--unit is mm, cm or in, not \"" + word.toStdString() + "\"");
+}
+
+PatternLines linesOf(const Arguments& arguments)
+{
+    const QString word = arguments.path("--layers");
+    if (word.isEmpty() || word == QLatin1String("sew"))
+        return PatternLines::Sew;
+    if (word == QLatin1String("cut"))
+        return PatternLines::Cut;
+    throw UsageError("--layers is sew or cut, not \"" + word.toStdString() + "\"");
+}
+
+std::string figure(double value)
+{
+    return QString::number(value, 'f', value < 100 ? 1 : 0).toStdString();
+}
+
+/// Nothing is left out silently.
+void printUnread(const Drawing& drawing, const FoundPattern& pattern)
+{
+    for (const auto& [what, count] : drawing.unknown)
+        printError("warning: not read: " + std::to_string(count) + " x " + what);
+    for (const Contour& line : pattern.open)
+        printError("warning: an outline is open, its ends are " + figure(line.gap) + " mm apart (see --close)");
+    if (pattern.doubled > 0)
+        printError("warning: " + counted(pattern.doubled, "line") + " lay twice on itself and is taken once");
+    if (pattern.ignored > 0)
+        printError("note: " + counted(pattern.ignored, "mark") +
+                   " of grading, stripes or nothing that is known: left out");
+}
+
+void printMeasures(const Drawing& drawing, const FoundPattern& pattern, double unit, bool asked)
+{
+    if (pattern.pieces.empty())
+        return;
+    Vec2 size = Vec2::Zero();
+    for (const FoundPiece& piece : pattern.pieces)
+        if (const Vec2 sizes = piece.cut.box().sizes(); sizes.maxCoeff() > size.maxCoeff())
+            size = sizes;
+    std::string line("largest piece: ");
+    line.append(figure(size.x())).append(" x ").append(figure(size.y())).append(" mm");
+    if (!asked && !drawing.unit)
+        line.append(" (the file does not say its unit; taken for ")
+            .append(unit == 1    ? "mm"
+                    : unit == 10 ? "cm"
+                                 : "inches")
+            .append(", see --unit)");
+    printResult(line);
+}
+
+} // namespace
+
+int importPattern(std::span<const std::string> words)
+{
+    const Arguments arguments(words, importPatternRules);
+    const std::vector<QString> files = arguments.files({"FILE", "DESIGN.json"});
+    if (QFileInfo::exists(files[1])) {
+        printError("error: \"" + files[1].toStdString() + "\" is there already; choose another name");
+        return otherFailure;
+    }
+    const PatternChoice choice{linesOf(arguments), {}};
+    Interrupt interrupt;
+    const ImportedDrawing imported = importDrawing(files[0], {interrupt.token(), {}, {}});
+    if (!imported.drawing) {
+        printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
+        return imported.problem.empty() ? otherFailure : badInput;
+    }
+    const double unit = unitOf(arguments, *imported.drawing);
+    const PieceOrder order{unit, arguments.path("--size").toStdString(), arguments.number("--close", 0, 0, 1000)};
+    const FoundPattern pattern = findPieces(*imported.drawing, order);
+    if (!order.size.empty() && std::ranges::find(pattern.sizes, order.size) == pattern.sizes.end()) {
+        std::string sizes;
+        for (const std::string& size : pattern.sizes)
+            sizes.append(sizes.empty() ? "" : ", ").append(size);
+        throw UsageError("there is no size \"" + order.size + "\"; there are: " + (sizes.empty() ? "none" : sizes));
+    }
+    printUnread(*imported.drawing, pattern);
+    const ImportedPattern made = patternEdit(Design(), pattern, choice);
+    for (const Message& note : made.notes)
+        printError("warning: " + note.english());
+    if (made.patches.empty()) {
+        printError("error: there is no piece in \"" + files[0].toStdString() + "\"");
+        return badInput;
+    }
+    printMeasures(*imported.drawing, pattern, unit, arguments.has("--unit"));
+    interrupt.beginWriting();
+    if (const Message problem = replaceWholeFile(files[1], writeDesign(Design().with(made.edit)));
+        !problem.empty()) {
+        printError("error: " + problem.english());
+        return otherFailure;
+    }
+    printResult("wrote " + files[1].toStdString() + ": " +
+                counted(static_cast<std::int64_t>(made.patches.size()), "piece"));
+    return done;
+}
+
+} // namespace bolster::cli

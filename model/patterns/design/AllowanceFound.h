@@ -1,0 +1,25 @@
+// The seam allowance between a sewing line and a cut line. Private to the library.
+#pragma once
+
+#include "BSpline.h"
+#include "Contour.h"
+#include "CutAllowance.h"
+
+namespace bolster {
+
+/// Of a stretch of the outline between two corners.
+struct EdgeWidth {
+    double from = 0; ///< parameters
+    double to = 0;
+    double width = 0; ///< mm
+};
+
+struct FoundAllowance {
+    CutAllowance usual;           ///< what most of the outline has
+    std::vector<EdgeWidth> edges; ///< those that have another one
+};
+
+/// How far beyond the outline fabric was cut, edge by edge.
+FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut);
+
+} // namespace bolster

@@ -1,0 +1,16 @@
+// Drawings from files of unknown origin. Throw FileRefused, ImportStopped. No network, no other files.
+#pragma once
+
+#include "Drawing.h"
+#include "FileBytes.h"
+
+namespace bolster {
+
+/// ASCII DXF from R12 on, and what AAMA and ASTM make of it: POLYLINE with bulges, LWPOLYLINE, LINE, ARC, CIRCLE,
+/// ELLIPSE, SPLINE, POINT, TEXT, MTEXT, and INSERT of blocks with these.
+Drawing readDxf(const FileBytes& bytes);
+
+/// SVG 1.1: paths and shapes, groups, transforms, units, symbols that are used.
+Drawing readSvg(const FileBytes& bytes);
+
+} // namespace bolster

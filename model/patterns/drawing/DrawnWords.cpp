@@ -1,0 +1,143 @@
+#include "DrawnWords.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+
+namespace bolster {
+
+namespace {
+
+constexpr std::size_t longestWords = 1000;
+
+void appendUtf8(std::string& text, std::uint32_t c)
+{
+    if (c < 0x80) {
+        text += static_cast<char>(c);
+    } else if (c < 0x800) {
+        text += static_cast<char>(0xC0 | (c >> 6));
+        text += static_cast<char>(0x80 | (c & 0x3F));
+    } else if (c < 0x10000) {
+        text += static_cast<char>(0xE0 | (c >> 12));
+        text += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        text += static_cast<char>(0x80 | (c & 0x3F));
+    } else {
+        text += static_cast<char>(0xF0 | (c >> 18));
+        text += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
+        text += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        text += static_cast<char>(0x80 | (c & 0x3F));
+    }
+}
+
+/// The length of a well-formed character, and which one; 0 when it is none.
+std::size_t utf8Character(std::string_view text, std::uint32_t& c)
+{
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    static constexpr std::array<std::uint32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
+    const std::size_t length = byte(0) < 0x80             ? 1
+                               : (byte(0) & 0xE0) == 0xC0 ? 2
+                               : (byte(0) & 0xF0) == 0xE0 ? 3
+                               : (byte(0) & 0xF8) == 0xF0 ? 4
+                                                          : 0;
+    if (length == 0 || length > text.size())
+        return 0;
+    c = length == 1 ? byte(0) : byte(0) & (0x7Fu >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80)
+            return 0;
+        c = (c << 6) | (byte(i) & 0x3F);
+    }
+    const bool surrogate = c >= 0xD800 && c < 0xE000;
+    return c < least[length] || surrogate || c > 0x10FFFF ? 0 : length;
+}
+
+/// Whatever is not UTF-8 is taken for Latin-1.
+std::string asUtf8(std::string_view raw)
+{
+    std::string text;
+    std::uint32_t c = 0;
+    for (std::size_t i = 0; i < raw.size();) {
+        const std::size_t length = utf8Character(raw.substr(i), c);
+        if (length == 0) {
+            text.clear();
+            for (const char byte : raw)
+                appendUtf8(text, static_cast<unsigned char>(byte));
+            return text;
+        }
+        i += length;
+    }
+    return std::string(raw);
+}
+
+} // namespace
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return result;
+}
+
+std::string drawnWords(std::string_view raw)
+{
+    const std::string text = asUtf8(raw.substr(0, longestWords));
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = std::string_view(text).substr(i);
+        std::uint32_t code = 0;
+        if (rest.size() >= 7 && rest.starts_with("\\U+") &&
+            std::from_chars(rest.data() + 3, rest.data() + 7, code, 16).ptr == rest.data() + 7 && code >= 0x20 &&
+            (code < 0xD800 || code >= 0xE000)) {
+            appendUtf8(result, code);
+            i += 6;
+        } else if (rest.starts_with("%%d") || rest.starts_with("%%D")) {
+            result += "\u00b0";
+            i += 2;
+        } else if (static_cast<unsigned char>(text[i]) >= 0x20 && text[i] != 0x7F) {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
+std::pair<std::string, std::string> keyAndValue(std::string_view words)
+{
+    const std::size_t colon = words.find(':');
+    if (colon == std::string_view::npos || colon == 0 || colon > 40)
+        return {{}, std::string(trimmed(words))};
+    return {lowered(trimmed(words.substr(0, colon))), std::string(trimmed(words.substr(colon + 1)))};
+}
+
+std::string asciiWords(std::string_view utf8)
+{
+    std::string result;
+    std::uint32_t c = 0;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const std::size_t length = utf8Character(utf8.substr(i), c);
+        i += std::max<std::size_t>(length, 1);
+        if (length == 1 && c >= 0x20 && c != 0x7F) {
+            result += static_cast<char>(c);
+        } else if (length > 1 && c < 0x10000) {
+            static constexpr const char* digits = "0123456789ABCDEF";
+            result += "\\U+";
+            for (const int shift : {12, 8, 4, 0})
+                result += digits[(c >> shift) & 15];
+        } else {
+            result += '_';
+        }
+    }
+    return result;
+}
+
+} // namespace bolster

@@ -1,0 +1,20 @@
+// Words of drawings, as strangers write them. Private to the library.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace bolster {
+
+/// Without blanks around it.
+std::string_view trimmed(std::string_view text);
+std::string lowered(std::string_view text);
+/// UTF-8 of whatever encoding, with what DXF writes in ASCII decoded: \U+00FC, %%d.
+std::string drawnWords(std::string_view raw);
+/// "Piece Name: Seat" is ("piece name", "Seat"); the first is empty where there is no colon.
+std::pair<std::string, std::string> keyAndValue(std::string_view words);
+/// The other way: ASCII, \U+ for all else.
+std::string asciiWords(std::string_view utf8);
+
+} // namespace bolster

@@ -1,0 +1,67 @@
+// The pieces of a pattern that are in a drawing.
+#pragma once
+
+#include "Contour.h"
+#include "Message.h"
+#include "NotchShape.h"
+
+#include <optional>
+
+namespace bolster {
+
+struct FoundNotch {
+    Vec2 at = Vec2::Zero(); ///< on the cut line, or near it
+    NotchShape shape;
+    bool twice = false;
+};
+
+struct FoundHole {
+    Vec2 at = Vec2::Zero();
+    double diameter = 0; ///< mm; 0: not said
+};
+
+struct FoundLine {
+    Contour line;
+    bool cut = false;
+};
+
+/// Millimetres, as it lies in the file.
+struct FoundPiece {
+    std::string name;
+    std::string size; ///< "" where there is one alone
+    std::string fabric;
+    std::string note;
+    int quantity = 1;
+    bool pair = false;
+    Contour cut;                 ///< the cut line, or the only line that there is
+    std::optional<Contour> sew;  ///< inside of it
+    bool isCutLine = false;      ///< the file says that the only line is where fabric is cut
+    std::optional<double> grain; ///< degrees
+    std::vector<FoundNotch> notches;
+    std::vector<FoundHole> holes;
+    std::vector<FoundLine> inner;
+};
+
+struct FoundPattern {
+    std::string style;
+    std::string version;
+    std::vector<std::string> sizes; ///< those that there are, in the file's order
+    std::string sampleSize;         ///< what the file calls so; else the first one
+    std::vector<FoundPiece> pieces; ///< of the wanted size
+    std::vector<Contour> open;      ///< outlines whose ends do not meet
+    int doubled = 0;                ///< lines that lay twice on themselves
+    int ignored = 0;                ///< lines and points for grading, stripes, mirrors
+};
+
+struct PieceOrder {
+    double unit = 1;       ///< millimetres of one of the drawing
+    std::string size;      ///< "": the sample size
+    double largestGap = 0; ///< mm: outlines whose ends are no farther apart are closed by a line
+};
+
+FoundPattern findPieces(const Drawing& drawing, const PieceOrder& order);
+
+/// What a unit of the drawing is, as far as the file and the size of the pieces tell, mm.
+double guessedUnit(const Drawing& drawing);
+
+} // namespace bolster

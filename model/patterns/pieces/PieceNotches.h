@@ -1,0 +1,15 @@
+// Notches as points of layers, and as lines that somebody drew. Private to the library.
+#pragma once
+
+#include "FoundPieces.h"
+
+namespace bolster {
+
+/// A point on a layer of notches; depth and width where the file says them, in `unit` millimetres.
+FoundNotch notchOfDot(const DrawnDot& dot, double unit);
+/// A notch as it is cut: a slit, a V, a T, a castle, a U, by the number of its points. Nothing for other lines.
+std::optional<FoundNotch> notchOfLine(const Contour& line, const Contour& outline);
+/// Two of one shape beside each other are one that is double.
+void pairDoubles(std::vector<FoundNotch>& notches);
+
+} // namespace bolster
