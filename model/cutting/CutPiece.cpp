@@ -59,6 +59,11 @@ Box2 CutPiece::box() const
     return box;
 }
 
+std::string quantityText(const CutPiece& piece)
+{
+    return std::to_string(piece.quantity).append(",").append(std::to_string(piece.pair ? piece.quantity : 0));
+}
+
 bool isInside(const std::vector<LinePoint>& line, const Vec2& point)
 {
     bool inside = false;

@@ -78,6 +78,8 @@ struct CutPiece {
     Box2 box() const; ///< of the cut line
 };
 
+/// So many as it is, so many mirrored: "2,2" of a pair.
+std::string quantityText(const CutPiece& piece);
 /// Inside the closed line, by its winding.
 bool isInside(const std::vector<LinePoint>& line, const Vec2& point);
 /// Signed, of the closed line, mm2.

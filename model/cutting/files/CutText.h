@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace bolster {
 
@@ -39,6 +40,28 @@ inline std::string ascii(std::string_view text)
             while (i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xC0) == 0x80)
                 ++i;
             result += '_';
+        }
+    }
+    return result;
+}
+
+/// ASCII from which DXF readers get the text back: \U+ and four digits for all else.
+inline std::string escapedAscii(std::string_view utf8)
+{
+    std::string result;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto byte = static_cast<unsigned char>(utf8[i++]);
+        unsigned code = byte < 0x80 ? byte : byte < 0xE0 ? byte & 0x1Fu : byte < 0xF0 ? byte & 0x0Fu : 0;
+        while (i < utf8.size() && (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80)
+            code = code << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3Fu);
+        if (byte < 0x80) {
+            result += byte < 0x20 || byte == 0x7F ? ' ' : static_cast<char>(byte);
+        } else if (byte < 0xF0) {
+            result += "\\U+";
+            for (const unsigned shift : {12u, 8u, 4u, 0u})
+                result += "0123456789ABCDEF"[code >> shift & 15];
+        } else {
+            result += '_'; // beyond what DXF can say
         }
     }
     return result;

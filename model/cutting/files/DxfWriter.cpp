@@ -89,6 +89,15 @@ std::vector<Vec2> placesOf(const std::vector<LinePoint>& line, const TablePiece&
     return points;
 }
 
+/// "KEY: value" as blocks have it.
+std::vector<std::pair<std::string, std::string>> pieceWords(const CutPiece& piece)
+{
+    return {{"Piece Name", piece.name},
+            {"Quantity", quantityText(piece)},
+            {"Fabric", piece.fabricName},
+            {"Annotation", piece.mirrored ? "mirrored" : ""}};
+}
+
 class PieceWriter {
 public:
     PieceWriter(Dxf& dxf, const DxfOrder& order, const CutPiece& piece, const TablePiece& place)
@@ -102,6 +111,7 @@ public:
     void write()
     {
         const CutLayers& layers = m_order.layers;
+        comments();
         if (layers.cut)
             outline(m_names.cut, m_piece.cut);
         // A piece without its cut line has its sewing line for a boundary.
@@ -126,6 +136,16 @@ public:
     }
 
 private:
+    /// What only texts for people say in the plain file, and what ASCII cannot: for programs that import it.
+    void comments()
+    {
+        if (!isPlain() && ascii(m_piece.name) == m_piece.name && ascii(m_piece.fabricName) == m_piece.fabricName)
+            return;
+        for (const auto& [key, value] : pieceWords(m_piece))
+            if (!value.empty())
+                m_dxf.pair(999, escapedAscii(key + ": " + value));
+    }
+
     bool isPlain() const { return m_order.standard == DxfStandard::Plain; }
 
     void outline(const char* layer, const std::vector<LinePoint>& line)
@@ -256,16 +276,12 @@ void writeBlock(Dxf& dxf, const CutPiece& piece, const std::string& name, const 
     dxf.pair(2, name);
     dxf.pair(70, "64");
     dxf.point(10, Vec2::Zero());
-    const std::string quantity =
-        std::to_string(piece.quantity) + "," + std::to_string(piece.pair ? piece.quantity : 0);
     double line = piece.box().isEmpty() ? 0 : piece.box().min().y() - 10;
-    for (const auto& [key, value] : {std::pair<const char*, std::string>("Piece Name", piece.name),
-                                     {"Size", "M"},
-                                     {"Quantity", quantity},
-                                     {"Fabric", piece.fabricName},
-                                     {"Annotation", piece.mirrored ? "mirrored" : ""}})
+    std::vector<std::pair<std::string, std::string>> words = pieceWords(piece);
+    words.insert(words.begin() + 1, {"Size", "M"});
+    for (const auto& [key, value] : words)
         if (!value.empty()) {
-            dxf.text("1", {piece.box().min().x(), line}, 5, 0, std::string(key) + ": " + value);
+            dxf.text("1", {piece.box().min().x(), line}, 5, 0, key + ": " + value);
             line -= 7;
         }
     PieceWriter(dxf, order, piece, {}).write();

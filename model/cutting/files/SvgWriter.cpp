@@ -35,6 +35,18 @@ std::string escapedXml(std::string_view text)
     return result;
 }
 
+/// What people read of the label, for programs that import it.
+std::string aboutPiece(const CutPiece& piece)
+{
+    std::string about;
+    for (const auto& [key, value] : {std::pair<const char*, std::string>("piece", piece.name),
+                                     {"quantity", quantityText(piece)},
+                                     {"fabric", piece.fabricName}})
+        if (!value.empty())
+            about.append(" data-").append(key).append("=\"").append(escapedXml(value)).append("\"");
+    return about;
+}
+
 class Svg {
 public:
     Svg(const CutPattern& pattern)
@@ -62,19 +74,19 @@ public:
         m_text += "  </g>\n";
     }
 
-    void path(const std::vector<Vec2>& points, bool closed)
+    void path(const std::vector<Vec2>& points, bool closed, const std::string& about = {})
     {
-        m_text += "    <path d=\"";
+        m_text.append("    <path").append(about).append(" d=\"");
         for (std::size_t i = 0; i < points.size(); ++i)
             m_text.append(i == 0 ? "M" : "L").append(placed(points[i]));
         m_text += closed ? "Z\"/>\n" : "\"/>\n";
     }
-    void path(const std::vector<LinePoint>& line, bool closed)
+    void path(const std::vector<LinePoint>& line, bool closed, const std::string& about = {})
     {
         std::vector<Vec2> points;
         for (const LinePoint& point : line)
             points.push_back(point.at);
-        path(points, closed);
+        path(points, closed, about);
     }
     void circle(const Vec2& at, double radius)
     {
@@ -142,7 +154,9 @@ std::string svgText(const CutPattern& pattern, const CutLayers& layers)
     if (layers.labels)
         svg.layer("labels", "#000000", [&](const CutPiece& piece) { svg.label(piece.label); });
     if (layers.sew)
-        svg.layer("sew", "#0060c0", [&](const CutPiece& piece) { svg.path(piece.sew, true); });
+        svg.layer("sew", "#0060c0", [&](const CutPiece& piece) {
+            svg.path(piece.sew, true, layers.cut ? std::string() : aboutPiece(piece));
+        });
     if (layers.notches)
         svg.layer("notches", "#000000", [&](const CutPiece& piece) {
             for (const CutNotch& notch : piece.notches)
@@ -150,7 +164,7 @@ std::string svgText(const CutPattern& pattern, const CutLayers& layers)
                     svg.path(line, false);
         });
     if (layers.cut)
-        svg.layer("cut", "#000000", [&](const CutPiece& piece) { svg.path(piece.cut, true); });
+        svg.layer("cut", "#000000", [&](const CutPiece& piece) { svg.path(piece.cut, true, aboutPiece(piece)); });
     return svg.result();
 }
 

@@ -32,22 +32,85 @@ std::optional<double> wayTo(const Contour& line, const Vec2& from, const Vec2& w
     return nearest;
 }
 
-/// In the middle half of an edge, where no corner is near.
-double widthOfEdge(const BSpline2& outline, const Contour& cut, double from, double to)
+/// Lines are exact to a few hundredths, and nobody asks for an allowance of 9.99 mm.
+double rounded(double width)
 {
-    std::vector<double> widths;
-    for (int k = 0; k <= 8; ++k) {
-        const double t = outline.wrapped(from + (to - from) * (0.25 + 0.5 * k / 8));
-        const Vec2 along = outline.derivative(t);
-        const Vec2 right = Vec2(along.y(), -along.x()).normalized();
-        if (const auto width = wayTo(cut, outline.at(t), right))
-            widths.push_back(*width);
-    }
-    if (widths.empty())
-        return 0;
-    std::ranges::sort(widths);
-    return std::round(widths[widths.size() / 2] * 100) / 100;
+    const double tenths = std::round(width * 10) / 10;
+    return std::abs(width - tenths) < 0.03 ? tenths : std::round(width * 100) / 100;
 }
+
+/// The parts of an edge that have one width each. Near corners the cut line belongs to both edges.
+class EdgeWidths {
+public:
+    EdgeWidths(const BSpline2& outline, const Contour& cut, double from, double to)
+        : m_outline(outline)
+        , m_cut(cut)
+        , m_from(from)
+        , m_to(to)
+    {}
+
+    std::vector<EdgeWidth> parts()
+    {
+        constexpr int steps = 48, leastRun = 4;
+        std::vector<EdgeWidth> runs; // from the first to the last sample of one width
+        int length = 0;
+        for (int k = 1; k < steps; ++k) {
+            const double t = m_from + (m_to - m_from) * k / steps;
+            const auto width = at(t);
+            if (!width) {
+                length = 0;
+            } else if (length > 0 && std::abs(*width - m_last) <= alike) {
+                if (++length == leastRun)
+                    begin(runs, t - (leastRun - 1) * (m_to - m_from) / steps, *width);
+                if (length >= leastRun)
+                    runs.back().to = t;
+            } else {
+                length = 1;
+            }
+            m_last = width.value_or(m_last);
+        }
+        if (runs.empty())
+            runs.push_back({m_from, m_to, at((m_from + m_to) / 2).value_or(0)});
+        for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+            runs[i].to = runs[i + 1].from = change(runs[i], runs[i + 1]);
+        runs.front().from = m_from;
+        runs.back().to = m_to;
+        for (EdgeWidth& run : runs)
+            run.width = rounded(run.width);
+        return runs;
+    }
+
+private:
+    std::optional<double> at(double parameter) const
+    {
+        const double t = m_outline.wrapped(parameter);
+        const Vec2 along = m_outline.derivative(t);
+        return wayTo(m_cut, m_outline.at(t), Vec2(along.y(), -along.x()).normalized());
+    }
+
+    static void begin(std::vector<EdgeWidth>& runs, double from, double width)
+    {
+        if (runs.empty() || std::abs(runs.back().width - width) > alike)
+            runs.push_back({from, from, width});
+    }
+
+    /// Where the width leaves that of the first run.
+    double change(const EdgeWidth& first, const EdgeWidth& second) const
+    {
+        double low = first.to, high = second.from;
+        for (int k = 0; k < 30; ++k) {
+            const double middle = (low + high) / 2;
+            const double width = at(middle).value_or(second.width);
+            (std::abs(width - first.width) < std::abs(width - second.width) ? low : high) = middle;
+        }
+        return (low + high) / 2;
+    }
+
+    const BSpline2& m_outline;
+    const Contour& m_cut;
+    double m_from, m_to;
+    double m_last = 0;
+};
 
 /// Corners of the cut line as the one of five ways to join them that has its area.
 CornerJoin joinOf(const BSpline2& outline, const Contour& cut, const FoundAllowance& found)
@@ -89,10 +152,13 @@ FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut)
     const ArcLength2 length(outline);
     std::map<long long, double> lengths; // by width
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const double from = corners[i],
-                     to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + outline.period();
-        edges.push_back({from, outline.wrapped(to), widthOfEdge(outline, cut, from, to)});
-        lengths[std::llround(edges.back().width / alike)] += length.between(from, to);
+        const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + outline.period();
+        for (EdgeWidth& part : EdgeWidths(outline, cut, corners[i], to).parts()) {
+            lengths[std::llround(part.width / alike)] += length.between(part.from, part.to);
+            part.from = outline.wrapped(part.from);
+            part.to = outline.wrapped(part.to);
+            edges.push_back(part);
+        }
     }
     FoundAllowance found;
     double longest = -1;

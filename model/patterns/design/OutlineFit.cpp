@@ -13,11 +13,13 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double surelyCorner = 35 * degree;
-constexpr double kink = 8 * degree;
+constexpr double leastKink = 1.5 * degree;
+constexpr double roundedTo = 0.03;        // mm: what programs write
+constexpr double straightShare = 6;       // an edge that is so much longer than the next is no chord of a curve
 constexpr double coarsest = 0.6;          // mm: farther from its curve nobody writes a polygon
 constexpr double straight = 0.01;         // mm
 constexpr std::size_t mostSamples = 1200; // of one curve between two corners
-constexpr std::size_t fewestSamples = 24;
+constexpr std::size_t fewestSamples = 96;
 
 /// Turning angles and lengths along a line.
 class Bends {
@@ -42,25 +44,55 @@ public:
 
     bool isCorner(std::size_t i) const
     {
+        return isSureCorner(i) || (m_line.points[i].bend != Bend::Smooth && isKink(i));
+    }
+
+private:
+    /// Whatever the curve does beside it.
+    bool isSureCorner(std::size_t i) const
+    {
         const Bend bend = m_line.points[i].bend;
         if (!hasBend(i) || bend == Bend::Corner)
             return true;
         const double turn = std::abs(angle(i));
-        if (bend == Bend::Smooth)
-            return false;
-        if (turn > surelyCorner)
-            return true;
-        const std::size_t before = i + m_count - 1;
-        const double shorter = std::min(length(before), length(i));
-        if (shorter * turn / 8 > coarsest)
-            return true;
-        // A joint that turns much more than the curve beside it does.
-        const std::size_t neighbour = length(before) < length(i) ? before : i + 1;
-        const double beside = std::abs(angle(neighbour % m_count));
-        return turn > kink && turn > 3 * beside;
+        return bend != Bend::Smooth &&
+               (turn > surelyCorner || std::min(length(i + m_count - 1), length(i)) * turn / 8 > coarsest);
     }
 
-private:
+    /// A joint that turns otherwise than the curve beside it makes one expect. Its neighbours are surprised as
+    /// well, but less.
+    bool isKink(std::size_t i) const
+    {
+        const std::size_t before = (i + m_count - 1) % m_count, after = (i + 1) % m_count;
+        const double off = surprise(i);
+        return off > 0 && (isSureCorner(after) || off >= surprise(after)) &&
+               (isSureCorner(before) || off > surprise(before));
+    }
+
+    double surprise(std::size_t i) const
+    {
+        const std::size_t before = (i + m_count - 1) % m_count, after = (i + 1) % m_count;
+        const double a = length(before), b = length(i);
+        double curvature = 0;
+        int sides = 0;
+        if (!isSureCorner(before)) {
+            curvature += 2 * angle(before) / (length(before + m_count - 1) + a);
+            ++sides;
+        }
+        if (!isSureCorner(after)) {
+            curvature += 2 * angle(after) / (b + length(after));
+            ++sides;
+        }
+        double expected = sides == 0 ? 0 : curvature / sides * (std::min(a, 2 * b) + std::min(b, 2 * a)) / 2;
+        // A straight line that touches a curve turns by half of what the curve's next edge does.
+        if (std::max(a, b) > straightShare * std::min(a, b)) {
+            const std::size_t onCurve = a < b ? before : after;
+            expected = isSureCorner(onCurve) ? 0 : angle(onCurve) / 2;
+        }
+        const double off = std::abs(angle(i) - expected);
+        return off > leastKink + roundedTo / std::min(a, b) && off > 1.3 * std::abs(expected) ? off : 0;
+    }
+
     const Contour& m_line;
     std::size_t m_count;
 };
@@ -103,7 +135,7 @@ public:
         for (std::size_t i = m_first; i < m_last; ++i) {
             if ((i - m_first) % stride == 0)
                 add(samples, m_bends.at(i), at);
-            const auto parts = static_cast<int>(std::clamp(std::ceil(m_bends.length(i) / step), 1.0, 48.0));
+            const auto parts = static_cast<int>(std::clamp(std::ceil(m_bends.length(i) / step), 2.0, 64.0));
             for (int k = 1; k < parts; ++k)
                 add(samples, between(i, static_cast<double>(k) / parts), at + m_bends.length(i) * k / parts);
             at += m_bends.length(i);

@@ -101,11 +101,30 @@ private:
         return m_builder.add(std::move(fabric));
     }
 
+    /// Inwards from the cut line, or whatever is nearest.
+    static BSpline2::Closest sewnPlace(const BSpline2& outline, const FoundNotch& notch, const Vec2& origin)
+    {
+        const Vec2 at = notch.at - origin;
+        BSpline2::Closest place = outline.closest(at);
+        if (!notch.inwards || place.distance < 0.05)
+            return place;
+        // Along the ray, as far as the nearest point is and a little more.
+        for (int k = 0; k < 3; ++k) {
+            const Vec2 onRay = at + notch.inwards->dot(place.point - at) * *notch.inwards;
+            const BSpline2::Closest next = outline.closest(onRay);
+            if (next.distance > place.distance)
+                break;
+            place = next;
+        }
+        place.distance = (place.point - at).norm();
+        return place;
+    }
+
     void addMarks(ElementId id, const FoundPiece& piece, const BSpline2& outline, const Vec2& origin)
     {
         int lost = 0;
         for (const FoundNotch& notch : piece.notches) {
-            const BSpline2::Closest place = outline.closest(notch.at - origin);
+            const BSpline2::Closest place = sewnPlace(outline, notch, origin);
             if (place.distance > farFromOutline)
                 ++lost;
             else

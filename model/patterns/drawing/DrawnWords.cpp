@@ -119,25 +119,4 @@ std::pair<std::string, std::string> keyAndValue(std::string_view words)
     return {lowered(trimmed(words.substr(0, colon))), std::string(trimmed(words.substr(colon + 1)))};
 }
 
-std::string asciiWords(std::string_view utf8)
-{
-    std::string result;
-    std::uint32_t c = 0;
-    for (std::size_t i = 0; i < utf8.size();) {
-        const std::size_t length = utf8Character(utf8.substr(i), c);
-        i += std::max<std::size_t>(length, 1);
-        if (length == 1 && c >= 0x20 && c != 0x7F) {
-            result += static_cast<char>(c);
-        } else if (length > 1 && c < 0x10000) {
-            static constexpr const char* digits = "0123456789ABCDEF";
-            result += "\\U+";
-            for (const int shift : {12, 8, 4, 0})
-                result += digits[(c >> shift) & 15];
-        } else {
-            result += '_';
-        }
-    }
-    return result;
-}
-
 } // namespace bolster

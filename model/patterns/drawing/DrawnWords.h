@@ -14,7 +14,5 @@ std::string lowered(std::string_view text);
 std::string drawnWords(std::string_view raw);
 /// "Piece Name: Seat" is ("piece name", "Seat"); the first is empty where there is no colon.
 std::pair<std::string, std::string> keyAndValue(std::string_view words);
-/// The other way: ASCII, \U+ for all else.
-std::string asciiWords(std::string_view utf8);
 
 } // namespace bolster

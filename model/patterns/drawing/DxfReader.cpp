@@ -199,8 +199,11 @@ private:
     {
         m_limits.count(1);
         DrawnDot dot{layer, map * entity.point(10), entity.number(30), entity.number(39), {}};
-        if (entity.has(50))
-            dot.angle = entity.number(50);
+        if (entity.has(50)) {
+            const double angle = radians(entity.number(50));
+            const Vec2 way = map.linear() * Vec2(std::cos(angle), std::sin(angle));
+            dot.angle = std::atan2(way.y(), way.x()) * 180 / std::numbers::pi;
+        }
         part.dots.push_back(std::move(dot));
     }
 

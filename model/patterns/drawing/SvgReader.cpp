@@ -104,6 +104,12 @@ private:
         }
         SvgState state = outer;
         state.map = outer.map * svgTransform(element.attribute("transform"));
+        for (const auto& [attribute, key] : {std::pair{"data-piece", "Piece Name: "},
+                                             {"data-quantity", "Quantity: "},
+                                             {"data-fabric", "Fabric: "},
+                                             {"data-note", "Annotation: "}})
+            if (const std::string& value = element.attribute(attribute); !value.empty())
+                state.about.push_back(key + drawnWords(value));
         if (tag == "g" || tag == "svg" || tag == "a" || tag == "switch")
             group(element, std::move(state));
         else if (tag == "use")
@@ -128,12 +134,6 @@ private:
         const std::string& name = label.empty() ? element.attribute("id") : label;
         if (!name.empty())
             state.layer = drawnWords(name);
-        for (const auto& [attribute, key] : {std::pair{"data-piece", "Piece Name: "},
-                                             {"data-quantity", "Quantity: "},
-                                             {"data-fabric", "Fabric: "},
-                                             {"data-note", "Annotation: "}})
-            if (const std::string& value = element.attribute(attribute); !value.empty())
-                state.about.push_back(key + drawnWords(value));
         children(element, state);
     }
 

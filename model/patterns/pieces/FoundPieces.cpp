@@ -394,11 +394,11 @@ private:
             met += found;
             bends.push_back(bend);
         }
-        // Points of the other line, or of a grade: they say nothing of this one.
-        if (3 * met < line.points.size() && std::ranges::count(bends, Bend::Corner) < 3)
-            return;
+        // Where most are those of another line, the rest says nothing of this one.
+        const bool mine = 10 * met > 9 * line.points.size() || met == bends.size();
         for (std::size_t i = 0; i < bends.size(); ++i)
-            line.points[i].bend = bends[i];
+            if (mine || bends[i] == Bend::Corner)
+                line.points[i].bend = bends[i];
     }
 
     const DrawnPart& m_part;

@@ -13,6 +13,7 @@ struct FoundNotch {
     Vec2 at = Vec2::Zero(); ///< on the cut line, or near it
     NotchShape shape;
     bool twice = false;
+    std::optional<Vec2> inwards{}; ///< of length 1: from there to the sewing line
 };
 
 struct FoundHole {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bolster {
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double usualDepth = 4;    // mm
 constexpr double deepestNotch = 50; // mm
-constexpr double onOutline = 0.5;   // mm
+constexpr double onOutline = 1.5;   // mm: on a curve the two of a double notch are beside it
 
 double sensible(double size)
 {
@@ -52,6 +53,9 @@ FoundNotch notchOfDot(const DrawnDot& dot, double unit)
         notch.shape.depth = usualDepth;
     if (width > 1e-6)
         notch.shape.width = sensible(width);
+    if (dot.angle)
+        notch.inwards =
+            Vec2(std::cos(*dot.angle * std::numbers::pi / 180), std::sin(*dot.angle * std::numbers::pi / 180));
     return notch;
 }
 
@@ -60,20 +64,23 @@ std::optional<FoundNotch> notchOfLine(const Contour& line, const Contour& outlin
     std::vector<Vec2> p = line.places();
     if (line.closed || p.size() < 2 || p.size() > 40)
         return std::nullopt;
-    const auto isOn = [&](const Vec2& at) { return outline.distance(at) < onOutline; };
+    const double near = std::min(onOutline, 0.3 * line.box().sizes().norm());
+    const auto isOn = [&](const Vec2& at) { return outline.distance(at) < near; };
     if (!isOn(p.front()) && isOn(p.back()))
         std::ranges::reverse(p);
     if (!isOn(p.front()))
         return std::nullopt;
     FoundNotch notch;
-    const bool back = isOn(p.back());
-    if (p.size() == 2 || (p.size() == 4 && !back)) {
+    // The bar of a T lies across the end of its first line.
+    const bool bar = p.size() == 4 && ((p[2] + p[3]) / 2 - p[1]).norm() < 0.1 * (p[3] - p[2]).norm();
+    if (p.size() == 2 || bar) {
         const bool slit = p.size() == 2;
         notch.at = p[0];
         notch.shape.kind = slit ? NotchShape::Kind::Slit : NotchShape::Kind::T;
         notch.shape.depth = (p[1] - p[0]).norm();
         notch.shape.width = slit ? notch.shape.width : (p[3] - p[2]).norm();
-    } else if (back) {
+        notch.inwards = (p[1] - p[0]).normalized();
+    } else {
         notch.at = (p.front() + p.back()) / 2;
         notch.shape.kind = p.size() == 3   ? NotchShape::Kind::V
                            : p.size() == 4 ? NotchShape::Kind::Castle
@@ -82,10 +89,10 @@ std::optional<FoundNotch> notchOfLine(const Contour& line, const Contour& outlin
         const Vec2 along = (p.back() - p.front()).normalized();
         double deepest = 0;
         for (const Vec2& point : p)
-            deepest = std::max(deepest, std::abs(cross(along, Vec2(point - p.front()))));
-        notch.shape.depth = deepest;
-    } else {
-        return std::nullopt;
+            if (const double depth = cross(along, Vec2(point - p.front())); std::abs(depth) > std::abs(deepest))
+                deepest = depth;
+        notch.shape.depth = std::abs(deepest);
+        notch.inwards = std::copysign(1, deepest) * Vec2(-along.y(), along.x());
     }
     if (!(notch.shape.depth > 0.1) || notch.shape.depth > deepestNotch)
         return std::nullopt;

@@ -1,0 +1,199 @@
+// What is written is read again: outlines, notches, holes, grain, names, quantities, allowances.
+#include "CutPattern.h"
+#include "DesignCheck.h"
+#include "DesignJson.h"
+#include "DrawingReaders.h"
+#include "DxfWriter.h"
+#include "PatternDesign.h"
+#include "SvgWriter.h"
+#include "TestPaths.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+namespace bolster {
+
+namespace {
+
+enum class Format { Aama, Astm, Plain, Svg };
+
+Design sample(const std::string& name)
+{
+    std::ifstream file(test::samplesFolder() + "/" + name + "/" + name + ".json");
+    std::stringstream text;
+    text << file.rdbuf();
+    const ReadDesign read = readDesign(text.str());
+    EXPECT_TRUE(read.readable);
+    return read.design;
+}
+
+std::vector<ElementId> patchesOf(const Design& design)
+{
+    std::vector<ElementId> found;
+    design.each<Patch>([&](ElementId id, const Patch&) { found.push_back(id); });
+    return found;
+}
+
+/// The sample with all that a cutter may be told.
+Design withMarks(const Design& start)
+{
+    Design design = start;
+    const auto add = [&](auto value) {
+        design = design.with({{}, {{design.nextId(), nullptr, makeElement(std::move(value))}}});
+    };
+    const std::vector<ElementId> patches = patchesOf(design);
+    constexpr CornerJoin joins[] = {CornerJoin::Mitred, CornerJoin::Rounded, CornerJoin::Square};
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        Patch patch = *design.find<Patch>(patches[i]);
+        patch.cutting.quantity = static_cast<double>(1 + i % 3);
+        patch.cutting.pair = i % 2 == 1;
+        patch.allowance = CutAllowance{8.0 + static_cast<double>(i % 4), joins[i % 3]};
+        if (i == 1)
+            patch.name = "R\u00fcckenk\u00f6rper";
+        const BSpline2 outline = patch.outline;
+        design = design.with({{}, {{patches[i], nullptr, makeElement(std::move(patch))}}});
+        const std::vector<double> corners = outline.corners();
+        if (corners.size() > 1 && i % 2 == 0)
+            add(EdgeAllowance{{patches[i], corners[0], corners[1]}, i % 4 == 0 ? 20.0 : 0.0});
+        const Vec2 middle = outline.boundingBox().center();
+        add(DrillHole{"", {patches[i], middle}, 3.5});
+        constexpr NotchShape::Kind kinds[] = {NotchShape::Kind::Slit, NotchShape::Kind::V, NotchShape::Kind::T,
+                                              NotchShape::Kind::Castle, NotchShape::Kind::U};
+        for (int k = 0; k < 5; ++k)
+            add(Notch{{patches[i], outline.wrapped(outline.domainStart() + outline.period() * (0.1 + 0.19 * k))},
+                      {kinds[k], 5, 6},
+                      k == 1});
+        InternalLine line;
+        line.patch = patches[i];
+        line.curve = BSpline2(1, false, {middle + Vec2(-20, 10), middle + Vec2(20, 10), middle + Vec2(25, 20)});
+        line.use = i % 2 == 0 ? LineUse::Drawn : LineUse::Cut;
+        add(line);
+    }
+    return design;
+}
+
+Drawing written(const CutPattern& pattern, Format format)
+{
+    if (format == Format::Svg)
+        return readSvg(FileBytes(std::string_view(svgText(pattern, {}))));
+    const DxfStandard standard = format == Format::Aama   ? DxfStandard::Aama
+                                 : format == Format::Astm ? DxfStandard::Astm
+                                                          : DxfStandard::Plain;
+    return readDxf(FileBytes(std::string_view(dxfText(pattern, {standard, {}, {}, {}}))));
+}
+
+/// From an outline to where it was before: pieces are moved and turned on the cutting table.
+class Alignment2 {
+public:
+    Alignment2(const Patch& from, const Patch& to)
+    {
+        m_turn = Eigen::Rotation2Dd((to.grain - from.grain) * std::numbers::pi / 180);
+        // The middles of the areas, of fine polygons.
+        m_from = middle(from.outline);
+        m_to = middle(to.outline);
+    }
+    Vec2 operator()(const Vec2& at) const { return m_to + m_turn * (at - m_from); }
+
+private:
+    static Vec2 middle(const BSpline2& outline)
+    {
+        constexpr int count = 20000;
+        Vec2 sum = Vec2::Zero();
+        double area = 0;
+        for (int i = 0; i < count; ++i) {
+            const Vec2 a = outline.at(outline.wrapped(outline.domainStart() + outline.period() * i / count));
+            const Vec2 b = outline.at(outline.wrapped(outline.domainStart() + outline.period() * (i + 1) / count));
+            sum += cross(a, b) / 3 * (a + b);
+            area += cross(a, b);
+        }
+        return sum / area;
+    }
+
+    Eigen::Rotation2Dd m_turn{0};
+    Vec2 m_from, m_to;
+};
+
+double farthest(const BSpline2& from, const BSpline2& to, const Alignment2& place)
+{
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 at = from.at(from.wrapped(from.domainStart() + from.period() * i / 1000));
+        worst = std::max(worst, to.closest(place(at)).distance);
+    }
+    return worst;
+}
+
+class RoundTrip : public testing::TestWithParam<std::tuple<std::string, Format>> {};
+
+TEST_P(RoundTrip, KeepsWhatACutterIsTold)
+{
+    const auto& [name, format] = GetParam();
+    const Design design = withMarks(sample(name));
+    CutOptions options;
+    options.faceUp = false;
+    const CutPattern pattern = cutPattern(design, options);
+    const Drawing drawing = written(pattern, format);
+    EXPECT_TRUE(drawing.unknown.empty()) << drawing.unknown.begin()->first;
+    const FoundPattern found = findPieces(drawing, {1, "", 0});
+    EXPECT_TRUE(found.open.empty());
+    const ImportedPattern imported = patternEdit(Design(), found);
+    for (const Message& note : imported.notes)
+        ADD_FAILURE() << note.english();
+    const Design again = Design().with(imported.edit);
+    ASSERT_EQ(imported.patches.size(), pattern.pieces.size());
+    const CutPattern cutAgain = cutPattern(again, options);
+
+    for (std::size_t i = 0; i < cutAgain.pieces.size(); ++i) {
+        const CutPiece& after = cutAgain.pieces[i];
+        const auto original = std::ranges::find(pattern.pieces, after.name, &CutPiece::name);
+        ASSERT_NE(original, pattern.pieces.end()) << after.name;
+        SCOPED_TRACE(after.name);
+        const CutPiece& before = *original;
+        EXPECT_EQ(after.quantity, before.quantity);
+        EXPECT_EQ(after.pair, before.pair);
+        EXPECT_EQ(after.fabricName, before.fabricName);
+        const Patch &old = *design.find<Patch>(before.patch), &now = *again.find<Patch>(after.patch);
+        const Alignment2 place(now, old);
+        EXPECT_LT(farthest(now.outline, old.outline, place), 0.05);
+        EXPECT_NEAR(areaOf(after.cut), areaOf(before.cut), 1e-4 * areaOf(before.cut))
+            << static_cast<int>(now.allowance->corner) << " " << now.allowance->width;
+        EXPECT_NEAR(areaOf(after.sew), areaOf(before.sew), 1e-4 * areaOf(before.sew));
+        ASSERT_EQ(after.notches.size(), before.notches.size());
+        for (const CutNotch& notch : after.notches) {
+            double nearest = 1e9;
+            const CutNotch* same = nullptr;
+            for (const CutNotch& other : before.notches)
+                if (const double off = (place(notch.sewn) - other.sewn).norm(); off < nearest) {
+                    nearest = off;
+                    same = &other;
+                }
+            EXPECT_LT(nearest, 0.1);
+            EXPECT_EQ(notch.shape.kind, same->shape.kind);
+            EXPECT_NEAR(notch.shape.depth, same->shape.depth, 0.01);
+            EXPECT_EQ(notch.twice, same->twice);
+        }
+        ASSERT_EQ(after.holes.size(), 1u);
+        EXPECT_LT((place(after.holes[0].at) - before.holes[0].at).norm(), 0.01);
+        EXPECT_NEAR(after.holes[0].diameter, 3.5, 1e-3);
+        ASSERT_EQ(after.inner.size(), before.inner.size());
+        EXPECT_NEAR(lengthOf(after.inner[0].points, false), lengthOf(before.inner[0].points, false), 0.02);
+    }
+}
+
+std::string caseName(const testing::TestParamInfo<std::tuple<std::string, Format>>& tested)
+{
+    constexpr const char* words[] = {"Aama", "Astm", "Plain", "Svg"};
+    return (std::get<0>(tested.param) == "armchair" ? std::string("Armchair") : std::string("CarSeat"))
+        .append(words[static_cast<int>(std::get<1>(tested.param))]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, RoundTrip,
+                         testing::Combine(testing::Values("car-seat", "armchair"),
+                                          testing::Values(Format::Aama, Format::Astm, Format::Plain, Format::Svg)),
+                         caseName);
+
+} // namespace
+} // namespace bolster
