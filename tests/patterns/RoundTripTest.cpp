@@ -1,34 +1,21 @@
 // What is written is read again: outlines, notches, holes, grain, names, quantities, allowances.
 #include "CutPattern.h"
 #include "DesignCheck.h"
-#include "DesignJson.h"
 #include "DrawingReaders.h"
 #include "DxfWriter.h"
+#include "ImportedDesigns.h"
 #include "PatternDesign.h"
 #include "SvgWriter.h"
-#include "TestPaths.h"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 namespace bolster {
 
 namespace {
 
 enum class Format { Aama, Astm, Plain, Svg };
-
-Design sample(const std::string& name)
-{
-    std::ifstream file(test::samplesFolder() + "/" + name + "/" + name + ".json");
-    std::stringstream text;
-    text << file.rdbuf();
-    const ReadDesign read = readDesign(text.str());
-    EXPECT_TRUE(read.readable);
-    return read.design;
-}
 
 std::vector<ElementId> patchesOf(const Design& design)
 {
@@ -131,7 +118,7 @@ class RoundTrip : public testing::TestWithParam<std::tuple<std::string, Format>>
 TEST_P(RoundTrip, KeepsWhatACutterIsTold)
 {
     const auto& [name, format] = GetParam();
-    const Design design = withMarks(sample(name));
+    const Design design = withMarks(test::sampleDesign(name));
     CutOptions options;
     options.faceUp = false;
     const CutPattern pattern = cutPattern(design, options);

@@ -1,0 +1,29 @@
+// Which edges of a pattern seem to belong together.
+#pragma once
+
+#include "Design.h"
+
+#include <stop_token>
+
+namespace bolster {
+
+/// Two free edges, each from one corner to the next, or to where something else begins.
+struct SeamProposal {
+    Stretch a;
+    Stretch b;
+    bool reversed = true;
+    double lengthA = 0; ///< mm
+    double lengthB = 0;
+    double certainty = 0; ///< 0 to 1: how much better it fits than anything else that either edge could be sewn to
+};
+
+/// The most certain first; no edge is in two of them. Edges that are sewn or fixed already are left alone, and tell
+/// where their neighbours belong. What speaks for a pair: lengths, corners that close when all of their edges are
+/// sewn, notches at the same places, words like "left" in the names, bends that follow each other. Nothing when
+/// asked to stop.
+std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop = {});
+
+/// All of these seams as one edit.
+Edit sewProposals(const Design& design, const std::vector<SeamProposal>& proposals);
+
+} // namespace bolster
