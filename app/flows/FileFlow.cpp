@@ -2,6 +2,7 @@
 
 #include "Ask.h"
 #include "Banner.h"
+#include "PatternImport.h"
 #include "RecentFiles.h"
 #include "Samples.h"
 #include "Translated.h"
@@ -212,7 +213,8 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return DesignSession::isDesign(file) || is(FileKind::Mesh, file) || is(FileKind::Cloud, file);
+    return DesignSession::isDesign(file) || is(FileKind::Mesh, file) || is(FileKind::Cloud, file) ||
+           patternFileEndings().contains(QFileInfo(file).suffix().toLower());
 }
 
 void FileFlow::drop(const QString& file)
@@ -221,6 +223,8 @@ void FileFlow::drop(const QString& file)
         importFrame(file); // a PLY too: a mesh is dropped more often than a scan
     else if (is(FileKind::Cloud, file))
         importScan(file);
+    else if (patternFileEndings().contains(QFileInfo(file).suffix().toLower()))
+        importPattern(file);
     else
         open(file);
 }

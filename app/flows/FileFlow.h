@@ -19,6 +19,9 @@ class QWidget;
 namespace bolster {
 
 class Banner;
+struct Drawing;
+struct FoundPattern;
+struct PatternChoice;
 struct PatternOrder;
 struct Salvaged;
 
@@ -46,6 +49,8 @@ public:
     /// Ask for file, unit and axis.
     void importFrame(const QString& path = {});
     void importScan(const QString& path = {});
+    /// Shows the pieces of a pattern file, and adds those that are wanted.
+    void importPattern(const QString& path = {});
     /// The same for an element that is there.
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
@@ -69,6 +74,8 @@ signals:
     void done(const QString& what);
     /// A frame or a scan is in the design now.
     void imported(bolster::FileKind kind);
+    /// A pattern is: of these patches.
+    void patternImported(const std::vector<bolster::ElementId>& patches);
     /// Something in the pattern shall be seen: in outline coordinates, mm.
     void placeWanted(bolster::ElementId element, bolster::ElementId patch, const bolster::Vec2& place);
     /// The user wants to see what is wrong.
@@ -115,6 +122,11 @@ private:
     template <class T>
     void import(const T& element, const QString& title, const QString& filter, const QString& path);
     void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
+    void choosePieces(const QString& path, const Drawing& drawing);
+    void addPattern(const QString& path, const std::shared_ptr<const FoundPattern>& pattern,
+                    const PatternChoice& choice);
+    template <class Result, class Read, class Done>
+    void readInBackground(const QString& path, Read read, Done done);
     void place(const QString& path, const FileContent& content, const Element& element,
                std::optional<ElementId> replaced);
     void exportPatternTo(const QString& path, const PatternOrder& order);

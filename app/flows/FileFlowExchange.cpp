@@ -4,7 +4,10 @@
 #include "ExportPatternDialog.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
+#include "ImportPatternDialog.h"
+#include "PatternImport.h"
 #include "SurfaceExport.h"
+#include "Translated.h"
 #include "WholeFile.h"
 
 #include <QBuffer>
@@ -73,7 +76,9 @@ void FileFlow::import(const T& element, const QString& title, const QString& fil
         take(path);
 }
 
-void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
+/// Reads with progress that can be cancelled; `done` gets what was read unless it was.
+template <class Result, class Read, class Done>
+void FileFlow::readInBackground(const QString& path, Read read, Done done)
 {
     constexpr int steps = 100;
     const auto [progress, bar] =
@@ -81,23 +86,92 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
-    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar)](double done) {
-        const int step = static_cast<int>(done * steps);
+    const auto report = [this, shown = std::make_shared<int>(0), bar = QPointer(bar)](double share) {
+        const int step = static_cast<int>(share * steps);
         if (step > std::exchange(*shown, step))
             QMetaObject::invokeMethod(this, [bar, step] { return bar ? bar->setValue(step) : void(); });
     };
-    inBackground<ImportedFile>([kind = fileKind(element), path, watch = ImportWatch{stop.get_token(), report}] {
-        return importFile(kind, path, watch);
-    }).then(this, [this, path, element, replaced, progress = QPointer(progress)](const ImportedFile& imported) {
+    inBackground<Result>([read, watch = ImportWatch{stop.get_token(), report, {}}] {
+        return read(watch);
+    }).then(this, [done, progress = QPointer(progress)](const Result& result) {
         const bool cancelled = !progress || progress->wasCanceled();
         closeProgress(progress);
-        if (cancelled)
-            return;
-        if (imported.content)
-            place(path, imported.content, element, replaced);
-        else if (!imported.problem.empty())
-            failImport(path, imported.problem);
+        if (!cancelled)
+            done(result);
     });
+}
+
+void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
+{
+    readInBackground<ImportedFile>(
+        path, [kind = fileKind(element), path](const ImportWatch& watch) { return importFile(kind, path, watch); },
+        [this, path, element, replaced](const ImportedFile& imported) {
+            if (imported.content)
+                place(path, imported.content, element, replaced);
+            else if (!imported.problem.empty())
+                failImport(path, imported.problem);
+        });
+}
+
+void FileFlow::importPattern(const QString& path)
+{
+    if (path.isEmpty()) {
+        QStringList endings;
+        for (const QString& ending : patternFileEndings())
+            endings << QStringLiteral("*.") + ending << QStringLiteral("*.") + ending.toUpper();
+        askForFile(m_window, tr("Import pattern"), startFolder(), tr("Patterns (%1)").arg(endings.join(u' ')),
+                   [this](const QString& file) { importPattern(file); });
+        return;
+    }
+    readInBackground<ImportedDrawing>(
+        path, [path](const ImportWatch& watch) { return importDrawing(path, watch); },
+        [this, path](const ImportedDrawing& imported) {
+            if (imported.drawing)
+                choosePieces(path, *imported.drawing);
+            else if (!imported.problem.empty())
+                failImport(path, imported.problem);
+        });
+}
+
+void FileFlow::choosePieces(const QString& path, const Drawing& drawing)
+{
+    auto* dialog = new ImportPatternDialog(drawing, path, m_window);
+    connect(dialog, &QDialog::accepted, this, [this, path, dialog] {
+        if (const auto pattern = dialog->pattern())
+            addPattern(path, pattern, dialog->choice());
+    });
+    openDialog(dialog);
+}
+
+/// Curves are fitted in the background, to the design as it is then: an edit that comes in between is kept.
+void FileFlow::addPattern(const QString& path, const std::shared_ptr<const FoundPattern>& pattern,
+                          const PatternChoice& choice)
+{
+    const Design design = m_session.document().design();
+    readInBackground<ImportedPattern>(
+        path, [design, pattern, choice](const ImportWatch&) { return patternEdit(design, *pattern, choice); },
+        [this, path, design, pattern, choice](const ImportedPattern& imported) {
+            Document& document = m_session.document();
+            document.cancelGesture();
+            if (!(document.design() == design)) {
+                addPattern(path, pattern, choice);
+                return;
+            }
+            QStringList notes;
+            for (const Message& note : imported.notes)
+                notes << asSentence(translated(note));
+            if (imported.edit.empty()) {
+                failImport(path, imported.notes.empty()
+                                     ? Message{QT_TRANSLATE_NOOP("Message", "there is no piece in it"), {}}
+                                     : imported.notes.front());
+                return;
+            }
+            document.commit(imported.edit);
+            emit patternImported(imported.patches);
+            if (!notes.isEmpty())
+                tell(m_window, QMessageBox::Information, tr("Not all of the pattern could be taken."),
+                     notes.mid(0, 12).join(u'\n'));
+        });
 }
 
 void FileFlow::place(const QString& path, const FileContent& content, const Element& element,

@@ -4,6 +4,7 @@
 #include "Docks.h"
 #include "Document.h"
 #include "SeamEdits.h"
+#include "SeamProposalsWindow.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 
@@ -20,6 +21,18 @@ SewingCommands::SewingCommands(Commands& commands, Document& document, Selection
     addSides(commands);
     addContinuities(commands);
     addMatches(commands);
+    commands.add({.id = "seam.propose",
+                  .text = tr("P&ropose seams \u2026"),
+                  .icon = "sew",
+                  .keys = {Qt::CTRL | Qt::ALT | Qt::Key_W},
+                  .places = {"seam/5"},
+                  .enabled =
+                      [this] {
+                          int patches = 0;
+                          m_document.design().each<Patch>([&](ElementId, const Patch&) { ++patches; });
+                          return patches > 0;
+                      },
+                  .does = [this, window = docks.seams->window()] { propose(window); }});
     commands.add({.id = "seam.list",
                   .formerly = "show-seam-list",
                   .text = tr("Show seam li&st"),
@@ -105,6 +118,17 @@ void SewingCommands::addMatches(Commands& commands)
                       .does = editing([value = row.match](const Design& design, const Seams& chosen) {
                           return edits::setMatch(design, chosen, value);
                       })});
+}
+
+/// One window of it, beside the views.
+void SewingCommands::propose(QWidget* window)
+{
+    if (!m_proposals) {
+        m_proposals = new SeamProposalsWindow(m_document, m_selection, window);
+        m_proposals->show();
+    }
+    m_proposals->raise();
+    m_proposals->activateWindow();
 }
 
 SewingCommands::Seams SewingCommands::seams() const

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QObject>
+#include <QPointer>
 
 #include <functional>
 #include <vector>
@@ -19,6 +20,7 @@ class Design;
 class Docks;
 class Document;
 struct Edit;
+class SeamProposalsWindow;
 class Selection;
 
 class SewingCommands : public QObject {
@@ -36,6 +38,7 @@ private:
     void addSides(Commands& commands);
     void addContinuities(Commands& commands);
     void addMatches(Commands& commands);
+    void propose(QWidget* window);
     Seams seams() const;
     bool all(const std::function<bool(const Seam&)>& has) const;
     /// A command that edits the selected seams.
@@ -43,6 +46,7 @@ private:
 
     Document& m_document;
     Selection& m_selection;
+    QPointer<SeamProposalsWindow> m_proposals; ///< while it is open
 };
 
 } // namespace bolster

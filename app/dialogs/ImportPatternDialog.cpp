@@ -1,0 +1,295 @@
+#include "ImportPatternDialog.h"
+
+#include "FoundPiecesView.h"
+#include "NumberBox.h"
+#include "Units.h"
+#include "ViewColors.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace bolster {
+
+namespace {
+
+constexpr std::array unitSizes{1.0, 10.0, 25.4, 1000.0}; // mm
+
+Vec2 largestPiece(const FoundPattern& pattern)
+{
+    Vec2 largest = Vec2::Zero();
+    for (const FoundPiece& piece : pattern.pieces)
+        if (const Vec2 size = piece.cut.box().sizes(); size.maxCoeff() > largest.maxCoeff())
+            largest = size;
+    return largest;
+}
+
+} // namespace
+
+ImportPatternDialog::ImportPatternDialog(Drawing drawing, const QString& file, QWidget* parent)
+    : QDialog(parent)
+    , m_drawing(std::make_shared<const Drawing>(std::move(drawing)))
+    , m_job(
+          [drawing = m_drawing](const PieceOrder& order,
+                                const std::stop_token&) -> std::shared_ptr<const FoundPattern> {
+              return std::make_shared<const FoundPattern>(findPieces(*drawing, order));
+          },
+          [this](std::shared_ptr<const FoundPattern> pattern) { showPattern(std::move(pattern)); })
+{
+    setWindowTitle(tr("Import pattern"));
+    build(file);
+    guessUnit();
+    changed();
+}
+
+void ImportPatternDialog::build(const QString& file)
+{
+    m_view = new FoundPiecesView(this);
+    m_odd = new QLabel(this);
+    m_odd->setWordWrap(true);
+    m_odd->setObjectName(QStringLiteral("odd"));
+    auto* left = new QVBoxLayout;
+    left->addWidget(m_view, 1);
+    left->addWidget(m_odd);
+
+    m_pieces = new QListWidget(this);
+    m_pieces->setAccessibleName(tr("Pieces"));
+    m_pieces->setObjectName(QStringLiteral("pieces"));
+    auto* pieces = new QGroupBox(tr("Pieces"), this);
+    (new QVBoxLayout(pieces))->addWidget(m_pieces);
+    auto* right = new QVBoxLayout;
+    auto* about = new QLabel(QStringLiteral("<b>%1</b>").arg(QFileInfo(file).fileName().toHtmlEscaped()), this);
+    right->addWidget(about);
+    right->addWidget(buildChoices());
+    right->addWidget(pieces, 1);
+    auto* top = new QHBoxLayout;
+    top->addLayout(left, 1);
+    top->addLayout(right);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_import = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+    m_import->setDefault(true);
+    m_import->setEnabled(false);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_pieces, &QListWidget::itemChanged, this, &ImportPatternDialog::choose);
+    connect(m_pieces, &QListWidget::currentRowChanged, this, &ImportPatternDialog::choose);
+    connect(m_view, &FoundPiecesView::pressed, m_pieces, [this](int piece) { m_pieces->setCurrentRow(piece); });
+    auto* all = new QVBoxLayout(this);
+    all->addLayout(top, 1);
+    all->addWidget(buttons);
+}
+
+QWidget* ImportPatternDialog::buildChoices()
+{
+    m_unit = new QComboBox(this);
+    m_unit->setObjectName(QStringLiteral("unit"));
+    m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Inches"), tr("Metres")});
+    m_measures = new QLabel(this);
+    m_measures->setObjectName(QStringLiteral("measures"));
+    QFont large = m_measures->font();
+    large.setWeight(QFont::DemiBold);
+    m_measures->setFont(large);
+    m_size = new QComboBox(this);
+    m_size->setObjectName(QStringLiteral("size"));
+    m_lines = new QComboBox(this);
+    m_lines->setObjectName(QStringLiteral("lines"));
+    m_lines->addItems({tr("Sewing lines, with allowances"), tr("Cut lines, without allowance")});
+    m_lines->setToolTip(tr("What the outlines of patches become where the file has both lines."));
+    m_gap = new NumberBox({tr(" mm"), 2, 0, 1000, 1}, this);
+    m_gap->setObjectName(QStringLiteral("gap"));
+    m_gap->setToolTip(tr("Outlines whose ends are no farther apart are closed by a straight line."));
+
+    auto* group = new QGroupBox(tr("File"), this);
+    auto* form = new QFormLayout(group);
+    form->addRow(tr("&Unit of the file"), m_unit);
+    form->addRow(tr("Largest piece"), m_measures);
+    form->addRow(tr("&Size"), m_size);
+    form->addRow(tr("&Outlines"), m_lines);
+    form->addRow(tr("&Close gaps up to"), m_gap);
+    connect(m_unit, &QComboBox::activated, this, &ImportPatternDialog::changed);
+    connect(m_size, &QComboBox::activated, this, &ImportPatternDialog::changed);
+    connect(m_gap, &NumberBox::entered, this, &ImportPatternDialog::changed);
+    return group;
+}
+
+/// Programs mean different things by "METRIC": what was chosen for the same program before is right again.
+QString ImportPatternDialog::product() const
+{
+    for (const std::string& words : m_drawing->texts)
+        if (words.starts_with("Product:") || words.starts_with("PRODUCT:"))
+            return QString::fromStdString(words.substr(8)).trimmed().left(80).replace(u'/', u'-');
+    return {};
+}
+
+void ImportPatternDialog::guessUnit()
+{
+    double unit = guessedUnit(*m_drawing);
+    if (const QString program = product(); !m_drawing->unit && !program.isEmpty())
+        unit = QSettings().value(QStringLiteral("import/unit/") + program, unit).toDouble();
+    const auto found =
+        std::ranges::find_if(unitSizes, [&](double size) { return std::abs(size - unit) < 1e-6 * size; });
+    if (found == unitSizes.end())
+        m_unit->addItem(tr("%1 mm").arg(QLocale().toString(unit)));
+    m_unit->setCurrentIndex(static_cast<int>(found - unitSizes.begin()));
+    if (found == unitSizes.end())
+        m_unit->setItemData(m_unit->count() - 1, unit);
+    for (std::size_t i = 0; i < unitSizes.size(); ++i)
+        m_unit->setItemData(static_cast<int>(i), unitSizes[i]);
+}
+
+PieceOrder ImportPatternDialog::order() const
+{
+    return {m_unit->currentData().toDouble(), m_size->currentText().toStdString(), m_gap->value()};
+}
+
+void ImportPatternDialog::changed()
+{
+    m_import->setEnabled(false);
+    m_job.request(order());
+}
+
+void ImportPatternDialog::showPattern(std::shared_ptr<const FoundPattern> pattern)
+{
+    m_pattern = std::move(pattern);
+    m_unitShown = m_unit->currentData().toDouble();
+    showSizes();
+    showUnits();
+    showPieces();
+    tellWhatIsOdd();
+    choose();
+}
+
+void ImportPatternDialog::showSizes()
+{
+    if (m_size->count() > 0 || m_pattern->sizes.empty()) {
+        m_size->setEnabled(m_size->count() > 1);
+        return;
+    }
+    for (const std::string& size : m_pattern->sizes)
+        m_size->addItem(QString::fromStdString(size));
+    m_size->setCurrentText(QString::fromStdString(m_pattern->sampleSize));
+    m_size->setEnabled(m_size->count() > 1);
+}
+
+/// Each unit with the measures that it would give.
+void ImportPatternDialog::showUnits()
+{
+    const Vec2 size = largestPiece(*m_pattern);
+    const auto measures = [&](double unit) {
+        const Vec2 now = size * (unit / m_unitShown);
+        return tr("%1 \u00d7 %2 mm").arg(decimalText(now.x(), 0, false), decimalText(now.y(), 0, false));
+    };
+    const QStringList names{tr("Millimetres"), tr("Centimetres"), tr("Inches"), tr("Metres")};
+    for (int i = 0; i < names.size(); ++i)
+        m_unit->setItemText(i, size.maxCoeff() > 0
+                                   ? tr("%1: %2").arg(names[i], measures(unitSizes[static_cast<std::size_t>(i)]))
+                                   : names[i]);
+    m_measures->setText(measures(m_unitShown));
+    const bool odd = size.maxCoeff() > 0 && (size.maxCoeff() < 100 || size.maxCoeff() > 5000);
+    QPalette colors = palette();
+    if (odd)
+        colors.setColor(QPalette::WindowText, ViewColors::of(colors).error);
+    m_measures->setPalette(colors);
+}
+
+void ImportPatternDialog::showPieces()
+{
+    const QSignalBlocker quiet(m_pieces);
+    std::set<QString> unchecked;
+    for (int row = 0; row < m_pieces->count(); ++row)
+        if (m_pieces->item(row)->checkState() == Qt::Unchecked)
+            unchecked.insert(m_pieces->item(row)->data(Qt::UserRole).toString());
+    m_pieces->clear();
+    for (const FoundPiece& piece : m_pattern->pieces) {
+        const QString name = QString::fromStdString(piece.name);
+        const Vec2 size = piece.cut.box().sizes();
+        QString text = tr("%1 \u2013 %2 \u00d7 %3 mm")
+                           .arg(name, decimalText(size.x(), 0, false), decimalText(size.y(), 0, false));
+        if (piece.pair)
+            text += tr(", %n pairs", nullptr, piece.quantity);
+        else if (piece.quantity > 1)
+            text += tr(", %n times", nullptr, piece.quantity);
+        auto* item = new QListWidgetItem(text, m_pieces);
+        item->setData(Qt::UserRole, name);
+        item->setCheckState(unchecked.contains(name) ? Qt::Unchecked : Qt::Checked);
+    }
+}
+
+/// Nothing is left out silently.
+void ImportPatternDialog::tellWhatIsOdd()
+{
+    QStringList lines;
+    if (!m_pattern->open.empty()) {
+        double gap = 0;
+        for (const Contour& line : m_pattern->open)
+            gap = std::max(gap, line.gap);
+        lines << tr("%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are "
+                    "outlines.",
+                    nullptr, static_cast<int>(m_pattern->open.size()))
+                     .arg(QLocale().toString(gap, 'f', gap < 10 ? 2 : 0));
+    }
+    if (m_pattern->doubled > 0)
+        lines << tr("%n lines lay twice on themselves and are taken once.", nullptr, m_pattern->doubled);
+    if (!m_drawing->unknown.empty()) {
+        QStringList names;
+        for (const auto& [name, count] : m_drawing->unknown)
+            names << QStringLiteral("%1 \u00d7 %2").arg(QLocale().toString(count), QString::fromStdString(name));
+        constexpr int most = 8;
+        const QString more = names.size() > most ? QStringLiteral(" \u2026") : QString();
+        lines << tr("Not read: %1").arg(names.mid(0, most).join(QStringLiteral(", ")) + more);
+    }
+    if (m_pattern->ignored > 0)
+        lines << tr("%n marks of grading, stripes or nothing that is known are left out.", nullptr,
+                    m_pattern->ignored);
+    if (!m_drawing->unit && !m_pattern->pieces.empty())
+        lines << tr("The file does not say its unit for certain: look at the measures.");
+    m_odd->setText(lines.join(u'\n'));
+    m_odd->setVisible(!lines.isEmpty());
+}
+
+std::set<std::size_t> ImportPatternDialog::chosen() const
+{
+    std::set<std::size_t> found;
+    for (int row = 0; row < m_pieces->count(); ++row)
+        if (m_pieces->item(row)->checkState() == Qt::Checked)
+            found.insert(static_cast<std::size_t>(row));
+    return found;
+}
+
+void ImportPatternDialog::choose()
+{
+    m_view->show(m_pattern, chosen(), m_pieces->currentRow());
+    const bool sews = m_pattern && std::ranges::any_of(m_pattern->pieces, [](const FoundPiece& piece) {
+                          return piece.sew.has_value();
+                      });
+    m_lines->setEnabled(sews);
+    m_import->setEnabled(m_pattern && !chosen().empty());
+}
+
+PatternChoice ImportPatternDialog::choice() const
+{
+    return {m_lines->currentIndex() == 1 ? PatternLines::Cut : PatternLines::Sew, chosen()};
+}
+
+void ImportPatternDialog::accept()
+{
+    if (const QString program = product(); !program.isEmpty())
+        QSettings().setValue(QStringLiteral("import/unit/") + program, m_unit->currentData().toDouble());
+    QDialog::accept();
+}
+
+} // namespace bolster

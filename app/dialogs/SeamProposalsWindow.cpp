@@ -1,0 +1,125 @@
+#include "SeamProposalsWindow.h"
+
+#include "ElementText.h"
+#include "Units.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace bolster {
+
+SeamProposalsWindow::SeamProposalsWindow(Document& document, Selection& selection, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_job(
+          [](const Wanted& wanted, const std::stop_token& stop) {
+              return Found{wanted.number, proposeSeams(wanted.design, stop)};
+          },
+          [this](const Found& found) {
+              if (found.number == m_asked)
+                  showProposals(found.proposals);
+          })
+{
+    setWindowTitle(tr("Proposed seams"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    build();
+    connect(&m_document, &Document::historyChanged, this, &SeamProposalsWindow::look);
+    look();
+}
+
+void SeamProposalsWindow::build()
+{
+    m_list = new QTreeWidget(this);
+    m_list->setRootIsDecorated(false);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setUniformRowHeights(true);
+    m_list->setHeaderLabels({tr("Edge of"), tr("to edge of"), tr("Lengths"), tr("Certainty")});
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_list->setAccessibleName(tr("Proposed seams"));
+    m_list->setToolTip(tr("Select rows to see their edges in the pattern; Enter or a double click sews them."));
+    m_hint = new QLabel(this);
+    m_hint->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_sew = buttons->addButton(tr("&Sew selected"), QDialogButtonBox::ActionRole);
+    m_sewAll = buttons->addButton(tr("Sew &all"), QDialogButtonBox::ActionRole);
+    m_sew->setDefault(true);
+    connect(m_sew, &QPushButton::clicked, this, &SeamProposalsWindow::sewSelected);
+    connect(m_sewAll, &QPushButton::clicked, this, [this] { sew(m_proposals); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &SeamProposalsWindow::selectEdges);
+    connect(m_list, &QTreeWidget::itemActivated, this, &SeamProposalsWindow::sewSelected);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_hint);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    resize(640, 460);
+}
+
+void SeamProposalsWindow::look()
+{
+    m_sew->setEnabled(false);
+    m_sewAll->setEnabled(false);
+    m_hint->setText(tr("Looking for edges that belong together \u2026"));
+    m_job.request({++m_asked, m_document.design()}, true);
+}
+
+void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposals)
+{
+    m_proposals = proposals;
+    m_list->clear();
+    const Design& design = m_document.design();
+    for (const SeamProposal& proposal : proposals)
+        new QTreeWidgetItem(
+            m_list, {displayName(design, proposal.a.patch), displayName(design, proposal.b.patch),
+                     tr("%1 and %2 mm")
+                         .arg(decimalText(proposal.lengthA, 0, false), decimalText(proposal.lengthB, 0, false)),
+                     tr("%1 %").arg(QLocale().toString(qRound(100 * proposal.certainty)))});
+    m_hint->setText(
+        proposals.empty()
+            ? tr("There are no free edges that seem to belong together.")
+            : tr("By their lengths, the corners that would close, names and directions; the most certain "
+                 "first. Look at each in the pattern before you sew it."));
+    m_sewAll->setEnabled(!proposals.empty());
+    if (m_list->topLevelItemCount() > 0)
+        m_list->setCurrentItem(m_list->topLevelItem(0));
+}
+
+std::vector<SeamProposal> SeamProposalsWindow::selected() const
+{
+    std::vector<SeamProposal> found;
+    for (int row = 0; row < m_list->topLevelItemCount(); ++row)
+        if (m_list->topLevelItem(row)->isSelected())
+            found.push_back(m_proposals[static_cast<std::size_t>(row)]);
+    return found;
+}
+
+void SeamProposalsWindow::selectEdges()
+{
+    const std::vector<SeamProposal> rows = selected();
+    m_sew->setEnabled(!rows.empty());
+    Selection::Edges edges;
+    for (const SeamProposal& row : rows)
+        for (const Stretch& stretch : {row.a, row.b})
+            edges.push_back({stretch.patch, stretch});
+    m_selection.set({}, {}, std::move(edges));
+}
+
+void SeamProposalsWindow::sewSelected()
+{
+    sew(selected());
+}
+
+void SeamProposalsWindow::sew(const std::vector<SeamProposal>& proposals)
+{
+    m_document.cancelGesture();
+    if (const Edit edit = sewProposals(m_document.design(), proposals); !edit.empty())
+        m_document.commit(edit);
+}
+
+} // namespace bolster
