@@ -131,8 +131,10 @@ void FoundPiecesView::paintEvent(QPaintEvent*)
         const Vec2 middle = piece.cut.box().center() + m_offsets[i];
         painter.setPen(marked ? palette().color(QPalette::HighlightedText) : line);
         const QPointF place = map.map(QPointF(middle.x(), middle.y()));
-        const QRectF room(place.x() - 80, place.y() - 20, 160, 40);
-        painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, QString::fromStdString(piece.name));
+        const double wide = map.m11() * piece.cut.box().sizes().x() - 6;
+        if (wide > 24)
+            painter.drawText(QRectF(place.x() - wide / 2, place.y() - 40, wide, 80),
+                             Qt::AlignCenter | Qt::TextWordWrap, QString::fromStdString(piece.name));
     }
     painter.setOpacity(1);
     painter.setPen(QPen(ViewColors::of(palette()).error, 1.5));

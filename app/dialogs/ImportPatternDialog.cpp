@@ -72,6 +72,7 @@ void ImportPatternDialog::build(const QString& file)
     (new QVBoxLayout(pieces))->addWidget(m_pieces);
     auto* right = new QVBoxLayout;
     auto* about = new QLabel(QStringLiteral("<b>%1</b>").arg(QFileInfo(file).fileName().toHtmlEscaped()), this);
+    about->setTextFormat(Qt::RichText);
     right->addWidget(about);
     right->addWidget(buildChoices());
     right->addWidget(pieces, 1);

@@ -59,6 +59,9 @@ void SeamProposalsWindow::build()
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);
     resize(640, 460);
+    // Over the cover: the pattern is what one wants to see.
+    if (const QWidget* window = parentWidget())
+        move(window->geometry().right() - width() - 24, window->geometry().top() + 140);
 }
 
 void SeamProposalsWindow::look()

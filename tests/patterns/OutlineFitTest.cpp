@@ -1,36 +1,67 @@
+// Curves with few points near the lines of drawings.
 #include "OutlineFit.h"
-#include "CutPattern.h"
-#include "DesignJson.h"
-#include "TestPaths.h"
-#include <fstream>
+
 #include <gtest/gtest.h>
-#include <sstream>
+
+#include <numbers>
+
 namespace bolster {
-TEST(OutlineFit, Debug)
+
+namespace {
+
+Contour closedLine(const std::vector<Vec2>& points)
 {
-    std::ifstream file(test::samplesFolder() + "/armchair/armchair.json");
-    std::stringstream text;
-    text << file.rdbuf();
-    const Design design = readDesign(text.str()).design;
-    for (const CutPiece& piece : cutPattern(design, {}).pieces) {
-        if (piece.name != "Outside back")
-            continue;
-        Contour line;
-        line.closed = true;
-        for (const LinePoint& p : piece.sew)
-            line.points.push_back({p.at});
-        const auto found = cornersOf(line);
-        const auto fit = fittedCurve(line);
-        printf("%s: %zu vertices, fit %d points\n", piece.name.c_str(), line.points.size(), fit->pointCount());
-        const std::size_t n = line.points.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const Vec2 a = line.points[(i + n - 1) % n].at, b = line.points[i].at, c = line.points[(i + 1) % n].at;
-            const double turn = std::atan2(cross(b - a, c - b), (b - a).dot(c - b)) * 57.3;
-            const double off = fit->closest(b).distance, mid = fit->closest((b + c) / 2).distance;
-            if (piece.sew[i].corner || found[i] || off > 0.03 || mid > 0.07)
-                printf("   %zu true %d found %d turn %.2f before %.2f after %.2f off %.3f mid %.3f\n", i,
-                       piece.sew[i].corner, int(found[i]), turn, (b - a).norm(), (c - b).norm(), off, mid);
-        }
-    }
+    Contour contour;
+    contour.closed = true;
+    for (const Vec2& at : points)
+        contour.points.push_back({at});
+    return contour;
 }
+
+} // namespace
+
+TEST(OutlineFit, PolygonsStayPolygons)
+{
+    const auto fit = fittedCurve(closedLine({{0, 0}, {100, 0}, {200, 0}, {200, 80}, {0, 80}}));
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->degree(), 1);
+    EXPECT_EQ(fit->pointCount(), 4) << "a point in the middle of an edge is no corner";
+    EXPECT_NEAR(fit->signedArea(), 16000, 1e-9);
+}
+
+TEST(OutlineFit, CirclesHaveFewPointsAndNoCorner)
+{
+    std::vector<Vec2> points;
+    for (int k = 0; k < 90; ++k)
+        points.push_back(150 * Vec2(std::cos(k * std::numbers::pi / 45), std::sin(k * std::numbers::pi / 45)));
+    const auto fit = fittedCurve(closedLine(points));
+    ASSERT_TRUE(fit);
+    EXPECT_TRUE(fit->corners().empty());
+    EXPECT_LE(fit->pointCount(), 24);
+    for (double t = 0; t < fit->period(); t += fit->period() / 500)
+        EXPECT_NEAR(fit->at(fit->wrapped(fit->domainStart() + t)).norm(), 150, 0.05);
+}
+
+TEST(OutlineFit, RoundedRectanglesHaveStraightEdges)
+{
+    std::vector<Vec2> points;
+    const Vec2 centres[] = {{280, 20}, {280, 180}, {20, 180}, {20, 20}};
+    for (int corner = 0; corner < 4; ++corner)
+        for (int k = 0; k <= 12; ++k) {
+            const double angle = (corner - 1 + k / 12.0) * std::numbers::pi / 2;
+            points.push_back(centres[corner] + 20 * Vec2(std::cos(angle), std::sin(angle)));
+        }
+    const auto fit = fittedCurve(closedLine(points));
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(fit->signedArea(), 300 * 200 - (4 - std::numbers::pi) * 400, 6);
+    EXPECT_LT(fit->closest({150, 0}).distance, 0.03);
+    EXPECT_LT(fit->closest({300, 100}).distance, 0.03);
+}
+
+TEST(OutlineFit, NothingOfTooFewPoints)
+{
+    EXPECT_FALSE(fittedCurve(closedLine({{0, 0}, {1, 1}})));
+    EXPECT_FALSE(fittedCurve(closedLine({{0, 0}, {0, 0}, {0, 0}, {1, 1}})));
+}
+
 } // namespace bolster

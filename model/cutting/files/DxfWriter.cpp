@@ -117,8 +117,14 @@ public:
         // A piece without its cut line has its sewing line for a boundary.
         if (layers.sew)
             outline(layers.cut || isPlain() ? m_names.sew : m_names.cut, m_piece.sew);
-        if (!isPlain())
+        if (!isPlain()) {
             corners(layers.cut ? m_piece.cut : m_piece.sew);
+            // Whoever reads the sewing line wants to know its corners, too.
+            if (layers.cut && layers.sew)
+                for (const LinePoint& point : m_piece.sew)
+                    if (point.corner)
+                        m_dxf.dot(m_names.turn, m_place.at(point.at));
+        }
         if (layers.notches)
             for (const CutNotch& notch : m_piece.notches)
                 isPlain() ? drawn(notch) : point(notch);

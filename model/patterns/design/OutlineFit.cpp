@@ -16,6 +16,7 @@ constexpr double surelyCorner = 35 * degree;
 constexpr double leastKink = 1.5 * degree;
 constexpr double roundedTo = 0.03;        // mm: what programs write
 constexpr double straightShare = 6;       // an edge that is so much longer than the next is no chord of a curve
+constexpr double shortestLine = 15;       // mm: of those
 constexpr double coarsest = 0.6;          // mm: farther from its curve nobody writes a polygon
 constexpr double straight = 0.01;         // mm
 constexpr std::size_t mostSamples = 1200; // of one curve between two corners
@@ -54,9 +55,18 @@ private:
         const Bend bend = m_line.points[i].bend;
         if (!hasBend(i) || bend == Bend::Corner)
             return true;
+        if (bend != Bend::Smooth && isStraightBeside(i))
+            return true;
         const double turn = std::abs(angle(i));
         return bend != Bend::Smooth &&
                (turn > surelyCorner || std::min(length(i + m_count - 1), length(i)) * turn / 8 > coarsest);
+    }
+
+    /// A line that a curve goes on from stays a line: it has an end of its own, however smooth the joint is.
+    bool isStraightBeside(std::size_t i) const
+    {
+        const double a = length(i + m_count - 1), b = length(i);
+        return std::max(a, b) > shortestLine && std::max(a, b) > straightShare * std::min(a, b);
     }
 
     /// A joint that turns otherwise than the curve beside it makes one expect. Its neighbours are surprised as
@@ -83,12 +93,7 @@ private:
             curvature += 2 * angle(after) / (b + length(after));
             ++sides;
         }
-        double expected = sides == 0 ? 0 : curvature / sides * (std::min(a, 2 * b) + std::min(b, 2 * a)) / 2;
-        // A straight line that touches a curve turns by half of what the curve's next edge does.
-        if (std::max(a, b) > straightShare * std::min(a, b)) {
-            const std::size_t onCurve = a < b ? before : after;
-            expected = isSureCorner(onCurve) ? 0 : angle(onCurve) / 2;
-        }
+        const double expected = sides == 0 ? 0 : curvature / sides * (std::min(a, 2 * b) + std::min(b, 2 * a)) / 2;
         const double off = std::abs(angle(i) - expected);
         return off > leastKink + roundedTo / std::min(a, b) && off > 1.3 * std::abs(expected) ? off : 0;
     }
@@ -245,15 +250,6 @@ std::optional<BSpline2> curveThrough(const Contour& line, double tolerance)
 }
 
 } // namespace
-
-std::vector<bool> cornersOf(const Contour& line)
-{
-    const Bends bends(line);
-    std::vector<bool> corners;
-    for (std::size_t i = 0; i < bends.count(); ++i)
-        corners.push_back(bends.isCorner(i));
-    return corners;
-}
 
 std::optional<BSpline2> fittedCurve(const Contour& line, double tolerance)
 {

@@ -11,7 +11,4 @@ namespace bolster {
 /// fewer than three points in different places (two of an open line).
 std::optional<BSpline2> fittedCurve(const Contour& line, double tolerance = 0.02);
 
-/// For each vertex, whether it is a corner.
-std::vector<bool> cornersOf(const Contour& line);
-
 } // namespace bolster

@@ -1,0 +1,9 @@
+#include "PatternFuzz.h"
+#include "TimedRun.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    const bolster::test::TimedRun run;
+    bolster::test::fuzzPattern(bolster::readDxf, {reinterpret_cast<const char*>(bytes), size});
+    return 0;
+}
