@@ -1833,6 +1833,10 @@
         <source>E&amp;xport pattern …</source>
         <translation>Schnitt e&amp;xportieren …</translation>
     </message>
+    <message>
+        <source>I&amp;mport pattern …</source>
+        <translation>Schnitt i&amp;mportieren …</translation>
+    </message>
 </context>
 <context>
     <name>FixationCurveForm</name>
@@ -4747,6 +4751,74 @@
         <source>Move a dart of %1</source>
         <translation>Abnäher von %1 verschieben</translation>
     </message>
+    <message>
+        <source>there is no piece in it</source>
+        <translation>es ist kein Teil darin</translation>
+    </message>
+    <message>
+        <source>Import a pattern of %1 pieces</source>
+        <translation>Schnitt aus %1 Teilen importieren</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its outline has too few or too many points</source>
+        <translation>%1 ist weggelassen: Sein Umriss hat zu wenige oder zu viele Punkte</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its outline crosses itself or encloses nothing</source>
+        <translation>%1 ist weggelassen: Sein Umriss kreuzt sich selbst oder umschließt nichts</translation>
+    </message>
+    <message>
+        <source>%1: %2 notches or lines belong to nothing and are left out</source>
+        <translation>%1: %2 Knipse oder Linien gehören zu nichts und sind weggelassen</translation>
+    </message>
+    <message>
+        <source>%1: more is drawn in it than a pattern can have (over %2 points)</source>
+        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann (über %2 Punkte)</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than a pattern can be (%2 MB)</source>
+        <translation>%1: Die Datei ist größer, als ein Schnitt sein kann (%2 MB)</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a group code of DXF</source>
+        <translation>%1: „%2“ ist kein Gruppencode von DXF</translation>
+    </message>
+    <message>
+        <source>%1: the file ends in the middle of something</source>
+        <translation>%1: Die Datei hört mittendrin auf</translation>
+    </message>
+    <message>
+        <source>%1: more is drawn in it than a pattern can have</source>
+        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann</translation>
+    </message>
+    <message>
+        <source>%1 is not a DXF file: it has no sections</source>
+        <translation>%1 ist keine DXF-Datei: Sie hat keine Abschnitte</translation>
+    </message>
+    <message>
+        <source>%1 is a binary DXF file: save it as text (ASCII) and import that</source>
+        <translation>%1 ist eine binäre DXF-Datei: Speichern Sie sie als Text (ASCII) und importieren Sie diese</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is inserted more often than a pattern needs</source>
+        <translation>%1: „%2“ ist öfter eingefügt, als ein Schnitt es braucht</translation>
+    </message>
+    <message>
+        <source>%1 is not an SVG file</source>
+        <translation>%1 ist keine SVG-Datei</translation>
+    </message>
+    <message>
+        <source>%1: this is not well-formed XML (%2)</source>
+        <translation>%1: Das ist kein wohlgeformtes XML (%2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a pattern that can be read; DXF and SVG can</source>
+        <translation>„%1“ ist kein Schnitt, der gelesen werden kann; DXF und SVG können es</translation>
+    </message>
+    <message>
+        <source>Sew %1 proposed seams</source>
+        <translation>%1 vorgeschlagene Nähte nähen</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5499,6 +5571,10 @@
     <message>
         <source>Match by &amp;parameter</source>
         <translation>Zuordnung nach &amp;Parameter</translation>
+    </message>
+    <message>
+        <source>P&amp;ropose seams …</source>
+        <translation>Nähte vo&amp;rschlagen …</translation>
     </message>
 </context>
 <context>
@@ -6863,6 +6939,18 @@
         <source>The pattern could not be exported.</source>
         <translation>Der Schnitt konnte nicht exportiert werden.</translation>
     </message>
+    <message>
+        <source>Import pattern</source>
+        <translation>Schnitt importieren</translation>
+    </message>
+    <message>
+        <source>Patterns (%1)</source>
+        <translation>Schnitte (%1)</translation>
+    </message>
+    <message>
+        <source>Not all of the pattern could be taken.</source>
+        <translation>Nicht alles vom Schnitt konnte übernommen werden.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -6968,6 +7056,21 @@
     </message>
 </context>
 <context>
+    <name>bolster::FoundPiecesView</name>
+    <message>
+        <source>Pieces in the file</source>
+        <translation>Teile in der Datei</translation>
+    </message>
+    <message>
+        <source>There is no piece in it.</source>
+        <translation>Es ist kein Teil darin.</translation>
+    </message>
+    <message>
+        <source>Reading …</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+</context>
+<context>
     <name>bolster::GlCanvas</name>
     <message>
         <source>No OpenGL: drawn in software</source>
@@ -7028,6 +7131,140 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportPatternDialog</name>
+    <message>
+        <source>Import pattern</source>
+        <translation>Schnitt importieren</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Sewing lines, with allowances</source>
+        <translation>Nahtlinien, mit Zugaben</translation>
+    </message>
+    <message>
+        <source>Cut lines, without allowance</source>
+        <translation>Schnittlinien, ohne Zugabe</translation>
+    </message>
+    <message>
+        <source>What the outlines of patches become where the file has both lines.</source>
+        <translation>Was zum Umriss der Schnittteile wird, wo die Datei beide Linien hat.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Outlines whose ends are no farther apart are closed by a straight line.</source>
+        <translation>Umrisse, deren Enden nicht weiter auseinander liegen, werden durch eine gerade Linie geschlossen.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>&amp;Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Largest piece</source>
+        <translation>Größtes Teil</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>&amp;Umrisse</translation>
+    </message>
+    <message>
+        <source>&amp;Close gaps up to</source>
+        <translation>&amp;Lücken schließen bis</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × %3 mm</source>
+        <translation>%1 – %2 × %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n pairs</source>
+        <translation>
+            <numerusform>, %n Paar</numerusform>
+            <numerusform>, %n Paare</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n times</source>
+        <translation>
+            <numerusform>, %n-mal</numerusform>
+            <numerusform>, %n-mal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n Umriss ist offen: Seine Enden liegen bis zu %1 mm auseinander. Schließen Sie Lücken bis dahin, wenn es ein Umriss ist.</numerusform>
+            <numerusform>%n Umrisse sind offen: Ihre Enden liegen bis zu %1 mm auseinander. Schließen Sie Lücken bis dahin, wenn es Umrisse sind.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines lay twice on themselves and are taken once.</source>
+        <translation>
+            <numerusform>%n Linie lag doppelt und wird einmal genommen.</numerusform>
+            <numerusform>%n Linien lagen doppelt und werden einmal genommen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not read: %1</source>
+        <translation>Nicht gelesen: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
+        <translation>
+            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem ist weggelassen.</numerusform>
+            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem sind weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file does not say its unit for certain: look at the measures.</source>
+        <translation>Die Datei sagt ihre Einheit nicht sicher: Sehen Sie sich die Maße an.</translation>
+    </message>
+</context>
+<context>
     <name>bolster::MainWindow</name>
     <message>
         <source>Tools</source>
@@ -7068,6 +7305,13 @@
     <message>
         <source>%1[*] (read-only) – Bolster</source>
         <translation>%1[*] (schreibgeschützt) – Bolster</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</source>
+        <translation>
+            <numerusform>%n Teil ist im Schnitt. Naht &gt; Nähte vorschlagen findet, was zusammengehört.</numerusform>
+            <numerusform>%n Teile sind im Schnitt. Naht &gt; Nähte vorschlagen findet, was zusammengehört.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7575,6 +7819,61 @@
     <message>
         <source>outside</source>
         <translation>außen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SeamProposalsWindow</name>
+    <message>
+        <source>Proposed seams</source>
+        <translation>Vorgeschlagene Nähte</translation>
+    </message>
+    <message>
+        <source>Edge of</source>
+        <translation>Kante von</translation>
+    </message>
+    <message>
+        <source>to edge of</source>
+        <translation>an Kante von</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Certainty</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Select rows to see their edges in the pattern; Enter or a double click sews them.</source>
+        <translation>Wählen Sie Zeilen, um ihre Kanten im Schnitt zu sehen; die Eingabetaste oder ein Doppelklick näht sie.</translation>
+    </message>
+    <message>
+        <source>&amp;Sew selected</source>
+        <translation>Ausgewählte &amp;nähen</translation>
+    </message>
+    <message>
+        <source>Sew &amp;all</source>
+        <translation>&amp;Alle nähen</translation>
+    </message>
+    <message>
+        <source>Looking for edges that belong together …</source>
+        <translation>Sucht Kanten, die zusammengehören …</translation>
+    </message>
+    <message>
+        <source>%1 and %2 mm</source>
+        <translation>%1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>There are no free edges that seem to belong together.</source>
+        <translation>Es gibt keine freien Kanten, die zusammenzugehören scheinen.</translation>
+    </message>
+    <message>
+        <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
+        <translation>Nach Längen, nach Ecken, die sich schließen würden, nach Namen und Richtungen; die sichersten zuerst. Sehen Sie sich jede im Schnitt an, bevor Sie sie nähen.</translation>
     </message>
 </context>
 <context>

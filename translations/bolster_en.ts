@@ -138,6 +138,54 @@
     </message>
 </context>
 <context>
+    <name>bolster::ImportPatternDialog</name>
+    <message numerus="yes">
+        <source>, %n pairs</source>
+        <translation>
+            <numerusform>, %n pair</numerusform>
+            <numerusform>, %n pairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n times</source>
+        <translation>
+            <numerusform>, %n time</numerusform>
+            <numerusform>, %n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</source>
+        <translation>
+            <numerusform>%n outline is open: its ends are up to %1 mm apart. Close gaps up to that, if it is an outline.</numerusform>
+            <numerusform>%n outlines are open: their ends are up to %1 mm apart. Close gaps up to that, if they are outlines.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lines lay twice on themselves and are taken once.</source>
+        <translation>
+            <numerusform>%n line lay twice on itself and is taken once.</numerusform>
+            <numerusform>%n lines lay twice on themselves and are taken once.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
+        <translation>
+            <numerusform>%n mark of grading, stripes or nothing that is known is left out.</numerusform>
+            <numerusform>%n marks of grading, stripes or nothing that is known are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bolster::MainWindow</name>
+    <message numerus="yes">
+        <source>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</source>
+        <translation>
+            <numerusform>%n piece is in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
+            <numerusform>%n pieces are in the pattern. Seam &gt; Propose seams finds what belongs together.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::StatusLine</name>
     <message numerus="yes">
         <source>%n problems</source>

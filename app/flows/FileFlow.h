@@ -122,6 +122,7 @@ private:
     template <class T>
     void import(const T& element, const QString& title, const QString& filter, const QString& path);
     void importNow(const QString& path, const Element& element, std::optional<ElementId> replaced);
+    static QString readingText(const QString& path);
     void choosePieces(const QString& path, const Drawing& drawing);
     void addPattern(const QString& path, const std::shared_ptr<const FoundPattern>& pattern,
                     const PatternChoice& choice);

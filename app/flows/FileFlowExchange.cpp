@@ -76,13 +76,17 @@ void FileFlow::import(const T& element, const QString& title, const QString& fil
         take(path);
 }
 
+QString FileFlow::readingText(const QString& path)
+{
+    return tr("Reading %1 \u2026").arg(QFileInfo(path).fileName());
+}
+
 /// Reads with progress that can be cancelled; `done` gets what was read unless it was.
 template <class Result, class Read, class Done>
 void FileFlow::readInBackground(const QString& path, Read read, Done done)
 {
     constexpr int steps = 100;
-    const auto [progress, bar] =
-        openProgress(m_window, tr("Reading %1 \u2026").arg(QFileInfo(path).fileName()), steps);
+    const auto [progress, bar] = openProgress(m_window, readingText(path), steps);
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
