@@ -1834,8 +1834,8 @@
         <translation>Schnitt e&amp;xportieren …</translation>
     </message>
     <message>
-        <source>I&amp;mport pattern …</source>
-        <translation>Schnitt i&amp;mportieren …</translation>
+        <source>Import pattern (DX&amp;F, SVG) …</source>
+        <translation>Schnitt importieren (DX&amp;F, SVG) …</translation>
     </message>
 </context>
 <context>

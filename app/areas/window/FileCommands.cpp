@@ -132,7 +132,7 @@ void FileCommands::addExchange(Commands& commands)
           .places = {"file/3"},
           .does = [this] { m_files.importScan(); }},
          {.id = "file.import-pattern",
-          .text = tr("I&mport pattern \u2026"),
+          .text = tr("Import pattern (DX&F, SVG) \u2026"),
           .icon = "patch",
           .keys = {Qt::CTRL | Qt::ALT | Qt::Key_I},
           .places = {"file/3"},
