@@ -1,10 +1,13 @@
 #include "CutCheck.h"
 #include "DxfWriter.h"
+#include "FabricBaking.h"
 #include "HpglWriter.h"
 #include "Interrupt.h"
 #include "Output.h"
 #include "OutputFiles.h"
 #include "PatternPdf.h"
+#include "PictureStudio.h"
+#include "SewingSheet.h"
 #include "Solving.h"
 #include "Subcommands.h"
 #include "SvgWriter.h"
@@ -28,6 +31,8 @@ Outputs:
   --svg FILE            SVG, 1:1 in millimetres
   --pdf FILE            pages to print at 100 %, to be put together
   --hpgl FILE           HPGL for plotters
+  --sheet FILE.pdf      the sewing sheet: the cover, pieces, seams in order,
+                        materials
 
 Options:
   --standard WORD       of the DXF: aama (the usual one), astm, or plain (R12)
@@ -56,7 +61,7 @@ constexpr std::array exportRules = {
     OptionRule{"--landscape"},           OptionRule{"--lines", true},
     OptionRule{"--allowance", true},     OptionRule{"--unfold"},
     OptionRule{"--notch-spacing", true}, OptionRule{"--chord", true},
-    OptionRule{"--piece", true, true},
+    OptionRule{"--piece", true, true},   OptionRule{"--sheet", true},
 };
 
 DxfStandard standardOf(const Arguments& arguments)
@@ -123,14 +128,42 @@ std::optional<std::set<ElementId>> chosenPieces(const Arguments& arguments, cons
     return chosen;
 }
 
-QByteArray pdfBytes(const CutPattern& pattern, const PdfOrder& order)
+/// Letters need an application, but no display.
+template <class Make>
+std::string withLetters(const Make& make)
 {
-    // Letters need an application, but no display.
     int count = 3;
     char name[] = "bolster", option[] = "-platform", platform[] = "offscreen";
     char* words[] = {name, option, platform, nullptr};
     const QGuiApplication application(count, words);
-    return PatternPdf(pattern, order).bytes();
+    return make().toStdString();
+}
+
+/// From the front and from behind; none when there is no cover.
+std::vector<QImage> coverPictures(const QString& path, const OpenedDesign& opened, const std::stop_token& stop)
+{
+    const SolveResult solved = solveOpened(opened, {}, stop);
+    if (!solved.surface) {
+        printError("note: the sewing sheet has no pictures: there is no cover yet");
+        return {};
+    }
+    FabricBaking bake(path, opened.design, 0, stop);
+    PictureStudio studio({solved.surface, opened.design, opened.files,
+                          [&bake](ElementId id, const Fabric& fabric) { return bake(id, fabric); }, nullptr,
+                          nullptr});
+    std::vector<QImage> pictures;
+    for (const char* const view : {"three-quarter", "front", "back"}) {
+        PictureOrder order;
+        order.look.colourway = opened.design.settings().colourway;
+        order.from = *pictureDirection(view);
+        order.options.width = 640;
+        order.options.height = 560;
+        const PreviewImage image = studio.draw(order, stop).image;
+        if (!image.empty())
+            pictures.push_back(
+                QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy());
+    }
+    return pictures;
 }
 
 /// What to mend before anybody cuts.
@@ -155,9 +188,9 @@ int exportPattern(std::span<const std::string> words)
 {
     const Arguments arguments(words, exportRules);
     const QString path = arguments.onlyFile("DESIGN");
-    const OutputFiles files(arguments, {"--dxf", "--svg", "--pdf", "--hpgl"});
+    const OutputFiles files(arguments, {"--dxf", "--svg", "--pdf", "--hpgl", "--sheet"});
     if (files.empty())
-        throw UsageError("nothing to write: give --dxf, --svg, --pdf or --hpgl with a file");
+        throw UsageError("nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file");
     const DxfStandard standard = standardOf(arguments);
     const PdfOrder pdf{paperOf(arguments), arguments.has("--landscape"), layersOf(arguments)};
     CutOptions options = cutOptionsOf(arguments);
@@ -180,6 +213,8 @@ int exportPattern(std::span<const std::string> words)
     const QDateTime now = QDateTime::currentDateTime();
     const DxfOrder dxf{standard, pdf.layers, now.toString(QStringLiteral("dd-MM-yyyy")).toStdString(),
                        now.toString(QStringLiteral("HH:mm")).toStdString()};
+    const std::vector<QImage> pictures =
+        arguments.has("--sheet") ? coverPictures(path, opened, interrupt.token()) : std::vector<QImage>();
     interrupt.beginWriting();
     bool written = true;
     written &= files.write("--dxf", [&](const QString& f) { return replaceWholeFile(f, dxfText(pattern, dxf)); });
@@ -189,8 +224,15 @@ int exportPattern(std::span<const std::string> words)
         return replaceWholeFile(f, hpglText(pattern, pdf.layers, tableWidth(pdf.paper, pdf.landscape)));
     });
     written &= files.write("--pdf", [&](const QString& f) {
-        const QByteArray bytes = pdfBytes(pattern, pdf);
-        return replaceWholeFile(f, std::string(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+        return replaceWholeFile(f, withLetters([&] { return PatternPdf(pattern, pdf).bytes(); }));
+    });
+    written &= files.write("--sheet", [&](const QString& f) {
+        const SewingPlan plan = sewingPlan(opened.design, options);
+        return replaceWholeFile(f, withLetters([&] {
+                                    return SewingSheet(opened.design, plan, pictures,
+                                                       now.toString(QStringLiteral("yyyy-MM-dd")))
+                                        .pdf(pdf.paper);
+                                }));
     });
     if (written)
         printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));

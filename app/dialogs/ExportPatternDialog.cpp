@@ -83,7 +83,7 @@ QWidget* ExportPatternDialog::buildChoices()
     m_format->setObjectName(QStringLiteral("format"));
     m_format->addItems({tr("PDF \u2013 to print and put together"), tr("DXF AAMA \u2013 for cutters"),
                         tr("DXF ASTM \u2013 for cutters"), tr("DXF, plain lines"), tr("SVG \u2013 1:1"),
-                        tr("HPGL \u2013 for plotters")});
+                        tr("HPGL \u2013 for plotters"), tr("Sewing sheet (PDF)")});
     m_paper = new QComboBox(this);
     m_paper->setObjectName(QStringLiteral("paper"));
     for (const QString& name : paperNames())
@@ -197,11 +197,14 @@ void ExportPatternDialog::preview()
 {
     const PatternOrder order = this->order();
     const bool sheets = hasSheets(order.format);
-    m_paper->setEnabled(sheets || order.format == PatternFormat::Hpgl);
+    m_paper->setEnabled(sheets || order.format == PatternFormat::Hpgl ||
+                        order.format == PatternFormat::SewingSheet);
     m_landscape->setEnabled(sheets && !order.paper.roll);
     if (!m_pattern)
         return;
-    const double width = m_paper->isEnabled() ? tableWidth(order.paper, order.landscape) : usualTableWidth;
+    const double width = m_paper->isEnabled() && order.format != PatternFormat::SewingSheet
+                             ? tableWidth(order.paper, order.landscape)
+                             : usualTableWidth;
     SheetPreview::Shown shown{m_pattern, arranged(*m_pattern, width), order.layers, std::nullopt};
     const Vec2 size = shown.table.size;
     QString summary = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))

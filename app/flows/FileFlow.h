@@ -55,8 +55,8 @@ public:
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
-    /// Asks how, then where.
-    void exportPattern();
+    /// Asks how, then where. `cover`: a picture of it for the sewing sheet, null when there is none.
+    void exportPattern(const QImage& cover);
     /// Named like the design and beside it.
     QString proposedPicture() const { return proposed(QStringLiteral("png")); }
 
@@ -130,7 +130,7 @@ private:
     void readInBackground(const QString& path, Read read, Done done);
     void place(const QString& path, const FileContent& content, const Element& element,
                std::optional<ElementId> replaced);
-    void exportPatternTo(const QString& path, const PatternOrder& order);
+    void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);
     void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);

@@ -222,24 +222,25 @@ void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& pat
     });
 }
 
-void FileFlow::exportPattern()
+void FileFlow::exportPattern(const QImage& cover)
 {
     auto* dialog = new ExportPatternDialog(m_session.document().design(), m_session.title(), m_window);
     connect(dialog, &ExportPatternDialog::placeWanted, this, &FileFlow::placeWanted);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    connect(dialog, &QDialog::accepted, this, [this, dialog, cover] {
         const PatternOrder order = dialog->order();
         const QString ending = patternEnding(order.format);
-        chooseTarget(tr("Export pattern"), proposed(ending, tr("-pattern")),
+        chooseTarget(tr("Export pattern"),
+                     proposed(ending, order.format == PatternFormat::SewingSheet ? tr("-sewing") : tr("-pattern")),
                      tr("%1 (*.%2)").arg(ending.toUpper(), ending), {ending},
-                     [this, order](const QString& path) { exportPatternTo(path, order); });
+                     [this, order, cover](const QString& path) { exportPatternTo(path, order, cover); });
     });
     openDialog(dialog);
 }
 
-void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order)
+void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover)
 {
-    inBackground<Message>([design = m_session.document().design(), path, order] {
-        return replaceWholeFile(path, patternBytes(cutPattern(design, order.cutting), order));
+    inBackground<Message>([design = m_session.document().design(), path, order, cover] {
+        return replaceWholeFile(path, patternBytes(design, order, cover));
     }).then(this, [this, path](const Message& problem) {
         if (problem.empty())
             emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));

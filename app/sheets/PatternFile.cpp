@@ -1,9 +1,11 @@
 #include "PatternFile.h"
 
 #include "HpglWriter.h"
+#include "SewingSheet.h"
 #include "SvgWriter.h"
 
 #include <QDateTime>
+#include <QLocale>
 
 namespace bolster {
 
@@ -16,10 +18,22 @@ std::string dxf(const CutPattern& pattern, const PatternOrder& order, DxfStandar
                              now.toString(QStringLiteral("HH:mm")).toStdString()});
 }
 
+std::string sewingSheet(const Design& design, const PatternOrder& order, const QImage& cover)
+{
+    const SewingPlan plan = sewingPlan(design, order.cutting);
+    const QString today = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
+    return SewingSheet(design, plan, cover.isNull() ? std::vector<QImage>() : std::vector{cover}, today)
+        .pdf(order.paper)
+        .toStdString();
+}
+
 } // namespace
 
-std::string patternBytes(const CutPattern& pattern, const PatternOrder& order)
+std::string patternBytes(const Design& design, const PatternOrder& order, const QImage& cover)
 {
+    if (order.format == PatternFormat::SewingSheet)
+        return sewingSheet(design, order, cover);
+    const CutPattern pattern = cutPattern(design, order.cutting);
     switch (order.format) {
     case PatternFormat::DxfAama:
         return dxf(pattern, order, DxfStandard::Aama);
@@ -32,6 +46,7 @@ std::string patternBytes(const CutPattern& pattern, const PatternOrder& order)
     case PatternFormat::Hpgl:
         return hpglText(pattern, order.layers, tableWidth(order.paper, order.landscape));
     case PatternFormat::Pdf:
+    case PatternFormat::SewingSheet:
         break;
     }
     return PatternPdf(pattern, {order.paper, order.landscape, order.layers}).bytes().toStdString();
@@ -41,6 +56,7 @@ QString patternEnding(PatternFormat format)
 {
     switch (format) {
     case PatternFormat::Pdf:
+    case PatternFormat::SewingSheet:
         return QStringLiteral("pdf");
     case PatternFormat::Svg:
         return QStringLiteral("svg");

@@ -4,11 +4,13 @@
 #include "DxfWriter.h"
 #include "PatternPdf.h"
 
+#include <QImage>
+
 #include <string>
 
 namespace bolster {
 
-enum class PatternFormat { Pdf, DxfAama, DxfAstm, DxfPlain, Svg, Hpgl };
+enum class PatternFormat { Pdf, DxfAama, DxfAstm, DxfPlain, Svg, Hpgl, SewingSheet };
 
 struct PatternOrder {
     PatternFormat format = PatternFormat::Pdf;
@@ -18,8 +20,8 @@ struct PatternOrder {
     CutOptions cutting = {};
 };
 
-/// The file's bytes. PDF needs a QGuiApplication.
-std::string patternBytes(const CutPattern& pattern, const PatternOrder& order);
+/// The file's bytes. PDF needs a QGuiApplication. `cover`: for the sewing sheet, may be null.
+std::string patternBytes(const Design& design, const PatternOrder& order, const QImage& cover = {});
 /// "pdf", "dxf", "svg", "plt"
 QString patternEnding(PatternFormat format);
 /// Whether it is divided into sheets of paper.

@@ -111,7 +111,7 @@ TEST_F(Export, WritesAamaThatOthersRead)
         EXPECT_TRUE(cut[0]["closed"]);
         EXPECT_NEAR(area(sew[0]["points"]), 300 * 400, 0.01);
         EXPECT_NEAR(area(cut[0]["points"]), 320 * 435, 0.05) << "25 mm below, 10 mm elsewhere";
-        EXPECT_EQ(onLayer(block, "2", "POINT").size(), 4u) << "turn points";
+        EXPECT_EQ(onLayer(block, "2", "POINT").size(), 8u) << "turn points of both lines";
         EXPECT_EQ(onLayer(block, "3", "POINT").size(), 0u) << "no curve";
         EXPECT_GT(onLayer(read["blocks"]["Rucken_M"], "3", "POINT").size(), 20u);
         EXPECT_EQ(onLayer(block, "7", "LINE").size(), 1u) << "grain";
@@ -275,6 +275,18 @@ TEST_F(Export, LeavesTheOldFileWhenItCannotWrite)
     const ProgramRun refused = run({"--svg", path("nowhere/p.svg")});
     EXPECT_EQ(refused.exitCode, 1);
     EXPECT_FALSE(refused.err.empty());
+}
+
+TEST_F(Export, TheSewingSheetSaysWhatIsSewn)
+{
+    const ProgramRun exported = run({"--sheet", path("sheet.pdf"), "--paper", "letter"});
+    ASSERT_EQ(exported.exitCode, 0) << exported.err;
+    const std::string text = output(QStringLiteral("pdftotext"), {"-layout", path("sheet.pdf"), "-"});
+    for (const char* words :
+         {"Stuhl B", "Sitz links", "2 and 2 mirrored", "Leather", "Sitz links to R\u00fccken", "Sewing thread"})
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    const std::string info = output(QStringLiteral("pdfinfo"), {path("sheet.pdf")});
+    EXPECT_NE(info.find("612 x 792"), std::string::npos) << info;
 }
 
 } // namespace
