@@ -126,6 +126,43 @@ TEST(Darts, AreMovedAlongTheOutline)
     EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), cut.find<Patch>(left)->outline.signedArea(), 1e-6);
 }
 
+TEST(Darts, TheirTipsMoveAndLegsKeepTheirParameters)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, bottom));
+    const ElementId id = seamsOf(cut).back().first;
+    const Design moved = cut.with(edits::moveDartTip(cut, id, {110, 60}));
+    errorsIn(moved);
+    EXPECT_EQ(seamsOf(moved), seamsOf(cut)) << "everything else keeps its place";
+    const auto dart = edits::dartOf(moved, id);
+    ASSERT_TRUE(dart);
+    EXPECT_TRUE(dart->tip.isApprox(Vec2(110, 60), 1e-9));
+    EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), 200 * 100 - 20 * 60 / 2, 1e-6);
+    Message problem;
+    EXPECT_TRUE(edits::moveDartTip(cut, id, {90, 150}, &problem).empty());
+    EXPECT_FALSE(problem.empty()) << "the legs would cross the upper edge";
+}
+
+TEST(Darts, HaveMouthsAsWideAsIsWanted)
+{
+    std::vector<Vec2> points;
+    for (int k = 0; k < 12; ++k)
+        points.push_back(100 * Vec2(std::cos(k * 0.5235987756), std::sin(k * 0.5235987756)));
+    const BSpline2 round(3, true, points);
+    for (const bool ahead : {true, false}) {
+        const auto end = edits::mouthEnd(round, 0.3, 40, ahead);
+        ASSERT_TRUE(end);
+        EXPECT_NEAR((round.at(*end) - round.at(0.3)).norm(), 40, 1e-6);
+        EXPECT_EQ(*end > 0.3 && *end < 6, ahead);
+    }
+    EXPECT_FALSE(edits::mouthEnd(round, 0.3, 400, true));
+    const Design design = twoPanels();
+    const edits::DartAxis axis = edits::dartAxis(rectangle(200, 100), edits::dartBetween(design, left, 0.5, 0.4));
+    EXPECT_TRUE(axis.middle.isApprox(Vec2(90, 0), 1e-9));
+    EXPECT_TRUE(axis.inwards.isApprox(Vec2(0, 1), 1e-9)) << "whichever end was clicked first";
+    EXPECT_NEAR(axis.width, 20, 1e-9);
+}
+
 TEST(Darts, AreRefusedWhereTheyCannotBe)
 {
     const Design design = twoPanels();

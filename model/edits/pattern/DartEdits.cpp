@@ -25,6 +25,20 @@ Edit refused(Message* problem, Message why)
     return {};
 }
 
+Message tipProblem()
+{
+    return {
+        QT_TRANSLATE_NOOP("Message", "The tip of a dart must lie inside its patch, at least 5 mm from its mouth."),
+        {}};
+}
+
+Message legsProblem(const Design& design, ElementId patch)
+{
+    return {
+        QT_TRANSLATE_NOOP("Message", "The legs of the dart would cross the outline of %1: put its tip elsewhere."),
+        {displayName(design, patch)}};
+}
+
 /// From one end of the mouth to the other the shorter way, unwrapped.
 struct Mouth {
     double from = 0;
@@ -52,12 +66,16 @@ BSpline2 beginningAt(const BSpline2& outline, double start)
     return {outline.degree(), true, outline.points(), std::move(knots)};
 }
 
+double inFirstTurn(const BSpline2& outline, double t)
+{
+    return t - outline.period() * std::floor((t - outline.domainStart()) / outline.period());
+}
+
 /// The outline with straight lines through `points` in place of a part, which keeps its parameters; `corners`
 /// becomes those of the points in between.
 std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, const std::vector<Vec2>& inner,
                                   std::vector<double>* corners = nullptr)
 {
-    const double period = outline.period();
     const BSpline2 kept = outline.part(outline.wrapped(part.to), outline.wrapped(part.from));
     std::vector<Vec2> points{kept.points().back()};
     points.insert(points.end(), inner.begin(), inner.end());
@@ -70,7 +88,7 @@ std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, co
     const double speed = length / (part.to - part.from);
     std::vector<double> starts;
     const BSpline2 whole = joined({kept, polyline(points, outline.degree(), 0, speed)}, &starts);
-    const double start = part.to - period * std::floor((part.to - outline.domainStart()) / period);
+    const double start = inFirstTurn(outline, part.to);
     const BSpline2 result = beginningAt(whole, start);
     if (corners) {
         double at = starts[1] + start;
@@ -136,6 +154,36 @@ private:
 
 } // namespace
 
+DartShape dartBetween(const Design& design, ElementId patch, double a, double b)
+{
+    const BSpline2& outline = design.find<Patch>(patch)->outline;
+    const Mouth mouth = shorterWay(outline, a, b);
+    return {patch, outline.wrapped(mouth.from), outline.wrapped(mouth.to)};
+}
+
+std::optional<double> mouthEnd(const BSpline2& outline, double from, double width, bool ahead)
+{
+    const ArcLength2 length(outline);
+    const Vec2 start = outline.at(outline.wrapped(from));
+    double way = width; // along the outline
+    for (int step = 0; step < 50 && way > 0 && 2 * way <= length.total(); ++step) {
+        const double end = outline.wrapped(length.parameterAt(length.at(from) + (ahead ? way : -way)));
+        const double across = (outline.at(end) - start).norm();
+        if (std::abs(across - width) < 1e-9 * width)
+            return end;
+        way *= across > 0 ? width / across : 2;
+    }
+    return std::nullopt;
+}
+
+DartAxis dartAxis(const BSpline2& outline, const DartShape& dart)
+{
+    const Vec2 a = outline.at(outline.wrapped(dart.from)), b = outline.at(outline.wrapped(dart.to));
+    const Vec2 along = b - a;
+    const Vec2 inwards = outline.signedArea() < 0 ? Vec2(along.y(), -along.x()) : Vec2(-along.y(), along.x());
+    return {(a + b) / 2, along.norm() > 0 ? Vec2(inwards.normalized()) : Vec2(0, 1), along.norm()};
+}
+
 Edit addDart(const Design& design, const DartShape& shape, Message* problem)
 {
     const Patch* patch = design.find<Patch>(shape.patch);
@@ -148,17 +196,11 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
         return refused(problem,
                        {QT_TRANSLATE_NOOP("Message", "The mouth of a dart must be at least 1 mm wide."), {}});
     if (!isInside(outline, shape.tip) || std::min((shape.tip - a).norm(), (shape.tip - b).norm()) < shortest)
-        return refused(problem,
-                       {QT_TRANSLATE_NOOP("Message", "The tip of a dart must lie inside its patch, at least 5 mm "
-                                                     "from its mouth."),
-                        {}});
+        return refused(problem, tipProblem());
     std::vector<double> tip;
     const std::optional<BSpline2> cut = withLines(outline, mouth, {shape.tip}, &tip);
     if (!cut)
-        return refused(problem,
-                       {QT_TRANSLATE_NOOP("Message", "The legs of the dart would cross the outline of %1: put its "
-                                                     "tip elsewhere."),
-                        {displayName(design, shape.patch)}});
+        return refused(problem, legsProblem(design, shape.patch));
     EditBuilder builder(design);
     Patch changed = *patch;
     changed.outline = *cut;
@@ -226,6 +268,40 @@ Edit removeDart(const Design& design, ElementId id, Message* problem)
     builder.remove(id);
     return builder.result(
         {QT_TRANSLATE_NOOP("Message", "Remove a dart of %1"), {displayName(design, dart->patch)}});
+}
+
+Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
+{
+    const std::optional<DartShape> dart = dartOf(design, id);
+    if (!dart)
+        return refused(problem, {QT_TRANSLATE_NOOP("Message", "Select the seam of a dart."), {}});
+    const Seam& seam = *design.find<Seam>(id);
+    const Patch& patch = *design.find<Patch>(dart->patch);
+    const BSpline2& outline = patch.outline;
+    const auto at = [&](double t) { return outline.at(outline.wrapped(t)); };
+    const auto end = [&](double from, double to) {
+        return unwrappedEnd(from, to, outline.domainStart(), outline.domainEnd());
+    };
+    const double middle = end(dart->from, seam.a.from == dart->from ? seam.a.to : seam.b.to);
+    const double last = end(middle, dart->to);
+    const auto leg = [&](const Vec2& a, const Vec2& b, double span) {
+        return polyline({a, b}, outline.degree(), 0, (b - a).norm() / span);
+    };
+    const Vec2 from = at(dart->from), to = at(dart->to);
+    if (std::min((tip - from).norm(), (tip - to).norm()) < shortest)
+        return refused(problem, tipProblem());
+    // Each leg keeps its parameters, and so does everything on it.
+    const BSpline2 whole = joined({outline.part(outline.wrapped(dart->to), outline.wrapped(dart->from)),
+                                   leg(from, tip, middle - dart->from), leg(tip, to, last - middle)},
+                                  nullptr);
+    EditBuilder builder(design);
+    Patch changed = patch;
+    changed.outline = beginningAt(whole, inFirstTurn(outline, dart->to));
+    if (outlineProblem(changed.outline))
+        return refused(problem, legsProblem(design, dart->patch));
+    builder.replace(dart->patch, std::move(changed));
+    return builder.result(
+        {QT_TRANSLATE_NOOP("Message", "Move the tip of a dart of %1"), {displayName(design, dart->patch)}});
 }
 
 Edit moveDart(const Design& design, ElementId id, double at, Message* problem)

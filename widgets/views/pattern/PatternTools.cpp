@@ -3,6 +3,7 @@
 #include "AttachTool.h"
 #include "BackgroundTools.h"
 #include "BoxShapeTool.h"
+#include "DartTool.h"
 #include "MarkTool.h"
 #include "MeasureTool.h"
 #include "OutlineTool.h"
@@ -45,6 +46,8 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<TrimTool>(context);
     case PatternToolKind::Split:
         return std::make_unique<PatternSplitTool>(context);
+    case PatternToolKind::Dart:
+        return std::make_unique<DartTool>(context);
     case PatternToolKind::Measure:
         return std::make_unique<MeasureTool>(context);
     case PatternToolKind::BackgroundScale:

@@ -13,6 +13,7 @@ enum class PatternToolKind {
     Rectangle,
     Ellipse,
     Split,
+    Dart,
     HandleCurve,
     FancySeam,
     InternalLine,
