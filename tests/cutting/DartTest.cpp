@@ -39,6 +39,11 @@ std::size_t errorsIn(const Design& design)
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
             ADD_FAILURE() << problem.english();
+    const ReadDesign read = readDesign(writeDesign(design));
+    for (const Problem& problem : read.problems)
+        if (problem.severity == Severity::Error)
+            ADD_FAILURE() << problem.english();
+    EXPECT_TRUE(read.design == design);
     return problems.size();
 }
 
@@ -124,6 +129,30 @@ TEST(Darts, AreMovedAlongTheOutline)
     ASSERT_TRUE(dart);
     EXPECT_TRUE(dart->tip.isApprox(Vec2(140, 50), 1e-6)) << dart->tip.transpose();
     EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), cut.find<Patch>(left)->outline.signedArea(), 1e-6);
+}
+
+TEST(Darts, InSewnEdgesLeaveThemWholeWhenTheyMoveOrClose)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, {left, 1.3, 1.5, {150, 40}}));
+    const ElementId dart = seamsOf(cut).back().first;
+    EXPECT_EQ(cut.with(edits::removeDart(cut, dart)).find<Seam>(between)->b, design.find<Seam>(between)->b);
+    EXPECT_EQ(seamsOf(cut.with(edits::removeDart(cut, dart))).size(), 1u) << "one seam again";
+    for (double at = 0.05; at < 4; at += 0.13) {
+        Message problem;
+        const Edit edit = edits::moveDart(cut, dart, at, &problem);
+        if (edit.empty())
+            continue;
+        const Design moved = cut.with(edit);
+        SCOPED_TRACE(at);
+        errorsIn(moved);
+        ASSERT_TRUE(edits::dartOf(moved, dart)) << "the seam that it was";
+        double other = 0;
+        for (const auto& [id, seam] : seamsOf(moved))
+            if (seam.b.patch == right)
+                other += length(moved, seam.b);
+        EXPECT_NEAR(other, 100, 1e-6);
+    }
 }
 
 TEST(Darts, TheirTipsMoveAndLegsKeepTheirParameters)
