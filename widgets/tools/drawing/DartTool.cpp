@@ -1,6 +1,5 @@
 #include "DartTool.h"
 
-#include "ArcLength.h"
 #include "DartPicture.h"
 #include "Document.h"
 #include "DrawingKeys.h"
@@ -8,7 +7,6 @@
 #include "Selection.h"
 #include "SnapHints.h"
 #include "Translated.h"
-#include "Units.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -20,7 +18,6 @@ namespace bolster {
 namespace {
 
 // Pixels.
-constexpr double mouthReach = 12;
 constexpr double mouthPointRadius = 4;
 
 bool isFree(const PatternPointer& pointer)
@@ -63,32 +60,6 @@ ElementId DartTool::outlineAtPointer() const
     return noElement;
 }
 
-/// Next to the pointer; in a corner or in the middle of an edge where that is near.
-std::optional<double> DartTool::placeOn(ElementId id) const
-{
-    const PatternPatch* shown = m_context.scene().patch(id);
-    if (!shown || !m_pointer)
-        return std::nullopt;
-    const Patch& on = shown->patch();
-    const BSpline2::Closest closest = on.outline.closest(fromLayout(on, m_pointer->layout));
-    double nearest = m_context.transform().millimetres(mouthReach), best = closest.parameter;
-    if (isFree(*m_pointer))
-        return best;
-    const ArcLength2 length(on.outline);
-    const auto offer = [&](double t) {
-        if (const double way = (on.outline.at(on.outline.wrapped(t)) - closest.point).norm(); way < nearest) {
-            nearest = way;
-            best = on.outline.wrapped(t);
-        }
-    };
-    for (const PatternEdge& edge : shown->edges) {
-        if (edge.ends)
-            offer(edge.from);
-        offer(length.parameterAt((length.at(edge.from) + length.at(edge.to)) / 2));
-    }
-    return best;
-}
-
 void DartTool::pointerMoved()
 {
     m_next.reset();
@@ -99,7 +70,7 @@ void DartTool::pointerMoved()
         m_ends.clear(); // undone meanwhile
     if (m_pointer && m_ends.empty()) {
         m_patch = outlineAtPointer();
-        m_next = placeOn(m_patch);
+        m_next = placeOnOutline(m_context, m_patch, *m_pointer);
     } else if (m_pointer && m_ends.size() == 1) {
         findMouth();
     } else if (m_pointer) {
@@ -110,7 +81,7 @@ void DartTool::pointerMoved()
 /// So wide as is typed, else a whole number of millimetres.
 void DartTool::findMouth()
 {
-    m_next = placeOn(m_patch);
+    m_next = placeOnOutline(m_context, m_patch, *m_pointer);
     const BSpline2& outline = patch()->outline;
     if (!m_next)
         return;
@@ -267,13 +238,13 @@ void DartTool::paint(QPainter& painter, const ViewColors& colors) const
     const std::optional<edits::DartShape> dart = shape();
     if (dart)
         paintDart(painter, colors, m_context, *on, *dart, m_problem.empty());
-    QStringList figures = dart ? dartFigures(*on, *dart) : QStringList();
+    QString note;
     std::vector<double> ends = m_ends;
     if (m_next)
         ends.push_back(*m_next);
     if (ends.size() == 2 && m_next) {
         const edits::DartShape mouth = edits::dartBetween(m_context.document().design(), m_patch, ends[0], ends[1]);
-        figures << tr("Mouth %1").arg(lengthText(edits::dartAxis(on->outline, mouth).width));
+        note = mouthText(*on, mouth);
     }
     painter.setPen(QPen(colors.accent, 1.6));
     painter.setBrush(colors.pointFill);
@@ -285,7 +256,7 @@ void DartTool::paint(QPainter& painter, const ViewColors& colors) const
     if (m_typed.open())
         m_typed.paint(painter, colors, m_pointer->pixel, m_typedGood);
     else
-        paintNote(painter, colors, m_pointer->pixel, figures);
+        paintNote(painter, colors, m_pointer->pixel, {note});
 }
 
 } // namespace bolster

@@ -34,7 +34,6 @@ public:
 private:
     /// What it has been begun on, or what the pointer is at; null when it is gone.
     const Patch* patch() const;
-    std::optional<double> placeOn(ElementId id) const;
     ElementId outlineAtPointer() const;
     void pointerMoved();
     void findMouth();

@@ -14,6 +14,7 @@ enum class PatternToolKind {
     Ellipse,
     Split,
     Dart,
+    DartRotation,
     HandleCurve,
     FancySeam,
     InternalLine,
