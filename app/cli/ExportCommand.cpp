@@ -36,6 +36,8 @@ Outputs:
 
 Options:
   --standard WORD       of the DXF: aama (the usual one), astm, or plain (R12)
+  --splines             the plain DXF as R2000: sewing lines and lines inside as
+                        curves; cut lines stay within --chord of theirs
   --paper WORD          A4 (the usual one), A3, A2, A1, A0, letter, tabloid, or
                         roll:WIDTH in mm; of the PDF, and the width of the HPGL
   --landscape           pages of the PDF lie on their long side
@@ -55,18 +57,31 @@ Exit code:
 namespace {
 
 constexpr std::array exportRules = {
-    OptionRule{"--dxf", true},           OptionRule{"--svg", true},
-    OptionRule{"--pdf", true},           OptionRule{"--hpgl", true},
-    OptionRule{"--standard", true},      OptionRule{"--paper", true},
-    OptionRule{"--landscape"},           OptionRule{"--lines", true},
-    OptionRule{"--allowance", true},     OptionRule{"--unfold"},
-    OptionRule{"--notch-spacing", true}, OptionRule{"--chord", true},
-    OptionRule{"--piece", true, true},   OptionRule{"--sheet", true},
+    OptionRule{"--dxf", true},
+    OptionRule{"--svg", true},
+    OptionRule{"--pdf", true},
+    OptionRule{"--hpgl", true},
+    OptionRule{"--standard", true},
+    OptionRule{"--paper", true},
+    OptionRule{"--landscape"},
+    OptionRule{"--lines", true},
+    OptionRule{"--allowance", true},
+    OptionRule{"--unfold"},
+    OptionRule{"--notch-spacing", true},
+    OptionRule{"--chord", true},
+    OptionRule{"--piece", true, true},
+    OptionRule{"--sheet", true},
+    OptionRule{"--splines"},
 };
 
 DxfStandard standardOf(const Arguments& arguments)
 {
     const std::string word = arguments.path("--standard").toLower().toStdString();
+    if (arguments.has("--splines")) {
+        if (word == "plain" || word.empty())
+            return DxfStandard::Splines;
+        throw UsageError("--splines is of the plain DXF: AAMA and ASTM know no curves");
+    }
     if (word.empty() || word == "aama")
         return DxfStandard::Aama;
     if (word == "astm")

@@ -126,7 +126,8 @@ private:
     void sewing()
     {
         if (has<Seam>()) {
-            group({"seam.flip", "seam.swap-sides", "shape.equal-lengths"});
+            group({"seam.flip", "seam.swap-sides", "shape.equal-lengths", "shape.common-tangents"});
+            group({"dart.close", "dart.rotate"});
             submenu(tr("&Continuity"), m_commands.startingWith("seam.continuity-"));
             submenu(tr("&Match"), m_commands.startingWith("seam.match-"));
             group({"shape.merge-patches", "seam.list"});

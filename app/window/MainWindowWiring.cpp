@@ -4,6 +4,7 @@
 #include "ContextMenus.h"
 #include "CoverAtRest.h"
 #include "CoverLink.h"
+#include "DartCommands.h"
 #include "Docks.h"
 #include "DrawingCommands.h"
 #include "EditCommands.h"
@@ -126,6 +127,7 @@ void MainWindow::addDesignCommands()
     });
     addArea<TwinCommands>(commands, document(), m_selection, *m_docks, *m_status);
     addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
+    addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
                                           *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});

@@ -85,8 +85,17 @@ public:
     }
 
 private:
+    BSpline2 grown(const BSpline2& curve) const
+    {
+        std::vector<Vec2> points;
+        for (const Vec2& point : curve.points())
+            points.push_back(m_grown * point);
+        return curve.withPoints(std::move(points));
+    }
+
     void addLines()
     {
+        m_piece.outline = grown(m_patch.outline);
         SampleOrder order{m_options.chord, m_usual.width, {}};
         for (const EdgeAllowance& edge : m_edges) {
             order.reach = std::max(order.reach, edge.width);
@@ -184,7 +193,7 @@ private:
     {
         if (drawn.use == LineUse::Ignored || drawn.curve.empty())
             return;
-        PieceLine line{{}, drawn.curve.closed(), drawn.use == LineUse::Cut, id, drawn.name};
+        PieceLine line{{}, grown(drawn.curve), drawn.curve.closed(), drawn.use == LineUse::Cut, id, drawn.name};
         for (const OutlineSample& sample : sampled(drawn.curve, {m_options.chord, 0, {}}))
             line.points.push_back({m_grown * sample.at, sample.corner});
         m_piece.inner.push_back(std::move(line));

@@ -41,6 +41,16 @@ void mirror(Vec2& point)
     point.x() = -point.x();
 }
 
+void mirror(BSpline2& curve)
+{
+    if (curve.empty())
+        return;
+    std::vector<Vec2> points = curve.points();
+    for (Vec2& point : points)
+        mirror(point);
+    curve = curve.withPoints(std::move(points));
+}
+
 void mirror(std::vector<LinePoint>& line, bool closed)
 {
     for (LinePoint& point : line)
@@ -94,6 +104,7 @@ double lengthOf(const std::vector<LinePoint>& line, bool closed)
 
 CutPiece mirroredPiece(CutPiece piece)
 {
+    mirror(piece.outline);
     mirror(piece.sew, true);
     mirror(piece.cut, true);
     for (Vec2& gap : piece.gaps)
@@ -105,8 +116,10 @@ CutPiece mirroredPiece(CutPiece piece)
     }
     for (CutHole& hole : piece.holes)
         mirror(hole.at);
-    for (PieceLine& line : piece.inner)
+    for (PieceLine& line : piece.inner) {
+        mirror(line.curve);
         mirror(line.points, false);
+    }
     mirror(piece.grain.from);
     mirror(piece.grain.to);
     mirror(piece.label.at);

@@ -15,6 +15,7 @@ namespace bolster {
 /// A line inside a piece.
 struct PieceLine {
     std::vector<LinePoint> points;
+    BSpline2 curve; ///< that the points are of
     bool closed = false;
     bool cut = false; ///< else it is drawn
     ElementId element{};
@@ -66,6 +67,7 @@ struct CutPiece {
     double tolerance = 2; ///< degrees, of the grain
     ElementId fabric{};
     std::string fabricName;
+    BSpline2 outline;           ///< the sewing line as it was drawn, either way round
     std::vector<LinePoint> sew; ///< counter-clockwise, closed
     std::vector<LinePoint> cut; ///< the same; where all allowances are 0, the sewing line
     std::vector<Vec2> gaps;     ///< where cut lines meet

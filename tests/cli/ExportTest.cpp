@@ -147,6 +147,72 @@ TEST_F(Export, WritesPlainDxfThatOthersRead)
     EXPECT_FALSE(onLayer(read["space"], "notches", "POLYLINE").empty());
 }
 
+TEST_F(Export, WritesCurvesAsSplines)
+{
+    Json exact = panels();
+    exact["elements"].push_back(
+        {{"id", 9},
+         {"kind", "internal_line"},
+         {"name", "Arc"},
+         {"patch", 3},
+         {"curve", {{"degree", 2}, {"closed", false}, {"points", {{50, 50}, {150, 120}, {250, 50}}}}}});
+    write(QStringLiteral("panels.json"), exact.dump());
+    const Json read = dxf({"--splines", "--standard", "plain"});
+    EXPECT_EQ(read["errors"], Json::array());
+    EXPECT_EQ(read["fixes"], Json::array()) << "nothing that the reader had to put right";
+    EXPECT_EQ(read["version"], "AC1015");
+    const auto curves = onLayer(read["space"], "sew", "SPLINE");
+    ASSERT_EQ(curves.size(), 1u) << "an outline without corners is one curve";
+    EXPECT_EQ(curves[0]["degree"], 3);
+    const Json &first = curves[0]["points"].front(), &last = curves[0]["points"].back();
+    EXPECT_NEAR(first[0].get<double>(), last[0].get<double>(), 1e-6);
+    EXPECT_NEAR(first[1].get<double>(), last[1].get<double>(), 1e-6);
+    // The same outline as others draw it from the sewing line that is a polygon within 0.001 mm.
+    const Json fine = dxf({"--standard", "plain", "--chord", "0.001"});
+    double polygon = 0;
+    for (const Json& line : onLayer(fine["space"], "sew", "POLYLINE"))
+        if (line["points"].size() > 4)
+            polygon = area(line["points"]);
+    EXPECT_NEAR(area(curves[0]["points"]) / polygon, 1, 1e-5);
+    EXPECT_EQ(onLayer(read["space"], "sew", "LWPOLYLINE").size(), 1u) << "a polygon stays one";
+    EXPECT_EQ(onLayer(read["space"], "cut", "LWPOLYLINE").size(), 2u)
+        << "beside an allowance there is no exact curve";
+    EXPECT_EQ(onLayer(read["space"], "holes", "CIRCLE").size(), 1u);
+    EXPECT_EQ(onLayer(read["space"], "internal", "SPLINE").size(), 1u);
+    EXPECT_EQ(onLayer(read["space"], "internal", "SPLINE")[0]["degree"], 2);
+    EXPECT_NE(run({"--dxf", path("x.dxf"), "--splines", "--standard", "aama"}).err.find("plain"),
+              std::string::npos);
+}
+
+TEST_F(Export, WritesCutLinesWithoutAllowanceAsSplines)
+{
+    Json bare = panels();
+    bare["settings"]["cutting"]["allowance"] = {{"width_mm", 0}};
+    // With corners: a side from corner to corner is a curve of its own, straight ones are lines.
+    bare["elements"][2]["outline"] = {{"degree", 3},
+                                      {"closed", true},
+                                      {"corners", {0, 3, 6, 9}},
+                                      {"points",
+                                       {{0, 0},
+                                        {100, 0},
+                                        {200, 0},
+                                        {300, 0},
+                                        {330, 130},
+                                        {330, 260},
+                                        {300, 400},
+                                        {200, 400},
+                                        {100, 400},
+                                        {0, 400},
+                                        {0, 260},
+                                        {0, 130}}}};
+    bare["elements"].erase(3); // the seam
+    write(QStringLiteral("panels.json"), bare.dump());
+    const Json read = dxf({"--splines", "--piece", "R\u00fccken"});
+    EXPECT_EQ(read["errors"], Json::array());
+    EXPECT_EQ(onLayer(read["space"], "cut", "SPLINE").size(), 1u);
+    EXPECT_EQ(onLayer(read["space"], "cut", "LINE").size(), 3u);
+}
+
 TEST_F(Export, WritesOnlyTheLinesAndPiecesThatAreWanted)
 {
     const Json read = dxf({"--lines", "sew,notches", "--piece", "Sitz links"});

@@ -14,6 +14,12 @@ def entities(space):
         if e.dxftype() == "POLYLINE":
             row["closed"] = bool(e.is_closed)
             row["points"] = [[v.dxf.location.x, v.dxf.location.y] for v in e.vertices]
+        elif e.dxftype() == "LWPOLYLINE":
+            row["closed"] = bool(e.closed)
+            row["points"] = [[x, y] for x, y, *_ in e.get_points()]
+        elif e.dxftype() == "SPLINE":
+            row["degree"] = e.dxf.degree
+            row["points"] = [list(p)[:2] for p in e.flattening(0.0005)]
         elif e.dxftype() == "POINT":
             row["at"] = list(e.dxf.location)
             row["angle"] = e.dxf.get("angle", 0)
@@ -35,6 +41,7 @@ document = ezdxf.readfile(sys.argv[1])
 audit = document.audit()
 print(json.dumps({
     "errors": [str(e.message) for e in audit.errors],
+    "fixes": [str(e.message) for e in audit.fixes],
     "version": document.dxfversion,
     "blocks": {b.name: entities(b) for b in document.blocks if not b.name.startswith(("*", "$"))},
     "space": entities(document.modelspace())}))

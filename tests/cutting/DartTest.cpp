@@ -39,6 +39,11 @@ std::size_t errorsIn(const Design& design)
     for (const Problem& problem : problems)
         if (problem.severity == Severity::Error)
             ADD_FAILURE() << problem.english();
+    const ReadDesign read = readDesign(writeDesign(design));
+    for (const Problem& problem : read.problems)
+        if (problem.severity == Severity::Error)
+            ADD_FAILURE() << problem.english();
+    EXPECT_TRUE(read.design == design);
     return problems.size();
 }
 
@@ -124,6 +129,67 @@ TEST(Darts, AreMovedAlongTheOutline)
     ASSERT_TRUE(dart);
     EXPECT_TRUE(dart->tip.isApprox(Vec2(140, 50), 1e-6)) << dart->tip.transpose();
     EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), cut.find<Patch>(left)->outline.signedArea(), 1e-6);
+}
+
+TEST(Darts, InSewnEdgesLeaveThemWholeWhenTheyMoveOrClose)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, {left, 1.3, 1.5, {150, 40}}));
+    const ElementId dart = seamsOf(cut).back().first;
+    EXPECT_EQ(cut.with(edits::removeDart(cut, dart)).find<Seam>(between)->b, design.find<Seam>(between)->b);
+    EXPECT_EQ(seamsOf(cut.with(edits::removeDart(cut, dart))).size(), 1u) << "one seam again";
+    for (double at = 0.05; at < 4; at += 0.13) {
+        Message problem;
+        const Edit edit = edits::moveDart(cut, dart, at, &problem);
+        if (edit.empty())
+            continue;
+        const Design moved = cut.with(edit);
+        SCOPED_TRACE(at);
+        errorsIn(moved);
+        ASSERT_TRUE(edits::dartOf(moved, dart)) << "the seam that it was";
+        double other = 0;
+        for (const auto& [id, seam] : seamsOf(moved))
+            if (seam.b.patch == right)
+                other += length(moved, seam.b);
+        EXPECT_NEAR(other, 100, 1e-6);
+    }
+}
+
+TEST(Darts, TheirTipsMoveAndLegsKeepTheirParameters)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, bottom));
+    const ElementId id = seamsOf(cut).back().first;
+    const Design moved = cut.with(edits::moveDartTip(cut, id, {110, 60}));
+    errorsIn(moved);
+    EXPECT_EQ(seamsOf(moved), seamsOf(cut)) << "everything else keeps its place";
+    const auto dart = edits::dartOf(moved, id);
+    ASSERT_TRUE(dart);
+    EXPECT_TRUE(dart->tip.isApprox(Vec2(110, 60), 1e-9));
+    EXPECT_NEAR(moved.find<Patch>(left)->outline.signedArea(), 200 * 100 - 20 * 60 / 2, 1e-6);
+    Message problem;
+    EXPECT_TRUE(edits::moveDartTip(cut, id, {90, 150}, &problem).empty());
+    EXPECT_FALSE(problem.empty()) << "the legs would cross the upper edge";
+}
+
+TEST(Darts, HaveMouthsAsWideAsIsWanted)
+{
+    std::vector<Vec2> points;
+    for (int k = 0; k < 12; ++k)
+        points.push_back(100 * Vec2(std::cos(k * 0.5235987756), std::sin(k * 0.5235987756)));
+    const BSpline2 round(3, true, points);
+    for (const bool ahead : {true, false}) {
+        const auto end = edits::mouthEnd(round, 0.3, 40, ahead);
+        ASSERT_TRUE(end);
+        EXPECT_NEAR((round.at(*end) - round.at(0.3)).norm(), 40, 1e-6);
+        EXPECT_EQ(*end > 0.3 && *end < 6, ahead);
+    }
+    EXPECT_FALSE(edits::mouthEnd(round, 0.3, 400, true));
+    const Design design = twoPanels();
+    const edits::DartAxis axis = edits::dartAxis(rectangle(200, 100), edits::dartBetween(design, left, 0.5, 0.4));
+    EXPECT_TRUE(axis.middle.isApprox(Vec2(90, 0), 1e-9));
+    EXPECT_TRUE(axis.inwards.isApprox(Vec2(0, 1), 1e-9)) << "whichever end was clicked first";
+    EXPECT_NEAR(axis.width, 20, 1e-9);
 }
 
 TEST(Darts, AreRefusedWhereTheyCannotBe)

@@ -44,6 +44,7 @@ private:
     void makeCorners(bool corner);
     void straighten();
     void equalise();
+    void smoothSeamEnds();
     void merge();
     /// Commits it and says what it drops, or why there is none.
     bool commit(const edits::Outcome& outcome);

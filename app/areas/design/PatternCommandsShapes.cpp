@@ -6,6 +6,7 @@
 #include "LengthEdits.h"
 #include "PatchMerge.h"
 #include "PatternCommands.h"
+#include "SeamTruing.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
 #include "Translated.h"
@@ -65,23 +66,31 @@ void PatternCommands::addEdges(Commands& commands)
         return m_selection.edges().size() >= 2 ||
                !selectedOf<Seam>(m_document.design(), m_selection.elements()).empty();
     };
-    commands.add({{.id = "shape.edge-length",
-                   .formerly = "edge-length",
-                   .text = tr("Edge &length \u2026"),
-                   .keys = {Qt::Key_L},
-                   .tip = tr("Type the length of the selected edge"),
-                   .places = {"pattern.points/1"},
-                   .enabled = [this] { return !m_selection.edges().empty(); },
-                   .does = [this] { emit edgeLengthWanted(); }},
-                  {.id = "shape.equal-lengths",
-                   .formerly = "make-equally-long",
-                   .text = tr("Make e&qually long"),
-                   .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
-                   .tip = tr("Makes the selected edges as long as the first one, or the second side of a seam as "
-                             "long as its first"),
-                   .places = {"pattern.points/1"},
-                   .enabled = comparable,
-                   .does = [this] { equalise(); }}});
+    commands.add(
+        {{.id = "shape.edge-length",
+          .formerly = "edge-length",
+          .text = tr("Edge &length \u2026"),
+          .keys = {Qt::Key_L},
+          .tip = tr("Type the length of the selected edge"),
+          .places = {"pattern.points/1"},
+          .enabled = [this] { return !m_selection.edges().empty(); },
+          .does = [this] { emit edgeLengthWanted(); }},
+         {.id = "shape.equal-lengths",
+          .formerly = "make-equally-long",
+          .text = tr("Make e&qually long"),
+          .keys = {Qt::CTRL | Qt::SHIFT | Qt::Key_E},
+          .tip = tr("Makes the selected edges as long as the first one, or the second side of a seam as "
+                    "long as its first"),
+          .places = {"pattern.points/1"},
+          .enabled = comparable,
+          .does = [this] { equalise(); }},
+         {.id = "shape.common-tangents",
+          .text = tr("Smooth &across seam ends"),
+          .tip = tr("Outlines go on without a kink from one patch to the other where the selected seams end, "
+                    "when both sides lie together"),
+          .places = {"pattern.points/1"},
+          .enabled = [this] { return !selectedOf<Seam>(m_document.design(), m_selection.elements()).empty(); },
+          .does = [this] { smoothSeamEnds(); }}});
     commands.add(MenuPlace{"pattern.twins", tr("Mirror twi&ns"), "pattern/2"}); // filled by TwinCommands
     commands.add({.id = "shape.merge-patches",
                   .formerly = "merge-along-seam",
@@ -160,6 +169,21 @@ void PatternCommands::equalise()
         emit said(problem.empty() ? tr("They are equally long already.") : translated(problem));
         return;
     }
+    gesture.update(edit);
+    gesture.commit();
+}
+
+void PatternCommands::smoothSeamEnds()
+{
+    const std::vector<ElementId> seams = selectedOf<Seam>(m_document.design(), m_selection.elements());
+    Message problem;
+    Gesture gesture(m_document); // what would break something is taken back with a reason
+    const Edit edit = edits::smoothAcrossSeamEnds(gesture.start(), seams, &problem);
+    if (edit.empty()) {
+        emit said(problem.empty() ? tr("They go on without a kink already.") : translated(problem));
+        return;
+    }
+    m_selection.set(m_selection.elements()); // points of polygons have other numbers then
     gesture.update(edit);
     gesture.commit();
 }

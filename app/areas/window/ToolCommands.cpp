@@ -48,6 +48,7 @@ void ToolCommands::add(Commands& commands)
          Qt::SHIFT | Qt::Key_R},
         {Kind::Ellipse, "tool.ellipse", "draw-ellipse", tr("Draw &ellipse"), "ellipse", Qt::SHIFT | Qt::Key_E},
         {Kind::Split, "tool.split", "split-patch", tr("S&plit patch"), "split", Qt::Key_K},
+        {Kind::Dart, "tool.dart", "", tr("Draw &dart"), "dart", Qt::SHIFT | Qt::Key_D},
         {Kind::HandleCurve, "tool.handle-curve", "draw-handle-curve", tr("Draw &handle curve"), "handle-curve",
          Qt::Key_H},
         {Kind::FancySeam, "tool.fancy-seam", "draw-fancy-seam", tr("Draw &fancy seam"), "fancy-seam", Qt::Key_N},

@@ -2,6 +2,7 @@
 
 #include "CutTable.h"
 #include "CutText.h"
+#include "DxfText.h"
 
 #include <numbers>
 #include <set>
@@ -17,69 +18,19 @@ struct Layers {
 constexpr Layers numbered{"1", "2", "3", "4", "7", "8", "11", "13", "14", "15"};
 constexpr Layers named{"cut", "", "", "notches", "grain", "internal", "internal-cut", "holes", "sew", "labels"};
 
-class Dxf {
-public:
-    void pair(int code, std::string_view value)
-    {
-        const std::string number = std::to_string(code);
-        m_text.append(number.size() < 3 ? 3 - number.size() : 0, ' ').append(number).append("\r\n");
-        m_text.append(value).append("\r\n");
-    }
-    void number(int code, double value) { pair(code, decimal(value)); }
-    void point(int code, const Vec2& at)
-    {
-        number(code, at.x());
-        number(code + 10, at.y());
-    }
-    void entity(std::string_view kind, std::string_view layer)
-    {
-        pair(0, kind);
-        pair(8, layer);
-    }
-    void begin(std::string_view section)
-    {
-        pair(0, "SECTION");
-        pair(2, section);
-    }
-    void end() { pair(0, "ENDSEC"); }
+/// Without blocks: everything where it lies.
+bool isOnTable(DxfStandard standard)
+{
+    return standard == DxfStandard::Plain || standard == DxfStandard::Splines;
+}
 
-    void line(std::string_view layer, const Vec2& from, const Vec2& to)
-    {
-        entity("LINE", layer);
-        point(10, from);
-        point(11, to);
-    }
-    void dot(std::string_view layer, const Vec2& at)
-    {
-        entity("POINT", layer);
-        point(10, at);
-    }
-    void polyline(std::string_view layer, const std::vector<Vec2>& points, bool closed)
-    {
-        entity("POLYLINE", layer);
-        pair(66, "1");
-        pair(70, closed ? "1" : "0");
-        for (const Vec2& at : points) {
-            entity("VERTEX", layer);
-            point(10, at);
-        }
-        entity("SEQEND", layer);
-    }
-    void text(std::string_view layer, const Vec2& at, double height, double degrees, std::string_view words)
-    {
-        entity("TEXT", layer);
-        point(10, at);
-        number(40, height);
-        pair(1, ascii(words));
-        if (degrees != 0)
-            number(50, degrees);
-    }
-
-    std::string result() { return std::move(m_text); }
-
-private:
-    std::string m_text;
-};
+BSpline2 placed(const BSpline2& curve, const TablePiece& place)
+{
+    std::vector<Vec2> points;
+    for (const Vec2& point : curve.points())
+        points.push_back(place.at(point));
+    return curve.withPoints(std::move(points));
+}
 
 std::vector<Vec2> placesOf(const std::vector<LinePoint>& line, const TablePiece& place)
 {
@@ -100,10 +51,10 @@ std::vector<std::pair<std::string, std::string>> pieceWords(const CutPiece& piec
 
 class PieceWriter {
 public:
-    PieceWriter(Dxf& dxf, const DxfOrder& order, const CutPiece& piece, const TablePiece& place)
+    PieceWriter(DxfText& dxf, const DxfOrder& order, const CutPiece& piece, const TablePiece& place)
         : m_dxf(dxf)
         , m_order(order)
-        , m_names(order.standard == DxfStandard::Plain ? named : numbered)
+        , m_names(isOnTable(order.standard) ? named : numbered)
         , m_piece(piece)
         , m_place(place)
     {}
@@ -112,11 +63,13 @@ public:
     {
         const CutLayers& layers = m_order.layers;
         comments();
-        if (layers.cut)
+        if (layers.cut && m_piece.cut == m_piece.sew)
+            sewingLine(m_names.cut);
+        else if (layers.cut)
             outline(m_names.cut, m_piece.cut);
         // A piece without its cut line has its sewing line for a boundary.
         if (layers.sew)
-            outline(layers.cut || isPlain() ? m_names.sew : m_names.cut, m_piece.sew);
+            sewingLine(layers.cut || isPlain() ? m_names.sew : m_names.cut);
         if (!isPlain()) {
             corners(layers.cut ? m_piece.cut : m_piece.sew);
             // Whoever reads the sewing line wants to know its corners, too.
@@ -132,8 +85,7 @@ public:
             m_dxf.line(m_names.grain, m_place.at(m_piece.grain.from), m_place.at(m_piece.grain.to));
         if (layers.internal)
             for (const PieceLine& line : m_piece.inner)
-                m_dxf.polyline(line.cut ? m_names.cutOut : m_names.internal, placesOf(line.points, m_place),
-                               line.closed);
+                inner(line.cut ? m_names.cutOut : m_names.internal, line);
         if (layers.holes)
             for (const CutHole& hole : m_piece.holes)
                 this->hole(hole);
@@ -152,11 +104,27 @@ private:
                 m_dxf.pair(999, escapedAscii(key + ": " + value));
     }
 
-    bool isPlain() const { return m_order.standard == DxfStandard::Plain; }
+    bool isPlain() const { return isOnTable(m_order.standard); }
 
     void outline(const char* layer, const std::vector<LinePoint>& line)
     {
         m_dxf.polyline(layer, placesOf(line, m_place), true);
+    }
+
+    void sewingLine(const char* layer)
+    {
+        if (m_dxf.isR2000())
+            m_dxf.curve(layer, placed(m_piece.outline, m_place));
+        else
+            outline(layer, m_piece.sew);
+    }
+
+    void inner(const char* layer, const PieceLine& line)
+    {
+        if (m_dxf.isR2000())
+            m_dxf.curve(layer, placed(line.curve, m_place));
+        else
+            m_dxf.polyline(layer, placesOf(line.points, m_place), line.closed);
     }
 
     void corners(const std::vector<LinePoint>& line)
@@ -207,9 +175,7 @@ private:
     void hole(const CutHole& hole)
     {
         if (isPlain()) {
-            m_dxf.entity("CIRCLE", m_names.hole);
-            m_dxf.point(10, m_place.at(hole.at));
-            m_dxf.number(40, hole.diameter / 2);
+            m_dxf.circle(m_names.hole, m_place.at(hole.at), hole.diameter / 2);
             return;
         }
         m_dxf.dot(m_names.hole, m_place.at(hole.at));
@@ -229,7 +195,7 @@ private:
         }
     }
 
-    Dxf& m_dxf;
+    DxfText& m_dxf;
     const DxfOrder& m_order;
     const Layers& m_names;
     const CutPiece& m_piece;
@@ -259,7 +225,7 @@ private:
 };
 
 /// Whole sheets, without blocks.
-void writePlain(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
+void writePlain(DxfText& dxf, const CutPattern& pattern, const DxfOrder& order)
 {
     const CutTable table = arranged(pattern, usualTableWidth);
     dxf.begin("HEADER");
@@ -276,7 +242,19 @@ void writePlain(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
     dxf.end();
 }
 
-void writeBlock(Dxf& dxf, const CutPiece& piece, const std::string& name, const DxfOrder& order)
+/// The same as R2000, with curves.
+void writeSplines(DxfText& dxf, const CutPattern& pattern, const DxfOrder& order)
+{
+    const CutTable table = arranged(pattern, usualTableWidth);
+    beginR2000(dxf, {{named.cut, named.notch, named.grain, named.internal, named.cutOut, named.hole, named.sew,
+                      named.text},
+                     table.size});
+    for (const TablePiece& place : table.pieces)
+        PieceWriter(dxf, order, pattern.pieces[place.piece], place).write();
+    endR2000(dxf);
+}
+
+void writePieceBlock(DxfText& dxf, const CutPiece& piece, const std::string& name, const DxfOrder& order)
 {
     dxf.entity("BLOCK", "0");
     dxf.pair(2, name);
@@ -294,7 +272,7 @@ void writeBlock(Dxf& dxf, const CutPiece& piece, const std::string& name, const 
     dxf.entity("ENDBLK", "0");
 }
 
-void writeBlocks(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
+void writeBlocks(DxfText& dxf, const CutPattern& pattern, const DxfOrder& order)
 {
     const CutTable table = arranged(pattern, usualTableWidth);
     dxf.begin("HEADER");
@@ -306,7 +284,7 @@ void writeBlocks(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
     dxf.begin("BLOCKS");
     for (const CutPiece& piece : pattern.pieces) {
         blocks.push_back(names.name(piece));
-        writeBlock(dxf, piece, blocks.back(), order);
+        writePieceBlock(dxf, piece, blocks.back(), order);
     }
     dxf.end();
 
@@ -346,9 +324,11 @@ void writeBlocks(Dxf& dxf, const CutPattern& pattern, const DxfOrder& order)
 
 std::string dxfText(const CutPattern& pattern, const DxfOrder& order)
 {
-    Dxf dxf;
+    DxfText dxf(order.standard == DxfStandard::Splines);
     if (order.standard == DxfStandard::Plain)
         writePlain(dxf, pattern, order);
+    else if (order.standard == DxfStandard::Splines)
+        writeSplines(dxf, pattern, order);
     else
         writeBlocks(dxf, pattern, order);
     dxf.pair(0, "EOF");

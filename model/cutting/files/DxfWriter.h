@@ -7,9 +7,10 @@
 namespace bolster {
 
 enum class DxfStandard {
-    Aama, ///< ANSI/AAMA-292: a block for each piece, numbered layers
-    Astm, ///< ASTM D6673: the same with other texts
-    Plain ///< R12: everything where it lies on the table, layers with names
+    Aama,   ///< ANSI/AAMA-292: a block for each piece, numbered layers
+    Astm,   ///< ASTM D6673: the same with other texts
+    Plain,  ///< R12: everything where it lies on the table, layers with names
+    Splines ///< R2000: the same; sewing lines and lines inside as curves, exactly
 };
 
 struct DxfOrder {

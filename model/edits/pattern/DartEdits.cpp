@@ -25,6 +25,20 @@ Edit refused(Message* problem, Message why)
     return {};
 }
 
+Message tipProblem()
+{
+    return {
+        QT_TRANSLATE_NOOP("Message", "The tip of a dart must lie inside its patch, at least 5 mm from its mouth."),
+        {}};
+}
+
+Message legsProblem(const Design& design, ElementId patch)
+{
+    return {
+        QT_TRANSLATE_NOOP("Message", "The legs of the dart would cross the outline of %1: put its tip elsewhere."),
+        {displayName(design, patch)}};
+}
+
 /// From one end of the mouth to the other the shorter way, unwrapped.
 struct Mouth {
     double from = 0;
@@ -43,21 +57,11 @@ Mouth shorterWay(const BSpline2& outline, double a, double b)
     return {b, a > b ? a : a + period};
 }
 
-/// The same outline with its domain beginning elsewhere; what joined() gives begins at 0.
-BSpline2 beginningAt(const BSpline2& outline, double start)
-{
-    std::vector<double> knots = outline.knots();
-    for (double& knot : knots)
-        knot += start;
-    return {outline.degree(), true, outline.points(), std::move(knots)};
-}
-
 /// The outline with straight lines through `points` in place of a part, which keeps its parameters; `corners`
 /// becomes those of the points in between.
 std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, const std::vector<Vec2>& inner,
                                   std::vector<double>* corners = nullptr)
 {
-    const double period = outline.period();
     const BSpline2 kept = outline.part(outline.wrapped(part.to), outline.wrapped(part.from));
     std::vector<Vec2> points{kept.points().back()};
     points.insert(points.end(), inner.begin(), inner.end());
@@ -70,7 +74,7 @@ std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, co
     const double speed = length / (part.to - part.from);
     std::vector<double> starts;
     const BSpline2 whole = joined({kept, polyline(points, outline.degree(), 0, speed)}, &starts);
-    const double start = part.to - period * std::floor((part.to - outline.domainStart()) / period);
+    const double start = inFirstTurn(outline, part.to);
     const BSpline2 result = beginningAt(whole, start);
     if (corners) {
         double at = starts[1] + start;
@@ -82,7 +86,23 @@ std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, co
     return outlineProblem(result) ? std::nullopt : std::optional(result);
 }
 
-/// A seam with the mouth strictly inside of one of its sides, divided there.
+/// What lies on this part of the outline stays there, by parameters of the domain that the outline has now; what
+/// lies elsewhere goes.
+void keepPlaces(const Design& design, const Mouth& kept, ElementId patch, const std::set<ElementId>& except,
+                EditBuilder& builder)
+{
+    std::vector<ElementId> dropped;
+    remapStretches(design, {{patch, {{kept.from, kept.to, patch, kept.from}}}}, except, builder, dropped);
+}
+
+/// Both ends in the same turn; `to` is unwrapped.
+Stretch stretchBetween(const BSpline2& outline, ElementId patch, double from, double to)
+{
+    const double start = inFirstTurn(outline, from), end = start + to - from;
+    return {patch, start, end > outline.domainEnd() ? end - outline.period() : end};
+}
+
+/// What a mouth leaves of a seam on another patch: the parts before and after it. The other side stays whole.
 class DividedSeam {
 public:
     DividedSeam(const Design& design, const Seam& seam, ElementId patch, const Mouth& mouth)
@@ -95,46 +115,122 @@ public:
             if (stretch.patch != patch || (seam.*other).patch == patch || !there || there->outline.empty())
                 continue;
             const BSpline2& outline = design.find<Patch>(patch)->outline;
-            const double period = outline.period();
             const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-            for (int turn = -1; turn <= 1; ++turn) {
-                const double from = mouth.from + turn * period, to = mouth.to + turn * period;
-                if (!(from > stretch.from + samePlace && to < end - samePlace))
-                    continue;
-                const ArcLength2 length(outline);
-                const double before = length.between(stretch.from, from), after = length.between(to, end);
-                m_parts = divided(side, other, {outline.wrapped(from), outline.wrapped(to)},
-                                  before / (before + after), there->outline);
-                return;
+            for (int turn = -2; turn <= 2; ++turn) {
+                const double from = mouth.from + turn * outline.period(), to = mouth.to + turn * outline.period();
+                if (to > stretch.from + samePlace && from < end - samePlace)
+                    divide(side, other, outline, {stretch.from, from}, {to, end}, there->outline);
             }
         }
     }
 
-    /// Empty when the mouth is elsewhere.
+    /// Empty when the mouth is elsewhere, or takes all of it.
     const std::vector<Seam>& parts() const { return m_parts; }
 
 private:
-    std::vector<Seam> divided(Stretch Seam::*side, Stretch Seam::*other, const std::pair<double, double>& ends,
-                              double share, const BSpline2& outline) const
+    void divide(Stretch Seam::*side, Stretch Seam::*other, const BSpline2& outline, const Mouth& before,
+                const Mouth& after, const BSpline2& outlineThere)
     {
+        const ArcLength2 length(outline);
+        const auto lengthOf = [&](const Mouth& part) {
+            return part.to > part.from + samePlace ? length.between(part.from, part.to) : 0;
+        };
+        const double first = lengthOf(before), whole = first + lengthOf(after);
+        if (!(whole > 0))
+            return;
         const Stretch& there = m_seam.*other;
-        const MatchedRange<2> range(outline, there.from, there.to, Match::Length);
-        const double cut = outline.wrapped(range.parameter(m_seam.reversed ? 1 - share : share));
-        Seam first = m_seam, second = m_seam;
-        (first.*side).to = ends.first;
-        (second.*side).from = ends.second;
-        (m_seam.reversed ? (first.*other).from : (first.*other).to) = cut;
-        (m_seam.reversed ? (second.*other).to : (second.*other).from) = cut;
-        first.ease = share * m_seam.ease;
-        second.ease = m_seam.ease - first.ease;
-        return {first, second};
+        const MatchedRange<2> range(outlineThere, there.from, there.to, Match::Length);
+        const auto add = [&](const Mouth& part, double f0, double f1) {
+            if (f1 <= f0)
+                return;
+            Seam seam = m_seam;
+            seam.*side = stretchBetween(outline, (m_seam.*side).patch, part.from, part.to);
+            const double g0 = m_seam.reversed ? 1 - f1 : f0, g1 = m_seam.reversed ? 1 - f0 : f1;
+            seam.*other = stretchBetween(outlineThere, there.patch, range.parameter(g0), range.parameter(g1));
+            seam.ease = (f1 - f0) * m_seam.ease;
+            m_parts.push_back(std::move(seam));
+        };
+        add(before, 0, first / whole);
+        add(after, first / whole, 1);
     }
 
     Seam m_seam;
     std::vector<Seam> m_parts;
 };
 
+/// The two seams that a dart over a seam has made of it, as one again.
+struct SeamsOverMouth {
+    ElementId first{}, second{};
+    Seam whole;
+};
+
+/// Of what ends at `from` and goes on at `to`, both on the same side and with the other side in one.
+std::optional<SeamsOverMouth> seamsOver(const Design& design, const DartShape& dart)
+{
+    const BSpline2& outline = design.find<Patch>(dart.patch)->outline;
+    const auto meets = [](const BSpline2& on, double a, double b) {
+        return std::abs(std::remainder(a - b, on.period())) < samePlace;
+    };
+    std::optional<SeamsOverMouth> found;
+    const auto join = [&](ElementId one, const Seam& x, ElementId two, const Seam& y, Stretch Seam::*side) {
+        Stretch Seam::*other = side == &Seam::a ? &Seam::b : &Seam::a;
+        const auto* there = design.find<Patch>((x.*other).patch);
+        const bool alike = one != two && (y.*side).patch == dart.patch && (y.*other).patch == (x.*other).patch &&
+                           (x.*other).patch != dart.patch && x.reversed == y.reversed && x.match == y.match;
+        if (!alike || !there || there->outline.empty() || !meets(outline, (y.*side).from, dart.to))
+            return;
+        const Stretch &first = (x.reversed ? y : x).*other, &last = (x.reversed ? x : y).*other;
+        if (!meets(there->outline, first.to, last.from))
+            return;
+        found = SeamsOverMouth{one, two, x};
+        const auto after = [](const BSpline2& on, double from, double to) {
+            return to + on.period() * std::ceil((from - to) / on.period() + samePlace);
+        };
+        (found->whole.*side) =
+            stretchBetween(outline, dart.patch, (x.*side).from, after(outline, (x.*side).from, (y.*side).to));
+        (found->whole.*other) =
+            stretchBetween(there->outline, first.patch, first.from, after(there->outline, first.from, last.to));
+        found->whole.ease = x.ease + y.ease;
+    };
+    design.each<Seam>([&](ElementId first, const Seam& x) {
+        for (Stretch Seam::*side : {&Seam::a, &Seam::b})
+            if ((x.*side).patch == dart.patch && meets(outline, (x.*side).to, dart.from))
+                design.each<Seam>([&](ElementId second, const Seam& y) { join(first, x, second, y, side); });
+    });
+    return found;
+}
+
 } // namespace
+
+DartShape dartBetween(const Design& design, ElementId patch, double a, double b)
+{
+    const BSpline2& outline = design.find<Patch>(patch)->outline;
+    const Mouth mouth = shorterWay(outline, a, b);
+    return {patch, outline.wrapped(mouth.from), outline.wrapped(mouth.to)};
+}
+
+std::optional<double> mouthEnd(const BSpline2& outline, double from, double width, bool ahead)
+{
+    const ArcLength2 length(outline);
+    const Vec2 start = outline.at(outline.wrapped(from));
+    double way = width; // along the outline
+    for (int step = 0; step < 50 && way > 0 && 2 * way <= length.total(); ++step) {
+        const double end = outline.wrapped(length.parameterAt(length.at(from) + (ahead ? way : -way)));
+        const double across = (outline.at(end) - start).norm();
+        if (std::abs(across - width) < 1e-9 * width)
+            return end;
+        way *= across > 0 ? width / across : 2;
+    }
+    return std::nullopt;
+}
+
+DartAxis dartAxis(const BSpline2& outline, const DartShape& dart)
+{
+    const Vec2 a = outline.at(outline.wrapped(dart.from)), b = outline.at(outline.wrapped(dart.to));
+    const Vec2 along = b - a;
+    const Vec2 inwards = outline.signedArea() < 0 ? Vec2(along.y(), -along.x()) : Vec2(-along.y(), along.x());
+    return {(a + b) / 2, along.norm() > 0 ? Vec2(inwards.normalized()) : Vec2(0, 1), along.norm()};
+}
 
 Edit addDart(const Design& design, const DartShape& shape, Message* problem)
 {
@@ -148,35 +244,27 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
         return refused(problem,
                        {QT_TRANSLATE_NOOP("Message", "The mouth of a dart must be at least 1 mm wide."), {}});
     if (!isInside(outline, shape.tip) || std::min((shape.tip - a).norm(), (shape.tip - b).norm()) < shortest)
-        return refused(problem,
-                       {QT_TRANSLATE_NOOP("Message", "The tip of a dart must lie inside its patch, at least 5 mm "
-                                                     "from its mouth."),
-                        {}});
+        return refused(problem, tipProblem());
     std::vector<double> tip;
     const std::optional<BSpline2> cut = withLines(outline, mouth, {shape.tip}, &tip);
     if (!cut)
-        return refused(problem,
-                       {QT_TRANSLATE_NOOP("Message", "The legs of the dart would cross the outline of %1: put its "
-                                                     "tip elsewhere."),
-                        {displayName(design, shape.patch)}});
+        return refused(problem, legsProblem(design, shape.patch));
     EditBuilder builder(design);
     Patch changed = *patch;
     changed.outline = *cut;
     builder.replace(shape.patch, std::move(changed));
 
     std::set<ElementId> divided;
-    std::vector<ElementId> dropped;
     design.each<Seam>([&](ElementId id, const Seam& seam) {
         const std::vector<Seam> parts = DividedSeam(design, seam, shape.patch, mouth).parts();
         if (parts.empty())
             return;
         divided.insert(id);
-        builder.replace(id, parts[0]);
-        builder.add(parts[1]);
+        builder.replace(id, parts.front());
+        for (std::size_t k = 1; k < parts.size(); ++k)
+            builder.add(parts[k]);
     });
-    const double period = outline.period();
-    remapStretches(design, {{shape.patch, {{mouth.to, mouth.from + period, shape.patch, mouth.to}}}}, divided,
-                   builder, dropped);
+    keepPlaces(design, {mouth.to, mouth.from + outline.period()}, shape.patch, divided, builder);
     const double first = cut->wrapped(mouth.from), middle = cut->wrapped(tip.front()),
                  last = cut->wrapped(mouth.to);
     builder.add(
@@ -224,8 +312,51 @@ Edit removeDart(const Design& design, ElementId id, Message* problem)
     changed.outline = *closed;
     builder.replace(dart->patch, std::move(changed));
     builder.remove(id);
+    std::set<ElementId> done{id};
+    if (const auto sewn = seamsOver(design, *dart)) {
+        builder.replace(sewn->first, sewn->whole);
+        builder.remove(sewn->second);
+        done.insert({sewn->first, sewn->second});
+    }
+    keepPlaces(design, {legs.to, legs.from + outline.period()}, dart->patch, done, builder);
+    return builder.result({QT_TRANSLATE_NOOP("Message", "Close a dart of %1"), {displayName(design, dart->patch)}});
+}
+
+Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
+{
+    const std::optional<DartShape> dart = dartOf(design, id);
+    if (!dart)
+        return refused(problem, {QT_TRANSLATE_NOOP("Message", "Select the seam of a dart."), {}});
+    const Seam& seam = *design.find<Seam>(id);
+    const Patch& patch = *design.find<Patch>(dart->patch);
+    const BSpline2& outline = patch.outline;
+    const auto at = [&](double t) { return outline.at(outline.wrapped(t)); };
+    const auto end = [&](double from, double to) {
+        return unwrappedEnd(from, to, outline.domainStart(), outline.domainEnd());
+    };
+    const double middle = end(dart->from, seam.a.from == dart->from ? seam.a.to : seam.b.to);
+    const double last = end(middle, dart->to);
+    const auto leg = [&](const Vec2& a, const Vec2& b, double span) {
+        return polyline({a, b}, outline.degree(), 0, (b - a).norm() / span);
+    };
+    const Vec2 from = at(dart->from), to = at(dart->to);
+    if (std::min((tip - from).norm(), (tip - to).norm()) < shortest)
+        return refused(problem, tipProblem());
+    // Each leg keeps its parameters, and so does everything on it.
+    const BSpline2 whole = joined({outline.part(outline.wrapped(dart->to), outline.wrapped(dart->from)),
+                                   leg(from, tip, middle - dart->from), leg(tip, to, last - middle)},
+                                  nullptr);
+    EditBuilder builder(design);
+    Patch changed = patch;
+    changed.outline = beginningAt(whole, inFirstTurn(outline, dart->to));
+    if (outlineProblem(changed.outline))
+        return refused(problem, legsProblem(design, dart->patch));
+    const bool begins = changed.outline.domainStart() != outline.domainStart();
+    builder.replace(dart->patch, std::move(changed));
+    if (begins) // elsewhere than before
+        keepPlaces(design, {last, last + outline.period()}, dart->patch, {}, builder);
     return builder.result(
-        {QT_TRANSLATE_NOOP("Message", "Remove a dart of %1"), {displayName(design, dart->patch)}});
+        {QT_TRANSLATE_NOOP("Message", "Move the tip of a dart of %1"), {displayName(design, dart->patch)}});
 }
 
 Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
@@ -253,7 +384,18 @@ Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
     const Edit added = addDart(without, moved, problem);
     if (added.empty())
         return {};
-    return editBetween(design, without.with(added),
+    // It stays the seam that it was, with its trim.
+    EditBuilder builder(without.with(added));
+    for (const Change& change : added.changes)
+        if (const auto now = change.before ? std::nullopt : dartOf(builder.now(), change.id)) {
+            const Seam sewn = *builder.now().find<Seam>(change.id);
+            Seam kept = *design.find<Seam>(id);
+            kept.a = sewn.a;
+            kept.b = sewn.b;
+            builder.remove(change.id);
+            builder.replace(id, std::move(kept));
+        }
+    return editBetween(design, builder.now(),
                        {QT_TRANSLATE_NOOP("Message", "Move a dart of %1"), {displayName(design, dart->patch)}});
 }
 

@@ -3,6 +3,7 @@
 #include "BezierPieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bolster::edits {
 
@@ -94,6 +95,19 @@ BSpline2 joined(const std::vector<BSpline2>& curves, std::vector<double>* starts
     }
     knots.push_back(base);
     return BSpline2(degree, true, std::move(points), std::move(knots));
+}
+
+BSpline2 beginningAt(const BSpline2& curve, double start)
+{
+    std::vector<double> knots = curve.knots();
+    for (double& knot : knots)
+        knot += start - curve.domainStart();
+    return {curve.degree(), true, curve.points(), std::move(knots)};
+}
+
+double inFirstTurn(const BSpline2& curve, double t)
+{
+    return t - curve.period() * std::floor((t - curve.domainStart()) / curve.period());
 }
 
 bool isCorner(const BSpline2& curve, int i)

@@ -35,17 +35,24 @@ void eachKept(const Design& before, const Design& now, const Visit& visit)
     }
 }
 
-using Moves = std::map<double, double>; // parameters: new by old
+/// What the edit has done to the stretches on a patch. Where an outline is put together anew, one end can be that
+/// of a stretch that has moved and of another one that has stayed.
+struct Moves {
+    std::map<std::pair<double, double>, std::pair<double, double>> stretches; ///< new parameters by old ones
+    std::map<double, double> ends;
+};
 
-/// Where the edit has moved the ends of stretches on a patch.
 Moves movesOn(ElementId patch, const Design& before, const Design& now)
 {
     Moves moves;
     eachKept(before, now, [&](ElementId, const std::vector<Stretch>& old, const std::vector<Stretch>& after) {
         for (std::size_t i = 0; i < old.size(); ++i)
-            if (old[i].patch == patch && after[i].patch == patch && !(old[i] == after[i])) {
-                moves.emplace(old[i].from, after[i].from);
-                moves.emplace(old[i].to, after[i].to);
+            if (old[i].patch == patch && after[i].patch == patch) {
+                moves.stretches.emplace(std::pair(old[i].from, old[i].to), std::pair(after[i].from, after[i].to));
+                if (old[i] == after[i])
+                    continue;
+                moves.ends.emplace(old[i].from, after[i].from);
+                moves.ends.emplace(old[i].to, after[i].to);
             }
     });
     return moves;
@@ -55,14 +62,19 @@ Design withMoves(const Moves& moves, ElementId patch, const Design& before, cons
 {
     Edit edit;
     const auto moved = [&](double parameter) {
-        const auto found = moves.find(parameter);
-        return found == moves.end() ? parameter : found->second;
+        const auto found = moves.ends.find(parameter);
+        return found == moves.ends.end() ? parameter : found->second;
+    };
+    const auto movedStretch = [&](const Stretch& stretch) {
+        const auto found = moves.stretches.find({stretch.from, stretch.to});
+        return found == moves.stretches.end() ? Stretch{patch, moved(stretch.from), moved(stretch.to)}
+                                              : Stretch{patch, found->second.first, found->second.second};
     };
     eachKept(before, now, [&](ElementId id, const std::vector<Stretch>& old, std::vector<Stretch> after) {
         const std::vector<Stretch> given = after;
         for (std::size_t i = 0; i < old.size(); ++i)
             if (after[i].patch == patch && old[i] == after[i])
-                after[i] = {patch, moved(after[i].from), moved(after[i].to)};
+                after[i] = movedStretch(after[i]);
         if (after != given)
             edit.changes.push_back({id, nullptr, withStretches(*now.element(id), after)});
     });

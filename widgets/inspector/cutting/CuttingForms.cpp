@@ -62,6 +62,17 @@ void PieceCuttingSection::add(PropertyForm& form, const InspectorSubject<Patch>&
     patch.field(&Patch::cutting, &PieceCutting::tolerance);
     patch.textRow(
         patch.fieldAt(&Patch::cutting, &PieceCutting::note), [](auto& p) -> auto& { return p.cutting.note; });
+    form.addCheck(
+        tr("Label where it finds room"),
+        [patch] { return patch.shared([](const Patch& p) { return !p.cutting.label; }); },
+        [patch](bool found) {
+            patch.change(Description<PieceLabelPlace>::verb, [&](Patch& p) {
+                if (found || p.outline.empty())
+                    p.cutting.label.reset();
+                else // where it is dragged from
+                    p.cutting.label = PieceLabelPlace{p.outline.boundingBox().center(), p.grain - 90};
+            });
+        });
 }
 
 void DesignCuttingSection::add(PropertyForm& form, const InspectorSubject<Settings>& settings)

@@ -2,6 +2,7 @@
 
 #include "Document.h"
 #include "HitSelection.h"
+#include "LabelDrag.h"
 #include "MarkDrag.h"
 #include "PatchEdits.h"
 #include "Selection.h"
@@ -52,9 +53,12 @@ void PatternSelectTool::press(const PatternPointer& pointer)
     m_pressed = pointer;
     m_pressedHandle = onTurnHandle(pointer.pixel);
     m_pressedCorner = m_pressedHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
-    m_pressedEnd = m_pressedHandle || m_pressedCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
-    const bool onHandle = m_pressedHandle || m_pressedCorner || m_pressedEnd;
+    m_pressedDart = m_pressedHandle || m_pressedCorner ? std::nullopt : dartHandleAt(m_context, pointer.pixel);
+    m_pressedEnd =
+        m_pressedHandle || m_pressedCorner || m_pressedDart ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
+    const bool onHandle = m_pressedHandle || m_pressedCorner || m_pressedEnd || m_pressedDart;
     m_pressedHit = onHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+    m_pressedLabel = onHandle ? noElement : labelUnder(m_pressedHit, pointer.pixel);
     m_alreadySelected = m_onSelectedEdge = false;
     if (!onHandle)
         select(pointer);
@@ -81,14 +85,20 @@ std::unique_ptr<PatternDrag> PatternSelectTool::newDrag() const
         return turnPatches(m_context, *m_pressed);
     if (m_pressedCorner)
         return scalePatches(m_context, *m_pressed, *m_pressedCorner);
+    if (m_pressedDart)
+        return dragDart(m_context, *m_pressed, *m_pressedDart);
     if (m_pressedEnd)
         return dragStretchEnd(m_context, *m_pressed, *m_pressedEnd);
+    if (m_pressedLabel != noElement)
+        return dragLabel(m_context, *m_pressed, m_pressedLabel);
     switch (m_pressedHit.kind) {
     case PatternHit::Kind::Nothing:
         return m_context.lasso() != bool(m_pressed->modifiers & Qt::AltModifier)
                    ? selectLasso(m_context, *m_pressed)
                    : selectBox(m_context, *m_pressed);
     case PatternHit::Kind::Point:
+        if (selectedDart(m_context.document().design(), selection) != noElement) // its tip
+            return dragDart(m_context, *m_pressed, DartHandle::Tip);
         return selection.contains(Selection::Point{m_pressedHit.patch, m_pressedHit.point})
                    ? dragPoints(m_context, *m_pressed, selection.points())
                    : nullptr;
@@ -134,13 +144,29 @@ void PatternSelectTool::move(const PatternPointer& pointer)
     if (m_drag) {
         m_drag->update(pointer);
     } else if (!m_pressed) {
-        m_overHandle = onTurnHandle(pointer.pixel);
-        m_overCorner = m_overHandle ? std::nullopt : scaleHandleAt(pointer.pixel);
-        m_overEnd = m_overHandle || m_overCorner ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
-        m_hover = m_overHandle || m_overCorner || m_overEnd ? PatternHit{} : m_context.hit(pointer.pixel);
-        m_context.selection().hover(m_hover ? m_hover.element() : noElement);
+        hover(pointer.pixel);
     }
     m_context.refresh();
+}
+
+/// What a press would take.
+void PatternSelectTool::hover(QPointF pixel)
+{
+    m_overHandle = onTurnHandle(pixel);
+    m_overCorner = m_overHandle ? std::nullopt : scaleHandleAt(pixel);
+    m_overDart = m_overHandle || m_overCorner ? std::nullopt : dartHandleAt(m_context, pixel);
+    m_overEnd = m_overHandle || m_overCorner || m_overDart ? std::nullopt : stretchEndAt(m_context, pixel);
+    const bool onHandle = m_overHandle || m_overCorner || m_overDart || m_overEnd;
+    m_hover = onHandle ? PatternHit{} : m_context.hit(pixel);
+    m_overLabel = onHandle ? noElement : labelUnder(m_hover, pixel);
+    m_context.selection().hover(m_hover ? m_hover.element() : noElement);
+}
+
+/// Everything else that can be picked lies above labels.
+ElementId PatternSelectTool::labelUnder(const PatternHit& hit, QPointF pixel) const
+{
+    const bool free = hit.kind == PatternHit::Kind::Nothing || hit.kind == PatternHit::Kind::Inside;
+    return free ? labelAt(m_context, pixel) : noElement;
 }
 
 void PatternSelectTool::release(const PatternPointer& pointer)
@@ -158,7 +184,7 @@ void PatternSelectTool::release(const PatternPointer& pointer)
         const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
         if (m_alreadySelected)
             selectOnly(m_context.selection(), m_context.scene(), m_pressedHit);
-        else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !m_pressedEnd && !add)
+        else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !m_pressedEnd && !m_pressedDart && !add)
             m_context.selection().clear();
     }
     move(pointer);
@@ -259,6 +285,8 @@ void PatternSelectTool::leave()
     m_overHandle = false;
     m_overCorner.reset();
     m_overEnd.reset();
+    m_overDart.reset();
+    m_overLabel = noElement;
     m_context.selection().hover(noElement);
     m_context.refresh();
 }
@@ -313,6 +341,11 @@ QString PatternSelectTool::prompt() const
         return tr("Drag to turn the selected patches in the layout");
     if (m_overCorner)
         return tr("Drag to scale the selected patches \u2013 Shift keeps the proportions");
+    if (m_overDart)
+        return *m_overDart == DartHandle::Tip ? tr("Drag the tip of the dart")
+                                              : tr("Drag the dart along the outline");
+    if (m_overLabel != noElement)
+        return tr("Drag the label to where it can be read, click to select the patch");
     if (m_overEnd)
         return tr("Drag to move this end of the stretch along the outline");
     switch (m_hover.kind) {
@@ -346,8 +379,10 @@ QCursor PatternSelectTool::cursor() const
         return m_drag->cursor();
     if (m_overHandle)
         return Qt::OpenHandCursor;
-    if (m_overEnd)
+    if (m_overEnd || m_overDart)
         return Qt::SizeAllCursor;
+    if (m_overLabel != noElement)
+        return Qt::OpenHandCursor;
     if (m_overCorner)
         return *m_overCorner == Box2::TopLeft || *m_overCorner == Box2::BottomRight ? Qt::SizeFDiagCursor
                                                                                     : Qt::SizeBDiagCursor;
@@ -389,6 +424,9 @@ void PatternSelectTool::paint(QPainter& painter, const ViewColors& colors) const
             paintFollower(painter, m_context.transform().toPixels(*twin), colors);
     paintEdges(painter, colors);
     paintStretchEnds(painter, colors, m_context, m_overEnd);
+    paintDartHandles(painter, colors, m_context, m_overDart);
+    if (m_overLabel != noElement)
+        paintLabelFrame(painter, colors, m_context, m_overLabel);
     const std::optional<QPointF> handle = turnHandle();
     if (!handle)
         return;

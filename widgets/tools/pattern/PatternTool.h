@@ -12,6 +12,7 @@ class QPainter;
 namespace bolster {
 
 struct BackgroundPicture;
+struct CutPattern;
 struct ViewColors;
 
 /// What a tool may see of the view it works in.
@@ -29,6 +30,8 @@ public:
     virtual void setBackground(const BackgroundPicture& picture) = 0;
     /// What the solver made last, or null.
     virtual SurfaceMeshPtr surface() const = 0;
+    /// The production pattern while its layer is shown, or null.
+    virtual const CutPattern* cut() const = 0;
 };
 
 /// The pointer of the left button.

@@ -1,6 +1,7 @@
 #include "StretchEndDrag.h"
 
 #include "ArcLength.h"
+#include "DartEdits.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "SeamEase.h"
@@ -237,7 +238,9 @@ std::vector<StretchEndHandle> stretchEndHandles(PatternToolContext& context)
     if (context.selection().elements().size() > mostOwners)
         return handles;
     const double inset = context.transform().millimetres(handleInset);
-    for (const ElementId owner : context.selection().elements())
+    for (const ElementId owner : context.selection().elements()) {
+        if (edits::dartOf(design, owner))
+            continue; // its legs end where they are joined; it has handles of its own
         for (const SeamSide side : {SeamSide::A, SeamSide::B}) {
             const std::optional<Place> place = placeOf(design, owner, side);
             if (!place)
@@ -251,6 +254,7 @@ std::vector<StretchEndHandle> stretchEndHandles(PatternToolContext& context)
                 handles.push_back({owner, side, end, context.transform().toPixels(toLayout(*place->patch, at))});
             }
         }
+    }
     return handles;
 }
 

@@ -55,7 +55,6 @@ void paintEdgeLength(QPainter& painter, const ViewColors& colors, const PatternT
     const PatternPatch* patch = context.scene().patch(stretch.patch);
     if (!patch)
         return;
-    constexpr double gap = 16, padding = 4; // pixels
     const BSpline2& outline = patch->patch().outline;
     const ArcLength2 lengths(outline);
     const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
@@ -63,12 +62,17 @@ void paintEdgeLength(QPainter& painter, const ViewColors& colors, const PatternT
     const double middle = outline.wrapped(lengths.parameterAt((from + to) / 2));
     const auto pixel = [&](const Vec2& at) { return context.transform().toPixels(toLayout(patch->patch(), at)); };
     const QPointF on = pixel(outline.at(middle)), ahead = pixel(outline.at(middle) + outline.derivative(middle));
-    QPointF way = ahead - on;
-    const double speed = std::hypot(way.x(), way.y());
-    way = speed > 0 ? way / speed : QPointF(1, 0);
+    const QPointF way = ahead - on;
     // To the right of the outline's way when it runs counter-clockwise; pixels run downwards.
     const QPointF out = (outline.signedArea() > 0 ? 1 : -1) * QPointF(-way.y(), way.x());
-    const QString text = lengthText(to - from);
+    paintLengthBeside(painter, colors, on, out, lengthText(to - from));
+}
+
+void paintLengthBeside(QPainter& painter, const ViewColors& colors, QPointF on, QPointF out, const QString& text)
+{
+    constexpr double gap = 16, padding = 4; // pixels
+    const double size = std::hypot(out.x(), out.y());
+    out = size > 0 ? out / size : QPointF(0, 1);
     const QFontMetricsF metrics(painter.font());
     QRectF box(QPointF(), QSizeF(metrics.horizontalAdvance(text) + 2 * padding, metrics.height() + padding));
     const double reach = std::abs(out.x()) * box.width() / 2 + std::abs(out.y()) * box.height() / 2;

@@ -21,4 +21,7 @@ void paintStretch(QPainter& painter, const PatternToolContext& context, const St
 void paintEdgeLength(QPainter& painter, const ViewColors& colors, const PatternToolContext& context,
                      const Stretch& stretch);
 
+/// In a small frame, from a place (pixels) in this direction; `out` need not be of length 1.
+void paintLengthBeside(QPainter& painter, const ViewColors& colors, QPointF on, QPointF out, const QString& text);
+
 } // namespace bolster

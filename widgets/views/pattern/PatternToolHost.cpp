@@ -114,4 +114,9 @@ SurfaceMeshPtr PatternToolHost::surface() const
     return m_shown.surface();
 }
 
+const CutPattern* PatternToolHost::cut() const
+{
+    return m_shown.cut().get();
+}
+
 } // namespace bolster

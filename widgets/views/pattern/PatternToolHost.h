@@ -41,6 +41,7 @@ private:
     const BackgroundPicture& background() const override;
     void setBackground(const BackgroundPicture& picture) override;
     SurfaceMeshPtr surface() const override;
+    const CutPattern* cut() const override;
     bool rightButtonSelects() const;
 
     const ShownPattern& m_shown;

@@ -3,6 +3,8 @@
 #include "AttachTool.h"
 #include "BackgroundTools.h"
 #include "BoxShapeTool.h"
+#include "DartRotateTool.h"
+#include "DartTool.h"
 #include "MarkTool.h"
 #include "MeasureTool.h"
 #include "OutlineTool.h"
@@ -45,6 +47,10 @@ std::unique_ptr<PatternTool> makePatternTool(PatternToolKind kind, PatternToolCo
         return std::make_unique<TrimTool>(context);
     case PatternToolKind::Split:
         return std::make_unique<PatternSplitTool>(context);
+    case PatternToolKind::Dart:
+        return std::make_unique<DartTool>(context);
+    case PatternToolKind::DartRotation:
+        return std::make_unique<DartRotateTool>(context);
     case PatternToolKind::Measure:
         return std::make_unique<MeasureTool>(context);
     case PatternToolKind::BackgroundScale:

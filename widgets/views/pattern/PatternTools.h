@@ -13,6 +13,8 @@ enum class PatternToolKind {
     Rectangle,
     Ellipse,
     Split,
+    Dart,
+    DartRotation,
     HandleCurve,
     FancySeam,
     InternalLine,
