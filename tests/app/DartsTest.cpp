@@ -87,8 +87,8 @@ protected:
 TEST_F(DartsTest, AreCutByThreeClicks)
 {
     const Design before = design();
-    window.patternView().setFocus();
-    QTest::keyClick(&window.patternView(), Qt::Key_D, Qt::ShiftModifier);
+    EXPECT_EQ(window.command("tool.dart")->shortcut(), QKeySequence(Qt::SHIFT | Qt::Key_D));
+    window.command("tool.dart")->trigger();
     ASSERT_EQ(window.patternView().tool(), PatternToolKind::Dart);
     click(at(230, 0));
     click(at(262, 0));

@@ -199,8 +199,8 @@ TEST(DartRotation, TakesMarksHolesAndLabelsAlong)
     });
     EXPECT_NEAR(end, 0, 1e-6) << "the right edge is still sewn whole";
     // And so on, whatever is done with the dart then.
-    for (const Edit& edit :
-         {edits::moveDartTip(now, seam, {95, 45}), edits::removeDart(now, seam), edits::moveDart(now, seam, 3.25)}) {
+    for (const Edit& edit : {edits::moveDartTip(now, seam, {95, 45}), edits::removeDart(now, seam),
+                             edits::moveDart(now, seam, 3.25)}) {
         ASSERT_FALSE(edit.empty());
         SCOPED_TRACE(edit.verb.english());
         const Design then = now.with(edit);
