@@ -266,6 +266,85 @@
     </message>
 </context>
 <context>
+    <name>DartCommands</name>
+    <message>
+        <source>Close da&amp;rt</source>
+        <translation>Abnäher schlie&amp;ßen</translation>
+    </message>
+    <message>
+        <source>A straight edge takes the place of the selected dart</source>
+        <translation>Eine gerade Kante tritt an die Stelle des ausgewählten Abnähers</translation>
+    </message>
+    <message>
+        <source>R&amp;otate dart to …</source>
+        <translation>Abnäher ver&amp;legen …</translation>
+    </message>
+    <message>
+        <source>Closes the selected dart and opens the pattern where you click, by the same angle</source>
+        <translation>Schließt den ausgewählten Abnäher und öffnet den Schnitt dort, wo Sie klicken, um denselben Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>DartDrag</name>
+    <message>
+        <source>Near the dotted line both legs become of one length – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
+        <translation>Nahe der punktierten Linie werden beide Schenkel gleich lang – Umschalt bleibt darauf, Strg löst, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag the dart along the outline – Esc takes it back</source>
+        <translation>Ziehen Sie den Abnäher am Umriss entlang – Esc nimmt es zurück</translation>
+    </message>
+</context>
+<context>
+    <name>DartPicture</name>
+    <message>
+        <source>Depth %1, legs of one length</source>
+        <translation>Tiefe %1, Schenkel gleich lang</translation>
+    </message>
+    <message>
+        <source>Depth %1</source>
+        <translation>Tiefe %1</translation>
+    </message>
+    <message>
+        <source>Mouth %1</source>
+        <translation>Öffnung %1</translation>
+    </message>
+</context>
+<context>
+    <name>DartRotateTool</name>
+    <message>
+        <source>Select the seam of a dart first – Esc ends the tool</source>
+        <translation>Wählen Sie zuerst die Naht eines Abnähers – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click the outline where the dart shall open instead – Ctrl does not snap, Esc ends the tool</source>
+        <translation>Klicken Sie auf den Umriss, wo sich der Abnäher stattdessen öffnen soll – Strg rastet nicht ein, Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>DartTool</name>
+    <message>
+        <source>There is no room for a mouth of &quot;%1&quot;.</source>
+        <translation>Für eine Öffnung von „%1“ ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no depth: try 60</source>
+        <translation>„%1“ ist keine Tiefe: Versuchen Sie 60</translation>
+    </message>
+    <message>
+        <source>Click the tip inside the patch, or type how deep it lies – on the dotted line both legs are of one length (Shift keeps to it, Ctrl lets go), Esc takes a click back</source>
+        <translation>Klicken Sie die Spitze im Schnittteil, oder tippen Sie, wie tief sie liegt – auf der punktierten Linie sind beide Schenkel gleich lang (Umschalt bleibt darauf, Strg löst), Esc nimmt einen Klick zurück</translation>
+    </message>
+    <message>
+        <source>Click where the mouth ends on the same outline, or type how wide it is – Ctrl does not snap, Esc takes the click back</source>
+        <translation>Klicken Sie, wo die Öffnung auf demselben Umriss endet, oder tippen Sie, wie weit sie ist – Strg rastet nicht ein, Esc nimmt den Klick zurück</translation>
+    </message>
+    <message>
+        <source>Click an outline where the mouth of the dart begins – Esc ends the tool</source>
+        <translation>Klicken Sie auf einen Umriss, wo die Öffnung des Abnähers beginnt – Esc beendet das Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>DescribedField</name>
     <message>
         <source>none</source>
@@ -2420,6 +2499,13 @@
     <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+</context>
+<context>
+    <name>LabelDrag</name>
+    <message>
+        <source>Drag the label to where it can be read – Shift keeps to one axis, Ctrl does not snap, Esc takes it back</source>
+        <translation>Ziehen Sie die Beschriftung dorthin, wo man sie lesen kann – Umschalt bleibt auf einer Achse, Strg rastet nicht ein, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -4744,10 +4830,6 @@
         <translation>Ohne diesen Abnäher würde der Umriss von %1 sich kreuzen.</translation>
     </message>
     <message>
-        <source>Remove a dart of %1</source>
-        <translation>Abnäher von %1 entfernen</translation>
-    </message>
-    <message>
         <source>Move a dart of %1</source>
         <translation>Abnäher von %1 verschieben</translation>
     </message>
@@ -4818,6 +4900,50 @@
     <message>
         <source>Sew %1 proposed seams</source>
         <translation>%1 vorgeschlagene Nähte nähen</translation>
+    </message>
+    <message>
+        <source>Close a dart of %1</source>
+        <translation>Einen Abnäher von %1 schließen</translation>
+    </message>
+    <message>
+        <source>Move the tip of a dart of %1</source>
+        <translation>Die Spitze eines Abnähers von %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Opened there, the outline of %1 would cross itself.</source>
+        <translation>Dort geöffnet, würde der Umriss von %1 sich selbst kreuzen.</translation>
+    </message>
+    <message>
+        <source>The legs of the dart must be of one length to be rotated: drag its tip onto the dotted line.</source>
+        <translation>Zum Verlegen müssen die Schenkel des Abnähers gleich lang sein: Ziehen Sie seine Spitze auf die punktierte Linie.</translation>
+    </message>
+    <message>
+        <source>A dart is rotated to a place at least 5 mm from its mouth.</source>
+        <translation>Ein Abnäher wird an eine Stelle verlegt, die mindestens 5 mm von seiner Öffnung entfernt ist.</translation>
+    </message>
+    <message>
+        <source>The line from the tip of the dart to there would leave %1.</source>
+        <translation>Die Linie von der Spitze des Abnähers dorthin würde %1 verlassen.</translation>
+    </message>
+    <message>
+        <source>%1 lies across the line from the tip of the dart to there: move it, or rotate the dart elsewhere.</source>
+        <translation>%1 liegt quer über der Linie von der Spitze des Abnähers dorthin: Verschieben Sie das, oder verlegen Sie den Abnäher anderswohin.</translation>
+    </message>
+    <message>
+        <source>Rotate a dart of %1</source>
+        <translation>Einen Abnäher von %1 verlegen</translation>
+    </message>
+    <message>
+        <source>Smooth outlines across ends of seams</source>
+        <translation>Umrisse über Nahtenden glätten</translation>
+    </message>
+    <message>
+        <source>This seam ends in no corners: there is nothing to smooth.</source>
+        <translation>Diese Naht endet in keinen Ecken: Es gibt nichts zu glätten.</translation>
+    </message>
+    <message>
+        <source>The outlines meet at more than 60° there: that is a corner, and stays one.</source>
+        <translation>Die Umrisse treffen sich dort um mehr als 60° geknickt: Das ist eine Ecke und bleibt eine.</translation>
     </message>
 </context>
 <context>
@@ -5062,6 +5188,18 @@
         <source>Click to select it, drag to move it, Delete removes it</source>
         <translation>Klicken wählt es aus, ziehen verschiebt es, Entf entfernt es</translation>
     </message>
+    <message>
+        <source>Drag the tip of the dart</source>
+        <translation>Ziehen Sie die Spitze des Abnähers</translation>
+    </message>
+    <message>
+        <source>Drag the dart along the outline</source>
+        <translation>Ziehen Sie den Abnäher am Umriss entlang</translation>
+    </message>
+    <message>
+        <source>Drag the label to where it can be read, click to select the patch</source>
+        <translation>Ziehen Sie die Beschriftung dorthin, wo man sie lesen kann; ein Klick wählt das Schnittteil aus</translation>
+    </message>
 </context>
 <context>
     <name>PatternSplitTool</name>
@@ -5133,6 +5271,10 @@
     <message>
         <source>Own seam allowance</source>
         <translation>Eigene Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Label where it finds room</source>
+        <translation>Beschriftung, wo sie Platz findet</translation>
     </message>
 </context>
 <context>
@@ -5578,6 +5720,149 @@
     </message>
 </context>
 <context>
+    <name>SewingSheet</name>
+    <message>
+        <source>Sewing sheet</source>
+        <translation>Nähplan</translation>
+    </message>
+    <message>
+        <source>Sewing sheet: %1</source>
+        <translation>Nähplan: %1</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Seams in the order of sewing</source>
+        <translation>Nähte in der Reihenfolge des Nähens</translation>
+    </message>
+    <message>
+        <source>%1 and %1 mirrored</source>
+        <translation>%1 und %1 gespiegelt</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Size as cut</source>
+        <translation>Zuschnittmaß</translation>
+    </message>
+    <message>
+        <source>Area as cut</source>
+        <translation>Zuschnittfläche</translation>
+    </message>
+    <message>
+        <source>top stitched on both sides</source>
+        <translation>beidseitig abgesteppt</translation>
+    </message>
+    <message>
+        <source>top stitched</source>
+        <translation>abgesteppt</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 mm from the seam</source>
+        <translation>Stiche %1 mm lang, %2 mm neben der Naht</translation>
+    </message>
+    <message>
+        <source>piping, %1 mm thick</source>
+        <translation>Keder, %1 mm dick</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1, with itself</source>
+        <translation>%1, mit sich selbst</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>Lengths, mm</source>
+        <translation>Längen, mm</translation>
+    </message>
+    <message>
+        <source>Ease, %</source>
+        <translation>Mehrweite, %</translation>
+    </message>
+    <message>
+        <source>Allowance, mm</source>
+        <translation>Zugabe, mm</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>Stitch</source>
+        <translation>Stich</translation>
+    </message>
+    <message>
+        <source>%1 m², without what lies between the pieces</source>
+        <translation>%1 m², ohne das, was zwischen den Teilen liegt</translation>
+    </message>
+    <message>
+        <source>Sewing thread</source>
+        <translation>Nähgarn</translation>
+    </message>
+    <message>
+        <source>Top thread &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</source>
+        <translation>Ziergarn &lt;span style=&quot;background-color:%1&quot;&gt;&amp;nbsp;&amp;nbsp;&amp;nbsp;&amp;nbsp;&lt;/span&gt; %1</translation>
+    </message>
+    <message>
+        <source>%1 m, at %2 m for each metre of a row</source>
+        <translation>%1 m, mit %2 m für jeden Meter einer Reihe</translation>
+    </message>
+    <message>
+        <source>Piping</source>
+        <translation>Keder</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Wie viel</translation>
+    </message>
+</context>
+<context>
     <name>SnapHints</name>
     <message>
         <source>Point</source>
@@ -5723,6 +6008,10 @@
     <message>
         <source>&amp;Cutting</source>
         <translation>&amp;Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Draw &amp;dart</source>
+        <translation>Ab&amp;näher zeichnen</translation>
     </message>
 </context>
 <context>
@@ -6324,6 +6613,10 @@
     <message>
         <source>C&amp;ut lines</source>
         <translation>Schnittl&amp;inien</translation>
+    </message>
+    <message>
+        <source>Sewing sheet (PDF)</source>
+        <translation>Nähplan (PDF)</translation>
     </message>
 </context>
 <context>
@@ -6950,6 +7243,10 @@
     <message>
         <source>Not all of the pattern could be taken.</source>
         <translation>Nicht alles vom Schnitt konnte übernommen werden.</translation>
+    </message>
+    <message>
+        <source>-sewing</source>
+        <translation>-naehplan</translation>
     </message>
 </context>
 <context>
@@ -7622,6 +7919,18 @@
     <message>
         <source>Merge a&amp;long seam</source>
         <translation>Entlang der Naht ver&amp;einen</translation>
+    </message>
+    <message>
+        <source>Smooth &amp;across seam ends</source>
+        <translation>Über Nahtenden gl&amp;ätten</translation>
+    </message>
+    <message>
+        <source>Outlines go on without a kink from one patch to the other where the selected seams end, when both sides lie together</source>
+        <translation>Wo die ausgewählten Nähte enden, gehen die Umrisse ohne Knick von einem Schnittteil ins andere über, wenn beide Seiten beieinanderliegen</translation>
+    </message>
+    <message>
+        <source>They go on without a kink already.</source>
+        <translation>Sie gehen schon ohne Knick ineinander über.</translation>
     </message>
 </context>
 <context>
