@@ -274,8 +274,8 @@ void MainWindow::connectFiles()
     connect(m_files, &FileFlow::patternImported, this, [this](const std::vector<ElementId>& patches) {
         m_selection.set({patches.begin(), patches.end()});
         command("view.fit-all")->trigger();
-        m_status->flash(tr("%n pieces are in the pattern. Seam > Propose seams finds what belongs together.", nullptr,
-                           static_cast<int>(patches.size())));
+        m_status->flash(tr("%n pieces are in the pattern. Seam > Propose seams finds what belongs together.",
+                           nullptr, static_cast<int>(patches.size())));
     });
     connect(m_status, &StatusLine::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
 }

@@ -57,7 +57,8 @@ double byNotches(const OutlineEdge& a, const OutlineEdge& b)
 double byDirection(const OutlineEdge& a, const OutlineEdge& b)
 {
     // b is walked backwards
-    const double inLayout = std::min(0.0, -a.way.y() * b.way.y()), along = std::min(0.0, -a.alongGrain * b.alongGrain);
+    const double inLayout = std::min(0.0, -a.way.y() * b.way.y()),
+                 along = std::min(0.0, -a.alongGrain * b.alongGrain);
     return (1 + 0.5 * inLayout) * (1 + 0.08 * along);
 }
 
@@ -131,7 +132,8 @@ private:
     {
         const double longer = std::max(a.length, b.length), difference = std::abs(a.length - b.length);
         const double off = difference / (usualDifference * longer + roundedLength);
-        const double value = std::exp(-off * off) * byWords(a, b) * byNotches(a, b) * byDirection(a, b) * byPlace(a, b);
+        const double value =
+            std::exp(-off * off) * byWords(a, b) * byNotches(a, b) * byDirection(a, b) * byPlace(a, b);
         const double held = (a.fixed ? 0.85 : 1) * (b.fixed ? 0.85 : 1); // what is fixed to the frame needs no seam
         return held * (a.stretch.patch == b.stretch.patch ? 0.3 * value : value);
     }
