@@ -5715,7 +5715,7 @@
         <translation>Zuordnung nach &amp;Parameter</translation>
     </message>
     <message>
-        <source>P&amp;ropose seams …</source>
+        <source>Propos&amp;e seams …</source>
         <translation>Nähte vo&amp;rschlagen …</translation>
     </message>
 </context>

@@ -22,7 +22,7 @@ SewingCommands::SewingCommands(Commands& commands, Document& document, Selection
     addContinuities(commands);
     addMatches(commands);
     commands.add({.id = "seam.propose",
-                  .text = tr("P&ropose seams \u2026"),
+                  .text = tr("Propos&e seams \u2026"),
                   .icon = "sew",
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_W},
                   .places = {"seam/5"},
