@@ -1,5 +1,6 @@
 #include "DartRotation.h"
 
+#include "ArcLength.h"
 #include "DartEdits.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
