@@ -82,8 +82,8 @@ QWidget* ExportPatternDialog::buildChoices()
     m_format = new QComboBox(this);
     m_format->setObjectName(QStringLiteral("format"));
     m_format->addItems({tr("PDF \u2013 to print and put together"), tr("DXF AAMA \u2013 for cutters"),
-                        tr("DXF ASTM \u2013 for cutters"), tr("DXF, plain lines"), tr("SVG \u2013 1:1"),
-                        tr("HPGL \u2013 for plotters"), tr("Sewing sheet (PDF)")});
+                        tr("DXF ASTM \u2013 for cutters"), tr("DXF, plain lines"), tr("DXF, plain curves (R2000)"),
+                        tr("SVG \u2013 1:1"), tr("HPGL \u2013 for plotters"), tr("Sewing sheet (PDF)")});
     m_paper = new QComboBox(this);
     m_paper->setObjectName(QStringLiteral("paper"));
     for (const QString& name : paperNames())

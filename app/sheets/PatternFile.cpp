@@ -41,6 +41,8 @@ std::string patternBytes(const Design& design, const PatternOrder& order, const 
         return dxf(pattern, order, DxfStandard::Astm);
     case PatternFormat::DxfPlain:
         return dxf(pattern, order, DxfStandard::Plain);
+    case PatternFormat::DxfSplines:
+        return dxf(pattern, order, DxfStandard::Splines);
     case PatternFormat::Svg:
         return svgText(pattern, order.layers);
     case PatternFormat::Hpgl:

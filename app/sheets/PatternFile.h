@@ -10,7 +10,7 @@
 
 namespace bolster {
 
-enum class PatternFormat { Pdf, DxfAama, DxfAstm, DxfPlain, Svg, Hpgl, SewingSheet };
+enum class PatternFormat { Pdf, DxfAama, DxfAstm, DxfPlain, DxfSplines, Svg, Hpgl, SewingSheet };
 
 struct PatternOrder {
     PatternFormat format = PatternFormat::Pdf;

@@ -148,9 +148,12 @@ QString SewingSheet::pieceTable() const
                  rows);
 }
 
-QString SewingSheet::stitchOf(const SeamTrim& trim) const
+QString SewingSheet::stitchOf(const PlannedSeam& seam) const
 {
+    const SeamTrim& trim = seam.trim;
     QStringList words;
+    if (seam.zip)
+        words << tr("zip");
     if (trim.stitch != SeamTrim::Stitch::None)
         words << (trim.stitch == SeamTrim::Stitch::Twin ? tr("top stitched on both sides") : tr("top stitched"));
     if (trim.stitch != SeamTrim::Stitch::None)
@@ -178,7 +181,7 @@ QString SewingSheet::seamTable() const
         rows += QStringLiteral("<tr>") + cell(QString::number(++step), "right") + cell(both) +
                 cell(tr("%1 and %2").arg(number(seam.lengthA, 0), number(seam.lengthB, 0)), "right") +
                 cell(number(seam.ease, 1), "right") + cell(allowance, "right") +
-                cell(QString::number(seam.notches), "right") + cell(stitchOf(seam.trim)) + QStringLiteral("</tr>");
+                cell(QString::number(seam.notches), "right") + cell(stitchOf(seam)) + QStringLiteral("</tr>");
     }
     return table(
         {QString(), tr("Seam"), tr("Lengths, mm"), tr("Ease, %"), tr("Allowance, mm"), tr("Notches"), tr("Stitch")},
@@ -201,6 +204,8 @@ QString SewingSheet::needs() const
             tr("%1 m, at %2 m for each metre of a row").arg(number(length / 1000, 1), number(threadPerSeam, 0)));
     if (m_plan.piping > 0)
         add(tr("Piping"), tr("%1 m").arg(number(m_plan.piping / 1000, 2)));
+    if (m_plan.zips > 0)
+        add(tr("Zip"), tr("%1 m").arg(number(m_plan.zips / 1000, 2)));
     return table({tr("What"), tr("How much")}, rows);
 }
 

@@ -27,7 +27,7 @@ private:
     QString pieceTable() const;
     QString seamTable() const;
     QString needs() const;
-    QString stitchOf(const SeamTrim& trim) const;
+    QString stitchOf(const PlannedSeam& seam) const;
 
     const Design& m_design;
     const SewingPlan& m_plan;

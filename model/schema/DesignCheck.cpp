@@ -1,6 +1,7 @@
 #include "DesignCheck.h"
 
 #include "ElementRules.h"
+#include "StretchLength.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,15 +110,7 @@ double smallestEdgeLength(const Design& design)
 
 double seamEase(const Design& design, const Seam& seam)
 {
-    const auto length = [&](const Stretch& stretch) {
-        const auto* patch = design.find<Patch>(stretch.patch);
-        if (!patch || patch->outline.empty())
-            return 0.0;
-        const BSpline2& outline = patch->outline;
-        const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-        return ArcLength2(outline).between(stretch.from, end);
-    };
-    return ease(length(seam.a), length(seam.b));
+    return ease(stretchLength(design, seam.a), stretchLength(design, seam.b));
 }
 
 } // namespace bolster

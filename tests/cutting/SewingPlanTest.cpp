@@ -2,6 +2,7 @@
 #include "SewingPlan.h"
 
 #include "Panels.h"
+#include "SewingOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@ TEST(SewingPlan, SaysLengthsAllowancesAndMaterials)
     seam.trim.stitch = SeamTrim::Stitch::Twin;
     seam.trim.thread = "#112233";
     seam.trim.pipingRadius = 3;
+    seam.zip = true;
     design = with(design, between, seam);
     Patch pair = *design.find<Patch>(left);
     pair.cutting.pair = true;
@@ -38,6 +40,7 @@ TEST(SewingPlan, SaysLengthsAllowancesAndMaterials)
     EXPECT_NEAR(plan.thread.at(""), 300, 1e-9);
     EXPECT_NEAR(plan.thread.at("#112233"), 600, 1e-9) << "two rows";
     EXPECT_NEAR(plan.piping, 100, 1e-9);
+    EXPECT_NEAR(plan.zips, 100, 1e-9);
 }
 
 TEST(SewingPlan, ClosesRingsWhenTheyHangTogetherAndTheCoverLast)
@@ -55,6 +58,68 @@ TEST(SewingPlan, ClosesRingsWhenTheyHangTogetherAndTheCoverLast)
     EXPECT_FALSE(plan.seams[0].closes);
     EXPECT_FALSE(plan.seams[1].closes);
     EXPECT_TRUE(plan.seams[2].closes);
+}
+
+namespace {
+
+std::vector<ElementId> orderOf(const Design& design)
+{
+    std::vector<ElementId> order;
+    for (const SewingStep& step : sewingOrder(design))
+        order.push_back(step.seam);
+    return order;
+}
+
+/// Three panels in a ring, and two beside it that are sewn to each other.
+Design ringAndPair()
+{
+    Design design = twoPanels();
+    const Patch panel = *design.find<Patch>(left);
+    for (const int id : {10, 20, 21})
+        design = with(design, ElementId(id), panel);
+    design = with(design, ElementId(11), Seam{{right, 1, 2}, {ElementId(10), 3, 4}});
+    design = with(design, ElementId(12), Seam{{ElementId(10), 1, 2}, {left, 3, 4}});
+    return with(design, ElementId(22), Seam{{ElementId(20), 1, 2}, {ElementId(21), 3, 4}});
+}
+
+} // namespace
+
+TEST(SewingOrder, IsWhatTheDesignerSaysAndGoesBackToWhatIsProposed)
+{
+    const Design design = ringAndPair();
+    const std::vector<ElementId> proposed = orderOf(design);
+    ASSERT_EQ(proposed.size(), 4u);
+
+    const std::vector<ElementId> last{proposed[3]};
+    const Design earlier = design.with(edits::moveInSewingOrder(design, last, edits::SewingMove::Earlier));
+    EXPECT_EQ(orderOf(earlier), (std::vector{proposed[0], proposed[1], proposed[3], proposed[2]}));
+    EXPECT_EQ(earlier.find<Seam>(proposed[0])->step, 1) << "the whole order is the designer's now";
+    const std::vector<ElementId> first{proposed[0]};
+    EXPECT_TRUE(edits::moveInSewingOrder(earlier, first, edits::SewingMove::Earlier).empty());
+
+    const std::vector<ElementId> two{proposed[0], proposed[1]};
+    const Design later = earlier.with(edits::moveInSewingOrder(earlier, two, edits::SewingMove::Later));
+    EXPECT_EQ(orderOf(later), (std::vector{proposed[3], proposed[0], proposed[1], proposed[2]}));
+    EXPECT_EQ(orderOf(later.with(edits::proposeSewingOrder(later))), proposed);
+    EXPECT_TRUE(edits::proposeSewingOrder(design).empty()) << "nothing to be changed";
+}
+
+TEST(SewingOrder, TheSeamThatClosesACoverWaitsThoughOthersLieBesideIt)
+{
+    const std::vector<SewingStep> order = sewingOrder(ringAndPair());
+    ASSERT_EQ(order.size(), 4u);
+    EXPECT_TRUE(order.back().closes);
+    EXPECT_EQ(order.back().seam, ElementId(12));
+}
+
+TEST(SewingOrder, SeamsWithANumberComeFirst)
+{
+    Design design = ringAndPair();
+    Seam seam = *design.find<Seam>(ElementId(12));
+    seam.step = 1;
+    design = with(design, ElementId(12), seam);
+    EXPECT_EQ(orderOf(design).front(), ElementId(12));
+    EXPECT_EQ(orderOf(design).size(), 4u);
 }
 
 } // namespace bolster

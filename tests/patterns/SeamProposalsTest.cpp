@@ -75,6 +75,78 @@ TEST(SeamProposals, BecomeSeams)
     EXPECT_TRUE(proposeSeams(sewn).empty()) << "nothing is left over that belongs together";
 }
 
+namespace {
+
+Patch panel(const char* name, double width, double height, const Vec2& position)
+{
+    Patch patch;
+    patch.name = name;
+    patch.outline = BSpline2(1, true, {{0, 0}, {width, 0}, {width, height}, {0, height}});
+    patch.position = position;
+    return patch;
+}
+
+/// A box: two panels, and a strip around them.
+Design boxCushion()
+{
+    const Patch patches[] = {panel("Top", 520, 400, {0, 0}), panel("Bottom", 520, 400, {600, 0}),
+                             panel("Strip", 1840, 80, {0, -200})};
+    Edit edit;
+    int id = 0;
+    for (const Patch& patch : patches)
+        edit.changes.push_back({ElementId(++id), nullptr, makeElement(patch)});
+    return Design().with(edit);
+}
+
+/// How many proposals sew the strip to a panel, and how long they are together.
+std::pair<int, double> alongStrip(const std::vector<SeamProposal>& proposals, ElementId panel)
+{
+    std::pair<int, double> found{0, 0};
+    for (const SeamProposal& proposal : proposals)
+        for (const auto& [a, b] : {std::pair(proposal.a, proposal.b), std::pair(proposal.b, proposal.a)})
+            if (a.patch == panel && b.patch == ElementId(3)) {
+                ++found.first;
+                found.second += proposal.lengthA;
+            }
+    return found;
+}
+
+} // namespace
+
+TEST(SeamProposals, DivideTheStripAroundACushion)
+{
+    const Design box = boxCushion();
+    const std::vector<SeamProposal> proposals = proposeSeams(box);
+    for (const int panel : {1, 2}) {
+        const auto [count, length] = alongStrip(proposals, ElementId(panel));
+        EXPECT_EQ(count, 4) << panel;
+        EXPECT_NEAR(length, 1840, 1) << panel;
+    }
+    EXPECT_EQ(proposals.size(), 9u) << "and the strip's ends";
+    const Design sewn = box.with(sewProposals(box, proposals));
+    int seams = 0;
+    sewn.each<Seam>([&](ElementId, const Seam&) { ++seams; });
+    EXPECT_EQ(seams, 9) << "none overlaps another one";
+}
+
+TEST(SeamProposals, DivideAStripAtItsNotches)
+{
+    // The strip is as long as another piece's edge, but its notches are where the panel's corners come.
+    Edit edit;
+    edit.changes = {{ElementId(1), nullptr, makeElement(panel("Seat", 520, 400, {0, 0}))},
+                    {ElementId(2), nullptr, makeElement(panel("Skirt", 1320, 300, {700, 0}))},
+                    {ElementId(3), nullptr, makeElement(panel("Strip", 1320, 80, {0, -200}))}};
+    int id = 3;
+    for (const double at : {400.0 / 1320, 920.0 / 1320}) {
+        Notch notch;
+        notch.place = {ElementId(3), 2 + at}; // its upper edge, which runs from right to left
+        edit.changes.push_back({ElementId(++id), nullptr, makeElement(notch)});
+    }
+    const auto [count, length] = alongStrip(proposeSeams(Design().with(edit)), ElementId(1));
+    EXPECT_EQ(count, 3);
+    EXPECT_NEAR(length, 1320, 1);
+}
+
 TEST(SeamProposals, EndWhenAskedTo)
 {
     std::stop_source stop;

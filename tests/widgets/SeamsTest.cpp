@@ -8,6 +8,7 @@
 #include "SeamsModel.h"
 #include "SeamsView.h"
 #include "Selection.h"
+#include "SewingOrder.h"
 #include "TestDesigns.h"
 
 #include <QAbstractItemModelTester>
@@ -126,6 +127,18 @@ TEST_F(SeamsTest, ContinuityIsChangedInPlaceForAllSelected)
     for (const ElementId id : {squareSeam, added})
         EXPECT_EQ(document.design().find<Seam>(id)->continuity, Continuity::G1);
     EXPECT_EQ(cell.data().toString(), "G1");
+}
+
+TEST_F(SeamsTest, ShowsTheOrderOfSewing)
+{
+    SeamsModel model(document);
+    EXPECT_EQ(text(model, 0, Column::Step) + text(model, 1, Column::Step), "12");
+    EXPECT_EQ(model.index(0, Column::Step).data(SeamsModel::SortRole), 1);
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    const std::vector<ElementId> second{added};
+    document.commit(edits::moveInSewingOrder(document.design(), second, edits::SewingMove::Earlier));
+    EXPECT_EQ(text(model, 0, Column::Step) + text(model, 1, Column::Step), "21");
+    EXPECT_FALSE(changed.isEmpty());
 }
 
 TEST(SeamLabels, DoNotOverlapInANarrowPatch)

@@ -1,6 +1,6 @@
 #include "ElementText.h"
 
-#include "ArcLength.h"
+#include "StretchLength.h"
 #include "Units.h"
 
 #include <QCoreApplication>
@@ -113,16 +113,6 @@ std::string countedWords(const Design& design, std::span<const ElementId> ids)
     if (ids.size() == 1)
         return displayName(design, ids.front()).toStdString();
     return filledIn(commonKind(design, ids).names().counted, {std::to_string(ids.size())});
-}
-
-double stretchLength(const Design& design, const Stretch& stretch)
-{
-    const Patch* patch = design.find<Patch>(stretch.patch);
-    if (!patch || patch->outline.empty())
-        return 0;
-    const double to =
-        unwrappedEnd(stretch.from, stretch.to, patch->outline.domainStart(), patch->outline.domainEnd());
-    return ArcLength2(patch->outline).between(stretch.from, to);
 }
 
 double sewnLength(const Design& design, ElementId id)

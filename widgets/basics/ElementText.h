@@ -52,7 +52,5 @@ std::string countedWords(const Design& design, std::span<const ElementId> ids);
 QString seamSummary(const Design& design, const Seam& seam);
 /// Arc length of a seam's first stretch, of a fixation's or a trim's, mm; 0 for other elements.
 double sewnLength(const Design& design, ElementId id);
-/// Arc length, mm; 0 when the stretch does not lie on its outline.
-double stretchLength(const Design& design, const Stretch& stretch);
 
 } // namespace bolster

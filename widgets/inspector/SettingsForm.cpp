@@ -4,6 +4,7 @@
 #include "Icons.h"
 #include "InspectorSubject.h"
 #include "PlacementFields.h"
+#include "StretchLength.h"
 #include "Twins.h"
 #include "Units.h"
 

@@ -2,6 +2,7 @@
 
 #include "ArcLength.h"
 #include "OrientationBoxes.h"
+#include "StretchLength.h"
 #include "TrimSection.h"
 #include "Units.h"
 
@@ -24,6 +25,8 @@ void SeamForm::add(PropertyForm& form, const Ids& ids) const
                    : QString();
     });
     seam.field(&Seam::ease);
+    seam.field(&Seam::zip);
+    seam.field(&Seam::step);
     seam.field(&Seam::continuity);
     seam.field(&Seam::match);
     seam.field(&Seam::reversed);

@@ -5,10 +5,12 @@
 #include "Icons.h"
 #include "SeamColors.h"
 #include "SeamStretches.h"
+#include "SewingOrder.h"
 #include "Units.h"
 #include "ViewColors.h"
 
 #include <QGuiApplication>
+#include <QLocale>
 
 #include <algorithm>
 
@@ -27,6 +29,7 @@ void SeamsModel::removeGone(const Design& design)
     for (int row = rowCount() - 1; row >= 0; --row)
         if (!design.find<Seam>(m_rows[static_cast<std::size_t>(row)].id)) {
             beginRemoveRows({}, row, row);
+            m_steps.clear();
             m_rows.erase(m_rows.begin() + row);
             endRemoveRows();
         }
@@ -40,6 +43,7 @@ void SeamsModel::addNew(const Design& design)
             return;
         const int row = static_cast<int>(place - m_rows.begin());
         beginInsertRows({}, row, row);
+        m_steps.clear();
         m_rows.insert(place,
                       {id, design.element(id), design.element(seam.a.patch), design.element(seam.b.patch), {}});
         endInsertRows();
@@ -51,6 +55,7 @@ void SeamsModel::update()
     const Design& design = m_document.design();
     const auto colors = seamColors(design, ViewColors::of(QGuiApplication::palette()).dark);
     const bool recolored = std::exchange(m_colors, colors) != colors; // labels change with them
+    const bool stepsAsked = !m_steps.empty();
     removeGone(design);
     addNew(design);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -60,8 +65,11 @@ void SeamsModel::update()
         if (!recolored && fresh.seam == m_rows[i].seam && fresh.a == m_rows[i].a && fresh.b == m_rows[i].b)
             continue;
         m_rows[i] = std::move(fresh);
+        m_steps.clear();
         emit dataChanged(index(static_cast<int>(i), 0), index(static_cast<int>(i), ColumnCount - 1));
     }
+    if (stepsAsked && m_steps.empty() && !m_rows.empty()) // one seam more, and others come later
+        emit dataChanged(index(0, Step), index(rowCount() - 1, Step));
 }
 
 void SeamsModel::recolor()
@@ -88,6 +96,15 @@ const SeamEase& SeamsModel::easeOf(const Row& row) const
     if (!row.ease)
         row.ease = SeamEase{lengthOf(seam(row).a), lengthOf(seam(row).b)};
     return *row.ease;
+}
+
+int SeamsModel::stepOf(const Row& row) const
+{
+    if (m_steps.empty())
+        for (const SewingStep& step : sewingOrder(m_document.design()))
+            m_steps.emplace(step.seam, static_cast<int>(m_steps.size()) + 1);
+    const auto found = m_steps.find(row.id);
+    return found == m_steps.end() ? 0 : found->second;
 }
 
 int SeamsModel::rowCount(const QModelIndex& parent) const
@@ -143,6 +160,8 @@ QVariant SeamsModel::text(const QModelIndex& index) const
         return lengthText(easeOf(row).b);
     case MatchColumn:
         return choices(MatchColumn).value(static_cast<int>(seam(row).match));
+    case Step:
+        return QLocale().toString(stepOf(row));
     default:
         return {};
     }
@@ -163,6 +182,8 @@ QVariant SeamsModel::sortKey(const QModelIndex& index) const
         return easeOf(row).a;
     case LengthB:
         return easeOf(row).b;
+    case Step:
+        return stepOf(row);
     default:
         return text(index);
     }
@@ -184,7 +205,7 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const
         return {};
     const Row& row = m_rows[static_cast<std::size_t>(index.row())];
     const bool number = index.column() == Difference || index.column() == Ratio || index.column() == LengthA ||
-                        index.column() == LengthB;
+                        index.column() == LengthB || index.column() == Step;
     switch (role) {
     case Qt::DisplayRole:
         return text(index);
@@ -216,8 +237,8 @@ QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int ro
 {
     if (orientation != Qt::Horizontal)
         return {};
-    const QStringList names{QString(),   tr("Seam"),     tr("Ease"),     tr("Ease %"),
-                            tr("Joins"), tr("Length 1"), tr("Length 2"), tr("Match")};
+    const QStringList names{QString(),      tr("Seam"),     tr("Ease"),  tr("Ease %"), tr("Joins"),
+                            tr("Length 1"), tr("Length 2"), tr("Match"), tr("Step")};
     const QStringList tips{tr("The letter on both stretches in the pattern"),
                            tr("The patches and their edges"),
                            tr("First side minus second side"),
@@ -225,7 +246,8 @@ QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int ro
                            tr("C0: an edge, C1: smooth with the texture, G1: rounded"),
                            tr("Of the first side"),
                            tr("Of the second side"),
-                           tr("What is sewn together: equal parts of the length, or of the curve's parameter")};
+                           tr("What is sewn together: equal parts of the length, or of the curve's parameter"),
+                           tr("The place in the order of sewing; Seam > Sew earlier and Sew later change it")};
     if (role == Qt::DisplayRole)
         return names.value(section);
     return role == Qt::ToolTipRole ? QVariant(tips.value(section)) : QVariant();

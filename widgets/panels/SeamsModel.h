@@ -19,7 +19,18 @@ class SeamsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Label, Name, Difference, Ratio, ContinuityColumn, LengthA, LengthB, MatchColumn, ColumnCount };
+    enum Column {
+        Label,
+        Name,
+        Difference,
+        Ratio,
+        ContinuityColumn,
+        LengthA,
+        LengthB,
+        MatchColumn,
+        Step,
+        ColumnCount
+    };
     enum Role {
         ElementRole = Qt::UserRole, ///< the id as int
         SortRole,
@@ -55,6 +66,7 @@ private:
     const Seam& seam(const Row& row) const { return std::get<Seam>(*row.seam); }
     const SeamEase& easeOf(const Row& row) const;
     double lengthOf(const Stretch& stretch) const;
+    int stepOf(const Row& row) const;
     QString sideName(const Stretch& stretch) const;
     QVariant text(const QModelIndex& index) const;
     QVariant sortKey(const QModelIndex& index) const;
@@ -64,6 +76,7 @@ private:
     std::vector<Row> m_rows;
     std::map<ElementId, QColor> m_colors;
     mutable std::map<ElementId, std::pair<ElementPtr, ArcLength2>> m_lengths; ///< by patch
+    mutable std::map<ElementId, int> m_steps;                                 ///< from 1; empty: to be asked for
 };
 
 } // namespace bolster

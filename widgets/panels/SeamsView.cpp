@@ -187,7 +187,7 @@ void SeamsView::buildTable()
          {std::pair(SeamsModel::Label, 4), std::pair(SeamsModel::Name, 16), std::pair(SeamsModel::Difference, 10),
           std::pair(SeamsModel::Ratio, 7), std::pair(SeamsModel::ContinuityColumn, 6),
           std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
-          std::pair(SeamsModel::MatchColumn, 11)})
+          std::pair(SeamsModel::MatchColumn, 11), std::pair(SeamsModel::Step, 6)})
         header->resizeSection(column, digits * digit + 8);
 
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SeamsView::selectFromTable);

@@ -1,7 +1,7 @@
 #include "SeamEase.h"
 
 #include "DesignCheck.h"
-#include "ElementText.h"
+#include "StretchLength.h"
 #include "Units.h"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "SeamProposalsWindow.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "SewingOrder.h"
 
 #include <QTreeView>
 
@@ -21,6 +22,7 @@ SewingCommands::SewingCommands(Commands& commands, Document& document, Selection
     addSides(commands);
     addContinuities(commands);
     addMatches(commands);
+    addOrder(commands);
     commands.add({.id = "seam.propose",
                   .text = tr("Propos&e seams \u2026"),
                   .icon = "sew",
@@ -120,6 +122,40 @@ void SewingCommands::addMatches(Commands& commands)
                       })});
 }
 
+void SewingCommands::addOrder(Commands& commands)
+{
+    const auto moving = [this](edits::SewingMove move) {
+        return editing([move](const Design& design, const Seams& chosen) {
+            return edits::moveInSewingOrder(design, chosen, move);
+        });
+    };
+    const auto any = [this] { return !seams().empty(); };
+    commands.add(
+        {{.id = "seam.sew-earlier",
+          .text = tr("Sew ea&rlier"),
+          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_PageUp},
+          .places = {"seam/6"},
+          .enabled = any,
+          .does = moving(edits::SewingMove::Earlier)},
+         {.id = "seam.sew-later",
+          .text = tr("Sew l&ater"),
+          .keys = {Qt::CTRL | Qt::ALT | Qt::Key_PageDown},
+          .places = {"seam/6"},
+          .enabled = any,
+          .does = moving(edits::SewingMove::Later)},
+         {.id = "seam.order-proposed",
+          .text = tr("Sewing &order as proposed"),
+          .places = {"seam/6"},
+          .enabled =
+              [this] {
+                  bool numbered = false;
+                  m_document.design().each<Seam>(
+                      [&](ElementId, const Seam& seam) { numbered = numbered || seam.step > 0; });
+                  return numbered;
+              },
+          .does = editing([](const Design& design, const Seams&) { return edits::proposeSewingOrder(design); })}});
+}
+
 /// One window of it, beside the views.
 void SewingCommands::propose(QWidget* window)
 {
@@ -163,6 +199,8 @@ void SewingCommands::fillTable(QTreeView& table, Commands& commands)
     table.addActions(commands.startingWith("seam.continuity-"));
     table.addAction(separator());
     table.addActions(commands.startingWith("seam.match-"));
+    table.addAction(separator());
+    table.addActions(commands.list({"seam.sew-earlier", "seam.sew-later", "seam.order-proposed"}));
     table.addAction(separator());
     table.addActions(commands.list({"view.fit-selection", "edit.delete"}));
 }

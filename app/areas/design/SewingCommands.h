@@ -38,6 +38,7 @@ private:
     void addSides(Commands& commands);
     void addContinuities(Commands& commands);
     void addMatches(Commands& commands);
+    void addOrder(Commands& commands);
     void propose(QWidget* window);
     Seams seams() const;
     bool all(const std::function<bool(const Seam&)>& has) const;

@@ -19,6 +19,7 @@ struct PlannedSeam {
     double allowanceB = 0;
     int notches = 0; ///< on its first side
     SeamTrim trim;
+    bool zip = false;
     bool closes = false; ///< everything that it joins hangs together before it
 };
 
@@ -33,15 +34,13 @@ struct SewingPlan {
     std::vector<FabricNeed> fabrics;
     std::map<std::string, double> thread; ///< by colour, mm; "": of seams without top stitching
     double piping = 0;                    ///< mm
+    double zips = 0;                      ///< mm
 };
 
 /// Sewing thread for each length of a row of lockstitch, both threads together.
 inline constexpr double threadPerSeam = 3;
 
-/// The order: darts first, while their pieces are flat. Then always the seam that joins the two parts of the cover
-/// with the fewest pieces, shorter ones before longer ones, so that large parts are handled late. A seam that
-/// closes a ring is sewn as soon as the two sides hang together, before more is sewn to them; those that close the
-/// cover come last of all.
+/// The seams as sewingOrder() has them.
 SewingPlan sewingPlan(const Design& design, const CutOptions& options);
 
 } // namespace bolster

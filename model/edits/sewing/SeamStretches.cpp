@@ -3,6 +3,7 @@
 #include "ArcLength.h"
 #include "EditHelpers.h"
 #include "ElementRules.h"
+#include "StretchLength.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,19 +25,6 @@ const BSpline2* outlineOf(const Design& design, ElementId id)
 double endOf(const BSpline2& outline, const Stretch& stretch)
 {
     return unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-}
-
-/// 0 when it does not lie on its outline.
-double lengthOf(const Design& design, const Stretch& stretch)
-{
-    const BSpline2* outline = outlineOf(design, stretch.patch);
-    // A closed curve may be addressed from 0 or from its first knot.
-    const auto valid = [&](double t) {
-        return t >= std::min(0.0, outline->domainStart()) && t <= std::max(outline->period(), outline->domainEnd());
-    };
-    if (!outline || !valid(stretch.from) || !valid(stretch.to))
-        return 0;
-    return ArcLength2(*outline).between(stretch.from, endOf(*outline, stretch));
 }
 
 /// Calls visit(seam, stretch) for all that is sewn of an outline.
@@ -100,7 +88,7 @@ std::vector<Seam> seamsInOrder(const Design& design, const Stretch& whole, std::
     const ArcLength2 length(outline);
     std::vector<double> sums = {0};
     for (const Stretch& other : row)
-        sums.push_back(sums.back() + lengthOf(design, other));
+        sums.push_back(sums.back() + stretchLength(design, other));
     const double start = length.at(whole.from);
     const double all = length.at(endOf(outline, whole)) - start;
 
@@ -219,7 +207,7 @@ int edgeNumber(const BSpline2& outline, double parameter)
 
 std::optional<Message> stretchProblem(const Design& design, const Stretch& stretch, ElementId except)
 {
-    if (!(lengthOf(design, stretch) >= shortestStretch))
+    if (!(stretchLength(design, stretch) >= shortestStretch))
         return Message{QT_TRANSLATE_NOOP("Message", "This stretch has no length: choose two different points.")};
     const BSpline2& outline = *outlineOf(design, stretch.patch);
     std::optional<Message> problem;
@@ -259,7 +247,7 @@ bool usuallyReversed(const Design& design, const Stretch& a, const Stretch& b)
 
 std::vector<Seam> seamsInRow(const Design& design, const Stretch& whole, std::span<const Stretch> row, bool flipped)
 {
-    const auto lies = [&](const Stretch& stretch) { return lengthOf(design, stretch) >= shortestStretch; };
+    const auto lies = [&](const Stretch& stretch) { return stretchLength(design, stretch) >= shortestStretch; };
     if (row.empty() || !lies(whole) || !std::ranges::all_of(row, lies))
         return {};
     std::vector<Stretch> order =

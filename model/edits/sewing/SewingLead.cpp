@@ -36,6 +36,8 @@ std::optional<Seam> followed(const Lead<Seam>& lead, bool swapped, const SewnMir
         seam.trim = lead.now.trim;
     if (lead.before.ease != lead.now.ease)
         seam.ease = swapped ? -lead.now.ease : lead.now.ease;
+    if (lead.before.zip != lead.now.zip)
+        seam.zip = lead.now.zip;
     return seam;
 }
 

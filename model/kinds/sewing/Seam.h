@@ -15,7 +15,9 @@ struct Seam {
     Match match = Match::Length;
     Continuity continuity = Continuity::C0;
     SeamTrim trim = {};
-    double ease = 0; ///< how much longer than the first side the second one is wanted, mm
+    double ease = 0;  ///< how much longer than the first side the second one is wanted, mm
+    bool zip = false; ///< a zip joins its sides
+    double step = 0;  ///< its place in the order of sewing; 0: as is proposed
 
     friend bool operator==(const Seam&, const Seam&) = default;
 };

@@ -56,6 +56,19 @@ struct Description<Seam> {
                                                "is gathered when it is sewn."),
              .verb = QT_TRANSLATE_NOOP("Message", "Change the ease of %1")},
             Number{-1000, 1000, Unit::Millimetres, {.step = 1, .decimals = 2}}, s.ease...);
+        v.field({.key = "zip",
+                 .label = QT_TRANSLATE_NOOP("Field", "With a zip"),
+                 .meaning = "a zip joins its sides; the sewing sheet tells its length",
+                 .tip = QT_TRANSLATE_NOOP("Field", "A zip joins the two sides; the sewing sheet tells its length."),
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change the zip of %1")},
+                Flag{}, s.zip...);
+        v.field({.key = "sewing_step",
+                 .label = QT_TRANSLATE_NOOP("Field", "Step in sewing"),
+                 .meaning = "seams with a number are sewn first, by it; the order of the others is proposed",
+                 .tip = QT_TRANSLATE_NOOP("Field", "Seams with a number are sewn first, smaller ones before larger "
+                                                   "ones. 0: as the program proposes it."),
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change when %1 is sewn")},
+                Number{0, 100000, Unit::None, {.decimals = 0}}, s.step...);
     }
 };
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 namespace bolster {
@@ -39,11 +38,12 @@ struct UsedStretch {
 
 class PatchEdges {
 public:
-    PatchEdges(ElementId id, const Patch& patch, const std::vector<UsedStretch>& used)
+    PatchEdges(ElementId id, const Patch& patch, const std::vector<UsedStretch>& used, std::vector<double> more)
         : m_id(id)
         , m_outline(patch.outline)
         , m_length(patch.outline)
         , m_used(used)
+        , m_more(std::move(more))
         , m_grain(patch.grain)
         , m_rotation(patch.rotation)
         , m_position(patch.position)
@@ -83,6 +83,7 @@ private:
         for (const UsedStretch& used : m_used)
             for (const double t : {used.stretch.from, used.stretch.to})
                 breaks.push_back(m_outline.wrapped(t));
+        breaks.insert(breaks.end(), m_more.begin(), m_more.end());
         std::ranges::sort(breaks);
         std::vector<double> kept;
         for (const double t : breaks)
@@ -145,6 +146,7 @@ private:
     const BSpline2& m_outline;
     ArcLength2 m_length;
     const std::vector<UsedStretch>& m_used;
+    std::vector<double> m_more;
     double m_grain, m_rotation; // degrees
     Vec2 m_position;
     bool m_backwards;
@@ -179,7 +181,7 @@ void addNotches(const Design& design, std::vector<OutlineEdge>& edges)
 
 } // namespace
 
-std::vector<OutlineEdge> outlineEdges(const Design& design)
+std::vector<OutlineEdge> outlineEdges(const Design& design, const EdgeBreaks& more)
 {
     std::map<ElementId, std::vector<UsedStretch>> used;
     const auto use = [&](const Stretch& stretch, ElementId seam, bool isA) {
@@ -197,7 +199,9 @@ std::vector<OutlineEdge> outlineEdges(const Design& design)
         if (outlineProblem(patch.outline))
             return;
         const std::set<std::string> words = wordsOf(patch.name);
-        for (OutlineEdge& edge : PatchEdges(id, patch, used[id]).make(static_cast<int>(edges.size()), sides)) {
+        const auto extra = more.find(id);
+        const PatchEdges cut(id, patch, used[id], extra == more.end() ? std::vector<double>() : extra->second);
+        for (OutlineEdge& edge : cut.make(static_cast<int>(edges.size()), sides)) {
             edge.words = words;
             edges.push_back(std::move(edge));
         }

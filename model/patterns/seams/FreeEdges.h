@@ -3,6 +3,7 @@
 
 #include "Design.h"
 
+#include <map>
 #include <set>
 
 namespace bolster {
@@ -24,7 +25,10 @@ struct OutlineEdge {
     std::vector<double> notches{}; ///< shares of its length, counter-clockwise
 };
 
-/// From corner to corner, and to the ends of seams in between.
-std::vector<OutlineEdge> outlineEdges(const Design& design);
+/// Parameters of outlines, by patch.
+using EdgeBreaks = std::map<ElementId, std::vector<double>>;
+
+/// From corner to corner, and to the ends of seams and to more places in between.
+std::vector<OutlineEdge> outlineEdges(const Design& design, const EdgeBreaks& more = {});
 
 } // namespace bolster

@@ -2,6 +2,7 @@
 
 #include "FreeEdges.h"
 #include "SeamEdits.h"
+#include "StripBreaks.h"
 
 #include <algorithm>
 #include <array>
@@ -343,7 +344,9 @@ private:
 
 std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop)
 {
-    const std::vector<OutlineEdge> edges = outlineEdges(design);
+    std::vector<OutlineEdge> edges = outlineEdges(design);
+    if (const EdgeBreaks breaks = stripBreaks(design, edges); !breaks.empty())
+        edges = outlineEdges(design, breaks);
     const Candidates candidates(edges, stop);
     std::vector<Sewing> tries;
     for (std::uint64_t seed = 1; seed <= searches && !stop.stop_requested(); ++seed)

@@ -19,8 +19,8 @@ struct SeamProposal {
 
 /// The most certain first; no edge is in two of them. Edges that are sewn or fixed already are left alone, and tell
 /// where their neighbours belong. What speaks for a pair: lengths, corners that close when all of their edges are
-/// sewn, notches at the same places, words like "left" in the names, bends that follow each other. Nothing when
-/// asked to stop.
+/// sewn, notches at the same places, words like "left" in the names, bends that follow each other. A strip that
+/// runs past several edges of a piece is divided where their corners come. Nothing when asked to stop.
 std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop = {});
 
 /// All of these seams as one edit.

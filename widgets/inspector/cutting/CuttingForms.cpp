@@ -1,6 +1,7 @@
 #include "CuttingForms.h"
 
 #include "Icons.h"
+#include "StretchLength.h"
 #include "Units.h"
 
 namespace bolster {

@@ -8,6 +8,7 @@
 #include "SeamStretches.h"
 #include "Selection.h"
 #include "SnapHints.h"
+#include "StretchLength.h"
 #include "Units.h"
 #include "ViewColors.h"
 

@@ -5,6 +5,7 @@
 #include "FixationEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchLength.h"
 #include "StretchPick.h"
 #include "StretchToFix.h"
 #include "Translated.h"

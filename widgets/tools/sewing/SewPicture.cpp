@@ -9,6 +9,7 @@
 #include "SeamEase.h"
 #include "SeamEdits.h"
 #include "SeamStretches.h"
+#include "StretchLength.h"
 #include "Units.h"
 #include "ViewColors.h"
 

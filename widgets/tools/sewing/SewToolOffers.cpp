@@ -5,6 +5,7 @@
 #include "ElementText.h"
 #include "SeamStretches.h"
 #include "Selection.h"
+#include "StretchLength.h"
 #include "Translated.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "SeamColors.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchLength.h"
 #include "Units.h"
 
 #include <algorithm>

@@ -1,0 +1,153 @@
+#include "StripBreaks.h"
+
+#include "ArcLength.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace bolster {
+
+namespace {
+
+constexpr double rowDifference = 0.01; // of the strip's length
+constexpr double roundedLength = 1;    // mm
+constexpr double shortestPart = 8;     // mm
+constexpr int mostInRow = 12;
+
+/// A row of edges that a strip could be sewn to.
+struct Row {
+    ElementId patch{};
+    std::vector<double> shares; ///< of the strip's length, counter-clockwise along it, where its corners come
+    bool notched = false;       ///< the strip has a notch at each of them
+    bool unused = true;         ///< no other strip runs past that piece
+    bool opposite = false;      ///< they are those of the strip's other edge
+    bool whole = false;         ///< once around the piece
+
+    auto rank() const { return std::tuple(notched, unused, opposite, whole, -static_cast<int>(shares.size())); }
+};
+
+bool close(const std::vector<double>& a, const std::vector<double>& b, double within)
+{
+    return std::ranges::equal(a, b, [within](double x, double y) { return std::abs(x - y) < within; });
+}
+
+class StripSearch {
+public:
+    StripSearch(const Design& design, const std::vector<OutlineEdge>& edges)
+        : m_design(design)
+        , m_edges(edges)
+    {}
+
+    EdgeBreaks run()
+    {
+        std::vector<const OutlineEdge*> strips;
+        for (const OutlineEdge& edge : m_edges)
+            if (!edge.taken && edge.length > 2 * shortestPart)
+                strips.push_back(&edge);
+        std::ranges::stable_sort(strips, std::greater(), &OutlineEdge::length);
+        for (const OutlineEdge* strip : strips)
+            if (const std::optional<Row> row = bestRow(*strip, isLone(*strip)))
+                divide(*strip, *row);
+        return std::move(m_breaks);
+    }
+
+private:
+    static double tolerance(double length) { return rowDifference * length + roundedLength; }
+
+    bool isLone(const OutlineEdge& strip) const
+    {
+        return std::ranges::none_of(m_edges, [&](const OutlineEdge& other) {
+            return !other.taken && other.stretch.patch != strip.stretch.patch &&
+                   std::abs(other.length - strip.length) <= 2 * tolerance(strip.length);
+        });
+    }
+
+    std::optional<Row> bestRow(const OutlineEdge& strip, bool lone) const
+    {
+        std::optional<Row> best;
+        for (int first = 0; first < static_cast<int>(m_edges.size()); ++first) {
+            std::optional<Row> row = rowFrom(first, strip);
+            if (!row || !(lone || row->notched))
+                continue;
+            if (!best || row->rank() > best->rank())
+                best = std::move(row);
+        }
+        return best;
+    }
+
+    /// The edges that follow one another counter-clockwise from this one, if they are as long as the strip. It runs
+    /// past them clockwise.
+    std::optional<Row> rowFrom(int first, const OutlineEdge& strip) const
+    {
+        const ElementId patch = at(first).stretch.patch;
+        if (patch == strip.stretch.patch || strip.length < at(first).length)
+            return std::nullopt;
+        std::vector<double> ends; // of the edges, mm from the start
+        double length = 0;
+        int edge = first;
+        do {
+            if (at(edge).taken || at(edge).length < shortestPart)
+                return std::nullopt;
+            length += at(edge).length;
+            ends.push_back(length);
+            edge = at(edge).next;
+        } while (edge != first && length < strip.length - tolerance(strip.length) &&
+                 static_cast<int>(ends.size()) < mostInRow);
+        if (ends.size() < 2 || std::abs(length - strip.length) > tolerance(strip.length))
+            return std::nullopt;
+        Row row;
+        row.patch = patch;
+        row.whole = edge == first;
+        for (std::size_t i = ends.size() - 1; i-- > 0;)
+            row.shares.push_back(1 - ends[i] / length);
+        judge(row, strip);
+        return row;
+    }
+
+    void judge(Row& row, const OutlineEdge& strip) const
+    {
+        const double near = 0.005 + 3 / strip.length;
+        row.notched = std::ranges::all_of(row.shares, [&](double share) {
+            return std::ranges::any_of(strip.notches, [&](double notch) { return std::abs(notch - share) < near; });
+        });
+        for (const auto& [patch, divided] : m_rows) {
+            row.unused = row.unused && divided.patch != row.patch;
+            if (patch != strip.stretch.patch)
+                continue;
+            std::vector<double> mirrored;
+            for (auto share = divided.shares.rbegin(); share != divided.shares.rend(); ++share)
+                mirrored.push_back(1 - *share);
+            row.opposite = row.opposite || close(row.shares, mirrored, 2 * near);
+        }
+    }
+
+    void divide(const OutlineEdge& strip, const Row& row)
+    {
+        const BSpline2& outline = m_design.find<Patch>(strip.stretch.patch)->outline;
+        const ArcLength2 length(outline);
+        const double start = length.at(strip.stretch.from);
+        for (const double share : row.shares) {
+            const double along = start + strip.length * (strip.backwards ? 1 - share : share);
+            m_breaks[strip.stretch.patch].push_back(
+                outline.wrapped(length.parameterAt(along > length.total() ? along - length.total() : along)));
+        }
+        m_rows.emplace_back(strip.stretch.patch, row);
+    }
+
+    const OutlineEdge& at(int edge) const { return m_edges[static_cast<std::size_t>(edge)]; }
+
+    const Design& m_design;
+    const std::vector<OutlineEdge>& m_edges;
+    std::vector<std::pair<ElementId, Row>> m_rows; ///< of the strips that are divided already, by their patches
+    EdgeBreaks m_breaks;
+};
+
+} // namespace
+
+EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges)
+{
+    return StripSearch(design, edges).run();
+}
+
+} // namespace bolster
