@@ -1833,6 +1833,22 @@
         <source>Bulge of the allowance</source>
         <translation>Wulst der Nahtzugabe</translation>
     </message>
+    <message>
+        <source>With a zip</source>
+        <translation>Mit Reißverschluss</translation>
+    </message>
+    <message>
+        <source>A zip joins the two sides; the sewing sheet tells its length.</source>
+        <translation>Ein Reißverschluss verbindet die beiden Seiten; der Nähplan nennt seine Länge.</translation>
+    </message>
+    <message>
+        <source>Step in sewing</source>
+        <translation>Schritt beim Nähen</translation>
+    </message>
+    <message>
+        <source>Seams with a number are sewn first, smaller ones before larger ones. 0: as the program proposes it.</source>
+        <translation>Nähte mit einer Zahl werden zuerst genäht, kleinere Zahlen vor größeren. 0: wie das Programm es vorschlägt.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -4945,6 +4961,26 @@
         <source>The outlines meet at more than 60° there: that is a corner, and stays one.</source>
         <translation>Die Umrisse treffen sich dort um mehr als 60° geknickt: Das ist eine Ecke und bleibt eine.</translation>
     </message>
+    <message>
+        <source>Sew earlier</source>
+        <translation>Früher nähen</translation>
+    </message>
+    <message>
+        <source>Sew later</source>
+        <translation>Später nähen</translation>
+    </message>
+    <message>
+        <source>Sew in the proposed order</source>
+        <translation>In der vorgeschlagenen Folge nähen</translation>
+    </message>
+    <message>
+        <source>Change the zip of %1</source>
+        <translation>Reißverschluss von %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change when %1 is sewn</source>
+        <translation>Ändern, wann %1 genäht wird</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5718,6 +5754,18 @@
         <source>Propos&amp;e seams …</source>
         <translation>Nähte vo&amp;rschlagen …</translation>
     </message>
+    <message>
+        <source>Sew ea&amp;rlier</source>
+        <translation>F&amp;rüher nähen</translation>
+    </message>
+    <message>
+        <source>Sew l&amp;ater</source>
+        <translation>Sp&amp;äter nähen</translation>
+    </message>
+    <message>
+        <source>Sewing &amp;order as proposed</source>
+        <translation>Nähf&amp;olge wie vorgeschlagen</translation>
+    </message>
 </context>
 <context>
     <name>SewingSheet</name>
@@ -5860,6 +5908,14 @@
     <message>
         <source>How much</source>
         <translation>Wie viel</translation>
+    </message>
+    <message>
+        <source>zip</source>
+        <translation>Reißverschluss</translation>
+    </message>
+    <message>
+        <source>Zip</source>
+        <translation>Reißverschluss</translation>
     </message>
 </context>
 <context>
@@ -6617,6 +6673,10 @@
     <message>
         <source>Sewing sheet (PDF)</source>
         <translation>Nähplan (PDF)</translation>
+    </message>
+    <message>
+        <source>DXF, plain curves (R2000)</source>
+        <translation>DXF, einfache Kurven (R2000)</translation>
     </message>
 </context>
 <context>
@@ -8258,6 +8318,14 @@
     <message>
         <source>What is sewn together: equal parts of the length, or of the curve&apos;s parameter</source>
         <translation>Was zusammengenäht wird: gleiche Teile der Länge oder des Kurvenparameters</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>The place in the order of sewing; Seam &gt; Sew earlier and Sew later change it</source>
+        <translation>Der Platz in der Nähfolge; Naht &gt; Früher nähen und Später nähen ändern ihn</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@ namespace bolster {
 namespace {
 
 constexpr std::string_view magic("SQLite format 3", 16); // with its zero
-constexpr std::size_t headSize = 105;                    // that of SQLite, and the beginning of its list of tables
+constexpr std::size_t readSize = 105;                    // that of SQLite, and the beginning of its list of tables
 
 std::int64_t bigEndian(std::string_view bytes, std::size_t at, std::size_t length)
 {
@@ -43,9 +43,9 @@ Message headProblem(const QString& path, bool& damaged)
     const auto file = DiskFile::open(path, std::numeric_limits<std::int64_t>::max(), problem);
     if (!file)
         return problem;
-    const std::string head = headOf(*file, headSize);
+    const std::string head = headOf(*file, readSize);
     const auto size = static_cast<std::int64_t>(file->size());
-    if (head.size() < headSize || !head.starts_with(magic) || bigEndian(head, 68, 4) != applicationId)
+    if (head.size() < readSize || !head.starts_with(magic) || bigEndian(head, 68, 4) != applicationId)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" is no Bolster project"), {name}};
     if (bigEndian(head, 60, 4) > schemaVersion)
         return {QT_TRANSLATE_NOOP("Message", "\"%1\" was made by a newer Bolster (version %2 of the format, this "

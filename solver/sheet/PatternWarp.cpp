@@ -7,7 +7,7 @@ namespace bolster {
 
 namespace {
 
-constexpr double mostDistortion = 3; // of a triangle against its first shape
+constexpr double mostWarp = 3; // of a triangle against its first shape
 
 /// Of the vertices of a part those on its outline and lines.
 std::vector<char> followers(const SewnMesh& mesh, int part)
@@ -131,7 +131,7 @@ std::optional<std::vector<Vec2>> PatternWarp::warped(const SewnMesh& mesh, const
     std::vector<Vec2> pattern = m_base;
     for (std::size_t v = 0; v < pattern.size(); ++v)
         pattern[v] += moves[v];
-    if (distortion(m_triangles, m_base, pattern) > mostDistortion)
+    if (distortion(m_triangles, m_base, pattern) > mostWarp)
         return std::nullopt;
     return pattern;
 }

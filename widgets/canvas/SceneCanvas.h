@@ -6,6 +6,7 @@
 
 #include <QImage>
 
+#include <chrono>
 #include <functional>
 #include <utility>
 
@@ -35,6 +36,9 @@ public:
     virtual QImage grab() = 0;
 
 protected:
+    /// After the last movement the finest picture is drawn.
+    static constexpr std::chrono::milliseconds restAfter{180};
+
     void tellShown() const
     {
         if (m_tell)

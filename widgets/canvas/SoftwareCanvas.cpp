@@ -14,7 +14,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto restAfter = 180ms;
 constexpr double movingScale = 0.5;
 
 } // namespace

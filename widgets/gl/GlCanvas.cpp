@@ -9,10 +9,6 @@ namespace bolster {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto restAfter = 180ms;
-
 /// Makes its painter, and with it the context, on the thread where it is called first.
 class PaintingWork {
 public:

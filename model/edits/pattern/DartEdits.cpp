@@ -96,7 +96,7 @@ void keepPlaces(const Design& design, const Mouth& kept, ElementId patch, const 
 }
 
 /// Both ends in the same turn; `to` is unwrapped.
-Stretch stretchBetween(const BSpline2& outline, ElementId patch, double from, double to)
+Stretch stretchAlong(const BSpline2& outline, ElementId patch, double from, double to)
 {
     const double start = inFirstTurn(outline, from), end = start + to - from;
     return {patch, start, end > outline.domainEnd() ? end - outline.period() : end};
@@ -144,9 +144,9 @@ private:
             if (f1 <= f0)
                 return;
             Seam seam = m_seam;
-            seam.*side = stretchBetween(outline, (m_seam.*side).patch, part.from, part.to);
+            seam.*side = stretchAlong(outline, (m_seam.*side).patch, part.from, part.to);
             const double g0 = m_seam.reversed ? 1 - f1 : f0, g1 = m_seam.reversed ? 1 - f0 : f1;
-            seam.*other = stretchBetween(outlineThere, there.patch, range.parameter(g0), range.parameter(g1));
+            seam.*other = stretchAlong(outlineThere, there.patch, range.parameter(g0), range.parameter(g1));
             seam.ease = (f1 - f0) * m_seam.ease;
             m_parts.push_back(std::move(seam));
         };
@@ -187,9 +187,9 @@ std::optional<SeamsOverMouth> seamsOver(const Design& design, const DartShape& d
             return to + on.period() * std::ceil((from - to) / on.period() + samePlace);
         };
         (found->whole.*side) =
-            stretchBetween(outline, dart.patch, (x.*side).from, after(outline, (x.*side).from, (y.*side).to));
+            stretchAlong(outline, dart.patch, (x.*side).from, after(outline, (x.*side).from, (y.*side).to));
         (found->whole.*other) =
-            stretchBetween(there->outline, first.patch, first.from, after(there->outline, first.from, last.to));
+            stretchAlong(there->outline, first.patch, first.from, after(there->outline, first.from, last.to));
         found->whole.ease = x.ease + y.ease;
     };
     design.each<Seam>([&](ElementId first, const Seam& x) {

@@ -11,7 +11,7 @@ namespace bolster {
 namespace {
 
 constexpr double rowDifference = 0.01; // of the strip's length
-constexpr double roundedLength = 1;    // mm
+constexpr double stripRounding = 1;    // mm
 constexpr double shortestPart = 8;     // mm
 constexpr int mostInRow = 12;
 
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static double tolerance(double length) { return rowDifference * length + roundedLength; }
+    static double tolerance(double length) { return rowDifference * length + stripRounding; }
 
     bool isLone(const OutlineEdge& strip) const
     {
