@@ -63,13 +63,12 @@ installPackages() {
 
 # Runs a command with its output in a log file, which is shown only if the command fails.
 quietly() {
-    local log=$1
+    local log=$1 status=0
     shift
     mkdir -p "$(dirname -- "$log")"
-    if ! "$@" >"$log" 2>&1 </dev/null; then
-        cat "$log" >&2
-        return 1
-    fi
+    "$@" >"$log" 2>&1 </dev/null || status=$?
+    [ "$status" -eq 0 ] || cat "$log" >&2
+    return "$status"
 }
 
 # configure PRESET [OPTION...]: unless that was done before with the same options.

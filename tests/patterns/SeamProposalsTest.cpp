@@ -132,8 +132,10 @@ TEST(SeamProposals, DivideTheStripAroundACushion)
 TEST(SeamProposals, DivideAStripAtItsNotches)
 {
     // The strip is as long as another piece's edge, but its notches are where the panel's corners come.
+    Patch seat = panel("Seat", 520, 400, {0, 0});
+    seat.outline = BSpline2(1, true, {{0, 0}, {520, 0}, {500, 399.5}, {20, 399.5}}); // wider in front
     Edit edit;
-    edit.changes = {{ElementId(1), nullptr, makeElement(panel("Seat", 520, 400, {0, 0}))},
+    edit.changes = {{ElementId(1), nullptr, makeElement(seat)},
                     {ElementId(2), nullptr, makeElement(panel("Skirt", 1320, 300, {700, 0}))},
                     {ElementId(3), nullptr, makeElement(panel("Strip", 1320, 80, {0, -200}))}};
     int id = 3;

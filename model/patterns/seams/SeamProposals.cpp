@@ -197,15 +197,23 @@ public:
         Ring found{0, edge, 0};
         int at = edge;
         double angles = 0;
+        bool straight = false; // an edge is divided there
         do {
-            angles += m_edges[static_cast<std::size_t>(at)].corner;
+            const double angle = m_edges[static_cast<std::size_t>(at)].corner;
+            angles += angle;
+            straight = straight || std::abs(angle - 180) < straightWithin;
             found.corner = std::min(found.corner, at);
             const int across = partner(at);
             if (across < 0)
                 return {0, edge, 1};
             at = m_edges[static_cast<std::size_t>(across)].next;
         } while (++found.count < largestRing && at != edge);
-        found.value = at == edge ? byCount[found.count] - (angles > mostAngle ? 1.5 : 0) : byCount[largestRing];
+        if (at != edge)
+            found.value = byCount[largestRing];
+        else if (found.count == 2 && straight && angles < mostPastCorner)
+            found.value = byCount[3]; // a strip that runs past a corner, as three pieces that meet
+        else
+            found.value = byCount[found.count] - (angles > mostAngle ? 1.5 : 0);
         return found;
     }
 
@@ -252,6 +260,8 @@ private:
     static constexpr double forSewing = 0.1;
     static constexpr double forFit = 1;
     static constexpr double mostAngle = 410; // degrees, of all pieces that meet at a corner
+    static constexpr double straightWithin = 10;
+    static constexpr double mostPastCorner = 320;
 
     void set(int edge, int other, double fit)
     {

@@ -14,6 +14,7 @@ constexpr double rowDifference = 0.01; // of the strip's length
 constexpr double stripRounding = 1;    // mm
 constexpr double shortestPart = 8;     // mm
 constexpr int mostInRow = 12;
+constexpr double narrow = 3; // times as long as wide
 
 /// A row of edges that a strip could be sewn to.
 struct Row {
@@ -47,7 +48,7 @@ public:
                 strips.push_back(&edge);
         std::ranges::stable_sort(strips, std::greater(), &OutlineEdge::length);
         for (const OutlineEdge* strip : strips)
-            if (const std::optional<Row> row = bestRow(*strip, isLone(*strip)))
+            if (const std::optional<Row> row = bestRow(*strip, isLone(*strip) && isNarrow(*strip)))
                 divide(*strip, *row);
         return std::move(m_breaks);
     }
@@ -63,12 +64,17 @@ private:
         });
     }
 
+    bool isNarrow(const OutlineEdge& strip) const
+    {
+        return strip.length > narrow * std::max(at(strip.next).length, at(strip.before).length);
+    }
+
     std::optional<Row> bestRow(const OutlineEdge& strip, bool lone) const
     {
         std::optional<Row> best;
         for (int first = 0; first < static_cast<int>(m_edges.size()); ++first) {
             std::optional<Row> row = rowFrom(first, strip);
-            if (!row || !(lone || row->notched))
+            if (!row || !(row->notched || (lone && row->whole)))
                 continue;
             if (!best || row->rank() > best->rank())
                 best = std::move(row);

@@ -6,8 +6,8 @@
 
 namespace bolster {
 
-/// Parameters that divide edges, by patch: where edges in a row on another piece are together as long as an edge
-/// that fits no single one, or whose notches lie where the corners of that row come.
+/// Parameters that divide edges, by patch: where the edges around another piece are together as long as that of a
+/// strip, which fits no single one; or some of them in a row, where the strip has notches at their corners.
 EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges);
 
 } // namespace bolster
