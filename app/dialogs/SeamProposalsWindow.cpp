@@ -11,7 +11,15 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace bolster {
+
+namespace {
+
+constexpr double likelyFrom = 0.5;
+
+} // namespace
 
 SeamProposalsWindow::SeamProposalsWindow(Document& document, Selection& selection, QWidget* parent)
     : QDialog(parent)
@@ -47,9 +55,12 @@ void SeamProposalsWindow::build()
     m_hint->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_sew = buttons->addButton(tr("&Sew selected"), QDialogButtonBox::ActionRole);
+    m_sewLikely = buttons->addButton(tr("Sew &likely ones"), QDialogButtonBox::ActionRole);
+    m_sewLikely->setToolTip(tr("Those of 50 % and more. What is sewn tells where its neighbours belong."));
     m_sewAll = buttons->addButton(tr("Sew &all"), QDialogButtonBox::ActionRole);
     m_sew->setDefault(true);
     connect(m_sew, &QPushButton::clicked, this, &SeamProposalsWindow::sewSelected);
+    connect(m_sewLikely, &QPushButton::clicked, this, [this] { sew(likely()); });
     connect(m_sewAll, &QPushButton::clicked, this, [this] { sew(m_proposals); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_list, &QTreeWidget::itemSelectionChanged, this, &SeamProposalsWindow::selectEdges);
@@ -67,6 +78,7 @@ void SeamProposalsWindow::build()
 void SeamProposalsWindow::look()
 {
     m_sew->setEnabled(false);
+    m_sewLikely->setEnabled(false);
     m_sewAll->setEnabled(false);
     m_hint->setText(tr("Looking for edges that belong together \u2026"));
     m_job.request({++m_asked, m_document.design()}, true);
@@ -88,9 +100,18 @@ void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposa
             ? tr("There are no free edges that seem to belong together.")
             : tr("By their lengths, the corners that would close, names and directions; the most certain "
                  "first. Look at each in the pattern before you sew it."));
+    m_sewLikely->setEnabled(!likely().empty());
     m_sewAll->setEnabled(!proposals.empty());
     if (m_list->topLevelItemCount() > 0)
         m_list->setCurrentItem(m_list->topLevelItem(0));
+}
+
+std::vector<SeamProposal> SeamProposalsWindow::likely() const
+{
+    std::vector<SeamProposal> found;
+    std::ranges::copy_if(m_proposals, std::back_inserter(found),
+                         [](const SeamProposal& proposal) { return proposal.certainty >= likelyFrom; });
+    return found;
 }
 
 std::vector<SeamProposal> SeamProposalsWindow::selected() const

@@ -27,6 +27,7 @@ private:
     void selectEdges();
     void sew(const std::vector<SeamProposal>& proposals);
     void sewSelected();
+    std::vector<SeamProposal> likely() const;
     std::vector<SeamProposal> selected() const;
 
     Document& m_document;
@@ -36,6 +37,7 @@ private:
     QTreeWidget* m_list = nullptr;
     QLabel* m_hint = nullptr;
     QPushButton* m_sew = nullptr;
+    QPushButton* m_sewLikely = nullptr;
     QPushButton* m_sewAll = nullptr;
     struct Wanted {
         int number = 0;

@@ -2,11 +2,10 @@
 
 #include "PieceDrawing.h"
 
-#include <QBuffer>
 #include <QLocale>
 #include <QPainter>
-#include <QPdfWriter>
-#include <QTextDocument>
+
+#include <algorithm>
 
 #include <cmath>
 
@@ -14,10 +13,9 @@ namespace bolster {
 
 namespace {
 
-constexpr int sheetDots = 300;       // per inch
-constexpr int drawingPixels = 220;   // of the drawing of a piece
-constexpr double drawingPoints = 52; // on paper
-constexpr double pageWidth = 480;    // points between the margins of an A4
+constexpr int drawingPixels = 220;    // of the drawing of a piece
+constexpr int drawingSize = 66;       // of it on paper, 1/96 inch
+constexpr double mostOfThePage = 0.4; // that the pictures of the cover take
 
 QString number(double value, int decimals)
 {
@@ -38,11 +36,26 @@ QString heads(const QStringList& words)
     return row + QStringLiteral("</tr></thead>");
 }
 
-QString table(const QStringList& header, const QString& rows)
+void addTable(HtmlPages& pages, const QString& heading, const QStringList& header, const QStringList& rows)
 {
-    return QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\" border=\"0.5\" "
-                          "style=\"border-collapse:collapse; border-color:#b0b0b0\">") +
-           heads(header) + rows + QStringLiteral("</table>");
+    pages.addTable(QStringLiteral("<h3>%1</h3>").arg(heading.toHtmlEscaped()),
+                   QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\" border=\"0.5\" "
+                                  "style=\"border-collapse:collapse; border-color:#b0b0b0\">") +
+                       heads(header),
+                   rows, QStringLiteral("</table>"));
+}
+
+QString rowOf(const QStringList& cells)
+{
+    return QStringLiteral("<tr>") + cells.join(QString()) + QStringLiteral("</tr>");
+}
+
+QString pictureTag(int picture, const QSize& size)
+{
+    return QStringLiteral("<img src=\"picture:%1\" width=\"%2\" height=\"%3\"/>")
+        .arg(picture)
+        .arg(size.width())
+        .arg(size.height());
 }
 
 /// Cut line, sewing line, notches and grain, as large as fits.
@@ -76,25 +89,16 @@ SewingSheet::SewingSheet(const Design& design, const SewingPlan& plan, std::vect
 
 QByteArray SewingSheet::pdf(const PaperSize& paper) const
 {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    writer.setResolution(sheetDots);
-    writer.setPageSize(QPageSize(paper.size, QPageSize::Millimeter));
-    writer.setPageMargins(QMarginsF()); // QTextDocument leaves 20 mm
-    writer.setTitle(title());
-    QTextDocument document;
-    document.setDefaultFont(QFont(QStringLiteral("sans-serif"), 8));
-    for (std::size_t i = 0; i < m_pictures.size(); ++i)
-        document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("cover:%1").arg(i)), m_pictures[i]);
-    for (std::size_t i = 0; i < m_plan.pattern.pieces.size(); ++i)
-        document.addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("piece:%1").arg(i)),
-                             drawingOf(m_plan.pattern.pieces[i]));
-    document.setHtml(html());
-    document.print(&writer); // page numbers are its own
-    buffer.close();
-    return bytes;
+    HtmlPages pages(paper, title());
+    QString head = QStringLiteral("<h2>%1</h2>").arg(title().toHtmlEscaped());
+    if (!m_date.isEmpty())
+        head += QStringLiteral("<p>%1</p>").arg(m_date.toHtmlEscaped());
+    pages.add(head);
+    addPictures(pages);
+    addNeeds(pages);
+    addPieces(pages);
+    addSeams(pages);
+    return pages.pdf();
 }
 
 QString SewingSheet::title() const
@@ -105,47 +109,36 @@ QString SewingSheet::title() const
     return name.isEmpty() ? tr("Sewing sheet") : tr("Sewing sheet: %1").arg(name);
 }
 
-QString SewingSheet::html() const
-{
-    QString text = QStringLiteral("<h2>%1</h2>").arg(title().toHtmlEscaped());
-    if (!m_date.isEmpty())
-        text += QStringLiteral("<p>%1</p>").arg(m_date.toHtmlEscaped());
-    text += pictureRow();
-    text += QStringLiteral("<h3>%1</h3>").arg(tr("Materials")) + needs();
-    text += QStringLiteral("<h3>%1</h3>").arg(tr("Pieces")) + pieceTable();
-    text += QStringLiteral("<h3>%1</h3>").arg(tr("Seams in the order of sewing")) + seamTable();
-    return text;
-}
-
-QString SewingSheet::pictureRow() const
+void SewingSheet::addPictures(HtmlPages& pages) const
 {
     if (m_pictures.empty())
-        return {};
+        return;
     QString row = QStringLiteral("<table width=\"100%\" cellspacing=\"4\"><tr>");
-    const double width = pageWidth / static_cast<double>(m_pictures.size()) - 12;
-    for (std::size_t i = 0; i < m_pictures.size(); ++i)
-        row += QStringLiteral("<td><img src=\"cover:%1\" width=\"%2\"/></td>").arg(i).arg(qRound(width));
-    return row + QStringLiteral("</tr></table>");
+    const double width = pages.width() / static_cast<double>(m_pictures.size()) - 12;
+    for (const QImage& picture : m_pictures) {
+        const QSizeF size =
+            QSizeF(picture.size()).scaled(width, mostOfThePage * pages.height(), Qt::KeepAspectRatio);
+        row += cell(pictureTag(pages.addPicture(picture), size.toSize()));
+    }
+    pages.add(row + QStringLiteral("</tr></table>"));
 }
 
-QString SewingSheet::pieceTable() const
+void SewingSheet::addPieces(HtmlPages& pages) const
 {
-    QString rows;
-    for (std::size_t i = 0; i < m_plan.pattern.pieces.size(); ++i) {
-        const CutPiece& piece = m_plan.pattern.pieces[i];
+    QStringList rows;
+    for (const CutPiece& piece : m_plan.pattern.pieces) {
         const Vec2 size = piece.box().isEmpty() ? Vec2(0, 0) : Vec2(piece.box().sizes());
         const QString count =
             piece.pair ? tr("%1 and %1 mirrored").arg(piece.quantity) : QString::number(piece.quantity);
-        rows += QStringLiteral("<tr>") +
-                cell(QStringLiteral("<img src=\"piece:%1\" width=\"%2\"/>").arg(i).arg(drawingPoints)) +
-                cell(QString::fromStdString(piece.name).toHtmlEscaped()) + cell(count) +
-                cell(QString::fromStdString(piece.fabricName).toHtmlEscaped()) +
-                cell(tr("%1 \u00d7 %2 mm").arg(number(size.x(), 0), number(size.y(), 0)), "right") +
-                cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right") +
-                QStringLiteral("</tr>");
+        const int drawing = pages.addPicture(drawingOf(piece));
+        rows += rowOf({cell(pictureTag(drawing, {drawingSize, drawingSize})),
+                       cell(QString::fromStdString(piece.name).toHtmlEscaped()), cell(count),
+                       cell(QString::fromStdString(piece.fabricName).toHtmlEscaped()),
+                       cell(tr("%1 \u00d7 %2 mm").arg(number(size.x(), 0), number(size.y(), 0)), "right"),
+                       cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right")});
     }
-    return table({QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Size as cut"), tr("Area as cut")},
-                 rows);
+    addTable(pages, tr("Pieces"),
+             {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Size as cut"), tr("Area as cut")}, rows);
 }
 
 QString SewingSheet::stitchOf(const PlannedSeam& seam) const
@@ -164,35 +157,35 @@ QString SewingSheet::stitchOf(const PlannedSeam& seam) const
     return words.isEmpty() ? tr("plain") : words.join(QStringLiteral(", "));
 }
 
-QString SewingSheet::seamTable() const
+void SewingSheet::addSeams(HtmlPages& pages) const
 {
     const auto name = [this](ElementId id) {
         const Patch* patch = m_design.find<Patch>(id);
         return patch ? QString::fromStdString(patch->name).toHtmlEscaped() : QString();
     };
-    QString rows;
-    int step = 0;
+    QStringList rows;
     for (const PlannedSeam& seam : m_plan.seams) {
         const QString allowance = std::abs(seam.allowanceA - seam.allowanceB) < 1e-6
                                       ? number(seam.allowanceA, 1)
                                       : tr("%1 and %2").arg(number(seam.allowanceA, 1), number(seam.allowanceB, 1));
         const QString both = seam.patchA == seam.patchB ? tr("%1, with itself").arg(name(seam.patchA))
                                                         : tr("%1 to %2").arg(name(seam.patchA), name(seam.patchB));
-        rows += QStringLiteral("<tr>") + cell(QString::number(++step), "right") + cell(both) +
-                cell(tr("%1 and %2").arg(number(seam.lengthA, 0), number(seam.lengthB, 0)), "right") +
-                cell(number(seam.ease, 1), "right") + cell(allowance, "right") +
-                cell(QString::number(seam.notches), "right") + cell(stitchOf(seam)) + QStringLiteral("</tr>");
+        rows += rowOf({cell(QString::number(rows.size() + 1), "right"), cell(both),
+                       cell(tr("%1 and %2").arg(number(seam.lengthA, 0), number(seam.lengthB, 0)), "right"),
+                       cell(number(seam.ease, 1), "right"), cell(allowance, "right"),
+                       cell(QString::number(seam.notches), "right"), cell(stitchOf(seam))});
     }
-    return table(
-        {QString(), tr("Seam"), tr("Lengths, mm"), tr("Ease, %"), tr("Allowance, mm"), tr("Notches"), tr("Stitch")},
-        rows);
+    addTable(pages, tr("Seams in the order of sewing"),
+             {QString(), tr("Seam"), tr("Lengths, mm"), tr("Second side longer, %"), tr("Allowance, mm"),
+              tr("Notches"), tr("Stitch")},
+             rows);
 }
 
-QString SewingSheet::needs() const
+void SewingSheet::addNeeds(HtmlPages& pages) const
 {
-    QString rows;
+    QStringList rows;
     const auto add = [&rows](const QString& what, const QString& much) {
-        rows += QStringLiteral("<tr>") + cell(what) + cell(much, "right") + QStringLiteral("</tr>");
+        rows += rowOf({cell(what), cell(much, "right")});
     };
     for (const FabricNeed& need : m_plan.fabrics)
         add(need.name.empty() ? tr("Fabric") : QString::fromStdString(need.name).toHtmlEscaped(),
@@ -206,7 +199,7 @@ QString SewingSheet::needs() const
         add(tr("Piping"), tr("%1 m").arg(number(m_plan.piping / 1000, 2)));
     if (m_plan.zips > 0)
         add(tr("Zip"), tr("%1 m").arg(number(m_plan.zips / 1000, 2)));
-    return table({tr("What"), tr("How much")}, rows);
+    addTable(pages, tr("Materials"), {tr("What"), tr("How much")}, rows);
 }
 
 } // namespace bolster

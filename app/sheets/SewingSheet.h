@@ -1,7 +1,7 @@
 // The sewing sheet on paper: pictures of the cover, pieces, seams in order, what is needed.
 #pragma once
 
-#include "PaperSize.h"
+#include "HtmlPages.h"
 #include "SewingPlan.h"
 
 #include <QByteArray>
@@ -21,12 +21,11 @@ public:
     QByteArray pdf(const PaperSize& paper) const;
 
 private:
-    QString html() const;
     QString title() const;
-    QString pictureRow() const;
-    QString pieceTable() const;
-    QString seamTable() const;
-    QString needs() const;
+    void addPictures(HtmlPages& pages) const;
+    void addNeeds(HtmlPages& pages) const;
+    void addPieces(HtmlPages& pages) const;
+    void addSeams(HtmlPages& pages) const;
     QString stitchOf(const PlannedSeam& seam) const;
 
     const Design& m_design;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double sameLength = 1;       // mm
 constexpr double sameShare = 0.005;    // of the length
+constexpr double sameAllowance = 0.05; // mm
 constexpr double sharpest = 30;        // degrees outside of an inner corner
 constexpr double leastBeyondNotch = 1; // mm from a notch to the sewing line
 
@@ -25,7 +26,10 @@ public:
 
     std::vector<CutFinding> run()
     {
-        m_design.each<Seam>([&](ElementId id, const Seam& seam) { lengths(id, seam); });
+        m_design.each<Seam>([&](ElementId id, const Seam& seam) {
+            lengths(id, seam);
+            allowances(id, seam);
+        });
         for (const CutPiece& piece : m_pattern.pieces)
             if (!piece.mirrored)
                 look(piece);
@@ -37,9 +41,38 @@ private:
     {
         const ElementPtr element = m_design.element(id);
         m_found.push_back(
-            {{id, element ? elementLabel(id, *element) : std::string(), "", std::move(message), Severity::Warning},
+            {{id, element ? labelOf(id, *element) : std::string(), "", std::move(message), Severity::Warning},
              patch,
              place});
+    }
+
+    /// Two widths at one seam: one side would be sewn beside its line.
+    void allowances(ElementId id, const Seam& seam)
+    {
+        const SewnPair pair(m_design, seam);
+        if (!pair.usable() || !isCut(seam.a.patch) || !isCut(seam.b.patch))
+            return;
+        const double a = allowanceAt(m_design, {seam.a.patch, pair.onA(0.5)}, std::nullopt);
+        const double b = allowanceAt(m_design, {seam.b.patch, pair.onB(0.5)}, std::nullopt);
+        if (std::abs(a - b) > sameAllowance)
+            add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
+                {QT_TRANSLATE_NOOP("Message",
+                                   "its sides have allowances of %1 mm and %2 mm: make them alike, or mind it "
+                                   "when they are laid together"),
+                 {numberText(a), numberText(b)}});
+    }
+
+    /// Seams have no names: those of their patches.
+    std::string labelOf(ElementId id, const Element& element) const
+    {
+        const Seam* seam = std::get_if<Seam>(&element);
+        if (!seam)
+            return elementLabel(id, element);
+        const auto name = [this](ElementId patch) {
+            const Patch* found = m_design.find<Patch>(patch);
+            return found ? found->name : std::string();
+        };
+        return elementLabel(id, element) + " (" + name(seam->a.patch) + " \u2013 " + name(seam->b.patch) + ")";
     }
 
     bool isCut(ElementId patch) const

@@ -1,5 +1,6 @@
 #include "CutPattern.h"
 
+#include "AllowanceFields.h"
 #include "CutNotches.h"
 #include "DesignCheck.h"
 #include "FabricShown.h"
@@ -42,6 +43,11 @@ bool isOn(const Stretch& stretch, const BSpline2& outline, double t)
     return t - stretch.from - period * std::floor((t - stretch.from) / period) < length;
 }
 
+double withinLimits(double width)
+{
+    return std::isfinite(width) ? std::clamp(width, allowanceWidth.least, allowanceWidth.most) : 0;
+}
+
 class PieceMaker {
 public:
     PieceMaker(const Design& design, const CutOptions& options, ElementId id, const Patch& patch)
@@ -54,8 +60,10 @@ public:
         , m_usual(allowanceOf(design, patch, options.allowance))
     {
         design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
-            if (edge.stretch.patch == id && std::isfinite(edge.stretch.from) && std::isfinite(edge.stretch.to))
-                m_edges.push_back(edge);
+            if (edge.stretch.patch != id || !std::isfinite(edge.stretch.from) || !std::isfinite(edge.stretch.to))
+                return;
+            m_edges.push_back(edge);
+            m_edges.back().width = withinLimits(edge.width);
         });
     }
 
@@ -230,13 +238,28 @@ std::vector<std::string> labelLines(const CutPiece& piece, const Patch& patch, c
 
 CutAllowance allowanceOf(const Design& design, const Patch& patch, std::optional<double> otherwise)
 {
+    CutAllowance found;
     if (patch.allowance)
-        return *patch.allowance;
-    if (design.settings().cutting.allowance)
-        return *design.settings().cutting.allowance;
-    CutAllowance usual;
-    usual.width = otherwise.value_or(usual.width);
-    return usual;
+        found = *patch.allowance;
+    else if (design.settings().cutting.allowance)
+        found = *design.settings().cutting.allowance;
+    else
+        found.width = otherwise.value_or(found.width);
+    found.width = withinLimits(found.width);
+    return found;
+}
+
+double allowanceAt(const Design& design, const OutlinePlace& place, std::optional<double> otherwise)
+{
+    const Patch* patch = design.find<Patch>(place.patch);
+    if (!patch || patch->outline.empty())
+        return 0;
+    double width = allowanceOf(design, *patch, otherwise).width;
+    design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
+        if (edge.stretch.patch == place.patch && isOn(edge.stretch, patch->outline, place.at))
+            width = withinLimits(edge.width);
+    });
+    return width;
 }
 
 CutPattern cutPattern(const Design& design, const CutOptions& options)

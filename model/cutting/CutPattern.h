@@ -36,5 +36,8 @@ CutPattern cutPattern(const Design& design, const CutOptions& options);
 
 /// The allowance that holds for a patch where none of its edges has another one.
 CutAllowance allowanceOf(const Design& design, const Patch& patch, std::optional<double> otherwise = {});
+/// The width at a place of an outline, mm: that of the edge there, or the patch's. Within the limits of the fields,
+/// whatever the design says.
+double allowanceAt(const Design& design, const OutlinePlace& place, std::optional<double> otherwise);
 
 } // namespace bolster

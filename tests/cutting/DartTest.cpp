@@ -52,6 +52,33 @@ const edits::DartShape bottom{left, 0.4, 0.5, {90, 50}};
 
 } // namespace
 
+TEST(Darts, WhatIsHeldOnBothSidesMeetsOnTheCurve)
+{
+    for (const bool reversed : {false, true}) {
+        FixationCurve rail;
+        rail.curve = BSpline3(1, false, {{0, 0, 0}, {100, 0, 0}, {200, 0, 0}});
+        FixationSeam held;
+        held.stretch = {left, 0, 1};
+        held.curve = ElementId(20);
+        held.reversed = reversed;
+        Design design = with(twoPanels(), ElementId(20), rail);
+        design = with(design, ElementId(21), held);
+        const Design cut = design.with(edits::addDart(design, bottom));
+        errorsIn(cut);
+        std::vector<FixationSeam> parts;
+        cut.each<FixationSeam>([&](ElementId, const FixationSeam& part) { parts.push_back(part); });
+        ASSERT_EQ(parts.size(), 2u);
+        ASSERT_TRUE(parts[0].curveRange && parts[1].curveRange);
+        const FixationSeam &first = parts[0].curveRange->first < parts[1].curveRange->first ? parts[0] : parts[1],
+                           &last = &first == &parts[0] ? parts[1] : parts[0];
+        EXPECT_NEAR(first.curveRange->first, 0, 1e-9);
+        EXPECT_NEAR(first.curveRange->second, last.curveRange->first, 1e-9) << "no gap is left";
+        EXPECT_NEAR(last.curveRange->second, 2, 1e-9);
+        const double share = length(cut, first.stretch) / (length(cut, first.stretch) + length(cut, last.stretch));
+        EXPECT_NEAR(first.curveRange->second, 2 * share, 1e-6);
+    }
+}
+
 TEST(Darts, TakeAWedgeOutAndSewItsLegs)
 {
     const Design design = twoPanels();

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace bolster {
 
 namespace {
@@ -41,6 +43,18 @@ TEST(SewingPlan, SaysLengthsAllowancesAndMaterials)
     EXPECT_NEAR(plan.thread.at("#112233"), 600, 1e-9) << "two rows";
     EXPECT_NEAR(plan.piping, 100, 1e-9);
     EXPECT_NEAR(plan.zips, 100, 1e-9);
+}
+
+TEST(CutPattern, TakesNoWidthThatNoFieldTakes)
+{
+    Design design = twoPanels();
+    Patch patch = *design.find<Patch>(left);
+    for (const double width : {1e9, -5.0, std::nan("")}) {
+        patch.allowance = CutAllowance{width};
+        const CutPattern pattern = cutPattern(with(design, left, patch), {});
+        ASSERT_EQ(pattern.pieces.size(), 2u);
+        EXPECT_LE(pattern.pieces[0].box().sizes().maxCoeff(), 600) << width;
+    }
 }
 
 TEST(SewingPlan, ClosesRingsWhenTheyHangTogetherAndTheCoverLast)
@@ -104,12 +118,13 @@ TEST(SewingOrder, IsWhatTheDesignerSaysAndGoesBackToWhatIsProposed)
     EXPECT_TRUE(edits::proposeSewingOrder(design).empty()) << "nothing to be changed";
 }
 
-TEST(SewingOrder, TheSeamThatClosesACoverWaitsThoughOthersLieBesideIt)
+TEST(SewingOrder, FinishesACoverBeforeItBeginsAnother)
 {
     const std::vector<SewingStep> order = sewingOrder(ringAndPair());
     ASSERT_EQ(order.size(), 4u);
-    EXPECT_TRUE(order.back().closes);
-    EXPECT_EQ(order.back().seam, ElementId(12));
+    EXPECT_TRUE(order[2].closes);
+    EXPECT_EQ(order[2].seam, ElementId(12)) << "it closes the ring";
+    EXPECT_EQ(order[3].seam, ElementId(22));
 }
 
 TEST(SewingOrder, SeamsWithANumberComeFirst)

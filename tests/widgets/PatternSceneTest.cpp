@@ -1,14 +1,17 @@
 #include "PatternScene.h"
 #include "CurvePath.h"
+#include "DartEdits.h"
 #include "ElementEdits.h"
 #include "PatchEdits.h"
 #include "SeamColors.h"
+#include "StretchLength.h"
 #include "TestDesigns.h"
 
 #include <QTransform>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -45,6 +48,32 @@ TEST(PatternScene, HitsPointsBeforeOutlinesBeforeTheInside)
     EXPECT_EQ(scene.hit({50, 50}, 5, all).kind, Kind::Inside);
     EXPECT_EQ(scene.hit({50, 50}, 5, all).patch, firstSquare);
     EXPECT_EQ(scene.hit({150, 50}, 5, all).kind, Kind::Nothing);
+}
+
+/// An outline with a dart begins elsewhere than at 0, from where its stretches are counted.
+TEST(PatternScene, ShowsAllThatIsSewnBesideADart)
+{
+    const Design before = twoSquares();
+    const BSpline2& square = before.find<Patch>(firstSquare)->outline;
+    for (const double middle : {0.5, 1.5, 2.5, 3.5}) {
+        const Vec2 at = square.at(middle), tip = at + 0.5 * (square.boundingBox().center() - at);
+        const Design design = before.with(edits::addDart(before, {firstSquare, middle - 0.1, middle + 0.1, tip}));
+        PatternScene scene;
+        scene.reset(design);
+        int seams = 0, shown = 0;
+        design.each<Seam>([&](ElementId, const Seam&) { ++seams; });
+        for (const auto& [owner, stretch] : scene.stretches()) {
+            ++shown;
+            const Seam* of = design.find<Seam>(owner);
+            ASSERT_TRUE(of);
+            double nearest = 1e9;
+            for (const Stretch& side : {of->a, of->b})
+                nearest = std::min(nearest, std::abs(stretchLength(design, side) - stretch.path.length()));
+            EXPECT_LT(nearest, 0.1) << middle;
+        }
+        EXPECT_EQ(shown, 2 * seams) << middle;
+        EXPECT_GE(seams, 2) << middle;
+    }
 }
 
 /// Of a hundred thousand patches nobody reads the names.

@@ -32,6 +32,7 @@ public:
     {}
 
     bool several() const { return m_ids.size() > 1; }
+    const Design& design() const { return m_document->design(); }
     /// The first one; a default one after it is gone.
     T now() const
     {

@@ -4,6 +4,7 @@
 #include "Units.h"
 
 #include <QCoreApplication>
+#include <QFocusEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
@@ -90,6 +91,11 @@ bool NumberBox::eventFilter(QObject* watched, QEvent* event)
         selectAll();
         return true;
     }
+    if (watched == lineEdit() && event->type() == QEvent::FocusIn)
+        m_clickedInto = static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
+    if (watched == lineEdit() && event->type() == QEvent::MouseButtonRelease &&
+        std::exchange(m_clickedInto, false) && !lineEdit()->hasSelectedText())
+        selectAll(); // what is typed takes its place, as after Tab
     return QDoubleSpinBox::eventFilter(watched, event);
 }
 

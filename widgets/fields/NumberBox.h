@@ -67,6 +67,7 @@ private:
     bool m_lengths;                 ///< takes units of length
     bool m_varies = false;          ///< no one value
     bool m_typedOver = false;       ///< over "varies"
+    bool m_clickedInto = false;     ///< the button is still down
     mutable bool m_refused = false; ///< what was typed last
 };
 

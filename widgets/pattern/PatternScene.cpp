@@ -47,16 +47,21 @@ std::vector<PatternEdge> outlineEdges(const BSpline2& outline)
     return edges;
 }
 
-/// Where the stretch ends after `from`, or nothing when it does not lie on this outline.
-std::optional<double> endOf(const Stretch& stretch, const BSpline2& outline)
+/// From the first turn on, unwrapped; nothing when it does not lie on this outline. A stretch may be addressed from
+/// 0 though the outline begins elsewhere, as one with a dart does.
+std::optional<std::pair<double, double>> rangeOf(const Stretch& stretch, const BSpline2& outline)
 {
-    const double start = outline.domainStart();
-    const double end = outline.domainEnd();
-    const auto valid = [&](double t) { return std::isfinite(t) && t >= start && t <= end; };
-    if (outline.empty() || !valid(stretch.from) || !valid(stretch.to))
+    if (outline.empty())
         return {};
-    const double to = unwrappedEnd(stretch.from, stretch.to, start, end);
-    return to > stretch.from ? std::optional(to) : std::nullopt;
+    const double start = outline.domainStart(), end = outline.domainEnd(), period = outline.period();
+    const auto valid = [&](double t) {
+        return std::isfinite(t) && t >= std::min(0.0, start) && t <= std::max(period, end);
+    };
+    if (!valid(stretch.from) || !valid(stretch.to))
+        return {};
+    const double from = outline.wrapped(stretch.from);
+    const double to = from + unwrappedEnd(stretch.from, stretch.to, start, end) - stretch.from;
+    return to > from ? std::optional(std::pair(from, to)) : std::nullopt;
 }
 
 } // namespace
@@ -137,10 +142,10 @@ std::optional<Vec2> markPlace(const Patch& patch, const Element& element)
 {
     const BSpline2& outline = patch.outline;
     if (const auto* edge = std::get_if<EdgeAllowance>(&element)) {
-        const std::optional<double> end = endOf(edge->stretch, outline);
-        if (!end)
+        const auto range = rangeOf(edge->stretch, outline);
+        if (!range)
             return std::nullopt;
-        const double middle = outline.wrapped((edge->stretch.from + *end) / 2);
+        const double middle = outline.wrapped((range->first + range->second) / 2);
         const Vec2 along = outline.derivative(middle).normalized();
         const Vec2 right(along.y(), -along.x());
         return outline.at(middle) + edge->width * (outline.signedArea() < 0 ? Vec2(-right) : right);
@@ -258,13 +263,13 @@ void PatternScene::addStretch(PatternStretch added, const Stretch& stretch)
     if (!entry)
         return;
     const Patch& on = entry->patch();
-    const std::optional<double> to = endOf(stretch, on.outline);
-    if (!to)
+    const auto range = rangeOf(stretch, on.outline);
+    if (!range)
         return;
     added.patch = stretch.patch;
-    added.from = stretch.from;
-    added.to = *to;
-    added.path = curvePath(on.outline, stretch.from, *to, [&on](const Vec2& p) { return toLayout(on, p); });
+    added.from = range->first;
+    added.to = range->second;
+    added.path = curvePath(on.outline, added.from, added.to, [&on](const Vec2& p) { return toLayout(on, p); });
     if (added.backwards)
         added.path = added.path.toReversed();
     m_stretches.emplace(added.owner, added);

@@ -9,22 +9,6 @@ namespace bolster {
 
 namespace {
 
-double allowanceAt(const Design& design, const Patch& patch, const CutOptions& options, const OutlinePlace& place)
-{
-    double width = allowanceOf(design, patch, options.allowance).width;
-    design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
-        if (edge.stretch.patch != place.patch)
-            return;
-        const double period = patch.outline.period();
-        const double end = unwrappedEnd(edge.stretch.from, edge.stretch.to, patch.outline.domainStart(),
-                                        patch.outline.domainEnd());
-        const double t = place.at - period * std::floor((place.at - edge.stretch.from) / period);
-        if (t < end)
-            width = edge.width;
-    });
-    return width;
-}
-
 int notchesAt(const CutPiece& piece, ElementId seam)
 {
     return static_cast<int>(std::ranges::count(piece.notches, seam, &CutNotch::seam));
@@ -42,7 +26,7 @@ std::vector<PlannedSeam> plannedSeams(const Design& design, const CutPattern& pa
         if (!pair.usable() || !pieces.contains(seam.a.patch) || !pieces.contains(seam.b.patch))
             continue;
         const auto allowance = [&](const Stretch& side, double at) {
-            return allowanceAt(design, *design.find<Patch>(side.patch), options, {side.patch, at});
+            return allowanceAt(design, {side.patch, at}, options.allowance);
         };
         PlannedSeam planned;
         planned.seam = step.seam;

@@ -5,6 +5,7 @@
 #include "MatchedRange.h"
 #include "OutlineCrossings.h"
 #include "PlaneCurves.h"
+#include "StretchLength.h"
 #include "StretchRemap.h"
 
 #include <algorithm>
@@ -158,6 +159,38 @@ private:
     std::vector<Seam> m_parts;
 };
 
+/// Of what is held on a curve, the two parts beside a mouth meet there when the dart is sewn: the gap that the
+/// mouth has left on the curve is shared out between them by their lengths.
+void closeHeldGap(const DartShape& dart, EditBuilder& builder)
+{
+    const Design design = builder.now();
+    const BSpline2& outline = design.find<Patch>(dart.patch)->outline;
+    const auto meets = [&](double a, double b) {
+        return std::abs(std::remainder(a - b, outline.period())) < samePlace;
+    };
+    const auto join = [&](ElementId one, FixationSeam before, ElementId two, FixationSeam after) {
+        const auto* held = design.find<FixationCurve>(before.curve);
+        const double a = stretchLength(design, before.stretch), b = stretchLength(design, after.stretch);
+        if (one == two || !held || after.curve != before.curve || after.reversed != before.reversed ||
+            !before.curveRange || !after.curveRange || !(a > 0 && b > 0))
+            return;
+        FixationSeam &first = before.reversed ? after : before, &last = before.reversed ? before : after;
+        const MatchedRange<3> range(held->curve, first.curveRange->first, last.curveRange->second, Match::Length);
+        const double middle = held->curve.wrapped(range.parameter((before.reversed ? b : a) / (a + b)));
+        first.curveRange->second = last.curveRange->first = middle;
+        builder.replace(one, before);
+        builder.replace(two, after);
+    };
+    design.each<FixationSeam>([&](ElementId one, const FixationSeam& before) {
+        if (before.stretch.patch != dart.patch || !meets(before.stretch.to, dart.from))
+            return;
+        design.each<FixationSeam>([&](ElementId two, const FixationSeam& after) {
+            if (after.stretch.patch == dart.patch && meets(after.stretch.from, dart.to))
+                join(one, before, two, after);
+        });
+    });
+}
+
 /// The two seams that a dart over a seam has made of it, as one again.
 struct SeamsOverMouth {
     ElementId first{}, second{};
@@ -265,6 +298,7 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
             builder.add(parts[k]);
     });
     keepPlaces(design, {mouth.to, mouth.from + outline.period()}, shape.patch, divided, builder);
+    closeHeldGap({shape.patch, mouth.from, mouth.to}, builder);
     const double first = cut->wrapped(mouth.from), middle = cut->wrapped(tip.front()),
                  last = cut->wrapped(mouth.to);
     builder.add(

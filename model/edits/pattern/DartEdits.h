@@ -30,8 +30,8 @@ DartAxis dartAxis(const BSpline2& outline, const DartShape& dart);
 /// Cuts a dart: two straight legs take the place of the mouth, with a seam between them that is smooth. All other
 /// parameters of the outline keep their meaning. A seam over the mouth is divided, and its other side shared out
 /// between the two parts by their lengths, so that the edges meet when the dart is sewn; of one that reaches into
-/// the mouth the other side stays whole. Refused, with the reason in `problem`, where the legs would leave the
-/// patch, or the mouth is a whole edge.
+/// the mouth the other side stays whole. What is held on a curve is divided likewise. Refused, with the reason in
+/// `problem`, where the legs would leave the patch, or the mouth is a whole edge.
 Edit addDart(const Design& design, const DartShape& shape, Message* problem = nullptr);
 
 /// The dart whose legs a seam joins: both are straight, on one patch, and have the tip in common.

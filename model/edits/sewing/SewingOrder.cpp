@@ -4,12 +4,15 @@
 #include "StretchLength.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
 namespace bolster {
 
 namespace {
+
+constexpr double afterNumbered = std::numeric_limits<double>::infinity();
 
 struct OrderedSeam {
     ElementId id{};
@@ -29,6 +32,7 @@ public:
             m_patches[m_part[i] = i] = {i};
     }
     bool together(const OrderedSeam& seam) const { return m_part[seam.a] == m_part[seam.b]; }
+    std::size_t part(std::size_t patch) const { return m_part[patch]; }
     std::size_t patches(std::size_t patch) const { return m_patches[m_part[patch]].size(); }
     void join(const OrderedSeam& seam)
     {
@@ -47,15 +51,17 @@ private:
 };
 
 /// What comes next; smaller is sooner.
-std::tuple<int, double, double> rank(const OrderedSeam& seam, const SewnParts& now, const SewnParts& whole)
+std::tuple<double, std::size_t, int, std::size_t, double> rank(const OrderedSeam& seam, const SewnParts& now,
+                                                               const SewnParts& whole)
 {
     if (seam.step > 0)
-        return {0, seam.step, 0};
+        return {seam.step, 0, 0, 0, 0};
+    const std::size_t cover = whole.part(seam.a);
     if (seam.a == seam.b)
-        return {1, 0, seam.length};
+        return {afterNumbered, cover, 1, 0, seam.length};
     if (!now.together(seam))
-        return {3, static_cast<double>(now.patches(seam.a) + now.patches(seam.b)), seam.length};
-    return {now.patches(seam.a) < whole.patches(seam.a) ? 2 : 4, 0, seam.length};
+        return {afterNumbered, cover, 3, now.patches(seam.a) + now.patches(seam.b), seam.length};
+    return {afterNumbered, cover, now.patches(seam.a) < whole.patches(seam.a) ? 2 : 4, 0, seam.length};
 }
 
 } // namespace

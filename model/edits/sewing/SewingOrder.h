@@ -12,10 +12,11 @@ struct SewingStep {
     bool closes = false; ///< everything that it joins hangs together before it
 };
 
-/// All seams between patches that are there. Those with a number come first, by it. The others are proposed: darts,
-/// while their pieces are flat; then always the seam that joins the two parts of the cover with the fewest pieces,
-/// shorter ones before longer ones, so that large parts are handled late. A seam that closes a ring is sewn as soon
-/// as its two sides hang together, before more is sewn to them; those that close a whole cover come last of all.
+/// All seams between patches that are there. Those with a number come first, by it. The others are proposed, one
+/// cover (what hangs together in the end) after the other: darts, while their pieces are flat; then always the seam
+/// that joins the two parts of the cover with the fewest pieces, shorter ones before longer ones, so that large
+/// parts are handled late. A seam that closes a ring is sewn as soon as its two sides hang together, before more is
+/// sewn to them; those that close the cover come last.
 std::vector<SewingStep> sewingOrder(const Design& design);
 
 namespace edits {

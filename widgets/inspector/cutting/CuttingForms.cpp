@@ -8,38 +8,42 @@ namespace bolster {
 
 namespace {
 
-/// An allowance that may be there or not: a mark, and its fields while it is there. `at` finds it in an element.
-template <class T, class At>
-void addAllowance(PropertyForm& form, const InspectorSubject<T>& subject, const QString& own, At at)
+/// An allowance that may be there or not: a mark, and its fields while it is there. `at` finds it in an element,
+/// `otherwise` says what counts without it, and what it begins with.
+template <class T, class At, class Otherwise>
+void addAllowance(PropertyForm& form, const InspectorSubject<T>& subject, const QString& own, At at,
+                  Otherwise otherwise)
 {
     const CutAllowance usual;
     const DescribedField width = describedField(usual, &usual.width), corner = describedField(usual, &usual.corner);
     const char* const verb = width.field.verb;
     form.addCheck(
         own, [subject, at] { return subject.shared([&](const T& t) { return at(t).has_value(); }); },
-        [subject, at, verb](bool on) {
-            subject.change(verb, [&](T& t) { at(t) = on ? std::optional(CutAllowance()) : std::nullopt; });
+        [subject, at, otherwise, verb](bool on) {
+            subject.change(verb, [&](T& t) { at(t) = on ? std::optional(otherwise()) : std::nullopt; });
         });
     form.addNumber(
         width.label(), width.range(),
-        [subject, at] { return subject.shared([&](const T& t) { return at(t).value_or(CutAllowance()).width; }); },
-        [subject, at, verb](double value) {
+        [subject, at, otherwise] {
+            return subject.shared([&](const T& t) { return at(t).value_or(otherwise()).width; });
+        },
+        [subject, at, otherwise, verb](double value) {
             subject.change(verb, [&](T& t) {
                 if (!at(t))
-                    at(t) = CutAllowance();
+                    at(t) = otherwise();
                 at(t)->width = value;
             });
         });
     form.addChoice(
         corner.label(), corner.choices(),
-        [subject, at] {
-            const auto shared = subject.shared([&](const T& t) { return at(t).value_or(CutAllowance()).corner; });
+        [subject, at, otherwise] {
+            const auto shared = subject.shared([&](const T& t) { return at(t).value_or(otherwise()).corner; });
             return shared ? static_cast<int>(*shared) : -1;
         },
-        [subject, at, verb](int chosen) {
+        [subject, at, otherwise, verb](int chosen) {
             subject.change(verb, [&](T& t) {
                 if (!at(t))
-                    at(t) = CutAllowance();
+                    at(t) = otherwise();
                 at(t)->corner = static_cast<CornerJoin>(chosen);
             });
         });
@@ -56,7 +60,8 @@ void PieceCuttingSection::add(PropertyForm& form, const InspectorSubject<Patch>&
 {
     form.addHeading(tr("Cutting"), icon(QStringLiteral("notch")));
     addAllowance(
-        form, patch, tr("Own seam allowance"), [](auto& p) -> auto& { return p.allowance; });
+        form, patch, tr("Own seam allowance"), [](auto& p) -> auto& { return p.allowance; },
+        [patch] { return patch.design().settings().cutting.allowance.value_or(CutAllowance()); });
     patch.field(&Patch::cutting, &PieceCutting::quantity);
     patch.field(&Patch::cutting, &PieceCutting::pair);
     patch.field(&Patch::cutting, &PieceCutting::nap);
@@ -80,7 +85,8 @@ void DesignCuttingSection::add(PropertyForm& form, const InspectorSubject<Settin
 {
     form.addHeading(tr("Cutting"), icon(QStringLiteral("notch")));
     addAllowance(
-        form, settings, tr("Seam allowance of all patches"), [](auto& s) -> auto& { return s.cutting.allowance; });
+        form, settings, tr("Seam allowance of all patches"), [](auto& s) -> auto& { return s.cutting.allowance; },
+        [] { return CutAllowance(); });
     const auto notches = &Settings::cutting;
     settings.field(notches, &DesignCutting::notches, &AutomaticNotches::shape, &NotchShape::kind);
     settings.labelledField(tr("Depth of notches"), notches, &DesignCutting::notches, &AutomaticNotches::shape,
