@@ -4981,6 +4981,10 @@
         <source>Change when %1 is sewn</source>
         <translation>Ändern, wann %1 genäht wird</translation>
     </message>
+    <message>
+        <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
+        <translation>ihre Seiten haben Zugaben von %1 mm und %2 mm: gleichen Sie sie an, oder achten Sie darauf, wenn sie aufeinander gelegt werden</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5862,10 +5866,6 @@
         <translation>Längen, mm</translation>
     </message>
     <message>
-        <source>Ease, %</source>
-        <translation>Mehrweite, %</translation>
-    </message>
-    <message>
         <source>Allowance, mm</source>
         <translation>Zugabe, mm</translation>
     </message>
@@ -5916,6 +5916,10 @@
     <message>
         <source>Zip</source>
         <translation>Reißverschluss</translation>
+    </message>
+    <message>
+        <source>Second side longer, %</source>
+        <translation>Zweite Seite länger, %</translation>
     </message>
 </context>
 <context>
@@ -8243,6 +8247,14 @@
     <message>
         <source>By their lengths, the corners that would close, names and directions; the most certain first. Look at each in the pattern before you sew it.</source>
         <translation>Nach Längen, nach Ecken, die sich schließen würden, nach Namen und Richtungen; die sichersten zuerst. Sehen Sie sich jede im Schnitt an, bevor Sie sie nähen.</translation>
+    </message>
+    <message>
+        <source>Sew &amp;likely ones</source>
+        <translation>&amp;Wahrscheinliche nähen</translation>
+    </message>
+    <message>
+        <source>Those of 50 % and more. What is sewn tells where its neighbours belong.</source>
+        <translation>Die mit 50 % und mehr. Was genäht ist, sagt, wohin die Nachbarn gehören.</translation>
     </message>
 </context>
 <context>
