@@ -31,19 +31,18 @@ QPainterPath curvePath(const BSpline2& curve, double from, double to, const std:
     const std::vector<double> breaks = breaksBetween(curve, from, to);
     QPainterPath path(placed(curve.at(curve.wrapped(from))));
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-        const double t = curve.wrapped(breaks[i]);
-        const double h = breaks[i + 1] - breaks[i];
-        const Vec2 start = curve.at(t);
-        const Vec2 first = curve.derivative(t) * h;
         if (curve.degree() == 1) {
-            path.lineTo(placed(start + first));
+            path.lineTo(placed(curve.at(curve.wrapped(breaks[i + 1]))));
             continue;
         }
-        // The Taylor expansion at the piece's start is the whole piece; in Bezier form it is this.
+        // The Taylor expansion at the piece's middle is the whole piece; in Bezier form it is this. (At its ends
+        // rounding may find the neighbour.)
+        const double t = curve.wrapped((breaks[i] + breaks[i + 1]) / 2), h = (breaks[i + 1] - breaks[i]) / 2;
+        const Vec2 middle = curve.at(t), first = curve.derivative(t) * h;
         const Vec2 second = curve.derivative(t, 2) * (h * h / 2);
         const Vec2 third = curve.degree() == 3 ? Vec2(curve.derivative(t, 3) * (h * h * h / 6)) : Vec2::Zero();
-        path.cubicTo(placed(start + first / 3), placed(start + first * 2 / 3 + second / 3),
-                     placed(start + first + second + third));
+        path.cubicTo(placed(middle - first / 3 - second / 3 + third),
+                     placed(middle + first / 3 - second / 3 - third), placed(middle + first + second + third));
     }
     return path;
 }
