@@ -5759,15 +5759,15 @@
         <translation>Nähte vo&amp;rschlagen …</translation>
     </message>
     <message>
-        <source>Sew ea&amp;rlier</source>
-        <translation>F&amp;rüher nähen</translation>
+        <source>Sew earl&amp;ier</source>
+        <translation>&amp;Früher nähen</translation>
     </message>
     <message>
         <source>Sew l&amp;ater</source>
         <translation>Sp&amp;äter nähen</translation>
     </message>
     <message>
-        <source>Sewing &amp;order as proposed</source>
+        <source>Sewi&amp;ng order as proposed</source>
         <translation>Nähf&amp;olge wie vorgeschlagen</translation>
     </message>
 </context>

@@ -132,7 +132,7 @@ void SewingCommands::addOrder(Commands& commands)
     const auto any = [this] { return !seams().empty(); };
     commands.add(
         {{.id = "seam.sew-earlier",
-          .text = tr("Sew ea&rlier"),
+          .text = tr("Sew earl&ier"),
           .keys = {Qt::CTRL | Qt::ALT | Qt::Key_PageUp},
           .places = {"seam/6"},
           .enabled = any,
@@ -144,7 +144,7 @@ void SewingCommands::addOrder(Commands& commands)
           .enabled = any,
           .does = moving(edits::SewingMove::Later)},
          {.id = "seam.order-proposed",
-          .text = tr("Sewing &order as proposed"),
+          .text = tr("Sewi&ng order as proposed"),
           .places = {"seam/6"},
           .enabled =
               [this] {
