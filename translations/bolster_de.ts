@@ -6682,6 +6682,10 @@
         <source>DXF, plain curves (R2000)</source>
         <translation>DXF, einfache Kurven (R2000)</translation>
     </message>
+    <message>
+        <source>too many sheets: is its unit right?</source>
+        <translation>zu viele Blätter: stimmt die Einheit?</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FabricCommands</name>

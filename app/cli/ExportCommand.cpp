@@ -18,6 +18,7 @@
 #include <QGuiApplication>
 
 #include <array>
+#include <cmath>
 
 namespace bolster::cli {
 
@@ -223,6 +224,12 @@ int exportPattern(std::span<const std::string> words)
     printFindings(pattern, opened.design);
     if (pattern.pieces.empty()) {
         printError("error: there is no piece to cut");
+        return badInput;
+    }
+    if (const double sheets = PatternPdf(pattern, pdf).sheets();
+        arguments.has("--pdf") && sheets > PatternPdf::mostSheets) {
+        printError("error: the PDF would have " + std::to_string(std::llround(sheets)) +
+                   " sheets, and 5000 is the most: is the design's unit right? Larger --paper needs fewer");
         return badInput;
     }
     const QDateTime now = QDateTime::currentDateTime();

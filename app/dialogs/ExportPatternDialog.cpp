@@ -210,7 +210,12 @@ void ExportPatternDialog::preview()
     QString summary = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))
                           .arg(qRound(size.x()))
                           .arg(qRound(size.y()));
-    if (sheets) {
+    bool few = true;
+    if (sheets &&
+        PatternPdf(*m_pattern, {order.paper, order.landscape, order.layers}).sheets() > PatternPdf::mostSheets) {
+        few = false;
+        summary += QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");
+    } else if (sheets) {
         shown.grid = sheetGrid(size, order.paper, order.landscape);
         const PatternPdf pdf(*m_pattern, {order.paper, order.landscape, order.layers});
         summary += QStringLiteral(", ") + tr("%n pages", nullptr, pdf.pages());
@@ -220,7 +225,7 @@ void ExportPatternDialog::preview()
                                                    nullptr, static_cast<int>(m_pattern->leftOut.size()));
     m_preview->show(std::move(shown));
     m_summary->setText(summary);
-    m_export->setEnabled(!m_pattern->pieces.empty());
+    m_export->setEnabled(few && !m_pattern->pieces.empty());
 }
 
 } // namespace bolster

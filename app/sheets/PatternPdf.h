@@ -45,6 +45,9 @@ public:
     PatternPdf(const CutPattern& pattern, const PdfOrder& order);
     QByteArray bytes() const;
     int pages() const;
+    /// Empty ones too; more than mostSheets are not to be drawn: whoever has such a pattern mistook its unit.
+    double sheets() const { return double(m_grid.rows) * double(m_grid.columns); }
+    static constexpr double mostSheets = 5000;
 
 private:
     class Pages;
