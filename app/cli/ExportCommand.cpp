@@ -226,10 +226,11 @@ int exportPattern(std::span<const std::string> words)
         printError("error: there is no piece to cut");
         return badInput;
     }
-    if (const double sheets = PatternPdf(pattern, pdf).sheets();
-        arguments.has("--pdf") && sheets > PatternPdf::mostSheets) {
-        printError("error: the PDF would have " + std::to_string(std::llround(sheets)) +
-                   " sheets, and 5000 is the most: is the design's unit right? Larger --paper needs fewer");
+    const double sheets = arguments.has("--pdf") ? PatternPdf(pattern, pdf).sheets() : 0;
+    if (sheets > PatternPdf::mostSheets) {
+        printError("error: the PDF would have " + std::to_string(std::llround(sheets)) + " sheets, and " +
+                   std::to_string(std::llround(PatternPdf::mostSheets)) +
+                   " is the most: is the design's unit right? Larger --paper needs fewer");
         return badInput;
     }
     const QDateTime now = QDateTime::currentDateTime();

@@ -211,14 +211,13 @@ void ExportPatternDialog::preview()
                           .arg(qRound(size.x()))
                           .arg(qRound(size.y()));
     bool few = true;
-    if (sheets &&
-        PatternPdf(*m_pattern, {order.paper, order.landscape, order.layers}).sheets() > PatternPdf::mostSheets) {
-        few = false;
-        summary += QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");
-    } else if (sheets) {
-        shown.grid = sheetGrid(size, order.paper, order.landscape);
+    if (sheets) {
         const PatternPdf pdf(*m_pattern, {order.paper, order.landscape, order.layers});
-        summary += QStringLiteral(", ") + tr("%n pages", nullptr, pdf.pages());
+        few = pdf.sheets() <= PatternPdf::mostSheets;
+        if (few)
+            shown.grid = sheetGrid(size, order.paper, order.landscape);
+        summary += few ? QStringLiteral(", ") + tr("%n pages", nullptr, pdf.pages())
+                       : QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");
     }
     if (!m_pattern->leftOut.empty())
         summary += QStringLiteral(" \u2013 ") + tr("%n patches are left out: their outlines cross themselves",
