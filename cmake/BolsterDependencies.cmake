@@ -52,8 +52,6 @@ if(NOT BOLSTER_HEADLESS)
         endif()
     endforeach()
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_present}")
-
-    set(CMAKE_AUTOMOC ON)
 endif()
 
 if(BOLSTER_TESTS)
