@@ -356,11 +356,11 @@ TEST_F(EdgesTest, TheListOfElementsOffersWhatTheViewsOffer)
     ASSERT_TRUE(menu);
     for (const char* id : {"seam.flip", "shape.equal-lengths", "view.fit-selection", "edit.delete"})
         EXPECT_TRUE(menu->actions().contains(window.command(id))) << id;
-    EXPECT_FALSE(menu->actions().contains(window.command("fabric.assign")));
+    EXPECT_FALSE(menu->actions().contains(window.command("edit.duplicate")));
     menu->close();
     menu = menuOf(patch);
     ASSERT_TRUE(menu);
-    for (const char* id : {"fabric.assign", "edit.duplicate", "view.hide", "edit.rename", "edit.delete"})
+    for (const char* id : {"edit.duplicate", "view.hide", "edit.rename", "edit.delete"})
         EXPECT_TRUE(menu->actions().contains(window.command(id))) << id;
     menu->close();
 }
