@@ -287,12 +287,12 @@
 <context>
     <name>DartDrag</name>
     <message>
-        <source>Near the dotted line both legs become of one length – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
-        <translation>Nahe der punktierten Linie werden beide Schenkel gleich lang – Umschalt bleibt darauf, Strg löst, Esc nimmt es zurück</translation>
+        <source>Near the dotted line both legs become of one length, or type how deep it is – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
+        <translation>Nahe der punktierten Linie werden beide Schenkel gleich lang, oder tippen Sie die Tiefe – Umschalt bleibt darauf, Strg löst, Esc nimmt es zurück</translation>
     </message>
     <message>
-        <source>Drag the dart along the outline – Esc takes it back</source>
-        <translation>Ziehen Sie den Abnäher am Umriss entlang – Esc nimmt es zurück</translation>
+        <source>Drag the dart along the outline, or type how far its middle is from the corner – Esc takes it back</source>
+        <translation>Ziehen Sie den Abnäher am Umriss entlang, oder tippen Sie, wie weit seine Mitte von der Ecke ist – Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -813,6 +813,17 @@
     <message>
         <source>Corner of %1</source>
         <translation>Ecke von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ElementsModel</name>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>%1 from the corner</source>
+        <translation>%1 von der Ecke</translation>
     </message>
 </context>
 <context>
@@ -2708,12 +2719,20 @@
 <context>
     <name>MarkDrag</name>
     <message>
-        <source>Allowance of %1 – Ctrl for any width, Esc takes it back</source>
-        <translation>Zugabe %1 – Strg für jede Breite, Esc nimmt es zurück</translation>
-    </message>
-    <message>
         <source>Drag it to where it belongs – Esc takes it back</source>
         <translation>Dorthin ziehen, wo es hingehört – Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Allowance of %1 – or type it; Ctrl for any width, Esc takes it back</source>
+        <translation>Zugabe %1 – oder tippen Sie sie; Strg für jede Breite, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag it to where it belongs, or type its place: 120, 40 – Esc takes it back</source>
+        <translation>Dorthin ziehen, wo es hingehört, oder die Stelle tippen: 120; 40 – Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag it along the outline, or type how far it is from the corner – Esc takes it back</source>
+        <translation>Am Umriss entlang ziehen, oder tippen, wie weit es von der Ecke ist – Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -4985,12 +5004,24 @@
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
         <translation>ihre Seiten haben Zugaben von %1 mm und %2 mm: gleichen Sie sie an, oder achten Sie darauf, wenn sie aufeinander gelegt werden</translation>
     </message>
+    <message>
+        <source>This edge of %1 is not as long as that.</source>
+        <translation>Diese Kante von %1 ist nicht so lang.</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
     <message>
         <source>Patch</source>
         <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>From the corner</source>
+        <translation>Von der Ecke</translation>
+    </message>
+    <message>
+        <source>Along the outline from the nearer corner, on the same side of it.</source>
+        <translation>Am Umriss entlang von der näheren Ecke aus, auf derselben Seite.</translation>
     </message>
 </context>
 <context>
@@ -7768,20 +7799,28 @@
         <translation>Klicken wählt es aus, ziehen verschiebt es – seine Eigenschaften sagen, wie es ist</translation>
     </message>
     <message>
-        <source>Click an outline to place a notch; on a seam the other side gets one, too – Esc ends the tool</source>
-        <translation>Einen Umriss anklicken, um einen Knips zu setzen; an einer Naht bekommt die andere Seite auch einen – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Click inside a patch to place a drill hole – Esc ends the tool</source>
-        <translation>In ein Teil klicken, um ein Bohrloch zu setzen – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
         <source>Click an edge to give it a seam allowance of its own, drag its handle – Esc ends the tool</source>
         <translation>Eine Kante anklicken, um ihr eine eigene Nahtzugabe zu geben; am Griff ziehen – Esc beendet das Werkzeug</translation>
     </message>
     <message>
         <source>Click a corner of an outline to choose how its cut lines are joined – Esc ends the tool</source>
         <translation>Eine Ecke eines Umrisses anklicken, um die Form der Schnittlinie zu wählen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no distance from the corner on this edge.</source>
+        <translation>„%1“ ist auf dieser Kante kein Abstand von der Ecke.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no place: try 120, 40</source>
+        <translation>„%1“ ist keine Stelle: Versuchen Sie 120; 40</translation>
+    </message>
+    <message>
+        <source>Click an outline to place a notch, or type how far it is from the corner; on a seam the other side gets one, too – Esc ends the tool</source>
+        <translation>Klick auf einen Umriss setzt einen Knips, oder tippen Sie, wie weit er von der Ecke ist; auf einer Naht bekommt auch die andere Seite einen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click inside a patch to place a drill hole, or type where: 120, 40 – Esc ends the tool</source>
+        <translation>Klick in ein Schnittteil setzt ein Bohrloch, oder tippen Sie, wo: 120; 40 – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>

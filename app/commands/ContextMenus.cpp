@@ -51,6 +51,14 @@ public:
         rest();
     }
 
+    /// Of elements, whichever view shows them.
+    void selectionInList()
+    {
+        sewing();
+        has<Patch>() ? patches() : hiding();
+        rest();
+    }
+
     void pattern()
     {
         group({"tool.outline", "tool.rectangle", "tool.ellipse", "tool.sew"});
@@ -224,6 +232,13 @@ void ContextMenus::showInSurface(const QPoint& global, bool onSomething, const s
         addHiding(*menu, *piece);
     ContextMenuFiller filler(*menu, m_document.design(), m_selection, m_commands);
     onSomething ? filler.selectionInSpace() : filler.space();
+    finish(*menu, global);
+}
+
+void ContextMenus::showInList(const QPoint& global)
+{
+    QMenu* menu = begin();
+    ContextMenuFiller(*menu, m_document.design(), m_selection, m_commands).selectionInList();
     finish(*menu, global);
 }
 

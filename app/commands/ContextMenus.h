@@ -1,4 +1,4 @@
-// The menus of the right button in both views.
+// The menus of the right button in both views and the list of elements.
 #pragma once
 
 #include "ElementId.h"
@@ -38,6 +38,8 @@ public:
     void showInPattern(const QPoint& global, bool onSomething);
     /// `piece`: of a frame, where there is one.
     void showInSurface(const QPoint& global, bool onSomething, const std::optional<PieceOfFrame>& piece);
+    /// What both views offer for what is selected.
+    void showInList(const QPoint& global);
     /// What the tool of this view does by keys.
     void showForTool(QWidget& view, const QPoint& global, const ToolKeys& keys);
 

@@ -239,6 +239,7 @@ void MainWindow::connectContextMenus()
 {
     auto* menus = new ContextMenus(document(), m_selection, *m_commands, this);
     connect(m_pattern, &PatternView::contextMenuWanted, menus, &ContextMenus::showInPattern);
+    connect(m_elements, &ElementsView::contextMenuWanted, menus, &ContextMenus::showInList);
     connect(m_surface, &CoverView::contextMenuWanted, menus, [this, menus](const QPoint& at, bool onSomething) {
         menus->showInSurface(at, onSomething,
                              onSomething

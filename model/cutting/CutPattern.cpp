@@ -48,6 +48,36 @@ double withinLimits(double width)
     return std::isfinite(width) ? std::clamp(width, allowanceWidth.least, allowanceWidth.most) : 0;
 }
 
+/// Which allowance counts where on a patch: that of the edge, or the patch's.
+class PatchAllowances {
+public:
+    PatchAllowances(const Design& design, ElementId id, const Patch& patch, std::optional<double> otherwise)
+        : usual(allowanceOf(design, patch, otherwise))
+        , m_outline(patch.outline)
+    {
+        design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
+            if (edge.stretch.patch != id || !std::isfinite(edge.stretch.from) || !std::isfinite(edge.stretch.to))
+                return;
+            edges.push_back(edge);
+            edges.back().width = withinLimits(edge.width);
+        });
+    }
+
+    double widthAt(double t) const
+    {
+        for (const EdgeAllowance& edge : edges)
+            if (isOn(edge.stretch, m_outline, t))
+                return edge.width;
+        return usual.width;
+    }
+
+    CutAllowance usual;
+    std::vector<EdgeAllowance> edges;
+
+private:
+    const BSpline2& m_outline;
+};
+
 class PieceMaker {
 public:
     PieceMaker(const Design& design, const CutOptions& options, ElementId id, const Patch& patch)
@@ -57,15 +87,8 @@ public:
         , m_patch(patch)
         , m_fabric(design.find<Fabric>(fabricShown(design, id)))
         , m_grown(growth(m_fabric, patch.grain))
-        , m_usual(allowanceOf(design, patch, options.allowance))
-    {
-        design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
-            if (edge.stretch.patch != id || !std::isfinite(edge.stretch.from) || !std::isfinite(edge.stretch.to))
-                return;
-            m_edges.push_back(edge);
-            m_edges.back().width = withinLimits(edge.width);
-        });
-    }
+        , m_allowances(design, id, patch, options.allowance)
+    {}
 
     CutPiece make(const std::vector<NotchPlace>& notches)
     {
@@ -104,8 +127,8 @@ private:
     void addLines()
     {
         m_piece.outline = grown(m_patch.outline);
-        SampleOrder order{m_options.chord, m_usual.width, {}};
-        for (const EdgeAllowance& edge : m_edges) {
+        SampleOrder order{m_options.chord, m_allowances.usual.width, {}};
+        for (const EdgeAllowance& edge : m_allowances.edges) {
             order.reach = std::max(order.reach, edge.width);
             order.breaks.push_back(edge.stretch.from);
             order.breaks.push_back(edge.stretch.to);
@@ -115,8 +138,9 @@ private:
         SewingLine line;
         for (std::size_t i = 0; i < count; ++i) {
             const double end = i + 1 < count ? samples[i + 1].parameter : m_patch.outline.domainEnd();
-            line.vertices.push_back({m_grown * samples[i].at, widthAt((samples[i].parameter + end) / 2),
-                                     samples[i].corner, m_usual.corner});
+            line.vertices.push_back({m_grown * samples[i].at,
+                                     m_allowances.widthAt((samples[i].parameter + end) / 2), samples[i].corner,
+                                     m_allowances.usual.corner});
         }
         m_design.each<CutCorner>([&](ElementId, const CutCorner& corner) {
             if (corner.place.patch != m_id || !std::isfinite(corner.place.at))
@@ -143,14 +167,6 @@ private:
         for (std::size_t i = 0; i + 1 < line.vertices.size(); ++i)
             line.vertices[i].width = line.vertices[i + 1].width;
         line.vertices.back().width = first;
-    }
-
-    double widthAt(double t) const
-    {
-        for (const EdgeAllowance& edge : m_edges)
-            if (isOn(edge.stretch, m_patch.outline, t))
-                return edge.width;
-        return m_usual.width;
     }
 
     void addNotch(const NotchPlace& place)
@@ -213,8 +229,7 @@ private:
     const Patch& m_patch;
     const Fabric* m_fabric;
     Eigen::Matrix2d m_grown;
-    CutAllowance m_usual;
-    std::vector<EdgeAllowance> m_edges;
+    PatchAllowances m_allowances;
     CutPiece m_piece;
 };
 
@@ -254,12 +269,7 @@ double allowanceAt(const Design& design, const OutlinePlace& place, std::optiona
     const Patch* patch = design.find<Patch>(place.patch);
     if (!patch || patch->outline.empty())
         return 0;
-    double width = allowanceOf(design, *patch, otherwise).width;
-    design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
-        if (edge.stretch.patch == place.patch && isOn(edge.stretch, patch->outline, place.at))
-            width = withinLimits(edge.width);
-    });
-    return width;
+    return PatchAllowances(design, place.patch, *patch, otherwise).widthAt(place.at);
 }
 
 CutPattern cutPattern(const Design& design, const CutOptions& options)

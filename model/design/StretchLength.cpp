@@ -2,24 +2,26 @@
 
 #include "ArcLength.h"
 
-#include <algorithm>
-
 namespace bolster {
+
+std::optional<std::pair<double, double>> stretchRange(const Stretch& stretch, const BSpline2& outline)
+{
+    if (outline.empty())
+        return std::nullopt;
+    const auto [low, high] = addressable(outline);
+    if (!(stretch.from >= low && stretch.from <= high && stretch.to >= low && stretch.to <= high))
+        return std::nullopt;
+    const double from = outline.wrapped(stretch.from);
+    const double to =
+        from - stretch.from + unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+    return to > from ? std::optional(std::pair(from, to)) : std::nullopt;
+}
 
 double stretchLength(const Design& design, const Stretch& stretch)
 {
     const Patch* patch = design.find<Patch>(stretch.patch);
-    if (!patch || patch->outline.empty())
-        return 0;
-    const BSpline2& outline = patch->outline;
-    // A closed curve may be addressed from 0 or from its first knot.
-    const auto lies = [&](double t) {
-        return t >= std::min(0.0, outline.domainStart()) && t <= std::max(outline.period(), outline.domainEnd());
-    };
-    if (!lies(stretch.from) || !lies(stretch.to))
-        return 0;
-    return ArcLength2(outline).between(
-        stretch.from, unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()));
+    const auto range = patch ? stretchRange(stretch, patch->outline) : std::nullopt;
+    return range ? ArcLength2(patch->outline).between(range->first, range->second) : 0;
 }
 
 } // namespace bolster

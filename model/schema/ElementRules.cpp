@@ -2,6 +2,7 @@
 
 #include "DesignCheck.h"
 #include "Kinds.h"
+#include "StretchLength.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -347,9 +348,7 @@ bool ElementRules::range(const std::string& fromField, const std::string& toFiel
 {
     const double start = curve.domainStart();
     const double end = curve.domainEnd();
-    // A closed curve may be addressed from 0 or from its first knot; mostly these are the same.
-    const double low = curve.closed() ? std::min(0.0, start) : start;
-    const double high = curve.closed() ? std::max(curve.period(), end) : end;
+    const auto [low, high] = addressable(curve);
     const std::size_t before = m_problems.size();
     if (inRange(fromField, from, low, high) && curve.closed() && from == high)
         error(fromField, {QT_TRANSLATE_NOOP("Message", "%1 is the end of the curve; write %2, its start"),

@@ -1,7 +1,9 @@
 // A designer prepares a car seat's pattern for the cutter, in the real window.
 #include "WindowTest.h"
 
+#include "CornerWay.h"
 #include "CutPattern.h"
+#include "Designer.h"
 #include "ExportPatternDialog.h"
 #include "PatchMark.h"
 #include "Selection.h"
@@ -103,6 +105,55 @@ TEST_F(CuttingTest, NotchesAreClickedOntoOutlinesMovedAndRemoved)
     EXPECT_TRUE(all<Notch>().empty()) << "before it was placed";
     window.command("edit.redo")->trigger();
     EXPECT_EQ(all<Notch>().size(), 1u);
+}
+
+TEST_F(CuttingTest, NotchesAndHolesLieWhereIsTyped)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const auto [id, patch] = firstPatch();
+    PatternView& view = window.patternView();
+    const auto type = [&](const char* text) {
+        QTest::keyClicks(&view, QString::fromUtf8(text));
+        QTest::keyClick(&view, Qt::Key_Return);
+    };
+    const auto distance = [&, id = id] {
+        return wayFromCorner(design().find<Patch>(id)->outline, all<Notch>().front().second.place.at)->length;
+    };
+    begin("cutting.notch");
+    const QPoint at = onOutline(patch, 0.05);
+    move(view, at, Qt::NoButton);
+    type("62.5");
+    ASSERT_EQ(all<Notch>().size(), 1u);
+    EXPECT_NEAR(distance(), 62.5, 1e-6);
+    EXPECT_TRUE(window.selection().contains(all<Notch>().front().first));
+    // Farther than the edge is long there is no place.
+    move(view, onOutline(patch, 0.08), Qt::NoButton);
+    type("5000");
+    EXPECT_EQ(all<Notch>().size(), 1u);
+    QTest::keyClick(&view, Qt::Key_Escape); // what was typed
+    EXPECT_TRUE(window.command("cutting.notch")->isChecked());
+
+    // Dragged, and in the properties.
+    const OutlinePlace place = all<Notch>().front().second.place;
+    const QPoint from = patternPixel(toLayout(patch, patch.outline.at(place.at)));
+    begin("tool.select");
+    move(view, from, Qt::NoButton);
+    press(view, from);
+    move(view, onOutline(patch, 0.06), Qt::LeftButton);
+    move(view, onOutline(patch, 0.07), Qt::LeftButton);
+    type("80");
+    release(view, onOutline(patch, 0.07));
+    EXPECT_NEAR(distance(), 80, 1e-6);
+    Designer(window).setField(QStringLiteral("From the corner"), QStringLiteral("4 cm"));
+    EXPECT_NEAR(distance(), 40, 1e-6);
+    Designer(window).setField(QStringLiteral("From the corner"), QStringLiteral("90000"));
+    EXPECT_NEAR(distance(), 40, 1e-6) << "no edge has room for it";
+
+    begin("cutting.drill-hole");
+    move(view, patternPixel(toLayout(patch, patch.outline.boundingBox().center())), Qt::NoButton);
+    type("120, 45");
+    ASSERT_EQ(all<DrillHole>().size(), 1u);
+    EXPECT_TRUE(all<DrillHole>().front().second.place.position.isApprox(Vec2(120, 45), 1e-9));
 }
 
 TEST_F(CuttingTest, EdgesCornersAndHolesAreClickedToo)

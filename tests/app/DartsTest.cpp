@@ -161,6 +161,45 @@ TEST_F(DartsTest, AreDraggedByTipAndMouth)
     EXPECT_EQ(design(), cut);
 }
 
+TEST_F(DartsTest, AreAsDeepAndAsFarFromTheCornerAsIsTypedWhileTheyAreDragged)
+{
+    cutOne();
+    const Vec2 tip = darts().front().second.tip;
+    PatternView& view = window.patternView();
+    const QPoint grabbed = patternPixel(toLayout(patch(), tip));
+    move(view, grabbed, Qt::NoButton);
+    press(view, grabbed);
+    move(view, grabbed + QPoint(30, -20), Qt::LeftButton);
+    type("137.5");
+    release(view, grabbed + QPoint(30, -20));
+    const auto axisOf = [&] { return edits::dartAxis(patch().outline, darts().front().second); };
+    EXPECT_NEAR((darts().front().second.tip - axisOf().middle).norm(), 137.5, 1e-6);
+    EXPECT_NEAR(darts().front().second.tip.x(), tip.x(), 1e-6) << "both legs are of one length";
+
+    // The mouth: from the corner on whose side the pointer is.
+    const QPoint mouth = at(axisOf().middle.x(), axisOf().middle.y());
+    move(view, mouth, Qt::NoButton);
+    press(view, mouth);
+    move(view, at(330, 0), Qt::LeftButton);
+    move(view, at(350, 0), Qt::LeftButton);
+    type("120");
+    release(view, at(350, 0));
+    EXPECT_NEAR(axisOf().middle.x(), 500 - 120, 1e-6);
+    EXPECT_NEAR(axisOf().middle.y(), 0, 1e-6);
+    // What there is no room for is not taken, and Escape gives up what is typed first.
+    const edits::DartShape before = darts().front().second;
+    const QPoint there = at(380, 0);
+    press(view, there);
+    move(view, at(390, 0), Qt::LeftButton);
+    move(view, at(400, 0), Qt::LeftButton);
+    QTest::keyClicks(&view, QStringLiteral("9999"));
+    key(Qt::Key_Escape);
+    EXPECT_NEAR(axisOf().middle.x(), 400, 2) << "it follows the pointer again";
+    key(Qt::Key_Escape);
+    release(view, at(400, 0));
+    EXPECT_TRUE(darts().front().second.tip.isApprox(before.tip, 1e-9));
+}
+
 TEST_F(DartsTest, AreClosedIntoAnEdge)
 {
     const Design before = design();
@@ -172,6 +211,8 @@ TEST_F(DartsTest, AreClosedIntoAnEdge)
     EXPECT_TRUE(darts().empty());
     EXPECT_NEAR(patch().outline.signedArea(), before.find<Patch>(top)->outline.signedArea(), 1e-6);
     EXPECT_EQ(design().elements().size(), seams) << "what was sewn to the edge is one seam again";
+    EXPECT_EQ(patch().outline.pointCount(), before.find<Patch>(top)->outline.pointCount())
+        << "no corners are left of the mouth";
     EXPECT_TRUE(window.selection().contains(top));
 }
 

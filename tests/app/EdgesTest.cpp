@@ -2,6 +2,7 @@
 // button.
 #include "ContextMenus.h"
 #include "Designer.h"
+#include "ElementsView.h"
 #include "ElidedLabel.h"
 #include "Inspector.h"
 #include "LayoutEdits.h"
@@ -14,6 +15,7 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QStatusBar>
+#include <QTreeView>
 
 #include <algorithm>
 
@@ -331,6 +333,36 @@ TEST_F(EdgesTest, TheMenusOfBothViewsHaveTheSameOrder)
         ASSERT_FALSE(common(pattern, cover).isEmpty());
         EXPECT_EQ(common(pattern, cover).join(u'|').toStdString(), common(cover, pattern).join(u'|').toStdString());
     }
+}
+
+TEST_F(EdgesTest, TheListOfElementsOffersWhatTheViewsOffer)
+{
+    ASSERT_TRUE(open(sample(QStringLiteral("box-cushion"))));
+    ElementId patch{}, seam{};
+    design().each<Patch>([&](ElementId id, const Patch&) { patch = id; });
+    design().each<Seam>([&](ElementId id, const Seam&) { seam = id; });
+    auto& list = *window.findChild<ElementsView*>();
+    const auto menuOf = [&](ElementId id) {
+        list.reveal(id);
+        QTreeView& tree = list.tree();
+        tree.scrollTo(tree.currentIndex());
+        const QPoint at = tree.visualRect(tree.currentIndex()).center();
+        QTest::mouseClick(tree.viewport(), Qt::RightButton, {}, at);
+        QContextMenuEvent wish(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
+        QApplication::sendEvent(tree.viewport(), &wish);
+        return contextMenu();
+    };
+    QMenu* menu = menuOf(seam);
+    ASSERT_TRUE(menu);
+    for (const char* id : {"seam.flip", "shape.equal-lengths", "view.fit-selection", "edit.delete"})
+        EXPECT_TRUE(menu->actions().contains(window.command(id))) << id;
+    EXPECT_FALSE(menu->actions().contains(window.command("edit.duplicate")));
+    menu->close();
+    menu = menuOf(patch);
+    ASSERT_TRUE(menu);
+    for (const char* id : {"edit.duplicate", "view.hide", "edit.rename", "edit.delete"})
+        EXPECT_TRUE(menu->actions().contains(window.command(id))) << id;
+    menu->close();
 }
 
 TEST_F(EdgesTest, TheRightButtonTurnsTheCoverOrOpensItsMenu)

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace bolster {
 
 namespace {
@@ -153,6 +155,25 @@ TEST(CuttingEdits, MistakesInWhatIsCutLeaveTheCoverAlone)
         if (problem.severity == Severity::Error)
             wrong.insert(problem.element);
     EXPECT_EQ(wrong, (std::set<ElementId>{ElementId{10}, ElementId{11}}));
+}
+
+TEST(CuttingEdits, NotchesStandSoFarFromTheirCorner)
+{
+    // 200 by 100 mm; on the bottom edge, nearer to its right corner, and on the left edge.
+    Design design = with(twoPanels(), ElementId{11}, Notch{{left, 0.7}, {}});
+    design = with(design, ElementId{12}, Notch{{left, 3.9}, {}});
+    const std::array both{ElementId{11}, ElementId{12}};
+    const Design now = design.with(edits::setCornerDistance(design, both, 30));
+    const auto place = [&](int id) {
+        const BSpline2& outline = now.find<Patch>(left)->outline;
+        return outline.at(now.find<Notch>(ElementId{id})->place.at);
+    };
+    EXPECT_TRUE(place(11).isApprox(Vec2(170, 0), 1e-9)) << place(11).transpose();
+    EXPECT_TRUE(place(12).isApprox(Vec2(0, 30), 1e-9)) << place(12).transpose();
+    Message problem;
+    EXPECT_TRUE(edits::setCornerDistance(design, both, 150, &problem).empty()) << "the left edge is shorter";
+    EXPECT_NE(problem.english().find("not as long"), std::string::npos);
+    EXPECT_FALSE(edits::setCornerDistance(design, std::array{ElementId{11}}, 150).empty());
 }
 
 } // namespace bolster

@@ -1,6 +1,5 @@
 #include "DartRotation.h"
 
-#include "ArcLength.h"
 #include "CuttingEdits.h"
 #include "DartEdits.h"
 #include "DesignCheck.h"
@@ -8,6 +7,7 @@
 #include "FollowEdits.h"
 #include "HandleEdits.h"
 #include "OutlineCrossings.h"
+#include "StretchLength.h"
 #include "Symmetry.h"
 #include "TwinEdits.h"
 #include "Twins.h"
@@ -37,13 +37,6 @@ ElementId dartIn(const Design& design, ElementId patch)
     return found;
 }
 
-double sideLength(const Design& design, const Stretch& side)
-{
-    const BSpline2& outline = design.find<Patch>(side.patch)->outline;
-    return ArcLength2(outline).between(
-        side.from, unwrappedEnd(side.from, side.to, outline.domainStart(), outline.domainEnd()));
-}
-
 double areaOfPatch(const Design& design, ElementId patch)
 {
     return design.find<Patch>(patch)->outline.signedArea();
@@ -56,8 +49,8 @@ std::pair<double, double> sewnLengths(const Design& design)
     design.each<Seam>([&](ElementId id, const Seam& seam) {
         if (edits::dartOf(design, id))
             return;
-        sum.first += sideLength(design, seam.a);
-        sum.second += sideLength(design, seam.b);
+        sum.first += stretchLength(design, seam.a);
+        sum.second += stretchLength(design, seam.b);
     });
     return sum;
 }
@@ -165,6 +158,31 @@ TEST(DartRotation, KeepsAreaAndSeamsOnAllOutlines)
     EXPECT_GT(rotated, 100);
 }
 
+TEST(DartRotation, LeavesNothingWhereItHasBeenInBetween)
+{
+    for (const int degree : {1, 2, 3})
+        for (const bool clockwise : {false, true}) {
+            const Design cut = withDart(roundPanels(degree, clockwise), 0.2, 45);
+            const BSpline2& outline = cut.find<Patch>(left)->outline;
+            const ElementId seam = dartIn(cut, left);
+            const auto mouth = edits::dartOf(cut, seam);
+            ASSERT_TRUE(mouth);
+            const Design away = cut.with(edits::rotateDart(cut, seam, 0.62 * outline.period()));
+            const BSpline2& there = away.find<Patch>(left)->outline;
+            // Both ends of the mouth have met where it was.
+            const Vec2 a = outline.at(outline.wrapped(mouth->from)), b = outline.at(outline.wrapped(mouth->to));
+            const double atA = there.closest(a).parameter, atB = there.closest(b).parameter;
+            const bool aStays = there.closest(a).distance < there.closest(b).distance;
+            const Edit back = edits::rotateDart(away, seam, aStays ? atA : atB);
+            ASSERT_FALSE(back.empty());
+            const Design again = away.with(back);
+            SCOPED_TRACE(testing::Message() << degree << clockwise);
+            expectGood(again);
+            EXPECT_EQ(again.find<Patch>(left)->outline.pointCount(), outline.pointCount());
+            EXPECT_NEAR(areaOfPatch(again, left), areaOfPatch(cut, left), 1e-6);
+        }
+}
+
 TEST(DartRotation, TakesMarksHolesAndLabelsAlong)
 {
     Design design = twoPanels();
@@ -195,7 +213,7 @@ TEST(DartRotation, TakesMarksHolesAndLabelsAlong)
     double end = 0;
     now.each<Seam>([&](ElementId id, const Seam& sewn) {
         if (id != seam)
-            end += sideLength(now, sewn.a) - sideLength(now, sewn.b);
+            end += stretchLength(now, sewn.a) - stretchLength(now, sewn.b);
     });
     EXPECT_NEAR(end, 0, 1e-6) << "the right edge is still sewn whole";
     // And so on, whatever is done with the dart then.

@@ -13,9 +13,12 @@
 #include "TestDesigns.h"
 
 #include <QAbstractItemModelTester>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QTreeView>
@@ -96,6 +99,46 @@ TEST_F(ListsTest, ElementsAreListedByKind)
     EXPECT_TRUE(model.setData(model.indexOf(secondSquare), "Rest", Qt::EditRole));
     EXPECT_EQ(document.design().find<Patch>(secondSquare)->name, "Rest");
     EXPECT_FALSE(model.setData(model.indexOf(secondSquare), "  ", Qt::EditRole));
+}
+
+TEST_F(ListsTest, WhatJoinsTheSamePatchesIsToldApart)
+{
+    Edit edit;
+    edit.changes = {{ElementId{10}, nullptr, makeElement(Seam{{firstSquare, 0, 1}, {secondSquare, 0, 1}})},
+                    {ElementId{11}, nullptr, makeElement(Notch{{firstSquare, 0.3}, {}})},
+                    {ElementId{12}, nullptr, makeElement(Notch{{firstSquare, 2.3}, {}})},
+                    {ElementId{13}, nullptr, makeElement(CutCorner{{firstSquare, 0}, CornerJoin::Folded})},
+                    {ElementId{14}, nullptr, makeElement(CutCorner{{firstSquare, 2}, CornerJoin::Folded})}};
+    document.commit(edit);
+    ElementsModel model(document, problems);
+    const auto text = [&](int id) { return model.indexOf(ElementId{id}).data().toString(); };
+    EXPECT_EQ(model.indexOf(squareSeam).data().toString(), QString::fromUtf8("First \u2013 Second, A, 100 mm"));
+    EXPECT_EQ(text(10), QString::fromUtf8("First \u2013 Second, B, 100 mm")) << "as the pattern has them";
+    EXPECT_EQ(text(11), QStringLiteral("Notch of First, edge 1, 30 mm from the corner"));
+    EXPECT_EQ(text(12), QStringLiteral("Notch of First, edge 3, 30 mm from the corner"));
+    EXPECT_EQ(text(13), QStringLiteral("Corner of First, edge 1"));
+    EXPECT_EQ(text(14), QStringLiteral("Corner of First, edge 3"));
+}
+
+TEST_F(ListsTest, TheRightButtonAsksForTheMenuOfItsRow)
+{
+    ElementsView view(document, selection, problems);
+    view.resize(260, 400);
+    view.show();
+    QSignalSpy asked(&view, &ElementsView::contextMenuWanted);
+    QTreeView& tree = view.tree();
+    const auto ask = [&](const QModelIndex& index) {
+        const QPoint at = tree.visualRect(index).center();
+        QTest::mouseClick(tree.viewport(), Qt::RightButton, {}, at);
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree.viewport()->mapToGlobal(at));
+        QApplication::sendEvent(tree.viewport(), &event);
+    };
+    const QModelIndex group = tree.model()->index(0, 0);
+    ask(group);
+    EXPECT_EQ(asked.count(), 0) << "a heading is no element";
+    ask(tree.model()->index(1, 0, group));
+    ASSERT_EQ(asked.count(), 1);
+    EXPECT_EQ(selection.elements(), Selection::Elements{secondSquare});
 }
 
 TEST_F(ListsTest, WhatTheCoverViewHidesIsMarked)

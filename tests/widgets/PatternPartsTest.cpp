@@ -1,5 +1,7 @@
 // The parts of the pattern view, each without the view.
+#include "CutPattern.h"
 #include "DrawingAids.h"
+#include "PatternCut.h"
 #include "PatternNavigation.h"
 #include "PatternScene.h"
 #include "Selection.h"
@@ -81,6 +83,25 @@ TEST(DrawingAids, HiddenGuidesDoNotSnap)
     EXPECT_EQ(aids.snapSettings().guides, PatternGuides());
     EXPECT_EQ(aids.guides().x.size(), 1U);
     EXPECT_EQ(changes.count(), 2);
+}
+
+TEST_F(PatternParts, LabelsOfPiecesAreShownWhereTheirLettersCanBeRead)
+{
+    CutPattern cut;
+    CutPiece piece;
+    piece.patch = secondSquare;
+    piece.label.lines = {"Second", "Cut 1"};
+    piece.label.height = 6;
+    cut.pieces.push_back(piece);
+    const auto at = [](double pixelsPerMm) {
+        return PatternTransform::fitting(Box2(Vec2(0, 0), Vec2(100, 100)), QSizeF(100, 100) * pixelsPerMm, 0);
+    };
+    EXPECT_FALSE(readableLabel(&cut, secondSquare, at(1))) << "letters of 4 pixels; the patch's name stands there";
+    EXPECT_TRUE(readableLabel(&cut, secondSquare, at(3)));
+    EXPECT_FALSE(readableLabel(&cut, firstSquare, at(3))) << "it has no piece";
+    cut.pieces.front().label.height = 2; // there was little room
+    EXPECT_FALSE(readableLabel(&cut, secondSquare, at(3)));
+    EXPECT_FALSE(readableLabel(nullptr, secondSquare, at(3)));
 }
 
 } // namespace

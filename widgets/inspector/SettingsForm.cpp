@@ -2,7 +2,6 @@
 
 #include "CuttingForms.h"
 #include "Icons.h"
-#include "InspectorSubject.h"
 #include "PlacementFields.h"
 #include "StretchLength.h"
 #include "Twins.h"
@@ -21,16 +20,9 @@ const NumberBox::Range directionRange{{}, 4, -1e7, 1e7, 0.1};
 void SettingsForm::add(PropertyForm& form, const Ids&) const
 {
     form.addHeading(kindWord(kindOf<Settings>()), icon(QStringLiteral("settings")));
-    const Settings usual;
-    const DescribedField edge = describedField(usual, &usual.edgeLength);
-    form.addNumber(
-        edge.label(), edge.range(), [this] { return m_document.design().settings().edgeLength; },
-        [this](double value) {
-            Settings settings = m_document.design().settings();
-            settings.edgeLength = value;
-            m_document.commit(edits::changeSettings(m_document.design(), settings));
-        });
-    addSymmetry(form);
+    const InspectorSubject<Settings> settings(m_document, {settingsId}, form);
+    settings.field(&Settings::edgeLength);
+    addSymmetry(form, settings);
     form.addInfo(tr("Patches"), [this] {
         int count = 0;
         double area = 0; // mm^2
@@ -49,30 +41,27 @@ void SettingsForm::add(PropertyForm& form, const Ids&) const
         });
         return tr("%1, %2 m in all").arg(count).arg(decimalText(length * 1e-3, 2, true));
     });
-    DesignCuttingSection::add(form, InspectorSubject<Settings>(m_document, {settingsId}, form));
+    DesignCuttingSection::add(form, settings);
     form.addNote([] { return tr("Select something to see its properties."); });
 }
 
-void SettingsForm::addSymmetry(PropertyForm& form) const
+/// Its numbers are those of the default until it is there.
+void SettingsForm::addSymmetry(PropertyForm& form, const InspectorSubject<Settings>& settings)
 {
-    const auto change = [this](const std::function<void(std::optional<Symmetry>&)>& set) {
-        Settings settings = m_document.design().settings();
-        set(settings.symmetry);
-        m_document.commit(edits::changeSettings(m_document.design(), settings));
-    };
+    const char* const verb = Description<Settings>::added;
     form.addCheck(
-        tr("Symmetric design"), [this] { return m_document.design().settings().symmetry.has_value(); },
-        [change](bool on) {
-            change([on](std::optional<Symmetry>& s) { s = on ? std::optional(Symmetry()) : std::nullopt; });
+        tr("Symmetric design"), [settings] { return settings.now().symmetry.has_value(); },
+        [settings, verb](bool on) {
+            settings.change(verb,
+                            [on](Settings& s) { s.symmetry = on ? std::optional(Symmetry()) : std::nullopt; });
         });
     const auto row = [&](const QString& label, const NumberBox::Range& range, int count, auto member) {
         form.addNumbers(
-            label, range, count, [this, member](int i) { return (symmetryOf(m_document.design()).*member)[i]; },
-            [change, member](int i, double value) {
-                change([&](std::optional<Symmetry>& s) {
-                    if (!s)
-                        s = Symmetry();
-                    ((*s).*member)[i] = value;
+            label, range, count, [settings, member](int i) { return (symmetryOf(settings.design()).*member)[i]; },
+            [settings, member, verb](int i, double value) {
+                settings.change(verb, [&](Settings& s) {
+                    s.symmetry = s.symmetry.value_or(Symmetry());
+                    ((*s.symmetry).*member)[i] = value;
                 });
             });
     };

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "ElementForm.h"
+#include "InspectorSubject.h"
 
 #include <QCoreApplication>
 
 namespace bolster {
-
-class Document;
 
 class SettingsForm : public ElementForm {
     Q_DECLARE_TR_FUNCTIONS(SettingsForm)
@@ -20,7 +19,7 @@ public:
     void add(PropertyForm& form, const Ids& ids) const override;
 
 private:
-    void addSymmetry(PropertyForm& form) const;
+    static void addSymmetry(PropertyForm& form, const InspectorSubject<Settings>& settings);
 
     Document& m_document;
 };

@@ -1,14 +1,18 @@
 #include "ElementsModel.h"
 
+#include "CornerWay.h"
 #include "Document.h"
 #include "ElementEdits.h"
 #include "Hiding.h"
 #include "Icons.h"
+#include "PatchMark.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
+#include "SeamStretches.h"
 #include "Units.h"
 #include "ViewColors.h"
 
+#include <QCoreApplication>
 #include <QFont>
 #include <QGuiApplication>
 
@@ -20,6 +24,40 @@ namespace {
 
 // A kind's index has the internal id 0, an element's its kind's row plus 1.
 constexpr quintptr kindLevel = 0;
+
+/// Of what lies on one edge of one patch: which one.
+QString edgeText(const Design& design, ElementId id)
+{
+    const ElementPtr element = design.element(id);
+    const auto numbered = [&](ElementId patch, double at) {
+        const Patch* on = design.find<Patch>(patch);
+        const int edge = on && !on->outline.empty() ? edits::edgeNumber(on->outline, at) : 0;
+        return edge > 0 ? QCoreApplication::translate("ElementsModel", "edge %1").arg(edge) : QString();
+    };
+    if (const auto* held = std::get_if<FixationSeam>(element.get()))
+        return numbered(held->stretch.patch, held->stretch.from);
+    QString text;
+    visitMark(*element, [&](const auto& mark) {
+        if constexpr (requires { mark.stretch; })
+            text = numbered(mark.stretch.patch, mark.stretch.from);
+        else if constexpr (requires { mark.place.at; })
+            text = numbered(mark.place.patch, mark.place.at);
+    });
+    return text;
+}
+
+/// How long it is, or how far from the corner.
+QString measureText(const Design& design, ElementId id)
+{
+    if (const double length = sewnLength(design, id); length > 0)
+        return lengthText(length, 0);
+    const Notch* notch = design.find<Notch>(id);
+    const Patch* patch = notch ? design.find<Patch>(notch->place.patch) : nullptr;
+    const auto way =
+        patch && !patch->outline.empty() ? wayFromCorner(patch->outline, notch->place.at) : std::nullopt;
+    return way ? QCoreApplication::translate("ElementsModel", "%1 from the corner").arg(lengthText(way->length))
+               : QString();
+}
 
 } // namespace
 
@@ -33,15 +71,22 @@ ElementsModel::ElementsModel(Document& document, ProblemSet& problems, QObject* 
     update();
 }
 
-/// Two patches can have several seams with each other: these are told apart by their lengths.
+/// Several of the same patches: seams by their letters in the pattern, then all by their edges, and by lengths or,
+/// of notches, the distance from the corner.
 void ElementsModel::tellApart(const Design& design, std::vector<Row>& rows)
 {
     std::map<QString, int> count;
     for (const Row& row : rows)
         ++count[row.name];
-    for (Row& row : rows)
-        if (count[row.name] > 1)
-            row.name += QStringLiteral(", ") + lengthText(sewnLength(design, row.id), 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Row& row = rows[i];
+        if (count[row.name] < 2)
+            continue;
+        const QString letter = design.find<Seam>(row.id) ? seamLabel(i) : QString();
+        for (const QString& words : {letter, edgeText(design, row.id), measureText(design, row.id)})
+            if (!words.isEmpty())
+                row.name += QStringLiteral(", ") + words;
+    }
 }
 
 std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
@@ -50,7 +95,7 @@ std::vector<ElementsModel::Group> ElementsModel::groupsOf(const Design& design)
     for (const auto& [id, element] : design.elements())
         byKind[kindOf(*element)].push_back({id, displayName(design, id)});
     for (auto& [kind, rows] : byKind)
-        if (const Element& first = *design.element(rows.front().id); seamTrim(first) && !hasName(first))
+        if (!hasName(*design.element(rows.front().id)))
             tellApart(design, rows);
     std::vector<Group> groups;
     // What cannot be used comes first: it wants to be seen.

@@ -149,6 +149,7 @@ void ElementsView::buildTree()
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_tree->setExpandsOnDoubleClick(false);
     m_tree->setMouseTracking(true);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->viewport()->installEventFilter(this);
     m_tree->installEventFilter(this);
     setFocusProxy(m_tree);
@@ -157,6 +158,7 @@ void ElementsView::buildTree()
     connect(m_tree, &QTreeView::entered, this, [this](const QModelIndex& index) {
         m_selection.hover(ElementId{index.data(ElementsModel::ElementRole).toInt()});
     });
+    connect(m_tree, &QTreeView::customContextMenuRequested, this, &ElementsView::askForMenu);
     connect(m_tree, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
         if (index.parent().isValid() && !(index.flags() & Qt::ItemIsEditable))
             emit shown(ElementId{index.data(ElementsModel::ElementRole).toInt()});
@@ -177,6 +179,14 @@ void ElementsView::buildTree()
         m_tree->verticalScrollBar()->setValue(scrolled);
     });
     restoreExpanded();
+}
+
+/// The press of the right button has selected its row. By the key the place is that of the current row.
+void ElementsView::askForMenu(const QPoint& at)
+{
+    const QModelIndex row = m_tree->indexAt(at);
+    if (row.isValid() && row.parent().isValid() && !m_selection.elements().empty())
+        emit contextMenuWanted(m_tree->viewport()->mapToGlobal(at));
 }
 
 void ElementsView::restoreExpanded()

@@ -8,6 +8,7 @@
 
 #include <set>
 
+class QPoint;
 class QSortFilterProxyModel;
 class QTreeView;
 
@@ -39,6 +40,8 @@ signals:
     void shown(bolster::ElementId id);
     /// Enter on something selected.
     void propertiesWanted();
+    /// By the right button or the menu key, on what is selected then.
+    void contextMenuWanted(const QPoint& global);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -49,6 +52,7 @@ private:
     void selectInTree();
     void selectFromTree();
     void restoreExpanded();
+    void askForMenu(const QPoint& at);
     QModelIndex indexOf(ElementId id) const;
 
     Selection& m_selection;

@@ -8,14 +8,15 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bolster {
 
 namespace {
 
-constexpr double leastLetters = 6; // pixels from line to line: smaller ones would be a grey bar
-constexpr double markRadius = 4;   // pixels
+constexpr double leastLetters = 13; // pixels from line to line: smaller ones nobody reads
+constexpr double markRadius = 4;    // pixels
 
 /// From a piece's coordinates, which grow with what the fabric shrinks, to pixels.
 class PiecePlace {
@@ -47,8 +48,6 @@ void paintLabel(QPainter& painter, const PieceLabel& label, const PiecePlace& pl
                 const QColor& color)
 {
     const double step = label.height * scale;
-    if (step < leastLetters)
-        return;
     painter.save();
     painter.translate(place(label.at));
     // On the screen nobody reads upside down.
@@ -87,9 +86,14 @@ void paintGrain(QPainter& painter, const GrainLine& grain, const PiecePlace& pla
 
 } // namespace
 
-bool pieceLabelsReadable(const PatternTransform& transform)
+const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const PatternTransform& transform)
 {
-    return PieceLabel().height * transform.scale() >= leastLetters;
+    if (!cut)
+        return nullptr;
+    const auto piece = std::ranges::lower_bound(cut->pieces, patch, {}, &CutPiece::patch);
+    const bool readable = piece != cut->pieces.end() && piece->patch == patch && !piece->label.lines.empty() &&
+                          piece->label.height * transform.scale() >= leastLetters;
+    return readable ? &piece->label : nullptr;
 }
 
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
@@ -132,7 +136,8 @@ void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternSc
             painter.drawEllipse(place(hole.at), radius, radius);
         }
         paintGrain(painter, piece.grain, place);
-        paintLabel(painter, piece.label, place, transform.scale(), piece.label.fits ? ink : colors.warning);
+        if (const PieceLabel* label = readableLabel(&pattern, piece.patch, transform))
+            paintLabel(painter, *label, place, transform.scale(), label->fits ? colors.label : colors.warning);
     }
     for (const auto& [id, mark] : scene.marks()) {
         const bool selected = selection.contains(id), hovered = selection.hovered() == id;

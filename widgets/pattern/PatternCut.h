@@ -1,6 +1,8 @@
 // The production pattern around and in the patches: cut lines, notches, grain, labels, drill holes.
 #pragma once
 
+#include "ElementId.h"
+
 class QPainter;
 
 namespace bolster {
@@ -9,10 +11,12 @@ class PatternScene;
 class PatternTransform;
 class Selection;
 struct CutPattern;
+struct PieceLabel;
 struct ViewColors;
 
-/// Whether labels of pieces are large enough to be read.
-bool pieceLabelsReadable(const PatternTransform& transform);
+/// The label of a patch's piece where it is so large on the screen that it can be read; else null, and the view's
+/// own words stand there.
+const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const PatternTransform& transform);
 
 /// Below the patches: the allowances, faintly.
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,

@@ -287,7 +287,7 @@ void PatternPainter::paintInside(const PatternPatch& patch)
 {
     QRectF written;
     // Words that will be on the piece itself take the place of the view's own.
-    if (m_in.layers.labels && !(m_in.cut && pieceLabelsReadable(m_in.transform))) {
+    if (m_in.layers.labels && !readableLabel(m_in.cut, patch.id, m_in.transform)) {
         const PatternLabel label(patch, m_in.transform, m_in.font);
         const bool faint = hidden(patch.id);
         const bool onMap = !faint && m_in.map.picture(patch.id);

@@ -4,6 +4,7 @@
 #include "CurvePath.h"
 #include "FabricShown.h"
 #include "PatchMark.h"
+#include "StretchLength.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,23 +46,6 @@ std::vector<PatternEdge> outlineEdges(const BSpline2& outline)
             {from, to, lengths.between(from, to), outline.at(outline.wrapped(lengths.parameterAt(half))), ends});
     }
     return edges;
-}
-
-/// From the first turn on, unwrapped; nothing when it does not lie on this outline. A stretch may be addressed from
-/// 0 though the outline begins elsewhere, as one with a dart does.
-std::optional<std::pair<double, double>> rangeOf(const Stretch& stretch, const BSpline2& outline)
-{
-    if (outline.empty())
-        return {};
-    const double start = outline.domainStart(), end = outline.domainEnd(), period = outline.period();
-    const auto valid = [&](double t) {
-        return std::isfinite(t) && t >= std::min(0.0, start) && t <= std::max(period, end);
-    };
-    if (!valid(stretch.from) || !valid(stretch.to))
-        return {};
-    const double from = outline.wrapped(stretch.from);
-    const double to = from + unwrappedEnd(stretch.from, stretch.to, start, end) - stretch.from;
-    return to > from ? std::optional(std::pair(from, to)) : std::nullopt;
 }
 
 } // namespace
@@ -142,7 +126,7 @@ std::optional<Vec2> markPlace(const Patch& patch, const Element& element)
 {
     const BSpline2& outline = patch.outline;
     if (const auto* edge = std::get_if<EdgeAllowance>(&element)) {
-        const auto range = rangeOf(edge->stretch, outline);
+        const auto range = stretchRange(edge->stretch, outline);
         if (!range)
             return std::nullopt;
         const double middle = outline.wrapped((range->first + range->second) / 2);
@@ -263,7 +247,7 @@ void PatternScene::addStretch(PatternStretch added, const Stretch& stretch)
     if (!entry)
         return;
     const Patch& on = entry->patch();
-    const auto range = rangeOf(stretch, on.outline);
+    const auto range = stretchRange(stretch, on.outline);
     if (!range)
         return;
     added.patch = stretch.patch;

@@ -1,5 +1,6 @@
 #include "CuttingEdits.h"
 
+#include "CornerWay.h"
 #include "EditBuilder.h"
 #include "ElementRules.h"
 #include "OutlineCrossings.h"
@@ -156,6 +157,30 @@ Edit movePlace(const Design& design, ElementId mark, double at)
         return replaceWith(design, mark, moved, {QT_TRANSLATE_NOOP("Message", "Move the join of a corner"), {}});
     }
     return {};
+}
+
+Edit setCornerDistance(const Design& design, std::span<const ElementId> notches, double length, Message* problem)
+{
+    EditBuilder builder(design);
+    for (const ElementId id : notches) {
+        const Notch* notch = design.find<Notch>(id);
+        const Patch* patch = notch ? usable(design, notch->place.patch, problem) : nullptr;
+        if (!patch)
+            return {};
+        std::optional<CornerWay> way = wayFromCorner(patch->outline, notch->place.at);
+        if (way)
+            way->length = length;
+        const std::optional<double> at = way ? endOfWay(patch->outline, *way) : std::nullopt;
+        if (!at) {
+            say(problem, {QT_TRANSLATE_NOOP("Message", "This edge of %1 is not as long as that."),
+                          {displayName(design, notch->place.patch)}});
+            return {};
+        }
+        Notch moved = *notch;
+        moved.place.at = *at;
+        builder.replace(id, moved);
+    }
+    return builder.result({QT_TRANSLATE_NOOP("Message", "Move a notch"), {}});
 }
 
 Edit addDrillHole(const Design& design, const PatchPoint& point, const std::string& name, Message* problem)

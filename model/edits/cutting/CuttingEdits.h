@@ -20,6 +20,10 @@ Edit setCutCorner(const Design& design, const OutlinePlace& place, CornerJoin jo
 Edit addNotch(const Design& design, const OutlinePlace& place, const NotchShape& shape, Message* problem = nullptr);
 /// Moves a notch, or the join of a corner, along its outline, unchecked.
 Edit movePlace(const Design& design, ElementId mark, double at);
+/// Puts notches so far (mm) from the corner that each is nearest to, along the outline and on the same side of it.
+/// Refused where the edge is shorter, or has no corner.
+Edit setCornerDistance(const Design& design, std::span<const ElementId> notches, double length,
+                       Message* problem = nullptr);
 /// Under the id design.nextId(). Refused outside of the patch.
 Edit addDrillHole(const Design& design, const PatchPoint& point, const std::string& name,
                   Message* problem = nullptr);

@@ -168,8 +168,7 @@ public:
                 const auto onA = a.placed(ends[k], ends[k + 1]);
                 const auto onB = b.placed(b0, b1);
                 if (onA && onB)
-                    kept.push_back({onA->stretch, onB->stretch, (seam.reversed != onA->backwards) != onB->backwards,
-                                    seam.match, seam.continuity, seam.trim, seam.ease * (ends[k + 1] - ends[k])});
+                    kept.push_back(partOfSeam(seam, *onA, *onB, ends[k + 1] - ends[k]));
             }
         }
         put(id, std::move(kept));
@@ -245,6 +244,16 @@ private:
                         .first};
         }
         return std::nullopt;
+    }
+
+    static Seam partOfSeam(const Seam& seam, const Placed& onA, const Placed& onB, double share)
+    {
+        Seam part = seam;
+        part.a = onA.stretch;
+        part.b = onB.stretch;
+        part.reversed = (seam.reversed != onA.backwards) != onB.backwards;
+        part.ease = seam.ease * share;
+        return part;
     }
 
     static FixationSeam partOfFixation(const FixationSeam& held, const FixationCurve* curve, const Side& side,

@@ -1,8 +1,14 @@
 #include "CuttingForms.h"
 
+#include "CheckedNumber.h"
+#include "CornerWay.h"
+#include "CuttingEdits.h"
 #include "Icons.h"
 #include "StretchLength.h"
 #include "Units.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace bolster {
 
@@ -123,10 +129,39 @@ void NotchForm::add(PropertyForm& form, const Ids& ids) const
 {
     const InspectorSubject<Notch> notch(m_document, ids, form);
     notch.info(tr("Patch"), [](const Design& design, const Notch& n) { return placeText(design, n.place.patch); });
+    addDistance(form, ids);
     notch.field(&Notch::shape, &NotchShape::kind);
     notch.field(&Notch::shape, &NotchShape::depth);
     notch.field(&Notch::shape, &NotchShape::width);
     notch.field(&Notch::twice);
+}
+
+void NotchForm::addDistance(PropertyForm& form, const Ids& ids) const
+{
+    const auto distance = [this](ElementId id) -> std::optional<double> {
+        const Notch* notch = m_document.design().find<Notch>(id);
+        const Patch* patch = notch ? m_document.design().find<Patch>(notch->place.patch) : nullptr;
+        const auto way =
+            patch && !patch->outline.empty() ? wayFromCorner(patch->outline, notch->place.at) : std::nullopt;
+        return way ? std::optional(std::round(100 * way->length) / 100) : std::nullopt;
+    };
+    if (!std::ranges::all_of(ids, [&](ElementId id) { return distance(id).has_value(); }))
+        return; // round pieces have no corners
+    form.addNumber(
+        tr("From the corner"), {QStringLiteral(" mm"), 2, 0, 1e6},
+        [distance, ids] {
+            return sharedNumber(ids.size(), [&](std::size_t i) { return distance(ids[i]).value_or(0); });
+        },
+        [this, ids, &form](double length) {
+            Message problem;
+            commitChecked(m_document,
+                          [&](const Design& now) { return edits::setCornerDistance(now, ids, length, &problem); });
+            if (problem.empty())
+                return;
+            emit m_document.refused(problem);
+            form.refresh();
+        });
+    form.explain(tr("Along the outline from the nearer corner, on the same side of it."));
 }
 
 void DrillHoleForm::add(PropertyForm& form, const Ids& ids) const

@@ -63,6 +63,8 @@ public:
     void add(PropertyForm& form, const Ids& ids) const override;
 
 private:
+    void addDistance(PropertyForm& form, const Ids& ids) const;
+
     Document& m_document;
 };
 

@@ -9,11 +9,15 @@
 
 namespace bolster {
 
+inline bool isEnterKey(int key)
+{
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
 /// Enter ends the line, Backspace takes back a point, B switches between straight and smooth.
 inline bool isDrawingKey(int key, bool canBeSmooth)
 {
-    return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Backspace ||
-           (key == Qt::Key_B && canBeSmooth);
+    return isEnterKey(key) || key == Qt::Key_Backspace || (key == Qt::Key_B && canBeSmooth);
 }
 
 /// What they do with a line that has been begun.

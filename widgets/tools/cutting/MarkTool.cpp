@@ -1,7 +1,9 @@
 #include "MarkTool.h"
 
+#include "CornerMeasure.h"
 #include "CuttingEdits.h"
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "MarkDrag.h"
 #include "Selection.h"
 #include "StretchPick.h"
@@ -9,6 +11,7 @@
 #include "ViewColors.h"
 
 #include <QCursor>
+#include <QKeyEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -103,27 +106,67 @@ Edit MarkTool::edit(const Target& target, Message& problem) const
     return edits::setCutCorner(design, {target.patch, target.at}, CornerJoin::Rounded, &problem);
 }
 
+void MarkTool::find()
+{
+    m_typedGood = false;
+    m_hover = m_pointer ? targetAt(*m_pointer) : Target{};
+    if (m_typed.open() && m_hover.patch != noElement)
+        readTyped();
+}
+
+void MarkTool::readTyped()
+{
+    const Patch& patch = m_context.scene().patch(m_hover.patch)->patch(); // it was found there
+    if (m_kind == MarkKind::DrillHole) {
+        if (const std::optional<Vec2> at = typedPosition(m_typed.text())) {
+            m_hover.place = toLayout(patch, *at);
+            m_typedGood = true;
+        }
+    } else if (const auto at = typedAlongOutline(patch.outline, m_hover.at, m_typed.text())) {
+        m_hover.at = *at;
+        m_hover.place = toLayout(patch, patch.outline.at(*at));
+        m_typedGood = true;
+    }
+}
+
+ElementId MarkTool::place()
+{
+    if (m_hover.mark != noElement)
+        return m_hover.mark;
+    if (m_hover.patch == noElement && !m_hover.stretch) {
+        m_context.report(prompt());
+        return noElement;
+    }
+    if (m_typed.open() && !m_typedGood) {
+        m_context.report(m_kind == MarkKind::Notch
+                             ? tr("\"%1\" is no distance from the corner on this edge.").arg(m_typed.text())
+                             : tr("\"%1\" is no place: try 120, 40").arg(m_typed.text()));
+        return noElement;
+    }
+    Document& document = m_context.document();
+    const ElementId mark = document.design().nextId();
+    Message problem;
+    const Edit added = edit(m_hover, problem);
+    if (added.empty()) {
+        m_context.report(translated(problem));
+        return noElement;
+    }
+    m_typed.clear();
+    document.commit(added);
+    return mark;
+}
+
 void MarkTool::press(const PatternPointer& pointer)
 {
-    const Target target = targetAt(pointer);
-    Document& document = m_context.document();
-    ElementId mark = target.mark;
-    if (mark == noElement && (target.patch != noElement || target.stretch)) {
-        mark = document.design().nextId();
-        Message problem;
-        const Edit added = edit(target, problem);
-        if (added.empty()) {
-            m_context.report(translated(problem));
-            return;
-        }
-        document.commit(added);
-    }
-    if (mark == noElement) {
-        m_context.report(prompt());
+    m_pointer = pointer;
+    find();
+    const bool typed = m_typed.open();
+    const ElementId mark = place();
+    if (mark == noElement)
         return;
-    }
     m_context.selection().set({mark});
-    m_drag = dragMark(m_context, pointer, mark);
+    if (!typed) // it does not lie under the pointer
+        m_drag = dragMark(m_context, pointer, mark);
     m_pressedAt = pointer.pixel;
     m_moved = false;
     m_context.refresh();
@@ -131,6 +174,7 @@ void MarkTool::press(const PatternPointer& pointer)
 
 void MarkTool::move(const PatternPointer& pointer)
 {
+    m_pointer = pointer;
     if (m_drag && !m_drag->active())
         m_drag.reset(); // undone meanwhile
     if (m_drag) {
@@ -138,31 +182,72 @@ void MarkTool::move(const PatternPointer& pointer)
         if (m_moved)
             m_drag->update(pointer);
     } else {
-        m_hover = targetAt(pointer);
+        find();
     }
     m_context.refresh();
 }
 
 void MarkTool::release(const PatternPointer& pointer)
 {
+    m_pointer = pointer;
     if (const std::unique_ptr<PatternDrag> drag = std::move(m_drag); drag && m_moved)
         drag->finish();
-    m_hover = targetAt(pointer);
+    find();
     m_context.refresh();
+}
+
+bool MarkTool::keyPress(const QKeyEvent& event)
+{
+    const bool enter = isEnterKey(event.key());
+    if (m_drag) {
+        if (enter)
+            return release(*m_pointer), true;
+        if (!m_drag->keyPress(event))
+            return false;
+        m_moved = true;
+    } else if (enter && m_typed.open()) {
+        if (const ElementId mark = place(); mark != noElement)
+            m_context.selection().set({mark});
+        find();
+    } else if (takesNumbers() && m_hover.mark == noElement && m_typed.keyPress(event)) {
+        find();
+    } else {
+        return false;
+    }
+    m_context.refresh();
+    return true;
+}
+
+bool MarkTool::wants(int key) const
+{
+    if (m_drag)
+        return m_drag->wants(key) || isEnterKey(key);
+    return takesNumbers() && (m_typed.wants(key) || (isEnterKey(key) && m_typed.open()));
 }
 
 bool MarkTool::escape()
 {
-    if (m_drag)
+    if (m_drag && m_drag->clearTyped()) {
+        m_context.refresh();
+        return true;
+    }
+    if (m_drag) {
         m_drag.reset();
-    else
+    } else if (m_typed.open()) {
+        m_typed.clear();
+        find();
+    } else {
         m_context.endTool();
+    }
+    m_context.refresh();
     return true;
 }
 
 void MarkTool::leave()
 {
-    m_hover = {};
+    m_pointer.reset();
+    m_typed.clear();
+    find();
     m_context.refresh();
 }
 
@@ -172,12 +257,18 @@ QString MarkTool::prompt() const
         return m_drag->prompt();
     if (m_hover.mark != noElement)
         return tr("Click to select it, drag to move it \u2013 its properties say what it is like");
+    return hint();
+}
+
+QString MarkTool::hint() const
+{
     switch (m_kind) {
     case MarkKind::Notch:
         return tr(
-            "Click an outline to place a notch; on a seam the other side gets one, too \u2013 Esc ends the tool");
+            "Click an outline to place a notch, or type how far it is from the corner; on a seam the other side "
+            "gets one, too \u2013 Esc ends the tool");
     case MarkKind::DrillHole:
-        return tr("Click inside a patch to place a drill hole \u2013 Esc ends the tool");
+        return tr("Click inside a patch to place a drill hole, or type where: 120, 40 \u2013 Esc ends the tool");
     case MarkKind::EdgeAllowance:
         return tr("Click an edge to give it a seam allowance of its own, drag its handle \u2013 Esc ends the tool");
     case MarkKind::CutCorner:
@@ -202,10 +293,15 @@ void MarkTool::paint(QPainter& painter, const ViewColors& colors) const
     } else if (m_hover.stretch) {
         paintStretch(painter, m_context, *m_hover.stretch, colors.accent);
     } else if (m_hover.patch != noElement) {
+        if (m_kind == MarkKind::Notch && m_context.scene().patch(m_hover.patch))
+            paintWayFromCorner(painter, colors, m_context, m_hover.patch,
+                               m_context.scene().patch(m_hover.patch)->patch(), m_hover.at);
         painter.setPen(QPen(colors.accent, 2));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(m_context.transform().toPixels(m_hover.place), 5, 5);
     }
+    if (!m_drag && m_pointer && m_typed.open())
+        m_typed.paint(painter, colors, m_pointer->pixel, m_typedGood);
 }
 
 } // namespace bolster

@@ -3,6 +3,7 @@
 
 #include "PatternDrags.h"
 #include "Stretch.h"
+#include "TypedEntry.h"
 
 #include <QCoreApplication>
 
@@ -10,8 +11,8 @@ namespace bolster {
 
 enum class MarkKind { Notch, DrillHole, EdgeAllowance, CutCorner };
 
-/// A click places one; one that is there is selected instead, and can be dragged. The properties say what it is
-/// like.
+/// A click places one; one that is there is selected instead, and can be dragged. Typed: how far a notch is from
+/// the nearer corner, where in its patch a hole lies; Enter places it. The properties say what it is like.
 class MarkTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(bolster::MarkTool)
 
@@ -24,6 +25,8 @@ public:
     void press(const PatternPointer& pointer) override;
     void move(const PatternPointer& pointer) override;
     void release(const PatternPointer& pointer) override;
+    bool keyPress(const QKeyEvent& event) override;
+    bool wants(int key) const override;
     bool escape() override;
     void leave() override;
     QString prompt() const override;
@@ -42,9 +45,19 @@ private:
 
     Target targetAt(const PatternPointer& pointer) const;
     Edit edit(const Target& target, Message& problem) const;
+    /// What the pointer is at, or what is typed.
+    void find();
+    void readTyped();
+    /// What a click or Enter means now: the mark that is there then, or none.
+    ElementId place();
+    bool takesNumbers() const { return m_kind == MarkKind::Notch || m_kind == MarkKind::DrillHole; }
+    QString hint() const;
 
     MarkKind m_kind;
     Target m_hover;
+    std::optional<PatternPointer> m_pointer; ///< while it is over the view
+    TypedEntry m_typed;
+    bool m_typedGood = false;
     std::unique_ptr<PatternDrag> m_drag; ///< of what was pressed
     QPointF m_pressedAt;
     bool m_moved = false; ///< far enough to be a drag

@@ -25,11 +25,6 @@ bool isFree(const PatternPointer& pointer)
     return pointer.modifiers & (Qt::ControlModifier | Qt::AltModifier);
 }
 
-bool isEnter(int key)
-{
-    return key == Qt::Key_Return || key == Qt::Key_Enter;
-}
-
 } // namespace
 
 const Patch* DartTool::patch() const
@@ -175,7 +170,7 @@ bool DartTool::keyPress(const QKeyEvent& event)
         pointerMoved();
     else if (event.key() == Qt::Key_Backspace && !m_ends.empty())
         takeBack();
-    else if (isEnter(event.key()))
+    else if (isEnterKey(event.key()))
         accept();
     else
         return false;
@@ -185,7 +180,7 @@ bool DartTool::keyPress(const QKeyEvent& event)
 
 bool DartTool::wants(int key) const
 {
-    return isEnter(key) || (!m_ends.empty() && (m_typed.wants(key) || key == Qt::Key_Backspace));
+    return isEnterKey(key) || (!m_ends.empty() && (m_typed.wants(key) || key == Qt::Key_Backspace));
 }
 
 ToolKeys DartTool::keys() const

@@ -1,7 +1,10 @@
 #include "DartDrag.h"
 
+#include "CornerMeasure.h"
 #include "DartPicture.h"
 #include "Document.h"
+#include "EditingDrag.h"
+#include "LengthExpression.h"
 #include "Selection.h"
 #include "Translated.h"
 #include "ViewColors.h"
@@ -46,37 +49,24 @@ std::optional<Vec2> handlePlace(PatternToolContext& context, DartHandle handle)
     return toLayout(patch, at);
 }
 
-class DartDrag : public PatternDrag {
+class DartDrag : public EditingDrag {
 public:
     DartDrag(PatternToolContext& context, const PatternPointer& from, ElementId seam, DartHandle handle)
-        : PatternDrag(context, from)
-        , m_gesture(context.document())
+        : EditingDrag(context, from)
         , m_seam(seam)
         , m_handle(handle)
         , m_dart(*edits::dartOf(m_gesture.start(), seam))
         , m_patch(*m_gesture.start().find<Patch>(m_dart.patch))
-        , m_closed(m_patch.outline)
+        , m_closed(m_patch)
     {
         const Vec2 at = handle == DartHandle::Tip ? m_dart.tip : edits::dartAxis(m_patch.outline, m_dart).middle;
         m_grabbed = at - fromLayout(m_patch, from.layout);
         const Edit closed = edits::removeDart(m_gesture.start(), seam);
         if (!closed.empty())
-            m_closed = m_gesture.start().with(closed).find<Patch>(m_dart.patch)->outline;
+            m_closed = *m_gesture.start().with(closed).find<Patch>(m_dart.patch);
         m_shown = m_dart;
     }
 
-    void update(const PatternPointer& pointer) override
-    {
-        const Vec2 at = fromLayout(m_patch, pointer.layout) + m_grabbed;
-        m_problem = {};
-        const Edit edit = m_handle == DartHandle::Tip ? tipEdit(at, pointer.modifiers) : mouthEdit(at);
-        if (!edit.empty())
-            m_gesture.update(edit);
-        if (const auto now = edits::dartOf(m_context.document().design(), m_seam); now && m_problem.empty())
-            m_shown = *now;
-    }
-    void finish() override { m_gesture.commit(); }
-    bool active() const override { return m_gesture.active(); }
     Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
 
     QString prompt() const override
@@ -84,11 +74,12 @@ public:
         if (!m_problem.empty())
             return translated(m_problem);
         return m_handle == DartHandle::Tip
-                   ? dragText(QT_TRANSLATE_NOOP("DartDrag",
-                                                "Near the dotted line both legs become of one length "
-                                                "\u2013 Shift keeps to it, Ctrl lets go, Esc takes it back"))
-                   : dragText(
-                         QT_TRANSLATE_NOOP("DartDrag", "Drag the dart along the outline \u2013 Esc takes it back"));
+                   ? dragText(QT_TRANSLATE_NOOP(
+                         "DartDrag", "Near the dotted line both legs become of one length, or type how deep "
+                                     "it is \u2013 Shift keeps to it, Ctrl lets go, Esc takes it back"))
+                   : dragText(QT_TRANSLATE_NOOP(
+                         "DartDrag", "Drag the dart along the outline, or type how far its middle is from "
+                                     "the corner \u2013 Esc takes it back"));
     }
 
     void paint(QPainter& painter, const ViewColors& colors) const override
@@ -98,32 +89,61 @@ public:
             return;
         painter.setRenderHint(QPainter::Antialiasing);
         paintDart(painter, colors, m_context, *now, m_shown, m_problem.empty());
+        if (m_handle == DartHandle::Mouth && m_middle)
+            paintWayFromCorner(painter, colors, m_context, m_dart.patch, m_closed, *m_middle);
+        EditingDrag::paint(painter, colors);
     }
 
 private:
+    /// Where it cannot be, it stays where it could.
+    Edit editAt(const PatternPointer& pointer) override
+    {
+        const Vec2 at = fromLayout(m_patch, pointer.layout) + m_grabbed;
+        m_problem = {};
+        const Edit edit = m_handle == DartHandle::Tip ? tipEdit(at, pointer.modifiers) : mouthEdit(at);
+        if (!edit.empty())
+            m_possible = edit;
+        m_typedGood = m_typedGood && m_problem.empty();
+        if (const auto now = edits::dartOf(m_gesture.start().with(m_possible), m_seam); now && m_problem.empty())
+            m_shown = *now;
+        return m_possible;
+    }
+
+    /// So deep as is typed, both legs of one length.
     Edit tipEdit(const Vec2& at, Qt::KeyboardModifiers modifiers)
     {
         edits::DartShape wanted = m_dart;
         wanted.tip = at;
         if (!(modifiers & (Qt::ControlModifier | Qt::AltModifier)))
             wanted.tip = snappedTip(m_context, m_patch, wanted, modifiers & Qt::ShiftModifier);
+        wanted.tip = typedOr(wanted.tip, [&](const QString& text) -> std::optional<Vec2> {
+            const edits::DartAxis axis = edits::dartAxis(m_patch.outline, m_dart);
+            const std::optional<double> depth = parseLength(text);
+            if (!depth || !(*depth > 0))
+                return std::nullopt;
+            return Vec2(axis.middle + *depth * axis.inwards);
+        });
         m_shown = wanted;
         return edits::moveDartTip(m_gesture.start(), m_seam, wanted.tip, &m_problem);
     }
 
     Edit mouthEdit(const Vec2& at)
     {
-        return edits::moveDart(m_gesture.start(), m_seam, m_closed.closest(at).parameter, &m_problem);
+        const double dragged = m_closed.outline.closest(at).parameter;
+        m_middle = typedOr(dragged,
+                           [&](const QString& text) { return typedAlongOutline(m_closed.outline, dragged, text); });
+        return edits::moveDart(m_gesture.start(), m_seam, *m_middle, &m_problem);
     }
 
-    Gesture m_gesture;
     ElementId m_seam;
     DartHandle m_handle;
     edits::DartShape m_dart; ///< at the press
     Patch m_patch;
-    BSpline2 m_closed; ///< the outline without the dart
+    Patch m_closed; ///< without the dart
     Vec2 m_grabbed = Vec2::Zero();
     edits::DartShape m_shown;
+    Edit m_possible;                ///< the last one that could be
+    std::optional<double> m_middle; ///< of the mouth, on the outline without the dart
     Message m_problem;
 };
 

@@ -17,7 +17,8 @@ void paintDartHandles(QPainter& painter, const ViewColors& colors, PatternToolCo
                       std::optional<DartHandle> over);
 
 /// The tip snaps to where both legs are of one length, Shift keeps it there, Ctrl and Alt let go. Where the dart
-/// cannot be, it stays where it could. Null without a selected dart.
+/// cannot be, it stays where it could. Typed: how deep it is; of the mouth how far its middle is from the nearer
+/// corner. Null without a selected dart.
 std::unique_ptr<PatternDrag> dragDart(PatternToolContext& context, const PatternPointer& from, DartHandle handle);
 
 } // namespace bolster

@@ -22,11 +22,7 @@ constexpr double labelReach = 7; // pixels, of the middle
 
 const PieceLabel* labelOf(const PatternToolContext& context, ElementId patch)
 {
-    const CutPattern* cut = context.cut();
-    if (!cut || !context.scene().patch(patch) || !pieceLabelsReadable(context.transform()))
-        return nullptr;
-    const auto piece = std::ranges::find(cut->pieces, patch, &CutPiece::patch);
-    return piece == cut->pieces.end() ? nullptr : &piece->label;
+    return context.scene().patch(patch) ? readableLabel(context.cut(), patch, context.transform()) : nullptr;
 }
 
 /// Around its lines, in pixels.
@@ -103,12 +99,10 @@ private:
 
 ElementId labelAt(const PatternToolContext& context, QPointF pixel)
 {
-    if (const CutPattern* cut = context.cut(); cut && pieceLabelsReadable(context.transform()))
-        for (const CutPiece& piece : cut->pieces)
-            if (const PatternPatch* patch = context.scene().patch(piece.patch);
-                patch && !piece.label.lines.empty() &&
-                labelFrame(context, patch->patch(), piece.label).containsPoint(pixel, Qt::OddEvenFill))
-                return piece.patch;
+    for (const auto& [id, patch] : context.scene().patches())
+        if (const PieceLabel* label = labelOf(context, id);
+            label && labelFrame(context, patch.patch(), *label).containsPoint(pixel, Qt::OddEvenFill))
+            return id;
     return noElement;
 }
 

@@ -1,15 +1,14 @@
 #include "PatternDrags.h"
 
 #include "Document.h"
+#include "EditingDrag.h"
 #include "LengthExpression.h"
 #include "PatchDrawingTool.h"
 #include "PatchEdits.h"
 #include "PatchShapeEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
-#include "SnapHints.h"
 #include "Units.h"
-#include "ViewColors.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -19,98 +18,16 @@
 
 namespace bolster {
 
-Vec2 PatternDrag::moved(const PatternPointer& pointer) const
-{
-    Vec2 delta = pointer.layout - m_from.layout;
-    if (pointer.modifiers & Qt::ShiftModifier)
-        (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0;
-    return delta;
-}
-
 namespace {
 
-/// A drag that changes the design.
-class EditingDrag : public PatternDrag {
-public:
-    EditingDrag(PatternToolContext& context, const PatternPointer& from)
-        : PatternDrag(context, from)
-        , m_gesture(context.document())
-    {}
-
-    void update(const PatternPointer& pointer) final
-    {
-        m_pointer = pointer;
-        m_hints.clear();
-        m_typedGood = false;
-        m_gesture.update(editAt(pointer));
-        if (m_typedGood)
-            m_hints.clear();
-    }
-    void finish() override { m_gesture.commit(); }
-    bool active() const override { return m_gesture.active(); }
-    bool keyPress(const QKeyEvent& event) override
-    {
-        if (!m_typed.keyPress(event))
-            return false;
-        update(m_pointer);
-        return true;
-    }
-    bool wants(int key) const override { return m_typed.wants(key); }
-    bool clearTyped() override
-    {
-        if (!m_typed.open())
-            return false;
-        m_typed.clear();
-        update(m_pointer);
-        return true;
-    }
-    void paint(QPainter& painter, const ViewColors& colors) const override
-    {
-        paintSnapHints(painter, colors, m_context.transform(), m_hints);
-        if (m_typed.open())
-            m_typed.paint(painter, colors, m_pointer.pixel, m_typedGood);
-        else if (!m_hints.empty())
-            paintNote(painter, colors, m_context.transform().toPixels(m_hints.front().to), {snapText(m_hints)});
-    }
-
-protected:
-    /// What the drag means with the pointer there, or with what is typed if that can be understood.
-    virtual Edit editAt(const PatternPointer& pointer) = 0;
-
-    /// What `read` makes of the typed text; `dragged` when that is nothing.
-    template <class T, class Read>
-    T typedOr(const T& dragged, const Read& read)
-    {
-        const std::optional<T> typed = m_typed.open() ? read(m_typed.text()) : std::nullopt;
-        m_typedGood = typed.has_value();
-        return typed.value_or(dragged);
-    }
-    Vec2 typedOr(const Vec2& dragged)
-    {
-        return typedOr(dragged, [&](const QString& text) { return typedStep(text, dragged); });
-    }
-
-    /// Shift keeps to an axis, Ctrl and Alt let go: then nothing snaps.
-    static bool free(const PatternPointer& pointer)
-    {
-        return pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
-    }
-
-    QString shift(const Vec2& delta) const
-    {
-        if (m_typed.open())
-            return QCoreApplication::translate("PatternTool", "Enter moves it so far: 50, or 30, 20");
-        return QCoreApplication::translate("PatternTool",
-                                           "Moved by %1, %2 \u2013 Shift keeps to one axis, Esc takes it back")
-            .arg(lengthText(delta.x()), lengthText(delta.y()));
-    }
-
-    Gesture m_gesture;
-    std::vector<SnapHint> m_hints;
-    PatternPointer m_pointer = m_from; ///< the last one
-    TypedEntry m_typed;
-    bool m_typedGood = false;
-};
+QString movedText(bool typing, const Vec2& delta)
+{
+    if (typing)
+        return QCoreApplication::translate("PatternTool", "Enter moves it so far: 50, or 30, 20");
+    return QCoreApplication::translate("PatternTool",
+                                       "Moved by %1, %2 \u2013 Shift keeps to one axis, Esc takes it back")
+        .arg(lengthText(delta.x()), lengthText(delta.y()));
+}
 
 class PointDrag : public EditingDrag {
 public:
@@ -128,7 +45,7 @@ public:
         findNeighbours();
     }
 
-    QString prompt() const override { return shift(m_delta); }
+    QString prompt() const override { return movedText(m_typed.open(), m_delta); }
     Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
 
 private:
@@ -194,7 +111,7 @@ public:
                         m_corners.push_back(patch->points[i]);
     }
 
-    QString prompt() const override { return shift(m_delta); }
+    QString prompt() const override { return movedText(m_typed.open(), m_delta); }
     Qt::CursorShape cursor() const override { return Qt::ClosedHandCursor; }
 
 private:

@@ -1,6 +1,7 @@
 #include "DartRotation.h"
 
 #include "ArcLength.h"
+#include "DartClosing.h"
 #include "DartEdits.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
@@ -147,7 +148,9 @@ private:
         const Vec2 fixed = at(m_ring.p), moved = m_turn * fixed;
         const BSpline2 whole = m_turnsFirst ? joined({second, turned, legs(moved, fixed)}, nullptr)
                                             : joined({first, legs(fixed, moved), turned}, nullptr);
-        return beginningAt(whole, inFirstTurn(m_outline, m_turnsFirst ? m_ring.p : m_ring.b));
+        const double start = inFirstTurn(m_outline, m_turnsFirst ? m_ring.p : m_ring.b);
+        // Where the dart was: it may have been opened there, and come back.
+        return withoutJoint(beginningAt(whole, start), m_turnsFirst ? start + m_ring.end - m_ring.p : start);
     }
 
     std::vector<OutlineArc> arcs() const

@@ -1,11 +1,13 @@
 #include "DartEdits.h"
 
+#include "ArcLength.h"
+#include "DartClosing.h"
+#include "DartSewing.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
-#include "MatchedRange.h"
 #include "OutlineCrossings.h"
 #include "PlaneCurves.h"
-#include "StretchLength.h"
+#include "StraightCorner.h"
 #include "StretchRemap.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double narrowest = 1; // mm: of a mouth
 constexpr double shortest = 5;  // mm: of a leg
-constexpr double samePlace = 1e-6;
+constexpr double sameSpot = 1e-6;
 
 Edit refused(Message* problem, Message why)
 {
@@ -58,10 +60,10 @@ Mouth shorterWay(const BSpline2& outline, double a, double b)
     return {b, a > b ? a : a + period};
 }
 
-/// The outline with straight lines through `points` in place of a part, which keeps its parameters; `corners`
-/// becomes those of the points in between.
+/// The outline with straight lines through `inner` in place of a part, which keeps its parameters; `corners`
+/// becomes those of these points.
 std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, const std::vector<Vec2>& inner,
-                                  std::vector<double>* corners = nullptr)
+                                  std::vector<double>& corners)
 {
     const BSpline2 kept = outline.part(outline.wrapped(part.to), outline.wrapped(part.from));
     std::vector<Vec2> points{kept.points().back()};
@@ -77,12 +79,10 @@ std::optional<BSpline2> withLines(const BSpline2& outline, const Mouth& part, co
     const BSpline2 whole = joined({kept, polyline(points, outline.degree(), 0, speed)}, &starts);
     const double start = inFirstTurn(outline, part.to);
     const BSpline2 result = beginningAt(whole, start);
-    if (corners) {
-        double at = starts[1] + start;
-        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-            at += (points[i] - points[i - 1]).norm() / speed;
-            corners->push_back(at);
-        }
+    double at = starts[1] + start;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        at += (points[i] - points[i - 1]).norm() / speed;
+        corners.push_back(at);
     }
     return outlineProblem(result) ? std::nullopt : std::optional(result);
 }
@@ -94,143 +94,6 @@ void keepPlaces(const Design& design, const Mouth& kept, ElementId patch, const 
 {
     std::vector<ElementId> dropped;
     remapStretches(design, {{patch, {{kept.from, kept.to, patch, kept.from}}}}, except, builder, dropped);
-}
-
-/// Both ends in the same turn; `to` is unwrapped.
-Stretch stretchAlong(const BSpline2& outline, ElementId patch, double from, double to)
-{
-    const double start = inFirstTurn(outline, from), end = start + to - from;
-    return {patch, start, end > outline.domainEnd() ? end - outline.period() : end};
-}
-
-/// What a mouth leaves of a seam on another patch: the parts before and after it. The other side stays whole.
-class DividedSeam {
-public:
-    DividedSeam(const Design& design, const Seam& seam, ElementId patch, const Mouth& mouth)
-        : m_seam(seam)
-    {
-        for (Stretch Seam::*side : {&Seam::a, &Seam::b}) {
-            const Stretch& stretch = seam.*side;
-            Stretch Seam::*other = side == &Seam::a ? &Seam::b : &Seam::a;
-            const auto* there = design.find<Patch>((seam.*other).patch);
-            if (stretch.patch != patch || (seam.*other).patch == patch || !there || there->outline.empty())
-                continue;
-            const BSpline2& outline = design.find<Patch>(patch)->outline;
-            const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
-            for (int turn = -2; turn <= 2; ++turn) {
-                const double from = mouth.from + turn * outline.period(), to = mouth.to + turn * outline.period();
-                if (to > stretch.from + samePlace && from < end - samePlace)
-                    divide(side, other, outline, {stretch.from, from}, {to, end}, there->outline);
-            }
-        }
-    }
-
-    /// Empty when the mouth is elsewhere, or takes all of it.
-    const std::vector<Seam>& parts() const { return m_parts; }
-
-private:
-    void divide(Stretch Seam::*side, Stretch Seam::*other, const BSpline2& outline, const Mouth& before,
-                const Mouth& after, const BSpline2& outlineThere)
-    {
-        const ArcLength2 length(outline);
-        const auto lengthOf = [&](const Mouth& part) {
-            return part.to > part.from + samePlace ? length.between(part.from, part.to) : 0;
-        };
-        const double first = lengthOf(before), whole = first + lengthOf(after);
-        if (!(whole > 0))
-            return;
-        const Stretch& there = m_seam.*other;
-        const MatchedRange<2> range(outlineThere, there.from, there.to, Match::Length);
-        const auto add = [&](const Mouth& part, double f0, double f1) {
-            if (f1 <= f0)
-                return;
-            Seam seam = m_seam;
-            seam.*side = stretchAlong(outline, (m_seam.*side).patch, part.from, part.to);
-            const double g0 = m_seam.reversed ? 1 - f1 : f0, g1 = m_seam.reversed ? 1 - f0 : f1;
-            seam.*other = stretchAlong(outlineThere, there.patch, range.parameter(g0), range.parameter(g1));
-            seam.ease = (f1 - f0) * m_seam.ease;
-            m_parts.push_back(std::move(seam));
-        };
-        add(before, 0, first / whole);
-        add(after, first / whole, 1);
-    }
-
-    Seam m_seam;
-    std::vector<Seam> m_parts;
-};
-
-/// Of what is held on a curve, the two parts beside a mouth meet there when the dart is sewn: the gap that the
-/// mouth has left on the curve is shared out between them by their lengths.
-void closeHeldGap(const DartShape& dart, EditBuilder& builder)
-{
-    const Design design = builder.now();
-    const BSpline2& outline = design.find<Patch>(dart.patch)->outline;
-    const auto meets = [&](double a, double b) {
-        return std::abs(std::remainder(a - b, outline.period())) < samePlace;
-    };
-    const auto join = [&](ElementId one, FixationSeam before, ElementId two, FixationSeam after) {
-        const auto* held = design.find<FixationCurve>(before.curve);
-        const double a = stretchLength(design, before.stretch), b = stretchLength(design, after.stretch);
-        if (one == two || !held || after.curve != before.curve || after.reversed != before.reversed ||
-            !before.curveRange || !after.curveRange || !(a > 0 && b > 0))
-            return;
-        FixationSeam &first = before.reversed ? after : before, &last = before.reversed ? before : after;
-        const MatchedRange<3> range(held->curve, first.curveRange->first, last.curveRange->second, Match::Length);
-        const double middle = held->curve.wrapped(range.parameter((before.reversed ? b : a) / (a + b)));
-        first.curveRange->second = last.curveRange->first = middle;
-        builder.replace(one, before);
-        builder.replace(two, after);
-    };
-    design.each<FixationSeam>([&](ElementId one, const FixationSeam& before) {
-        if (before.stretch.patch != dart.patch || !meets(before.stretch.to, dart.from))
-            return;
-        design.each<FixationSeam>([&](ElementId two, const FixationSeam& after) {
-            if (after.stretch.patch == dart.patch && meets(after.stretch.from, dart.to))
-                join(one, before, two, after);
-        });
-    });
-}
-
-/// The two seams that a dart over a seam has made of it, as one again.
-struct SeamsOverMouth {
-    ElementId first{}, second{};
-    Seam whole;
-};
-
-/// Of what ends at `from` and goes on at `to`, both on the same side and with the other side in one.
-std::optional<SeamsOverMouth> seamsOver(const Design& design, const DartShape& dart)
-{
-    const BSpline2& outline = design.find<Patch>(dart.patch)->outline;
-    const auto meets = [](const BSpline2& on, double a, double b) {
-        return std::abs(std::remainder(a - b, on.period())) < samePlace;
-    };
-    std::optional<SeamsOverMouth> found;
-    const auto join = [&](ElementId one, const Seam& x, ElementId two, const Seam& y, Stretch Seam::*side) {
-        Stretch Seam::*other = side == &Seam::a ? &Seam::b : &Seam::a;
-        const auto* there = design.find<Patch>((x.*other).patch);
-        const bool alike = one != two && (y.*side).patch == dart.patch && (y.*other).patch == (x.*other).patch &&
-                           (x.*other).patch != dart.patch && x.reversed == y.reversed && x.match == y.match;
-        if (!alike || !there || there->outline.empty() || !meets(outline, (y.*side).from, dart.to))
-            return;
-        const Stretch &first = (x.reversed ? y : x).*other, &last = (x.reversed ? x : y).*other;
-        if (!meets(there->outline, first.to, last.from))
-            return;
-        found = SeamsOverMouth{one, two, x};
-        const auto after = [](const BSpline2& on, double from, double to) {
-            return to + on.period() * std::ceil((from - to) / on.period() + samePlace);
-        };
-        (found->whole.*side) =
-            stretchAlong(outline, dart.patch, (x.*side).from, after(outline, (x.*side).from, (y.*side).to));
-        (found->whole.*other) =
-            stretchAlong(there->outline, first.patch, first.from, after(there->outline, first.from, last.to));
-        found->whole.ease = x.ease + y.ease;
-    };
-    design.each<Seam>([&](ElementId first, const Seam& x) {
-        for (Stretch Seam::*side : {&Seam::a, &Seam::b})
-            if ((x.*side).patch == dart.patch && meets(outline, (x.*side).to, dart.from))
-                design.each<Seam>([&](ElementId second, const Seam& y) { join(first, x, second, y, side); });
-    });
-    return found;
 }
 
 } // namespace
@@ -279,7 +142,7 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
     if (!isInside(outline, shape.tip) || std::min((shape.tip - a).norm(), (shape.tip - b).norm()) < shortest)
         return refused(problem, tipProblem());
     std::vector<double> tip;
-    const std::optional<BSpline2> cut = withLines(outline, mouth, {shape.tip}, &tip);
+    const std::optional<BSpline2> cut = withLines(outline, mouth, {shape.tip}, tip);
     if (!cut)
         return refused(problem, legsProblem(design, shape.patch));
     EditBuilder builder(design);
@@ -287,16 +150,7 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
     changed.outline = *cut;
     builder.replace(shape.patch, std::move(changed));
 
-    std::set<ElementId> divided;
-    design.each<Seam>([&](ElementId id, const Seam& seam) {
-        const std::vector<Seam> parts = DividedSeam(design, seam, shape.patch, mouth).parts();
-        if (parts.empty())
-            return;
-        divided.insert(id);
-        builder.replace(id, parts.front());
-        for (std::size_t k = 1; k < parts.size(); ++k)
-            builder.add(parts[k]);
-    });
+    const std::set<ElementId> divided = divideSeams(design, {shape.patch, mouth.from, mouth.to}, builder);
     keepPlaces(design, {mouth.to, mouth.from + outline.period()}, shape.patch, divided, builder);
     closeHeldGap({shape.patch, mouth.from, mouth.to}, builder);
     const double first = cut->wrapped(mouth.from), middle = cut->wrapped(tip.front()),
@@ -314,14 +168,14 @@ std::optional<DartShape> dartOf(const Design& design, ElementId id)
         return std::nullopt;
     const BSpline2& outline = patch->outline;
     const auto at = [&](double t) { return outline.at(outline.wrapped(t)); };
-    const bool aFirst = (at(seam->a.to) - at(seam->b.from)).norm() < samePlace;
+    const bool aFirst = (at(seam->a.to) - at(seam->b.from)).norm() < sameSpot;
     const Stretch &one = aFirst ? seam->a : seam->b, &two = aFirst ? seam->b : seam->a;
-    if ((at(one.to) - at(two.from)).norm() >= samePlace)
+    if ((at(one.to) - at(two.from)).norm() >= sameSpot)
         return std::nullopt;
     const auto isStraight = [&](const Stretch& leg) {
         const double end = unwrappedEnd(leg.from, leg.to, outline.domainStart(), outline.domainEnd());
         const double chord = (at(end) - at(leg.from)).norm();
-        return ArcLength2(outline).between(leg.from, end) < chord * (1 + 1e-6) + samePlace;
+        return ArcLength2(outline).between(leg.from, end) < chord * (1 + 1e-6) + sameSpot;
     };
     if (!isStraight(one) || !isStraight(two))
         return std::nullopt;
@@ -336,7 +190,7 @@ Edit removeDart(const Design& design, ElementId id, Message* problem)
     const Patch& patch = *design.find<Patch>(dart->patch);
     const BSpline2& outline = patch.outline;
     const Mouth legs{dart->from, unwrappedEnd(dart->from, dart->to, outline.domainStart(), outline.domainEnd())};
-    const std::optional<BSpline2> closed = withLines(outline, legs, {});
+    const std::optional<BSpline2> closed = withoutLegs(outline, legs.from, legs.to);
     if (!closed)
         return refused(problem,
                        {QT_TRANSLATE_NOOP("Message", "Without this dart the outline of %1 would cross itself."),
@@ -346,13 +200,11 @@ Edit removeDart(const Design& design, ElementId id, Message* problem)
     changed.outline = *closed;
     builder.replace(dart->patch, std::move(changed));
     builder.remove(id);
-    std::set<ElementId> done{id};
-    if (const auto sewn = seamsOver(design, *dart)) {
-        builder.replace(sewn->first, sewn->whole);
-        builder.remove(sewn->second);
-        done.insert({sewn->first, sewn->second});
-    }
+    std::set<ElementId> done = joinOverMouth(design, *dart, builder);
+    done.insert(id);
     keepPlaces(design, {legs.to, legs.from + outline.period()}, dart->patch, done, builder);
+    for (const double corner : {dart->from, dart->to})
+        dropStraightCorner(dart->patch, corner, builder);
     return builder.result({QT_TRANSLATE_NOOP("Message", "Close a dart of %1"), {displayName(design, dart->patch)}});
 }
 
