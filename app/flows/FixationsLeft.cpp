@@ -35,9 +35,10 @@ public:
         if (left.size() > mostNamed)
             lines << tr("and %n more", nullptr, static_cast<int>(left.size() - mostNamed));
         lines << QString() << tr("They stay where they are. Drag their points onto the frame, or undo the change.");
-        bolster::tell(window, QMessageBox::Information,
-                      tr("%n fixation curve(s) no longer lie on the frame.", nullptr, static_cast<int>(left.size())),
-                      lines.join(u'\n'));
+        bolster::tell(
+            window, QMessageBox::Information,
+            tr("%n fixation curve(s) no longer lie on the frame.", nullptr, static_cast<int>(left.size())),
+            lines.join(u'\n'));
     }
 };
 

@@ -25,8 +25,8 @@ struct FixationOff {
 inline constexpr double liesOnFrame = 1;      ///< mm: a place of a curve that near to a mesh lies on it
 inline constexpr double farthestLooked = 500; ///< mm: beyond that it does not matter how far
 
-/// Curves of which places that lay on `before` lie farther than `liesOnFrame` from `after`; the farthest first. Empty
-/// when stopped, and when one of the meshes is not there.
+/// Curves of which places that lay on `before` lie farther than `liesOnFrame` from `after`; the farthest first.
+/// Empty when stopped, and when one of the meshes is not there.
 std::vector<FixationOff> fixationsOff(const Design& design, const PlacedMesh& before, const PlacedMesh& after,
                                       const std::stop_token& stop = {});
 

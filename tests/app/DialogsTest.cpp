@@ -138,9 +138,9 @@ TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeav
     const auto curve = [&](const std::string& name, double height) {
         window.document().commit(edits::addElement(
             window.document().design(),
-            makeElement(FixationCurve{name, BSpline3(1, false,
-                                                     {placement.placed({10, 10, height}),
-                                                      placement.placed({700, 10, height})})})));
+            makeElement(FixationCurve{
+                name,
+                BSpline3(1, false, {placement.placed({10, 10, height}), placement.placed({700, 10, height})})})));
     };
     curve("Front edge", 800);
     curve("Foot", 0);
@@ -155,14 +155,16 @@ TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeav
     QTest::keyClick(import, Qt::Key_Return);
     auto* box = opened<QMessageBox>();
     ASSERT_TRUE(box);
-    EXPECT_TRUE(box->informativeText().contains(QStringLiteral("Front edge"))) << box->informativeText().toStdString();
+    EXPECT_TRUE(box->informativeText().contains(QStringLiteral("Front edge")))
+        << box->informativeText().toStdString();
     EXPECT_TRUE(box->informativeText().contains(QStringLiteral("14 mm"))) << box->informativeText().toStdString();
     EXPECT_FALSE(box->informativeText().contains(QStringLiteral("Foot")));
     QTest::keyClick(box, Qt::Key_Return);
     EXPECT_EQ(frames(), 1);
     EXPECT_EQ(static_cast<const Placement&>(*window.document().design().find<Frame>(id)), placement);
     window.document().undo();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return window.session().files().meshes.at(id)->boundingBox().max().x() == 800; }));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window.session().files().meshes.at(id)->boundingBox().max().x() == 800; }));
 }
 
 TEST_F(DialogsTest, TheSizeInTheImportDialogIsSeenWhateverItIs)

@@ -19,7 +19,8 @@ class FixationsOffTest : public testing::Test {
 protected:
     ElementId add(const std::string& name, const Vec3& from, const Vec3& to)
     {
-        const Edit added = edits::addElement(design, makeElement(FixationCurve{name, BSpline3(1, false, {from, to})}));
+        const Edit added =
+            edits::addElement(design, makeElement(FixationCurve{name, BSpline3(1, false, {from, to})}));
         design = design.with(added);
         return added.changes.front().id;
     }
