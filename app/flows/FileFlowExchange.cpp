@@ -4,6 +4,7 @@
 #include "ExportPatternDialog.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
+#include "FixationsLeft.h"
 #include "ImportPatternDialog.h"
 #include "PatternImport.h"
 #include "SurfaceExport.h"
@@ -182,15 +183,22 @@ void FileFlow::place(const QString& path, const FileContent& content, const Elem
                      std::optional<ElementId> replaced)
 {
     std::optional<Placement> before;
-    if (replaced)
+    PlacedMesh old;
+    if (replaced) {
         before = *elementPlacement(element);
+        const auto& meshes = m_session.files().meshes;
+        if (const auto there = meshes.find(*replaced); there != meshes.end())
+            old = {there->second, *before};
+    }
     auto* dialog = new FileImportDialog(path, content, before, m_window);
     connect(dialog, &QDialog::accepted, this, [=, this] {
         const Element placed = *withPlacement(element, dialog->placement());
-        if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty())
+        if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty()) {
             failImport(path, problem);
-        else
-            emit imported(fileKind(element));
+            return;
+        }
+        emit imported(fileKind(element));
+        tellFixationsOff(m_window, m_session.document().design(), old, {content.mesh, dialog->placement()});
     });
     openDialog(dialog);
 }

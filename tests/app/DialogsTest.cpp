@@ -2,6 +2,7 @@
 #include "WindowTest.h"
 
 #include "CoverView.h"
+#include "ElementEdits.h"
 #include "FileFlow.h"
 #include "FileImportDialog.h"
 #include "Inspector.h"
@@ -117,6 +118,53 @@ TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
     import->setUnit(FileUnit::Millimetre);
     QTest::keyClick(import, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+}
+
+TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeavesBehind)
+{
+    window.files().importFrame(writeBox(800));
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    import->setUnit(FileUnit::Millimetre);
+    QTest::keyClick(import, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
+    ElementId id = noElement;
+    Placement placement;
+    window.document().design().each<Frame>([&](ElementId frame, const Frame& there) {
+        id = frame;
+        placement = there;
+    });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.session().files().meshes.contains(id); }));
+    const auto curve = [&](const std::string& name, double height) {
+        window.document().commit(edits::addElement(
+            window.document().design(),
+            makeElement(FixationCurve{
+                name,
+                BSpline3(1, false, {placement.placed({10, 10, height}), placement.placed({700, 10, height})})})));
+    };
+    curve("Front edge", 800);
+    curve("Foot", 0);
+
+    window.files().replaceFile(id);
+    auto* files = opened<QFileDialog>();
+    ASSERT_TRUE(files);
+    files->findChild<QLineEdit*>()->setText(writeBox(786));
+    QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+    import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    QTest::keyClick(import, Qt::Key_Return);
+    auto* box = opened<QMessageBox>();
+    ASSERT_TRUE(box);
+    EXPECT_TRUE(box->informativeText().contains(QStringLiteral("Front edge")))
+        << box->informativeText().toStdString();
+    EXPECT_TRUE(box->informativeText().contains(QStringLiteral("14 mm"))) << box->informativeText().toStdString();
+    EXPECT_FALSE(box->informativeText().contains(QStringLiteral("Foot")));
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_EQ(frames(), 1);
+    EXPECT_EQ(static_cast<const Placement&>(*window.document().design().find<Frame>(id)), placement);
+    window.document().undo();
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return window.session().files().meshes.at(id)->boundingBox().max().x() == 800; }));
 }
 
 TEST_F(DialogsTest, TheSizeInTheImportDialogIsSeenWhateverItIs)
