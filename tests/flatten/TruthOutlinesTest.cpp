@@ -1,0 +1,169 @@
+// The true surfaces of the armchair and the car seat, cut along their groups and laid flat: how far the outlines are from
+// the patterns that they were made of. Prints the figures.
+#include "DesignJson.h"
+#include "Flatten.h"
+#include "FormPattern.h"
+#include "MeshImport.h"
+#include "TestPaths.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+#include <sstream>
+
+namespace bolster::test {
+namespace {
+
+/// PLY has no groups: how many faces each has, in the order of the file.
+using Groups = std::vector<std::pair<const char*, std::uint32_t>>;
+
+const Groups armchairGroups{{"Seat", 11050},         {"Front", 4646},    {"Side right", 2432}, {"Inside back", 10117},
+                            {"Outside back", 12633}, {"Top band", 5173}, {"Side left", 2352}};
+const Groups carSeatGroups{{"Cushion insert", 4916},     {"Cushion bolster right", 2123},
+                           {"Cushion bolster left", 2123}, {"Cushion side right", 2733},
+                           {"Cushion side left", 2942},  {"Cushion front", 2122},
+                           {"Cushion rear", 1642},       {"Back insert", 5723},
+                           {"Back bolster right", 2390}, {"Back bolster left", 2393},
+                           {"Back side right", 3066},    {"Back side left", 2903},
+                           {"Back top", 1412},           {"Back bottom", 1439}};
+
+TriangleMesh truth(const std::string& file, const Groups& groups)
+{
+    const ImportedMesh read = importMesh(QString::fromStdString(dataFolder() + "/truth/" + file));
+    EXPECT_TRUE(read.mesh) << read.problem.english();
+    TriangleMesh mesh = *read.mesh;
+    mesh.parts.clear();
+    std::uint32_t first = 0;
+    for (const auto& [name, count] : groups) {
+        mesh.parts.push_back({name, first, count});
+        first += count;
+    }
+    EXPECT_EQ(first, mesh.triangles.size());
+    return mesh;
+}
+
+Design designIn(const std::string& path)
+{
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    const ReadDesign read = readDesign(text.str());
+    EXPECT_TRUE(read.readable) << path;
+    return read.design;
+}
+
+std::vector<Vec2> samplesOf(const BSpline2& outline)
+{
+    std::vector<Vec2> samples;
+    constexpr int count = 600;
+    for (int k = 0; k < count; ++k)
+        samples.push_back(outline.at(outline.domainStart() + outline.period() * k / count));
+    return samples;
+}
+
+/// Root mean square of the distances from points to an outline, after the best rigid motion of the points.
+double distanceAfterFit(const std::vector<Vec2>& points, const BSpline2& outline)
+{
+    double best = 1e9;
+    for (int start = 0; start < 12; ++start) {
+        Eigen::Rotation2Dd turn(start * std::numbers::pi / 6);
+        Vec2 shift = outline.boundingBox().center();
+        double rms = 1e9;
+        for (int round = 0; round < 60; ++round) {
+            Vec2 here = Vec2::Zero(), there = Vec2::Zero();
+            std::vector<Vec2> near;
+            double squares = 0;
+            for (const Vec2& point : points) {
+                const BSpline2::Closest closest = outline.closest(turn * point + shift);
+                near.push_back(closest.point);
+                squares += closest.distance * closest.distance;
+                here += point / static_cast<double>(points.size());
+                there += closest.point / static_cast<double>(points.size());
+            }
+            rms = std::sqrt(squares / static_cast<double>(points.size()));
+            double c = 0, s = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const Vec2 a = points[i] - here, b = near[i] - there;
+                c += a.dot(b);
+                s += a.x() * b.y() - a.y() * b.x();
+            }
+            turn = Eigen::Rotation2Dd(std::atan2(s, c));
+            shift = there - turn * here;
+            if (start > 0 && round == 8 && rms > 4 * best)
+                break;
+        }
+        best = std::min(best, rms);
+    }
+    return best;
+}
+
+struct Figures {
+    double rms = 0;  ///< mm, over all outlines
+    double worst = 0; ///< mm, rms of the worst outline
+    double area = 0; ///< largest relative difference
+    double sewn = 0; ///< mm, largest difference of the two sides of a seam
+};
+
+Figures figuresOf(const TriangleMesh& mesh, const Design& known)
+{
+    const Form form = cutForm(mesh, {});
+    EXPECT_TRUE(form.problem.empty()) << form.problem.english();
+    const FormPattern made = formPattern(form, flatten(form, {}), {});
+    for (const Message& note : made.notes)
+        ADD_FAILURE() << note.english();
+    Figures figures;
+    double squares = 0;
+    int count = 0;
+    for (const ElementId id : made.patches) {
+        const Patch* patch = made.design.find<Patch>(id);
+        if (!patch)
+            continue;
+        const Patch* same = nullptr;
+        known.each<Patch>([&](ElementId, const Patch& other) {
+            if (other.name == patch->name)
+                same = &other;
+        });
+        EXPECT_TRUE(same) << patch->name;
+        if (!same)
+            continue;
+        const double rms = distanceAfterFit(samplesOf(patch->outline), same->outline);
+        const double area = std::abs(patch->outline.signedArea()) / std::abs(same->outline.signedArea()) - 1;
+        std::cout << patch->name << ": " << rms << " mm, area " << 100 * area << " %, " << patch->outline.pointCount()
+                  << " control points\n";
+        squares += rms * rms;
+        ++count;
+        figures.worst = std::max(figures.worst, rms);
+        figures.area = std::max(figures.area, std::abs(area));
+    }
+    for (const FormSeam& seam : made.seams)
+        figures.sewn = std::max(figures.sewn, std::abs(seam.first - seam.second));
+    figures.rms = std::sqrt(squares / std::max(count, 1));
+    std::cout << "all: " << figures.rms << " mm rms, area within " << 100 * figures.area << " %, sewn lengths within "
+              << figures.sewn << " mm\n";
+    return figures;
+}
+
+void expectReached(const Figures& figures)
+{
+    EXPECT_LT(figures.rms, 1.0);
+    EXPECT_LT(figures.area, 0.003);
+    EXPECT_LT(figures.sewn, 0.2);
+}
+
+TEST(TruthOutlines, OfTheArmchairsBody)
+{
+    expectReached(figuresOf(truth("armchair-truth.ply", armchairGroups),
+                            designIn(dataFolder() + "/truth/armchair-body.json")));
+}
+
+TEST(TruthOutlines, OfTheCarSeat)
+{
+    expectReached(figuresOf(truth("car-seat-truth.ply", carSeatGroups),
+                            designIn(dataFolder() + "/designs/car-seat-tied.json")));
+}
+
+} // namespace
+} // namespace bolster::test
