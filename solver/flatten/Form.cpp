@@ -1,5 +1,6 @@
 #include "Form.h"
 
+#include "BorderRows.h"
 #include "HalfEdges.h"
 #include "UnionFind.h"
 
@@ -92,6 +93,7 @@ public:
         else
             giveNames();
         m_form.points = std::move(m_welded.points);
+        findRows(m_form);
         return std::move(m_form);
     }
 

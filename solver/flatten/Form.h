@@ -28,6 +28,17 @@ struct EdgeMate {
     friend bool operator==(const EdgeMate&, const EdgeMate&) = default;
 };
 
+/// Edges of a border, one behind the other, that are sewn to one row of another border (or of the same one), or lie at
+/// the form's border.
+struct BorderRow {
+    std::size_t first = 0; ///< edge
+    std::size_t count = 0;
+    int matePiece = -1; ///< none: nothing is sewn to it
+    int mateRow = -1;   ///< of that piece; its edges run the other way
+
+    bool isSewn() const { return matePiece >= 0; }
+};
+
 /// A part of the form that is one sheet with one border: it can be laid flat.
 struct FormPiece {
     std::string name;
@@ -35,6 +46,7 @@ struct FormPiece {
     std::vector<std::array<int, 3>> triangles; ///< vertices, counter-clockwise seen from outside
     std::vector<int> border; ///< vertices, once around, counter-clockwise; edge k goes from border[k] to the next one
     std::vector<EdgeMate> mates; ///< of each edge of the border
+    std::vector<BorderRow> rows; ///< all of the border, from the first edge of a row on
 
     std::size_t after(std::size_t edge) const { return edge + 1 < border.size() ? edge + 1 : 0; }
     std::size_t before(std::size_t edge) const { return edge > 0 ? edge - 1 : border.size() - 1; }

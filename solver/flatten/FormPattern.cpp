@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace bolster {
 
@@ -80,13 +79,6 @@ bool isStraight(const std::vector<Point>& row, double tolerance)
     });
 }
 
-/// Edges of a border, one behind the other, that are sewn to one row of another border, or to nothing.
-struct Row {
-    std::size_t first = 0; ///< edge of the border
-    std::size_t count = 0;
-    std::size_t curve = 0; ///< of the outline: where it begins
-};
-
 class Builder {
 public:
     Builder(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order)
@@ -102,13 +94,11 @@ public:
         settings.edgeLength = m_order.edgeLength;
         m_builder.replace(settingsId, settings);
         m_fabric = m_builder.add(m_order.fabric);
-        findBreaks();
-        m_rows.resize(m_form.pieces.size());
         m_starts.resize(m_form.pieces.size());
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
             addPatch(p);
         for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
-            for (std::size_t r = 0; r < m_rows[p].size(); ++r)
+            for (std::size_t r = 0; r < piece(p).rows.size(); ++r)
                 addRow(p, r);
         m_result.design = m_builder.now();
         return std::move(m_result);
@@ -122,42 +112,15 @@ private:
     }
     const Vec2& flatPoint(std::size_t p, std::size_t k) const { return m_flat[p].at[piece(p).border[k]]; }
 
-    /// The mate of the next edge is the one before this one's mate.
-    bool goesOn(std::size_t p, std::size_t edge) const
+    bool beginsRow(std::size_t p, std::size_t k) const
     {
-        const EdgeMate &here = piece(p).mates[edge], &next = piece(p).mates[piece(p).after(edge)];
-        if (here.none() || next.none())
-            return here.none() && next.none();
-        return here.piece == next.piece && piece(here.piece).before(here.edge) == static_cast<std::size_t>(next.edge);
+        return std::ranges::find(piece(p).rows, k, &BorderRow::first) != piece(p).rows.end();
     }
-
-    /// Points of the form at which rows end on whichever border they lie: both sides of a seam have the same rows.
-    void findBreaks()
-    {
-        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
-            bool any = false;
-            for (std::size_t k = 0; k < piece(p).border.size(); ++k)
-                if (!goesOn(p, k)) {
-                    m_breaks.insert(pointAfter(p, k));
-                    any = true;
-                }
-            if (any)
-                continue;
-            m_breaks.insert(piece(p).points[piece(p).border.front()]); // all around: two halves
-            m_breaks.insert(piece(p).points[piece(p).border[piece(p).border.size() / 2]]);
-        }
-    }
-
-    int pointAfter(std::size_t p, std::size_t edge) const
-    {
-        return piece(p).points[piece(p).border[piece(p).after(edge)]];
-    }
-    bool isBreak(std::size_t p, std::size_t k) const { return m_breaks.contains(piece(p).points[piece(p).border[k]]); }
 
     bool isCorner(std::size_t p, std::size_t k) const
     {
         const std::size_t before = piece(p).before(k), after = piece(p).after(k);
-        if (isBreak(p, k) || turnAt(flatPoint(p, before), flatPoint(p, k), flatPoint(p, after)) > sharpTurn)
+        if (beginsRow(p, k) || turnAt(flatPoint(p, before), flatPoint(p, k), flatPoint(p, after)) > sharpTurn)
             return true;
         return piece(p).mates[k].none() &&
                turnAt(formPoint(p, before), formPoint(p, k), formPoint(p, after)) > sharpTurn;
@@ -166,27 +129,25 @@ private:
     void addPatch(std::size_t p)
     {
         m_result.patches.push_back(noElement);
-        const std::size_t count = piece(p).border.size();
-        std::size_t start = 0;
-        while (start < count && !isBreak(p, start))
-            ++start;
+        const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
         std::vector<BSpline2> curves;
+        std::vector<std::size_t> rows; // which curve each row begins with
         for (std::size_t k = 0; k < count;) {
-            const std::size_t first = (start + k) % count;
-            if (isBreak(p, first))
-                m_rows[p].push_back({first, 0, curves.size()});
-            std::vector<Vec2> row{flatPoint(p, first)};
+            if (beginsRow(p, (start + k) % count))
+                rows.push_back(curves.size());
+            std::vector<Vec2> row{flatPoint(p, (start + k) % count)};
             do {
                 ++k;
-                ++m_rows[p].back().count;
                 row.push_back(flatPoint(p, (start + k) % count));
             } while (k < count && !isCorner(p, (start + k) % count));
             curves.push_back(curveOf(row));
         }
         Patch patch;
-        patch.outline = edits::joined(curves, &m_starts[p]);
+        std::vector<double> starts;
+        patch.outline = edits::joined(curves, &starts);
+        for (const std::size_t curve : rows)
+            m_starts[p].push_back(starts[curve]);
         if (m_flat[p].turnedOver > 0 || outlineProblem(patch.outline)) {
-            m_rows[p].clear();
             m_result.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
                                                                    "Divide it, or cut it in where it bulges most"),
                                       {piece(p).name}});
@@ -222,37 +183,33 @@ private:
         return at;
     }
 
+    bool isThere(std::size_t p) const { return m_result.patches[p] != noElement; }
+
     Stretch stretchOf(std::size_t p, std::size_t r) const
     {
-        const std::size_t next = r + 1 < m_rows[p].size() ? m_rows[p][r + 1].curve : 0;
-        return {m_result.patches[p], m_starts[p][m_rows[p][r].curve], m_starts[p][next]};
+        return {m_result.patches[p], m_starts[p][r], m_starts[p][r + 1 < m_starts[p].size() ? r + 1 : 0]};
     }
 
     void addRow(std::size_t p, std::size_t r)
     {
-        const Row& row = m_rows[p][r];
-        if (piece(p).mates[row.first].none())
-            addFixation(p, r);
-        else
-            addSeam(p, r);
+        const BorderRow& row = piece(p).rows[r];
+        if (!isThere(p))
+            return;
+        if (!row.isSewn())
+            addFixation(p, row, r);
+        else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r)) &&
+                 isThere(row.matePiece))
+            addSeam(p, row, r);
     }
 
-    /// When its first side is asked for; at the second one it is there.
-    void addSeam(std::size_t p, std::size_t r)
+    void addSeam(std::size_t p, const BorderRow& row, std::size_t r)
     {
-        const Row& row = m_rows[p][r];
-        const EdgeMate& last = piece(p).mates[(row.first + row.count - 1) % piece(p).border.size()];
-        const auto other = static_cast<std::size_t>(last.piece);
-        for (std::size_t s = 0; s < m_rows[other].size(); ++s) {
-            if (m_rows[other][s].first != static_cast<std::size_t>(last.edge) || std::pair(other, s) < std::pair(p, r))
-                continue;
-            Seam seam;
-            seam.a = stretchOf(p, r);
-            seam.b = stretchOf(other, s);
-            seam.continuity = bendAlong(p, row) < m_order.hardEdge ? Continuity::G1 : Continuity::C0;
-            const double a = lengthOf(p, seam.a), b = lengthOf(other, seam.b);
-            m_result.seams.push_back({m_builder.add(seam), a, b});
-        }
+        Seam seam;
+        seam.a = stretchOf(p, r);
+        seam.b = stretchOf(row.matePiece, row.mateRow);
+        seam.continuity = bendAlong(p, row) < m_order.hardEdge ? Continuity::G1 : Continuity::C0;
+        const double a = lengthOf(p, seam.a), b = lengthOf(row.matePiece, seam.b);
+        m_result.seams.push_back({m_builder.add(seam), a, b});
     }
 
     double lengthOf(std::size_t p, const Stretch& stretch) const
@@ -263,7 +220,7 @@ private:
     }
 
     /// The angle by which the form bends across a row, on average; degrees.
-    double bendAlong(std::size_t p, const Row& row) const
+    double bendAlong(std::size_t p, const BorderRow& row) const
     {
         double sum = 0, length = 0;
         for (std::size_t k = 0; k < row.count; ++k) {
@@ -302,9 +259,8 @@ private:
         return around[vertex];
     }
 
-    void addFixation(std::size_t p, std::size_t r)
+    void addFixation(std::size_t p, const BorderRow& row, std::size_t r)
     {
-        const Row& row = m_rows[p][r];
         CurveSamples samples;
         std::vector<Vec3> smooth{formPoint(p, row.first)};
         double at = 0;
@@ -339,9 +295,7 @@ private:
     edits::EditBuilder m_builder;
     FormPattern m_result;
     ElementId m_fabric = noElement;
-    std::set<int> m_breaks;                    // points of the form
-    std::vector<std::vector<Row>> m_rows;      // of each piece
-    std::vector<std::vector<double>> m_starts; // of each piece: where the curves of its outline begin
+    std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
     mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
     Vec2 m_cursor = Vec2::Zero();
     double m_rowHeight = 0;

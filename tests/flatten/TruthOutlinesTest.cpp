@@ -55,49 +55,61 @@ Design designIn(const std::string& path)
     return read.design;
 }
 
-std::vector<Vec2> samplesOf(const BSpline2& outline)
+std::vector<Vec2> samplesOf(const BSpline2& outline, int count)
 {
     std::vector<Vec2> samples;
-    constexpr int count = 600;
     for (int k = 0; k < count; ++k)
         samples.push_back(outline.at(outline.domainStart() + outline.period() * k / count));
     return samples;
 }
 
-/// Root mean square of the distances from points to an outline, after the best rigid motion of the points.
-double distanceAfterFit(const std::vector<Vec2>& points, const BSpline2& outline)
+/// A rigid motion, and how far points are from an outline after it (root mean square, mm).
+struct Motion {
+    double angle = 0;
+    Vec2 shift = Vec2::Zero();
+    double rms = 1e9;
+};
+
+/// Nearest points and the best motion onto them, in turns.
+Motion fitted(const std::vector<Vec2>& points, const BSpline2& outline, Motion motion, int rounds)
 {
-    double best = 1e9;
-    for (int start = 0; start < 12; ++start) {
-        Eigen::Rotation2Dd turn(start * std::numbers::pi / 6);
-        Vec2 shift = outline.boundingBox().center();
-        double rms = 1e9;
-        for (int round = 0; round < 60; ++round) {
-            Vec2 here = Vec2::Zero(), there = Vec2::Zero();
-            std::vector<Vec2> near;
-            double squares = 0;
-            for (const Vec2& point : points) {
-                const BSpline2::Closest closest = outline.closest(turn * point + shift);
-                near.push_back(closest.point);
-                squares += closest.distance * closest.distance;
-                here += point / static_cast<double>(points.size());
-                there += closest.point / static_cast<double>(points.size());
-            }
-            rms = std::sqrt(squares / static_cast<double>(points.size()));
-            double c = 0, s = 0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const Vec2 a = points[i] - here, b = near[i] - there;
-                c += a.dot(b);
-                s += a.x() * b.y() - a.y() * b.x();
-            }
-            turn = Eigen::Rotation2Dd(std::atan2(s, c));
-            shift = there - turn * here;
-            if (start > 0 && round == 8 && rms > 4 * best)
-                break;
+    const auto count = static_cast<double>(points.size());
+    for (int round = 0; round < rounds; ++round) {
+        const Eigen::Rotation2Dd turn(motion.angle);
+        Vec2 here = Vec2::Zero(), there = Vec2::Zero();
+        std::vector<Vec2> near;
+        double squares = 0, c = 0, s = 0;
+        for (const Vec2& point : points) {
+            const BSpline2::Closest closest = outline.closest(turn * point + motion.shift);
+            near.push_back(closest.point);
+            squares += closest.distance * closest.distance;
+            here += point / count;
+            there += closest.point / count;
         }
-        best = std::min(best, rms);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec2 a = points[i] - here, b = near[i] - there;
+            c += a.dot(b);
+            s += a.x() * b.y() - a.y() * b.x();
+        }
+        motion.rms = std::sqrt(squares / count);
+        motion.angle = std::atan2(s, c);
+        motion.shift = there - Eigen::Rotation2Dd(motion.angle) * here;
     }
-    return best;
+    return motion;
+}
+
+/// Of the outlines after the best rigid motion.
+double distanceAfterFit(const BSpline2& outline, const BSpline2& known)
+{
+    const std::vector<Vec2> few = samplesOf(outline, 40);
+    Motion best;
+    for (int start = 0; start < 12; ++start) {
+        Motion motion{start * std::numbers::pi / 6, known.boundingBox().center(), 1e9};
+        motion.shift -= Eigen::Rotation2Dd(motion.angle) * Vec2(outline.boundingBox().center());
+        if (motion = fitted(few, known, motion, 15); motion.rms < best.rms)
+            best = motion;
+    }
+    return fitted(samplesOf(outline, 300), known, best, 40).rms;
 }
 
 struct Figures {
@@ -123,13 +135,12 @@ Figures figuresOf(const TriangleMesh& mesh, const Design& known)
             continue;
         // Names of groups and patches differ; of patches of that size it is the one that fits.
         const double own = std::abs(patch->outline.signedArea());
-        const std::vector<Vec2> samples = samplesOf(patch->outline);
         double rms = 1e9, area = 1;
         known.each<Patch>([&](ElementId, const Patch& other) {
             const double ratio = own / std::abs(other.outline.signedArea()) - 1;
             if (std::abs(ratio) > 0.1)
                 return;
-            if (const double distance = distanceAfterFit(samples, other.outline); distance < rms) {
+            if (const double distance = distanceAfterFit(patch->outline, other.outline); distance < rms) {
                 rms = distance;
                 area = ratio;
             }
