@@ -41,13 +41,12 @@ struct Command {
 };
 
 const Command commands[] = {
-    {"solve", cli::solveHelp, cli::solve},          {"render", cli::renderHelp, cli::render},
-    {"check", cli::checkHelp, cli::check},          {"dump", cli::dumpHelp, cli::dump},
-    {"import", cli::importHelp, cli::importDesign}, {"import-pattern", cli::importPatternHelp, cli::importPattern},
-    {"history", cli::historyHelp, cli::history},    {"verify", cli::verifyHelp, cli::verify},
-    {"salvage", cli::salvageHelp, cli::salvage},    {"export", cli::exportHelp, cli::exportPattern},
-    {"flatten", cli::flattenHelp, cli::flattenForm},
-    {"bench", cli::benchHelp, cli::bench}};
+    {"solve", cli::solveHelp, cli::solve},           {"render", cli::renderHelp, cli::render},
+    {"check", cli::checkHelp, cli::check},           {"dump", cli::dumpHelp, cli::dump},
+    {"import", cli::importHelp, cli::importDesign},  {"import-pattern", cli::importPatternHelp, cli::importPattern},
+    {"history", cli::historyHelp, cli::history},     {"verify", cli::verifyHelp, cli::verify},
+    {"salvage", cli::salvageHelp, cli::salvage},     {"export", cli::exportHelp, cli::exportPattern},
+    {"flatten", cli::flattenHelp, cli::flattenForm}, {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

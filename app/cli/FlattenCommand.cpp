@@ -40,17 +40,17 @@ Exit code:
 
 namespace {
 
-constexpr std::array flattenRules = {OptionRule{"--out", true},  OptionRule{"--by", true},   OptionRule{"--fabric", true},
-                                     OptionRule{"--edge", true}, OptionRule{"--unit", true}, OptionRule{"--up", true},
-                                     OptionRule{"--report", true}};
+constexpr std::array flattenRules = {
+    OptionRule{"--out", true},  OptionRule{"--by", true}, OptionRule{"--fabric", true}, OptionRule{"--edge", true},
+    OptionRule{"--unit", true}, OptionRule{"--up", true}, OptionRule{"--report", true}};
 
 double numberIn(const std::string& text, const std::string& what, double least, double most)
 {
     bool ok = false;
     const double value = QString::fromStdString(text).toDouble(&ok);
     if (!ok || !(value >= least && value <= most))
-        throw UsageError(what + " is a number from " + numberText(least) + " to " + numberText(most) + ", not \"" + text +
-                         "\"");
+        throw UsageError(what + " is a number from " + numberText(least) + " to " + numberText(most) + ", not \"" +
+                         text + "\"");
     return value;
 }
 
@@ -71,7 +71,8 @@ Fabric fabricOf(const Arguments& arguments)
     std::istringstream words(arguments.path("--fabric").toStdString());
     for (std::string word; std::getline(words, word, ',');) {
         const std::size_t equals = word.find('=');
-        const std::string key = word.substr(0, equals), value = equals == std::string::npos ? "" : word.substr(equals + 1);
+        const std::string key = word.substr(0, equals),
+                          value = equals == std::string::npos ? "" : word.substr(equals + 1);
         if (key == "poisson")
             fabric.poisson = numberIn(value, key, -0.5, 0.5);
         else if (key == "stiffness")
@@ -113,12 +114,13 @@ nlohmann::ordered_json reportOf(const Form& form, const std::vector<FlatPiece>& 
 {
     nlohmann::ordered_json pieces = nlohmann::ordered_json::array(), seams = nlohmann::ordered_json::array();
     for (std::size_t p = 0; p < flat.size(); ++p)
-        pieces.push_back({{"name", form.pieces[p].name},
-                          {"patch", number(made.patches[p])},
-                          {"area_mm2", flat[p].area},
-                          {"strain", {{"rms", flat[p].strainRms}, {"max", flat[p].strainMost}}},
-                          {"most_strained_at", {flat[p].strainedAt.x(), flat[p].strainedAt.y(), flat[p].strainedAt.z()}},
-                          {"turned_over", flat[p].turnedOver}});
+        pieces.push_back(
+            {{"name", form.pieces[p].name},
+             {"patch", number(made.patches[p])},
+             {"area_mm2", flat[p].area},
+             {"strain", {{"rms", flat[p].strainRms}, {"max", flat[p].strainMost}}},
+             {"most_strained_at", {flat[p].strainedAt.x(), flat[p].strainedAt.y(), flat[p].strainedAt.z()}},
+             {"turned_over", flat[p].turnedOver}});
     for (const FormSeam& seam : made.seams)
         seams.push_back({{"element", number(seam.seam)}, {"first_mm", seam.first}, {"second_mm", seam.second}});
     return {{"pieces", std::move(pieces)}, {"seams", std::move(seams)}};
@@ -180,8 +182,9 @@ int flattenForm(std::span<const std::string> words)
         printError("warning: " + note.english());
     printPieces(form, flat, made);
     interrupt.beginWriting();
-    for (const auto& [path, text] : {std::pair(out, writeDesign(made.design)),
-                                     std::pair(report, report.isEmpty() ? "" : reportOf(form, flat, made).dump(1) + "\n")}) {
+    for (const auto& [path, text] :
+         {std::pair(out, writeDesign(made.design)),
+          std::pair(report, report.isEmpty() ? "" : reportOf(form, flat, made).dump(1) + "\n")}) {
         if (path.isEmpty())
             continue;
         if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {

@@ -5,8 +5,8 @@
 
 namespace bolster {
 
-/// Divides the borders of all pieces into rows; both sides of a seam alike. What runs all around in one is divided into
-/// halves.
+/// Divides the borders of all pieces into rows; both sides of a seam alike. What runs all around in one is divided
+/// into halves.
 void findRows(Form& form);
 
 } // namespace bolster

@@ -17,7 +17,7 @@ using Mat23 = Eigen::Matrix<double, 2, 3>;
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
-constexpr double mostStrain = 0.5;                // as in the sheet's local step
+constexpr double mostStrain = 0.5;          // as in the sheet's local step
 
 /// A triangle of the form in its own plane.
 struct Facet {
@@ -104,14 +104,16 @@ public:
     {
         Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_count, 2);
         for (const Facet& facet : m_facets) {
-            const Eigen::Matrix<double, 3, 2> pull = facet.area * facet.gradient.transpose() * target(facet).transpose();
+            const Eigen::Matrix<double, 3, 2> pull =
+                facet.area * facet.gradient.transpose() * target(facet).transpose();
             for (int k = 0; k < 3; ++k)
                 right.row(facet.corners[k]) += pull.row(k);
         }
         for (const SewnEdge& edge : m_sewn) {
             const Vec2 way = at(edge.to) - at(edge.from);
             const double now = way.norm();
-            const Vec2 pull = m_seamWeight * edge.weight * wanted[edge.edge] * (now > 0 ? Vec2(way / now) : Vec2(1, 0));
+            const Vec2 pull =
+                m_seamWeight * edge.weight * wanted[edge.edge] * (now > 0 ? Vec2(way / now) : Vec2(1, 0));
             right.row(edge.to) += pull.transpose();
             right.row(edge.from) -= pull.transpose();
         }
@@ -191,8 +193,8 @@ private:
         }
     }
 
-    /// Two vertices of the border are held, those that are farthest from each other; the others lie where triangles keep
-    /// their angles best.
+    /// Two vertices of the border are held, those that are farthest from each other; the others lie where triangles
+    /// keep their angles best.
     void startConformally()
     {
         const auto [first, second] = farApart();
@@ -293,8 +295,8 @@ private:
     Eigen::MatrixX2d m_at;
 };
 
-/// The lengths that sewn edges shall have: the mean of both sides. Springs leave a little of every difference, so the wish
-/// goes further than the mean, by what the two sides of a whole seam have differed so far.
+/// The lengths that sewn edges shall have: the mean of both sides. Springs leave a little of every difference, so
+/// the wish goes further than the mean, by what the two sides of a whole seam have differed so far.
 class CommonLengths {
 public:
     CommonLengths(const Form& form, const std::vector<PieceSheet>& sheets)

@@ -56,9 +56,7 @@ Welded weld(const TriangleMesh& mesh)
         Corners corners{};
         for (std::size_t k = 0; k < 3; ++k)
             corners[k] = place[mesh.triangles[t][k]];
-        const Vec3 &a = welded.points[corners[0]],
-                   &b = welded.points[corners[1]],
-                   &c = welded.points[corners[2]];
+        const Vec3 &a = welded.points[corners[0]], &b = welded.points[corners[1]], &c = welded.points[corners[2]];
         if (!((b - a).cross(c - a).norm() > 1e-9 * (b - a).squaredNorm()))
             continue;
         welded.triangles.push_back(corners);
@@ -99,10 +97,7 @@ public:
 
 private:
     std::size_t count() const { return m_welded.triangles.size(); }
-    int corner(int triangle, int side) const
-    {
-        return m_welded.triangles[triangle][side % 3];
-    }
+    int corner(int triangle, int side) const { return m_welded.triangles[triangle][side % 3]; }
     Vec3 normal(int triangle) const
     {
         const auto at = [&](int k) { return m_welded.points[corner(triangle, k)]; };
@@ -145,8 +140,8 @@ private:
                 }
         }
         if (turned > 0)
-            m_form.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"),
-                                    {std::to_string(turned)}});
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"), {std::to_string(turned)}});
     }
 
     void findCuts()
@@ -161,16 +156,17 @@ private:
                 ++crowded;
             if (last - first != 2)
                 return;
-            const bool parts = m_cuts.groups && m_welded.part[first[0].triangle] !=
-                                                    m_welded.part[first[1].triangle];
+            const bool parts =
+                m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
             const bool bends = m_cuts.angle && normal(first[0].triangle).dot(normal(first[1].triangle)) < bend;
             if (parts || bends || first[0].forward == first[1].forward)
                 m_cut.insert({first->low, first->high});
         });
         if (crowded > 0)
-            m_form.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
-                                                                 "they are borders, nothing is sewn there"),
-                                    {std::to_string(crowded)}});
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
+                                              "they are borders, nothing is sewn there"),
+                 {std::to_string(crowded)}});
     }
 
     bool isWhole(const HalfEdge* first, const HalfEdge* last) const
@@ -205,7 +201,8 @@ private:
         std::map<int, int> pieces;
         std::vector<std::map<int, int>> vertices;
         for (std::size_t t = 0; t < count(); ++t) {
-            const auto [piece, isNew] = pieces.emplace(sheets.root(static_cast<int>(t)), static_cast<int>(pieces.size()));
+            const auto [piece, isNew] =
+                pieces.emplace(sheets.root(static_cast<int>(t)), static_cast<int>(pieces.size()));
             if (isNew) {
                 m_form.pieces.emplace_back();
                 m_parts.push_back(m_welded.part[t]);
@@ -216,8 +213,8 @@ private:
             auto& numbers = vertices[piece->second];
             Corners named{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto [vertex, first] =
-                    numbers.emplace(corners.root(static_cast<int>(3 * t + k)), static_cast<int>(there.points.size()));
+                const auto [vertex, first] = numbers.emplace(corners.root(static_cast<int>(3 * t + k)),
+                                                             static_cast<int>(there.points.size()));
                 if (first)
                     there.points.push_back(m_welded.triangles[t][k]);
                 named[k] = vertex->second;
@@ -246,8 +243,7 @@ private:
             }
             for (const HalfEdge* half = first; half != last; ++half) {
                 const auto piece = m_pieceOf[half->triangle];
-                const Corners& named =
-                    m_form.pieces[piece].triangles[m_sideOf[half->triangle]];
+                const Corners& named = m_form.pieces[piece].triangles[m_sideOf[half->triangle]];
                 const int from = named[half->side], to = named[(half->side + 1) % 3];
                 sides[piece].insert({from, {from, to, half}});
             }
@@ -295,16 +291,19 @@ private:
             const FormPiece& piece = m_form.pieces[p];
             const std::size_t loops = m_loops[p].size();
             if (loops == 0) {
-                refuse(p, QT_TRANSLATE_NOOP("Message", "%1 is closed all around and cannot be laid flat: divide it by "
-                                                       "groups, or cut at a smaller angle"));
+                refuse(p,
+                       QT_TRANSLATE_NOOP("Message", "%1 is closed all around and cannot be laid flat: divide it by "
+                                                    "groups, or cut at a smaller angle"));
             } else if (loops > 1) {
                 if (round >= mostCutsOpen)
-                    refuse(p, QT_TRANSLATE_NOOP("Message", "%1 has too many holes: close them, or divide it by groups"));
+                    refuse(p, QT_TRANSLATE_NOOP("Message",
+                                                "%1 has too many holes: close them, or divide it by groups"));
                 openRing(piece, m_loops[p]);
                 cut = true;
             } else if (eulerNumber(piece) != 1) {
-                refuse(p, QT_TRANSLATE_NOOP("Message", "%1 has a handle, like a cup, and cannot be laid flat: divide it "
-                                                       "by groups, or cut at a smaller angle"));
+                refuse(p, QT_TRANSLATE_NOOP("Message",
+                                            "%1 has a handle, like a cup, and cannot be laid flat: divide it "
+                                            "by groups, or cut at a smaller angle"));
             }
         }
         return cut && m_form.problem.empty();
@@ -380,9 +379,10 @@ private:
             m_form.pieces[p].name = times == 1 ? name : name + " " + std::to_string(times);
         }
         if (m_opened > 0)
-            m_form.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 cuts were made where a piece would have had a hole "
-                                                                 "or been a ring; they are seams"),
-                                    {std::to_string(m_opened)}});
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 cuts were made where a piece would have had a hole "
+                                              "or been a ring; they are seams"),
+                 {std::to_string(m_opened)}});
     }
 
     Welded m_welded;
@@ -390,9 +390,9 @@ private:
     std::stop_token m_stop;
     std::vector<HalfEdge> m_halves;
     std::set<Edge> m_cut;
-    std::vector<int> m_pieceOf; // of each triangle
-    std::vector<int> m_sideOf;  // of each triangle: its number in the piece
-    std::vector<int> m_parts;   // of each piece
+    std::vector<int> m_pieceOf;                         // of each triangle
+    std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
+    std::vector<int> m_parts;                           // of each piece
     std::vector<std::vector<std::vector<int>>> m_loops; // of each piece
     int m_opened = 0;
     Form m_form;

@@ -28,8 +28,8 @@ struct EdgeMate {
     friend bool operator==(const EdgeMate&, const EdgeMate&) = default;
 };
 
-/// Edges of a border, one behind the other, that are sewn to one row of another border (or of the same one), or lie at
-/// the form's border.
+/// Edges of a border, one behind the other, that are sewn to one row of another border (or of the same one), or lie
+/// at the form's border.
 struct BorderRow {
     std::size_t first = 0; ///< edge
     std::size_t count = 0;
@@ -44,7 +44,8 @@ struct FormPiece {
     std::string name;
     std::vector<int> points; ///< of the form, by vertex; a point on a cut inside the piece has two vertices here
     std::vector<std::array<int, 3>> triangles; ///< vertices, counter-clockwise seen from outside
-    std::vector<int> border; ///< vertices, once around, counter-clockwise; edge k goes from border[k] to the next one
+    std::vector<int>
+        border; ///< vertices, once around, counter-clockwise; edge k goes from border[k] to the next one
     std::vector<EdgeMate> mates; ///< of each edge of the border
     std::vector<BorderRow> rows; ///< all of the border, from the first edge of a row on
 

@@ -27,8 +27,8 @@ double turnAt(const Point& before, const Point& at, const Point& after)
     return both > 0 ? std::acos(std::clamp(in.dot(out) / both, -1.0, 1.0)) * 180 / std::numbers::pi : 0;
 }
 
-/// A smooth row of points between corners, and more places on the curve through them: cubic Hermite pieces, whose tangents
-/// are those of the parabolas through three neighbours.
+/// A smooth row of points between corners, and more places on the curve through them: cubic Hermite pieces, whose
+/// tangents are those of the parabolas through three neighbours.
 template <class Point>
 CurveSamples smoothSamples(const std::vector<Point>& row)
 {
@@ -36,7 +36,9 @@ CurveSamples smoothSamples(const std::vector<Point>& row)
     std::vector<double> at(count, 0);
     for (std::size_t i = 1; i < count; ++i)
         at[i] = at[i - 1] + (row[i] - row[i - 1]).norm();
-    const auto slope = [&](std::size_t i) { return Point((row[i + 1] - row[i]) / std::max(at[i + 1] - at[i], 1e-9)); };
+    const auto slope = [&](std::size_t i) {
+        return Point((row[i + 1] - row[i]) / std::max(at[i + 1] - at[i], 1e-9));
+    };
     std::vector<Point> tangents(count);
     for (std::size_t i = 1; i + 1 < count; ++i) {
         const double before = at[i] - at[i - 1], after = at[i + 1] - at[i];
@@ -148,9 +150,10 @@ private:
         for (const std::size_t curve : rows)
             m_starts[p].push_back(starts[curve]);
         if (m_flat[p].turnedOver > 0 || outlineProblem(patch.outline)) {
-            m_result.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
-                                                                   "Divide it, or cut it in where it bulges most"),
-                                      {piece(p).name}});
+            m_result.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
+                                              "Divide it, or cut it in where it bulges most"),
+                 {piece(p).name}});
             return;
         }
         patch.name = piece(p).name;

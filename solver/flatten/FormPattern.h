@@ -26,8 +26,8 @@ struct FormPattern {
     std::vector<Message> notes; ///< pieces that are left out, and why
 };
 
-/// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of edges that
-/// two pieces have in common a seam; each row at the form's border a fixation curve with its fixation.
+/// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of
+/// edges that two pieces have in common a seam; each row at the form's border a fixation curve with its fixation.
 FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order);
 
 } // namespace bolster

@@ -39,8 +39,8 @@ int countOf(const Design& design)
 void expectSound(const FormPattern& pattern)
 {
     for (const Problem& problem : checkDesign(pattern.design))
-        EXPECT_NE(problem.severity, Severity::Error) << problem.label << ", " << problem.field << ": "
-                                                     << problem.message.english();
+        EXPECT_NE(problem.severity, Severity::Error)
+            << problem.label << ", " << problem.field << ": " << problem.message.english();
     for (const Message& note : pattern.notes)
         ADD_FAILURE() << note.english();
 }
@@ -76,7 +76,8 @@ TEST(Flatten, AConeIsASectorOfARing)
     const FormPattern pattern = patternOf(ringMesh(lower, upper, height));
     expectSound(pattern);
     const Patch& patch = onlyPatch(pattern);
-    EXPECT_NEAR(std::abs(patch.outline.signedArea()), pi * (lower + upper) * slant, 0.002 * pi * (lower + upper) * slant);
+    EXPECT_NEAR(std::abs(patch.outline.signedArea()), pi * (lower + upper) * slant,
+                0.002 * pi * (lower + upper) * slant);
     ASSERT_EQ(pattern.seams.size(), 1u) << "where it was cut open";
     EXPECT_NEAR(pattern.seams[0].first, slant, 0.05);
     EXPECT_NEAR(pattern.seams[0].second, slant, 0.05);
@@ -86,11 +87,14 @@ TEST(Flatten, SewnEdgesAreEquallyLongThoughTheirPiecesAreStrained)
 {
     // A dome of two halves that cannot be laid flat without strain, and a flat brim around it.
     const auto dome = [](double from) {
-        return gridMesh(30, 15, [from](double u, double v) {
-            const double around = pi * (from + u), high = 0.5 * pi * v * 0.95;
-            return Vec3(100 * std::cos(around) * std::cos(high), 100 * std::sin(around) * std::cos(high),
-                        70 * std::sin(high));
-        }, from == 0 ? "Back" : "Front");
+        return gridMesh(
+            30, 15,
+            [from](double u, double v) {
+                const double around = pi * (from + u), high = 0.5 * pi * v * 0.95;
+                return Vec3(100 * std::cos(around) * std::cos(high), 100 * std::sin(around) * std::cos(high),
+                            70 * std::sin(high));
+            },
+            from == 0 ? "Back" : "Front");
     };
     const FormPattern pattern = patternOf(sideBySide(dome(0), dome(1)));
     expectSound(pattern);
@@ -102,10 +106,11 @@ TEST(Flatten, SewnEdgesAreEquallyLongThoughTheirPiecesAreStrained)
 TEST(Flatten, SaysWhereThePieceIsStrainedMost)
 {
     // A plane with a bump near one corner.
-    const Form form = cutForm(gridMesh(40, 40, [](double u, double v) {
-                                  const double far = std::hypot(u - 0.25, v - 0.7);
-                                  return Vec3(400 * u, 400 * v, 60 * std::exp(-far * far / 0.01));
-                              }),
+    const Form form = cutForm(gridMesh(40, 40,
+                                       [](double u, double v) {
+                                           const double far = std::hypot(u - 0.25, v - 0.7);
+                                           return Vec3(400 * u, 400 * v, 60 * std::exp(-far * far / 0.01));
+                                       }),
                               {});
     const std::vector<FlatPiece> flat = flatten(form, {});
     ASSERT_EQ(flat.size(), 1u);
@@ -116,7 +121,8 @@ TEST(Flatten, SaysWhereThePieceIsStrainedMost)
 TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)
 {
     for (const double poisson : {-0.4, 0.0, 0.45}) {
-        const Form form = cutForm(gridMesh(20, 10, [](double u, double v) { return Vec3(300 * u, 200 * v, 0); }), {});
+        const Form form =
+            cutForm(gridMesh(20, 10, [](double u, double v) { return Vec3(300 * u, 200 * v, 0); }), {});
         FlattenOrder order;
         order.poisson = poisson;
         const std::vector<FlatPiece> flat = flatten(form, order);
@@ -128,17 +134,21 @@ TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)
 TEST(Flatten, SeamsThatHardlyBendAreRounded)
 {
     const auto half = [](double from, const std::string& name) {
-        return gridMesh(20, 10, [from](double u, double v) {
-            const double angle = pi * (1 + from + 0.5 * u);
-            return Vec3(100 * std::cos(angle), 100 * std::sin(angle), 150 * v);
-        }, name);
+        return gridMesh(
+            20, 10,
+            [from](double u, double v) {
+                const double angle = pi * (1 + from + 0.5 * u);
+                return Vec3(100 * std::cos(angle), 100 * std::sin(angle), 150 * v);
+            },
+            name);
     };
     const FormPattern smooth = patternOf(sideBySide(half(0, "Left"), half(0.5, "Right")));
     ASSERT_EQ(smooth.seams.size(), 1u);
     EXPECT_EQ(smooth.design.find<Seam>(smooth.seams[0].seam)->continuity, Continuity::G1);
     const auto plane = [](const Vec3& along, const std::string& name, bool swap) {
-        return gridMesh(10, 10, [=](double u, double v) { return Vec3((swap ? 1 - u : u) * along + Vec3(0, 0, 100 * v)); },
-                        name);
+        return gridMesh(
+            10, 10, [=](double u, double v) { return Vec3((swap ? 1 - u : u) * along + Vec3(0, 0, 100 * v)); },
+            name);
     };
     const FormPattern edge = patternOf(sideBySide(plane({100, 0, 0}, "A", false), plane({0, 100, 0}, "B", true)));
     ASSERT_EQ(edge.seams.size(), 1u);

@@ -15,9 +15,11 @@ namespace {
 TriangleMesh tray(double size, double height)
 {
     const auto wall = [&](const Vec3& from, const Vec3& along, const std::string& name) {
-        return gridMesh(4, 2, [=](double u, double v) { return Vec3(from + u * along + Vec3(0, 0, v * height)); }, name);
+        return gridMesh(
+            4, 2, [=](double u, double v) { return Vec3(from + u * along + Vec3(0, 0, v * height)); }, name);
     };
-    TriangleMesh mesh = gridMesh(4, 4, [=](double u, double v) { return Vec3(u * size, (1 - v) * size, 0); }, "Bottom");
+    TriangleMesh mesh = gridMesh(
+        4, 4, [=](double u, double v) { return Vec3(u * size, (1 - v) * size, 0); }, "Bottom");
     mesh = sideBySide(mesh, wall({0, 0, 0}, {size, 0, 0}, "Front"));
     mesh = sideBySide(mesh, wall({size, 0, 0}, {0, size, 0}, "Right"));
     mesh = sideBySide(mesh, wall({size, size, 0}, {-size, 0, 0}, "Back"));
@@ -91,7 +93,8 @@ TEST(Form, ARingIsCutOpenAlongTheShortestWay)
     const FormPiece& piece = form.pieces[0];
     for (std::size_t k = 0; k < piece.border.size(); ++k)
         if (!piece.mates[k].none())
-            length += (form.points[piece.points[piece.border[piece.after(k)]]] - form.points[piece.points[piece.border[k]]])
+            length += (form.points[piece.points[piece.border[piece.after(k)]]] -
+                       form.points[piece.points[piece.border[k]]])
                           .norm();
     EXPECT_NEAR(length, 300, 1e-6) << "straight up, there and back";
     expectMatesAgree(form);
@@ -99,9 +102,9 @@ TEST(Form, ARingIsCutOpenAlongTheShortestWay)
 
 TEST(Form, WhatHasNoBorderIsRefusedByName)
 {
-    TriangleMesh mesh = sideBySide(tray(200, 60), gridMesh(
-                                                      4, 4, [](double u, double v) { return Vec3(u * 200, v * 200, 60); },
-                                                      "Lid"));
+    TriangleMesh mesh =
+        sideBySide(tray(200, 60), gridMesh(
+                                      4, 4, [](double u, double v) { return Vec3(u * 200, v * 200, 60); }, "Lid"));
     for (TriangleMesh::Part& part : mesh.parts)
         part.name = "Box";
     mesh.parts = {{"Box", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};

@@ -1,5 +1,5 @@
-// The true surfaces of the armchair and the car seat, cut along their groups and laid flat: how far the outlines are from
-// the patterns that they were made of. Prints the figures.
+// The true surfaces of the armchair and the car seat, cut along their groups and laid flat: how far the outlines
+// are from the patterns that they were made of. Prints the figures.
 #include "DesignJson.h"
 #include "Flatten.h"
 #include "FormPattern.h"
@@ -20,15 +20,23 @@ namespace {
 /// PLY has no groups: how many faces each has, in the order of the file.
 using Groups = std::vector<std::pair<const char*, std::uint32_t>>;
 
-const Groups armchairGroups{{"Seat", 11050},         {"Front", 4646},    {"Side right", 2432}, {"Inside back", 10117},
-                            {"Outside back", 12633}, {"Top band", 5173}, {"Side left", 2352}};
-const Groups carSeatGroups{{"Cushion insert", 4916},     {"Cushion bolster right", 2123},
-                           {"Cushion bolster left", 2123}, {"Cushion side right", 2733},
-                           {"Cushion side left", 2942},  {"Cushion front", 2122},
-                           {"Cushion rear", 1642},       {"Back insert", 5723},
-                           {"Back bolster right", 2390}, {"Back bolster left", 2393},
-                           {"Back side right", 3066},    {"Back side left", 2903},
-                           {"Back top", 1412},           {"Back bottom", 1439}};
+const Groups armchairGroups{{"Seat", 11050},        {"Front", 4646},         {"Side right", 2432},
+                            {"Inside back", 10117}, {"Outside back", 12633}, {"Top band", 5173},
+                            {"Side left", 2352}};
+const Groups carSeatGroups{{"Cushion insert", 4916},
+                           {"Cushion bolster right", 2123},
+                           {"Cushion bolster left", 2123},
+                           {"Cushion side right", 2733},
+                           {"Cushion side left", 2942},
+                           {"Cushion front", 2122},
+                           {"Cushion rear", 1642},
+                           {"Back insert", 5723},
+                           {"Back bolster right", 2390},
+                           {"Back bolster left", 2393},
+                           {"Back side right", 3066},
+                           {"Back side left", 2903},
+                           {"Back top", 1412},
+                           {"Back bottom", 1439}};
 
 TriangleMesh truth(const std::string& file, const Groups& groups)
 {
@@ -113,10 +121,10 @@ double distanceAfterFit(const BSpline2& outline, const BSpline2& known)
 }
 
 struct Figures {
-    double rms = 0;  ///< mm, over all outlines
+    double rms = 0;   ///< mm, over all outlines
     double worst = 0; ///< mm, rms of the worst outline
-    double area = 0; ///< largest relative difference
-    double sewn = 0; ///< mm, largest difference of the two sides of a seam
+    double area = 0;  ///< largest relative difference
+    double sewn = 0;  ///< mm, largest difference of the two sides of a seam
 };
 
 Figures figuresOf(const TriangleMesh& mesh, const Design& known)
@@ -145,8 +153,8 @@ Figures figuresOf(const TriangleMesh& mesh, const Design& known)
                 area = ratio;
             }
         });
-        std::cout << patch->name << ": " << rms << " mm, area " << 100 * area << " %, " << patch->outline.pointCount()
-                  << " control points\n";
+        std::cout << patch->name << ": " << rms << " mm, area " << 100 * area << " %, "
+                  << patch->outline.pointCount() << " control points\n";
         squares += rms * rms;
         ++count;
         figures.worst = std::max(figures.worst, rms);
@@ -155,8 +163,8 @@ Figures figuresOf(const TriangleMesh& mesh, const Design& known)
     for (const FormSeam& seam : made.seams)
         figures.sewn = std::max(figures.sewn, std::abs(seam.first - seam.second));
     figures.rms = std::sqrt(squares / std::max(count, 1));
-    std::cout << "all: " << figures.rms << " mm rms, area within " << 100 * figures.area << " %, sewn lengths within "
-              << figures.sewn << " mm\n";
+    std::cout << "all: " << figures.rms << " mm rms, area within " << 100 * figures.area
+              << " %, sewn lengths within " << figures.sewn << " mm\n";
     return figures;
 }
 
