@@ -21,6 +21,8 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster import DESIGN FILE   make a project of a design
        bolster import-pattern FILE DESIGN.json
                                     make a design of a pattern (DXF, SVG)
+       bolster flatten SURFACE --out DESIGN.json
+                                    make the pattern of a form (a mesh)
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -39,12 +41,12 @@ struct Command {
 };
 
 const Command commands[] = {
-    {"solve", cli::solveHelp, cli::solve},          {"render", cli::renderHelp, cli::render},
-    {"check", cli::checkHelp, cli::check},          {"dump", cli::dumpHelp, cli::dump},
-    {"import", cli::importHelp, cli::importDesign}, {"import-pattern", cli::importPatternHelp, cli::importPattern},
-    {"history", cli::historyHelp, cli::history},    {"verify", cli::verifyHelp, cli::verify},
-    {"salvage", cli::salvageHelp, cli::salvage},    {"export", cli::exportHelp, cli::exportPattern},
-    {"bench", cli::benchHelp, cli::bench}};
+    {"solve", cli::solveHelp, cli::solve},           {"render", cli::renderHelp, cli::render},
+    {"check", cli::checkHelp, cli::check},           {"dump", cli::dumpHelp, cli::dump},
+    {"import", cli::importHelp, cli::importDesign},  {"import-pattern", cli::importPatternHelp, cli::importPattern},
+    {"history", cli::historyHelp, cli::history},     {"verify", cli::verifyHelp, cli::verify},
+    {"salvage", cli::salvageHelp, cli::salvage},     {"export", cli::exportHelp, cli::exportPattern},
+    {"flatten", cli::flattenHelp, cli::flattenForm}, {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

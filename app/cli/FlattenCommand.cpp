@@ -1,0 +1,199 @@
+#include "DesignJson.h"
+#include "FormPattern.h"
+#include "Interrupt.h"
+#include "MeshImport.h"
+#include "Output.h"
+#include "Subcommands.h"
+#include "WholeFile.h"
+
+#include <QFileInfo>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace bolster::cli {
+
+const char* const flattenHelp = R"(Usage: bolster flatten SURFACE --out DESIGN.json [options]
+
+Makes the pattern of a form: cuts a mesh (OBJ, PLY, STL, OFF) into pieces, lays each
+one flat with the least strain of the fabric, and writes a design of them. What two
+pieces have in common becomes a seam, what lies at the form's border is fixed.
+
+Options:
+  --out FILE.json       the design; never replaced when it is there already
+  --by groups           cuts where groups of the mesh meet (the usual way)
+  --by angle:DEG        cuts where the mesh bends by more than DEG degrees
+  --fabric KEY=X,...    of poisson (0.3), stiffness (1), bending (6, mm)
+  --edge MM             edges of the design's triangles (12)
+  --unit mm|cm|m|in|ft  what the numbers in the file are (mm)
+  --up y|z              what points up in the file (z)
+  --report FILE.json    strain and area of each piece, lengths of seams
+
+Exit code:
+  0  done
+  1  FILE.json is there already, an output cannot be written, or interrupted
+  2  SURFACE cannot be read or laid flat, or wrong usage
+)";
+
+namespace {
+
+constexpr std::array flattenRules = {
+    OptionRule{"--out", true},  OptionRule{"--by", true}, OptionRule{"--fabric", true}, OptionRule{"--edge", true},
+    OptionRule{"--unit", true}, OptionRule{"--up", true}, OptionRule{"--report", true}};
+
+double numberIn(const std::string& text, const std::string& what, double least, double most)
+{
+    bool ok = false;
+    const double value = QString::fromStdString(text).toDouble(&ok);
+    if (!ok || !(value >= least && value <= most))
+        throw UsageError(what + " is a number from " + numberText(least) + " to " + numberText(most) + ", not \"" +
+                         text + "\"");
+    return value;
+}
+
+FormCuts cutsOf(const Arguments& arguments)
+{
+    const std::string word = arguments.path("--by").toStdString();
+    if (word.empty() || word == "groups")
+        return {};
+    if (word.starts_with("angle:"))
+        return {false, numberIn(word.substr(6), "the angle of --by", 1, 179)};
+    throw UsageError("--by is groups or angle:DEG, not \"" + word + "\"");
+}
+
+Fabric fabricOf(const Arguments& arguments)
+{
+    Fabric fabric;
+    fabric.name = "Fabric";
+    std::istringstream words(arguments.path("--fabric").toStdString());
+    for (std::string word; std::getline(words, word, ',');) {
+        const std::size_t equals = word.find('=');
+        const std::string key = word.substr(0, equals),
+                          value = equals == std::string::npos ? "" : word.substr(equals + 1);
+        if (key == "poisson")
+            fabric.poisson = numberIn(value, key, -0.5, 0.5);
+        else if (key == "stiffness")
+            fabric.stiffness = numberIn(value, key, 1e-3, 1e3);
+        else if (key == "bending")
+            fabric.bendingLength = numberIn(value, key, 0, 1000);
+        else
+            throw UsageError("--fabric knows poisson, stiffness and bending, not \"" + key + "\"");
+    }
+    return fabric;
+}
+
+double unitOfForm(const Arguments& arguments)
+{
+    const std::string word = arguments.path("--unit").toStdString();
+    for (const auto& [name, mm] : {std::pair("mm", 1.0), {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"ft", 304.8}})
+        if (word == name)
+            return mm;
+    if (word.empty())
+        return 1;
+    throw UsageError("--unit is mm, cm, m, in or ft, not \"" + word + "\"");
+}
+
+TriangleMesh upright(TriangleMesh mesh, const Arguments& arguments)
+{
+    const double unit = unitOfForm(arguments);
+    const std::string up = arguments.path("--up").toStdString();
+    if (!up.empty() && up != "y" && up != "z")
+        throw UsageError("--up is y or z, not \"" + up + "\"");
+    for (Vec3& point : mesh.points) {
+        point *= unit;
+        if (up == "y")
+            point = {point.x(), -point.z(), point.y()};
+    }
+    return mesh;
+}
+
+nlohmann::ordered_json reportOf(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
+{
+    nlohmann::ordered_json pieces = nlohmann::ordered_json::array(), seams = nlohmann::ordered_json::array();
+    for (std::size_t p = 0; p < flat.size(); ++p)
+        pieces.push_back(
+            {{"name", form.pieces[p].name},
+             {"patch", number(made.patches[p])},
+             {"area_mm2", flat[p].area},
+             {"strain", {{"rms", flat[p].strainRms}, {"max", flat[p].strainMost}}},
+             {"most_strained_at", {flat[p].strainedAt.x(), flat[p].strainedAt.y(), flat[p].strainedAt.z()}},
+             {"turned_over", flat[p].turnedOver}});
+    for (const FormSeam& seam : made.seams)
+        seams.push_back({{"element", number(seam.seam)}, {"first_mm", seam.first}, {"second_mm", seam.second}});
+    return {{"pieces", std::move(pieces)}, {"seams", std::move(seams)}};
+}
+
+void printPieces(const Form& form, const std::vector<FlatPiece>& flat, const FormPattern& made)
+{
+    for (std::size_t p = 0; p < flat.size(); ++p) {
+        std::string line = form.pieces[p].name;
+        line.append(": ").append(numberText(flat[p].area / 1e6, 3)).append(" m2, strain ");
+        line.append(numberText(100 * flat[p].strainRms, 2)).append(" % rms, ");
+        line.append(numberText(100 * flat[p].strainMost, 2)).append(" % at most");
+        printResult(line);
+    }
+    double widest = 0;
+    for (const FormSeam& seam : made.seams)
+        widest = std::max(widest, std::abs(seam.first - seam.second));
+    printResult(counted(static_cast<std::int64_t>(made.seams.size()), "seam") + ", whose sides differ by " +
+                numberText(widest, 2) + " mm at most");
+}
+
+} // namespace
+
+int flattenForm(std::span<const std::string> words)
+{
+    const Arguments arguments(words, flattenRules);
+    const QString surface = arguments.onlyFile("SURFACE");
+    const QString out = arguments.path("--out"), report = arguments.path("--report");
+    if (out.isEmpty())
+        throw UsageError("where to? --out DESIGN.json");
+    const FormCuts cuts = cutsOf(arguments);
+    FormPatternOrder order;
+    order.fabric = fabricOf(arguments);
+    order.edgeLength = arguments.number("--edge", order.edgeLength, 0.5, 1000);
+    if (QFileInfo::exists(out)) {
+        printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
+        return otherFailure;
+    }
+    Interrupt interrupt;
+    const ImportedMesh imported = importMesh(surface, {interrupt.token(), {}, {}});
+    if (!imported.mesh) {
+        printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
+        return imported.problem.empty() ? otherFailure : badInput;
+    }
+    const Form form = cutForm(upright(*imported.mesh, arguments), cuts, interrupt.token());
+    for (const Message& note : form.notes)
+        printError("warning: " + note.english());
+    if (!form.problem.empty()) {
+        printError("error: " + surface.toStdString() + ": " + form.problem.english());
+        return badInput;
+    }
+    const std::vector<FlatPiece> flat = flatten(form, {order.fabric.poisson}, interrupt.token());
+    if (interrupt.token().stop_requested()) {
+        printError("error: interrupted");
+        return otherFailure;
+    }
+    const FormPattern made = formPattern(form, flat, order);
+    for (const Message& note : made.notes)
+        printError("warning: " + note.english());
+    printPieces(form, flat, made);
+    interrupt.beginWriting();
+    for (const auto& [path, text] :
+         {std::pair(out, writeDesign(made.design)),
+          std::pair(report, report.isEmpty() ? "" : reportOf(form, flat, made).dump(1) + "\n")}) {
+        if (path.isEmpty())
+            continue;
+        if (const Message problem = replaceWholeFile(path, text); !problem.empty()) {
+            printError("error: " + problem.english());
+            return otherFailure;
+        }
+        printResult("wrote " + path.toStdString());
+    }
+    return done;
+}
+
+} // namespace bolster::cli

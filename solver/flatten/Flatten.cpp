@@ -1,0 +1,384 @@
+#include "Flatten.h"
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace bolster {
+
+namespace {
+
+using Mat2 = Eigen::Matrix2d;
+using Mat23 = Eigen::Matrix<double, 2, 3>;
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr std::array seamWeights{1.0, 4.0}; // of sewn edges against the sheet's area beside them, pass by pass
+constexpr double mostStrain = 0.5;          // as in the sheet's local step
+
+/// A triangle of the form in its own plane.
+struct Facet {
+    std::array<int, 3> corners{};
+    Mat23 gradient; ///< of the three hat functions, 1/mm
+    double area = 0;
+};
+
+Facet facetOf(const std::array<int, 3>& corners, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const Vec3 x = (b - a).normalized(), normal = (b - a).cross(c - a);
+    const Vec3 y = normal.normalized().cross(x);
+    const std::array<Vec2, 3> at{Vec2(0, 0), Vec2((b - a).norm(), 0), Vec2((c - a).dot(x), (c - a).dot(y))};
+    Facet facet{corners, {}, normal.norm() / 2};
+    for (int k = 0; k < 3; ++k) {
+        const Vec2 opposite = at[(k + 2) % 3] - at[(k + 1) % 3];
+        facet.gradient.col(k) = Vec2(-opposite.y(), opposite.x()) / (2 * facet.area);
+    }
+    return facet;
+}
+
+/// The rotation nearest to a plane map.
+Mat2 nearestRotation(const Mat2& map)
+{
+    const double c = map(0, 0) + map(1, 1), s = map(1, 0) - map(0, 1), length = std::hypot(c, s);
+    if (!(length > 0))
+        return Mat2::Identity();
+    return (Mat2() << c, -s, s, c).finished() / length;
+}
+
+/// A sewn edge of the border: its length is pulled to the mean of both sides.
+struct SewnEdge {
+    int from = 0, to = 0;
+    double weight = 0; ///< 1
+    EdgeMate mate;
+    std::size_t edge = 0;
+};
+
+class PieceSheet {
+public:
+    PieceSheet(const Form& form, const FormPiece& piece, double poisson)
+        : m_form(form)
+        , m_piece(piece)
+        , m_poisson(poisson)
+        , m_count(static_cast<Eigen::Index>(piece.points.size()))
+    {
+        for (const auto& corners : piece.triangles)
+            m_facets.push_back(facetOf(corners, point(corners[0]), point(corners[1]), point(corners[2])));
+        addSewnEdges();
+        startConformally();
+    }
+
+    void factor(double seamWeight)
+    {
+        m_seamWeight = seamWeight;
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto add = [&](int i, int j, double value) { entries.emplace_back(i, j, value); };
+        for (const Facet& facet : m_facets) {
+            const Eigen::Matrix3d block = facet.area * facet.gradient.transpose() * facet.gradient;
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                    add(facet.corners[i], facet.corners[j], block(i, j));
+        }
+        for (const SewnEdge& edge : m_sewn) {
+            const double w = seamWeight * edge.weight;
+            add(edge.from, edge.from, w);
+            add(edge.to, edge.to, w);
+            add(edge.from, edge.to, -w);
+            add(edge.to, edge.from, -w);
+        }
+        add(0, 0, 1); // it may lie anywhere
+        Sparse matrix(m_count, m_count);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        m_solver = std::make_unique<Eigen::SimplicialLDLT<Sparse>>(matrix);
+    }
+
+    double length(std::size_t edge) const
+    {
+        return (at(m_piece.border[m_piece.after(edge)]) - at(m_piece.border[edge])).norm();
+    }
+
+    /// One round; `wanted` are the lengths of the sewn edges. Returns how far the farthest vertex has moved, mm.
+    double iterate(const std::vector<double>& wanted)
+    {
+        Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_count, 2);
+        for (const Facet& facet : m_facets) {
+            const Eigen::Matrix<double, 3, 2> pull =
+                facet.area * facet.gradient.transpose() * target(facet).transpose();
+            for (int k = 0; k < 3; ++k)
+                right.row(facet.corners[k]) += pull.row(k);
+        }
+        for (const SewnEdge& edge : m_sewn) {
+            const Vec2 way = at(edge.to) - at(edge.from);
+            const double now = way.norm();
+            const Vec2 pull =
+                m_seamWeight * edge.weight * wanted[edge.edge] * (now > 0 ? Vec2(way / now) : Vec2(1, 0));
+            right.row(edge.to) += pull.transpose();
+            right.row(edge.from) -= pull.transpose();
+        }
+        right.row(0) += m_at.row(0);
+        const Eigen::MatrixX2d next = m_solver->solve(right);
+        // Where the piece lies does not matter: what counts is how its shape has changed.
+        const Eigen::RowVector2d drift = (next - m_at).colwise().mean();
+        const double moved = ((next - m_at).rowwise() - drift).rowwise().norm().maxCoeff();
+        m_at = next;
+        return moved;
+    }
+
+    const std::vector<SewnEdge>& sewn() const { return m_sewn; }
+
+    FlatPiece result()
+    {
+        turnUpwards();
+        FlatPiece flat;
+        double sum = 0, area = 0;
+        for (const Facet& facet : m_facets) {
+            const Mat2 map = jacobian(facet);
+            const double turned = map.determinant();
+            flat.turnedOver += turned <= 0;
+            flat.area += facet.area * turned;
+            const Eigen::Vector2d sizes = map.jacobiSvd().singularValues();
+            area += facet.area;
+            for (int k = 0; k < 2; ++k) {
+                const double strain = sizes[k] > 1e-3 ? 1 / sizes[k] - 1 : 1e3; // flat to form
+                sum += facet.area * std::min(strain * strain, 1.0) / 2;
+                if (std::abs(strain) > flat.strainMost) {
+                    flat.strainMost = std::abs(strain);
+                    flat.strainedAt =
+                        (point(facet.corners[0]) + point(facet.corners[1]) + point(facet.corners[2])) / 3;
+                }
+            }
+        }
+        flat.strainRms = area > 0 ? std::sqrt(sum / area) : 0;
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            flat.at.emplace_back(m_at.row(v).transpose());
+        return flat;
+    }
+
+private:
+    const Vec3& point(int vertex) const { return m_form.points[m_piece.points[vertex]]; }
+    Vec2 at(int vertex) const { return m_at.row(vertex).transpose(); }
+
+    Mat2 jacobian(const Facet& facet) const
+    {
+        Mat2 map = Mat2::Zero();
+        for (int k = 0; k < 3; ++k)
+            map += at(facet.corners[k]) * facet.gradient.col(k).transpose();
+        return map;
+    }
+
+    /// What the triangle would be if it could choose: turned, and as much wider as it is stretched across, by the
+    /// Poisson number (docs/solver.md, local step).
+    Mat2 target(const Facet& facet) const
+    {
+        const Mat2 map = jacobian(facet), turn = nearestRotation(map);
+        Mat2 strain = turn.transpose() * map - Mat2::Identity();
+        strain = (0.5 * (strain + strain.transpose())).cwiseMax(-mostStrain).cwiseMin(mostStrain);
+        return turn * (Mat2::Identity() - m_poisson * (strain.trace() * Mat2::Identity() - strain));
+    }
+
+    void addSewnEdges()
+    {
+        std::vector<double> beside(m_piece.border.size(), 0);
+        double mean = 0;
+        for (const Facet& facet : m_facets)
+            mean += facet.area / static_cast<double>(m_facets.size());
+        for (std::size_t k = 0; k < m_piece.border.size(); ++k) {
+            if (m_piece.mates[k].none())
+                continue;
+            const int from = m_piece.border[k], to = m_piece.border[m_piece.after(k)];
+            const double rest = (point(to) - point(from)).squaredNorm();
+            m_sewn.push_back({from, to, rest > 0 ? mean / rest : 0, m_piece.mates[k], k});
+        }
+    }
+
+    /// Two vertices of the border are held, those that are farthest from each other; the others lie where triangles
+    /// keep their angles best.
+    void startConformally()
+    {
+        const auto [first, second] = farApart();
+        std::vector<Eigen::Index> number(m_count, -1);
+        Eigen::Index free = 0;
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            if (v != first && v != second)
+                number[v] = free++;
+        std::vector<Eigen::Triplet<double>> entries;
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * std::ssize(m_facets));
+        const double apart = (point(second) - point(first)).norm();
+        for (Eigen::Index f = 0; f < std::ssize(m_facets); ++f) {
+            const Facet& facet = m_facets[f];
+            const double root = std::sqrt(facet.area);
+            for (int k = 0; k < 3; ++k) { // the map (u, v) keeps angles where grad v is grad u turned by 90 degrees
+                const Vec2 g = root * facet.gradient.col(k);
+                const int v = facet.corners[k];
+                if (v == first)
+                    continue; // at the origin
+                if (v == second) {
+                    right[2 * f] -= g.x() * apart;
+                    right[2 * f + 1] -= g.y() * apart;
+                    continue;
+                }
+                entries.emplace_back(2 * f, 2 * number[v], g.x());
+                entries.emplace_back(2 * f, 2 * number[v] + 1, -g.y());
+                entries.emplace_back(2 * f + 1, 2 * number[v], g.y());
+                entries.emplace_back(2 * f + 1, 2 * number[v] + 1, g.x());
+            }
+        }
+        Sparse rows(2 * std::ssize(m_facets), 2 * free);
+        rows.setFromTriplets(entries.begin(), entries.end());
+        const Sparse transposed = rows.transpose();
+        const Eigen::SimplicialLDLT<Sparse> solver(transposed * rows);
+        const Eigen::VectorXd places = solver.solve(transposed * right);
+        m_at = Eigen::MatrixX2d::Zero(m_count, 2);
+        m_at.row(second) = Eigen::RowVector2d(apart, 0);
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            if (number[v] >= 0)
+                m_at.row(v) = places.segment<2>(2 * number[v]).transpose();
+        scaleToArea();
+    }
+
+    void scaleToArea()
+    {
+        double wanted = 0, found = 0;
+        for (const Facet& facet : m_facets) {
+            wanted += facet.area;
+            found += facet.area * jacobian(facet).determinant();
+        }
+        if (found > 0)
+            m_at *= std::sqrt(wanted / found);
+    }
+
+    std::pair<int, int> farApart() const
+    {
+        const auto farthest = [&](int from) {
+            return *std::ranges::max_element(m_piece.border, {},
+                                             [&](int v) { return (point(v) - point(from)).squaredNorm(); });
+        };
+        const int first = farthest(m_piece.border.front());
+        return {first, farthest(first)};
+    }
+
+    /// Up on the form is +y.
+    void turnUpwards()
+    {
+        const auto inPlane = [&](const Vec3& direction) {
+            Vec2 sum = Vec2::Zero();
+            for (const Facet& facet : m_facets) {
+                const Vec3 &a = point(facet.corners[0]), &b = point(facet.corners[1]), &c = point(facet.corners[2]);
+                const Vec3 x = (b - a).normalized(), y = (b - a).cross(c - a).normalized().cross(x);
+                sum += facet.area * (nearestRotation(jacobian(facet)) * Vec2(direction.dot(x), direction.dot(y)));
+            }
+            return sum;
+        };
+        double area = 0;
+        for (const Facet& facet : m_facets)
+            area += facet.area;
+        Vec2 up = inPlane(Vec3::UnitZ());
+        if (up.norm() < 0.3 * area)
+            up = inPlane(Vec3::UnitY());
+        const Vec2 middle = m_at.colwise().mean().transpose();
+        const double angle = up.norm() > 0 ? std::atan2(up.x(), up.y()) : 0;
+        const Mat2 turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+        for (Eigen::Index v = 0; v < m_count; ++v)
+            m_at.row(v) = (turn * (at(static_cast<int>(v)) - middle)).transpose();
+    }
+
+    const Form& m_form;
+    const FormPiece& m_piece;
+    double m_poisson;
+    Eigen::Index m_count;
+    std::vector<Facet> m_facets;
+    std::vector<SewnEdge> m_sewn;
+    double m_seamWeight = 0;
+    std::unique_ptr<Eigen::SimplicialLDLT<Sparse>> m_solver;
+    Eigen::MatrixX2d m_at;
+};
+
+/// The lengths that sewn edges shall have: the mean of both sides. Springs leave a little of every difference, so
+/// the wish goes further than the mean, by what the two sides of a whole seam have differed so far.
+class CommonLengths {
+public:
+    CommonLengths(const Form& form, const std::vector<PieceSheet>& sheets)
+        : m_form(form)
+        , m_sheets(sheets)
+        , m_beyond(sheets.size())
+    {
+        for (std::size_t p = 0; p < sheets.size(); ++p)
+            m_beyond[p].resize(form.pieces[p].rows.size(), 0);
+    }
+
+    /// Of each piece, of each edge of its border; what is not sewn has none.
+    std::vector<std::vector<double>> wanted()
+    {
+        std::vector<std::vector<double>> lengths(m_sheets.size());
+        for (std::size_t p = 0; p < m_sheets.size(); ++p) {
+            const FormPiece& piece = m_form.pieces[p];
+            lengths[p].resize(piece.border.size());
+            for (std::size_t r = 0; r < piece.rows.size(); ++r)
+                if (piece.rows[r].isSewn())
+                    wish(p, piece.rows[r], m_beyond[p][r], lengths[p]);
+        }
+        return lengths;
+    }
+
+private:
+    void wish(std::size_t p, const BorderRow& row, double& beyond, std::vector<double>& lengths) const
+    {
+        const FormPiece& piece = m_form.pieces[p];
+        double mine = 0, other = 0;
+        for (std::size_t k = 0; k < row.count; ++k) {
+            const std::size_t edge = (row.first + k) % piece.border.size();
+            const EdgeMate& mate = piece.mates[edge];
+            const double here = m_sheets[p].length(edge), there = m_sheets[mate.piece].length(mate.edge);
+            mine += here;
+            other += there;
+            lengths[edge] = 0.5 * (here + there);
+        }
+        if (mine + other > 0)
+            beyond += gain * (other - mine) / (other + mine);
+        for (std::size_t k = 0; k < row.count; ++k)
+            lengths[(row.first + k) % piece.border.size()] *= 1 + beyond;
+    }
+
+    static constexpr double gain = 0.3;
+
+    const Form& m_form;
+    const std::vector<PieceSheet>& m_sheets;
+    std::vector<std::vector<double>> m_beyond; // of each row, relative
+};
+
+} // namespace
+
+std::vector<FlatPiece> flatten(const Form& form, const FlattenOrder& order, const std::stop_token& stop)
+{
+    std::vector<PieceSheet> sheets;
+    sheets.reserve(form.pieces.size());
+    for (const FormPiece& piece : form.pieces) {
+        if (stop.stop_requested())
+            return {};
+        sheets.emplace_back(form, piece, order.poisson);
+    }
+    CommonLengths lengths(form, sheets);
+    for (const double weight : seamWeights) {
+        for (PieceSheet& sheet : sheets)
+            sheet.factor(weight);
+        for (int round = 0; round < order.mostRounds; ++round) {
+            const std::vector<std::vector<double>> wanted = lengths.wanted();
+            double moved = 0;
+            for (std::size_t p = 0; p < sheets.size(); ++p) {
+                if (stop.stop_requested())
+                    return {};
+                moved = std::max(moved, sheets[p].iterate(wanted[p]));
+            }
+            if (moved < order.settled)
+                break;
+        }
+    }
+    std::vector<FlatPiece> pieces;
+    for (PieceSheet& sheet : sheets)
+        pieces.push_back(sheet.result());
+    return pieces;
+}
+
+} // namespace bolster

@@ -1,0 +1,419 @@
+#include "Form.h"
+
+#include "BorderRows.h"
+#include "HalfEdges.h"
+#include "UnionFind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <queue>
+#include <set>
+
+namespace bolster {
+
+namespace {
+
+using Corners = std::array<int, 3>;
+using Edge = std::pair<int, int>; // of points, the lesser one first
+
+constexpr int mostCutsOpen = 200; // of rings; more holes than that nobody wants to sew up
+
+/// Each place once; triangles with an area, and the part that each belongs to.
+struct Welded {
+    std::vector<Vec3> points;
+    std::vector<Corners> triangles;
+    std::vector<int> part;
+    std::vector<std::string> names;
+};
+
+std::vector<int> partOfTriangles(const TriangleMesh& mesh)
+{
+    std::vector<int> part(mesh.triangles.size(), 0);
+    for (std::size_t k = 0; k < mesh.parts.size(); ++k)
+        for (std::uint32_t t = 0; t < mesh.parts[k].triangleCount; ++t)
+            part[mesh.parts[k].firstTriangle + t] = static_cast<int>(k);
+    return part;
+}
+
+Welded weld(const TriangleMesh& mesh)
+{
+    Welded welded;
+    std::map<std::array<long long, 3>, int> places; // in 0.1 micrometres: texts have rounded them alike
+    std::vector<int> place(mesh.points.size());
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        std::array<long long, 3> key{};
+        for (int axis = 0; axis < 3; ++axis)
+            key[axis] = std::llround(mesh.points[i][axis] * 1e4);
+        const auto [found, isNew] = places.emplace(key, static_cast<int>(welded.points.size()));
+        if (isNew)
+            welded.points.push_back(mesh.points[i]);
+        place[i] = found->second;
+    }
+    const std::vector<int> part = partOfTriangles(mesh);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        Corners corners{};
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = place[mesh.triangles[t][k]];
+        const Vec3 &a = welded.points[corners[0]], &b = welded.points[corners[1]], &c = welded.points[corners[2]];
+        if (!((b - a).cross(c - a).norm() > 1e-9 * (b - a).squaredNorm()))
+            continue;
+        welded.triangles.push_back(corners);
+        welded.part.push_back(part[t]);
+    }
+    for (const TriangleMesh::Part& there : mesh.parts)
+        welded.names.push_back(there.name);
+    if (welded.names.empty())
+        welded.names.emplace_back();
+    return welded;
+}
+
+class Cutter {
+public:
+    Cutter(Welded welded, const FormCuts& cuts, const std::stop_token& stop)
+        : m_welded(std::move(welded))
+        , m_cuts(cuts)
+        , m_stop(stop)
+    {}
+
+    Form cut()
+    {
+        orient();
+        findCuts();
+        for (int round = 0; !m_stop.stop_requested(); ++round) {
+            fallApart();
+            if (!m_form.problem.empty() || !cutRingsOpen(round))
+                break;
+        }
+        if (m_stop.stop_requested() || !m_form.problem.empty())
+            m_form.pieces.clear();
+        else
+            giveNames();
+        m_form.points = std::move(m_welded.points);
+        findRows(m_form);
+        return std::move(m_form);
+    }
+
+private:
+    std::size_t count() const { return m_welded.triangles.size(); }
+    int corner(int triangle, int side) const { return m_welded.triangles[triangle][side % 3]; }
+    Vec3 normal(int triangle) const
+    {
+        const auto at = [&](int k) { return m_welded.points[corner(triangle, k)]; };
+        return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    }
+
+    /// Neighbours shall run along a common edge in opposite directions; each sheet as most of it does already.
+    void orient()
+    {
+        std::vector<std::vector<std::pair<int, bool>>> neighbours(count()); // and whether one must be turned
+        const std::vector<HalfEdge> halves = halfEdges(m_welded.triangles, m_stop);
+        if (m_stop.stop_requested())
+            return;
+        eachEdge(halves, [&](const HalfEdge* first, const HalfEdge* last) {
+            if (last - first != 2)
+                return;
+            const bool turned = first[0].forward == first[1].forward;
+            neighbours[first[0].triangle].emplace_back(first[1].triangle, turned);
+            neighbours[first[1].triangle].emplace_back(first[0].triangle, turned);
+        });
+        std::vector<signed char> turn(count(), -1);
+        int turned = 0;
+        for (std::size_t start = 0; start < count(); ++start) {
+            if (turn[start] >= 0)
+                continue;
+            std::vector<std::size_t> sheet{start};
+            turn[start] = 0;
+            for (std::size_t k = 0; k < sheet.size(); ++k)
+                for (const auto& [other, differs] : neighbours[sheet[k]])
+                    if (auto& there = turn[other]; there < 0) {
+                        there = static_cast<signed char>(turn[sheet[k]] ^ static_cast<int>(differs));
+                        sheet.push_back(other);
+                    }
+            const auto wrong = std::ranges::count_if(sheet, [&](std::size_t t) { return turn[t] == 1; });
+            const signed char less = 2 * wrong > std::ssize(sheet) ? 0 : 1;
+            for (const std::size_t t : sheet)
+                if (turn[t] == less) {
+                    std::swap(m_welded.triangles[t][1], m_welded.triangles[t][2]);
+                    ++turned;
+                }
+        }
+        if (turned > 0)
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 faces of the form were turned round"), {std::to_string(turned)}});
+    }
+
+    void findCuts()
+    {
+        m_halves = halfEdges(m_welded.triangles, m_stop);
+        if (m_stop.stop_requested())
+            return;
+        const double bend = m_cuts.angle ? std::cos(*m_cuts.angle * std::numbers::pi / 180) : -2;
+        int crowded = 0;
+        eachEdge(m_halves, [&](const HalfEdge* first, const HalfEdge* last) {
+            if (last - first > 2)
+                ++crowded;
+            if (last - first != 2)
+                return;
+            const bool parts =
+                m_cuts.groups && m_welded.part[first[0].triangle] != m_welded.part[first[1].triangle];
+            const bool bends = m_cuts.angle && normal(first[0].triangle).dot(normal(first[1].triangle)) < bend;
+            if (parts || bends || first[0].forward == first[1].forward)
+                m_cut.insert({first->low, first->high});
+        });
+        if (crowded > 0)
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 edges of the form belong to more than two faces: "
+                                              "they are borders, nothing is sewn there"),
+                 {std::to_string(crowded)}});
+    }
+
+    bool isWhole(const HalfEdge* first, const HalfEdge* last) const
+    {
+        return last - first == 2 && !m_cut.contains({first->low, first->high});
+    }
+
+    /// Vertices are corners of triangles that hang together around a point; pieces are triangles that do.
+    void fallApart()
+    {
+        UnionFind corners(static_cast<int>(3 * count())), sheets(static_cast<int>(count()));
+        const auto cornerAt = [&](const HalfEdge& half, int point) {
+            const int side = corner(half.triangle, half.side) == point ? half.side : (half.side + 1) % 3;
+            return 3 * half.triangle + side;
+        };
+        eachEdge(m_halves, [&](const HalfEdge* first, const HalfEdge* last) {
+            if (!isWhole(first, last))
+                return;
+            sheets.join(first[0].triangle, first[1].triangle);
+            for (const int point : {first->low, first->high})
+                corners.join(cornerAt(first[0], point), cornerAt(first[1], point));
+        });
+        makePieces(corners, sheets);
+        makeBorders();
+    }
+
+    void makePieces(UnionFind& corners, UnionFind& sheets)
+    {
+        m_form.pieces.clear();
+        m_pieceOf.assign(count(), -1);
+        m_parts.clear();
+        std::map<int, int> pieces;
+        std::vector<std::map<int, int>> vertices;
+        for (std::size_t t = 0; t < count(); ++t) {
+            const auto [piece, isNew] =
+                pieces.emplace(sheets.root(static_cast<int>(t)), static_cast<int>(pieces.size()));
+            if (isNew) {
+                m_form.pieces.emplace_back();
+                m_parts.push_back(m_welded.part[t]);
+                vertices.emplace_back();
+            }
+            m_pieceOf[t] = piece->second;
+            FormPiece& there = m_form.pieces[piece->second];
+            auto& numbers = vertices[piece->second];
+            Corners named{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [vertex, first] = numbers.emplace(corners.root(static_cast<int>(3 * t + k)),
+                                                             static_cast<int>(there.points.size()));
+                if (first)
+                    there.points.push_back(m_welded.triangles[t][k]);
+                named[k] = vertex->second;
+            }
+            m_sideOf.resize(count());
+            m_sideOf[t] = static_cast<int>(there.triangles.size());
+            there.triangles.push_back(named);
+        }
+    }
+
+    /// The loops of each piece; the longest becomes its border, where the others are is kept for the rings.
+    void makeBorders()
+    {
+        struct Side {
+            int from, to;
+            const HalfEdge* half;
+        };
+        std::vector<std::map<int, Side>> sides(m_form.pieces.size()); // by the vertex where they begin
+        std::map<const HalfEdge*, const HalfEdge*> mates;
+        eachEdge(m_halves, [&](const HalfEdge* first, const HalfEdge* last) {
+            if (isWhole(first, last))
+                return;
+            if (last - first == 2 && first[0].forward != first[1].forward) {
+                mates[first] = first + 1;
+                mates[first + 1] = first;
+            }
+            for (const HalfEdge* half = first; half != last; ++half) {
+                const auto piece = m_pieceOf[half->triangle];
+                const Corners& named = m_form.pieces[piece].triangles[m_sideOf[half->triangle]];
+                const int from = named[half->side], to = named[(half->side + 1) % 3];
+                sides[piece].insert({from, {from, to, half}});
+            }
+        });
+        std::map<const HalfEdge*, EdgeMate> places;
+        std::vector<std::vector<const HalfEdge*>> borders(m_form.pieces.size());
+        m_loops.assign(m_form.pieces.size(), {});
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
+            FormPiece& piece = m_form.pieces[p];
+            std::set<int> left;
+            for (const auto& [from, side] : sides[p])
+                left.insert(from);
+            while (!left.empty()) {
+                std::vector<int> loop;
+                std::vector<const HalfEdge*> along;
+                for (int at = *left.begin(); left.erase(at) > 0;) {
+                    const Side& side = sides[p].at(at);
+                    loop.push_back(at);
+                    along.push_back(side.half);
+                    at = side.to;
+                }
+                if (loop.size() > piece.border.size()) {
+                    piece.border = loop;
+                    borders[p] = along;
+                }
+                m_loops[p].push_back(std::move(loop));
+            }
+            for (std::size_t k = 0; k < borders[p].size(); ++k)
+                places[borders[p][k]] = {static_cast<int>(p), static_cast<int>(k)};
+        }
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
+            m_form.pieces[p].mates.resize(borders[p].size());
+            for (std::size_t k = 0; k < borders[p].size(); ++k)
+                if (const auto mate = mates.find(borders[p][k]); mate != mates.end())
+                    if (const auto place = places.find(mate->second); place != places.end())
+                        m_form.pieces[p].mates[k] = place->second;
+        }
+    }
+
+    /// Whether something was cut, so that the form falls apart anew.
+    bool cutRingsOpen(int round)
+    {
+        bool cut = false;
+        for (std::size_t p = 0; p < m_form.pieces.size() && m_form.problem.empty(); ++p) {
+            const FormPiece& piece = m_form.pieces[p];
+            const std::size_t loops = m_loops[p].size();
+            if (loops == 0) {
+                refuse(p,
+                       QT_TRANSLATE_NOOP("Message", "%1 is closed all around and cannot be laid flat: divide it by "
+                                                    "groups, or cut at a smaller angle"));
+            } else if (loops > 1) {
+                if (round >= mostCutsOpen)
+                    refuse(p, QT_TRANSLATE_NOOP("Message",
+                                                "%1 has too many holes: close them, or divide it by groups"));
+                openRing(piece, m_loops[p]);
+                cut = true;
+            } else if (eulerNumber(piece) != 1) {
+                refuse(p, QT_TRANSLATE_NOOP("Message",
+                                            "%1 has a handle, like a cup, and cannot be laid flat: divide it "
+                                            "by groups, or cut at a smaller angle"));
+            }
+        }
+        return cut && m_form.problem.empty();
+    }
+
+    static std::ptrdiff_t eulerNumber(const FormPiece& piece)
+    {
+        const auto sides = 3 * std::ssize(piece.triangles);
+        const auto edges = (sides + std::ssize(piece.border)) / 2;
+        return std::ssize(piece.points) - edges + std::ssize(piece.triangles);
+    }
+
+    /// Along the shortest way from one loop to another one (Dijkstra).
+    void openRing(const FormPiece& piece, const std::vector<std::vector<int>>& loops)
+    {
+        std::vector<std::vector<int>> neighbours(piece.points.size());
+        for (const Corners& triangle : piece.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                neighbours[triangle[k]].push_back(triangle[(k + 1) % 3]);
+                neighbours[triangle[(k + 1) % 3]].push_back(triangle[k]);
+            }
+        std::vector<double> distance(piece.points.size(), std::numeric_limits<double>::infinity());
+        std::vector<int> from(piece.points.size(), -1);
+        std::vector<int> loopOf(piece.points.size(), -1);
+        for (std::size_t k = 0; k < loops.size(); ++k)
+            for (const int vertex : loops[k])
+                loopOf[vertex] = static_cast<int>(k);
+        std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> queue;
+        for (const int vertex : loops.front()) {
+            distance[vertex] = 0;
+            queue.push({0, vertex});
+        }
+        const auto point = [&](int vertex) { return piece.points[vertex]; };
+        const auto at = [&](int vertex) { return m_welded.points[point(vertex)]; };
+        while (!queue.empty()) {
+            const auto [far, vertex] = queue.top();
+            queue.pop();
+            if (far > distance[vertex])
+                continue;
+            if (loopOf[vertex] > 0) {
+                for (int v = vertex; from[v] >= 0; v = from[v]) {
+                    const int a = point(v), b = point(from[v]);
+                    m_cut.insert({std::min(a, b), std::max(a, b)});
+                }
+                ++m_opened;
+                return;
+            }
+            for (const int next : neighbours[vertex]) {
+                const double through = far + (at(next) - at(vertex)).norm();
+                if (loopOf[next] != 0 && through < distance[next]) {
+                    distance[next] = through;
+                    from[next] = vertex;
+                    queue.push({through, next});
+                }
+            }
+        }
+    }
+
+    std::string nameOf(std::size_t piece) const
+    {
+        const std::string& name = m_welded.names[m_parts[piece]];
+        return name.empty() ? "Piece" : name;
+    }
+
+    void refuse(std::size_t piece, const char* why) { m_form.problem = {why, {nameOf(piece)}}; }
+
+    void giveNames()
+    {
+        std::map<std::string, int> used;
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p) {
+            const std::string name = nameOf(p);
+            const int times = ++used[name];
+            m_form.pieces[p].name = times == 1 ? name : name + " " + std::to_string(times);
+        }
+        if (m_opened > 0)
+            m_form.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 cuts were made where a piece would have had a hole "
+                                              "or been a ring; they are seams"),
+                 {std::to_string(m_opened)}});
+    }
+
+    Welded m_welded;
+    FormCuts m_cuts;
+    std::stop_token m_stop;
+    std::vector<HalfEdge> m_halves;
+    std::set<Edge> m_cut;
+    std::vector<int> m_pieceOf;                         // of each triangle
+    std::vector<int> m_sideOf;                          // of each triangle: its number in the piece
+    std::vector<int> m_parts;                           // of each piece
+    std::vector<std::vector<std::vector<int>>> m_loops; // of each piece
+    int m_opened = 0;
+    Form m_form;
+};
+
+} // namespace
+
+Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop)
+{
+    Form form;
+    if (mesh.triangles.size() > mostFormTriangles) {
+        form.problem = {QT_TRANSLATE_NOOP("Message", "it has %1 triangles, more than %2: make it coarser first"),
+                        {std::to_string(mesh.triangles.size()), std::to_string(mostFormTriangles)}};
+        return form;
+    }
+    Welded welded = weld(mesh);
+    if (welded.triangles.empty()) {
+        form.problem = {QT_TRANSLATE_NOOP("Message", "it has no triangle with an area"), {}};
+        return form;
+    }
+    return Cutter(std::move(welded), cuts, stop).cut();
+}
+
+} // namespace bolster

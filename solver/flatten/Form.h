@@ -1,0 +1,70 @@
+// A form that shall be covered: where it is cut, and the pieces that it falls into.
+#pragma once
+
+#include "Geometry.h"
+#include "Message.h"
+#include "TriangleMesh.h"
+
+#include <array>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace bolster {
+
+/// Where a form is cut.
+struct FormCuts {
+    bool groups = true;          ///< where two parts of the mesh meet
+    std::optional<double> angle; ///< and where the form bends by more than that, degrees
+};
+
+/// The other side of an edge that is cut; none at the form's border.
+struct EdgeMate {
+    int piece = -1;
+    int edge = -1; ///< of its border
+
+    bool none() const { return piece < 0; }
+    friend bool operator==(const EdgeMate&, const EdgeMate&) = default;
+};
+
+/// Edges of a border, one behind the other, that are sewn to one row of another border (or of the same one), or lie
+/// at the form's border.
+struct BorderRow {
+    std::size_t first = 0; ///< edge
+    std::size_t count = 0;
+    int matePiece = -1; ///< none: nothing is sewn to it
+    int mateRow = -1;   ///< of that piece; its edges run the other way
+
+    bool isSewn() const { return matePiece >= 0; }
+};
+
+/// A part of the form that is one sheet with one border: it can be laid flat.
+struct FormPiece {
+    std::string name;
+    std::vector<int> points; ///< of the form, by vertex; a point on a cut inside the piece has two vertices here
+    std::vector<std::array<int, 3>> triangles; ///< vertices, counter-clockwise seen from outside
+    std::vector<int>
+        border; ///< vertices, once around, counter-clockwise; edge k goes from border[k] to the next one
+    std::vector<EdgeMate> mates; ///< of each edge of the border
+    std::vector<BorderRow> rows; ///< all of the border, from the first edge of a row on
+
+    std::size_t after(std::size_t edge) const { return edge + 1 < border.size() ? edge + 1 : 0; }
+    std::size_t before(std::size_t edge) const { return edge > 0 ? edge - 1 : border.size() - 1; }
+};
+
+struct Form {
+    std::vector<Vec3> points; ///< mm, each place once
+    std::vector<FormPiece> pieces;
+    std::vector<Message> notes; ///< what was mended: faces turned round, rings cut open ...
+    Message problem;            ///< why there is none; pieces are empty then
+};
+
+inline constexpr std::size_t mostFormTriangles = 500'000;
+
+/// Cuts a mesh (mm). Points in the same place are one; triangles without area go; triangles are turned so that
+/// neighbours agree, as most of each sheet have it. A ring is cut open along the shortest way between its borders.
+/// What has no border, or handles as a cup has, is a problem. When stopped there are no pieces and no problem.
+Form cutForm(const TriangleMesh& mesh, const FormCuts& cuts, const std::stop_token& stop = {});
+
+} // namespace bolster

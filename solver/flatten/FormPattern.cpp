@@ -1,0 +1,314 @@
+#include "FormPattern.h"
+
+#include "ArcLength.h"
+#include "CurveFit.h"
+#include "DesignCheck.h"
+#include "EditBuilder.h"
+#include "PlaneCurves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+constexpr double sharpTurn = 35;       // degrees: an outline or a border that turns more has a corner
+constexpr int samplesOfEdge = 4;       // for fitting
+constexpr double besideEachOther = 60; // mm between patches in the layout
+constexpr double rowOfPatches = 2500;  // mm
+
+template <class Point>
+double turnAt(const Point& before, const Point& at, const Point& after)
+{
+    const Point in = at - before, out = after - at;
+    const double both = in.norm() * out.norm();
+    return both > 0 ? std::acos(std::clamp(in.dot(out) / both, -1.0, 1.0)) * 180 / std::numbers::pi : 0;
+}
+
+/// A smooth row of points between corners, and more places on the curve through them: cubic Hermite pieces, whose
+/// tangents are those of the parabolas through three neighbours.
+template <class Point>
+CurveSamples smoothSamples(const std::vector<Point>& row)
+{
+    const std::size_t count = row.size();
+    std::vector<double> at(count, 0);
+    for (std::size_t i = 1; i < count; ++i)
+        at[i] = at[i - 1] + (row[i] - row[i - 1]).norm();
+    const auto slope = [&](std::size_t i) {
+        return Point((row[i + 1] - row[i]) / std::max(at[i + 1] - at[i], 1e-9));
+    };
+    std::vector<Point> tangents(count);
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+        const double before = at[i] - at[i - 1], after = at[i + 1] - at[i];
+        tangents[i] = (slope(i - 1) * after + slope(i) * before) / std::max(before + after, 1e-9);
+    }
+    tangents.front() = count > 2 ? Point(2 * slope(0) - tangents[1]) : slope(0);
+    tangents.back() = count > 2 ? Point(2 * slope(count - 2) - tangents[count - 2]) : slope(0);
+    CurveSamples samples;
+    const auto add = [&](const Point& point, double parameter) {
+        Vec3 place = Vec3::Zero();
+        place.template head<Point::SizeAtCompileTime>() = point;
+        samples.points.push_back(place);
+        samples.parameters.push_back(parameter);
+    };
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const double length = at[i + 1] - at[i];
+        add(row[i], at[i]);
+        for (int k = 1; k < samplesOfEdge; ++k) {
+            const double t = static_cast<double>(k) / samplesOfEdge;
+            const double h01 = t * t * (3 - 2 * t), h10 = t * (1 - t) * (1 - t), h11 = -t * t * (1 - t);
+            add((1 - h01) * row[i] + h01 * row[i + 1] + length * (h10 * tangents[i] + h11 * tangents[i + 1]),
+                at[i] + t * length);
+        }
+    }
+    add(row.back(), at.back());
+    samples.end = at.back();
+    return samples;
+}
+
+template <class Point>
+bool isStraight(const std::vector<Point>& row, double tolerance)
+{
+    const Point way = row.back() - row.front();
+    const double length = way.norm();
+    return std::ranges::all_of(row, [&](const Point& point) {
+        const Point off = point - row.front();
+        const double along = length > 0 ? off.dot(way) / length : 0;
+        return along >= -tolerance && along <= length + tolerance &&
+               (off - along * way / std::max(length, 1e-9)).norm() <= tolerance;
+    });
+}
+
+class Builder {
+public:
+    Builder(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order)
+        : m_form(form)
+        , m_flat(flat)
+        , m_order(order)
+        , m_builder(Design())
+    {}
+
+    FormPattern build()
+    {
+        Settings settings;
+        settings.edgeLength = m_order.edgeLength;
+        m_builder.replace(settingsId, settings);
+        m_fabric = m_builder.add(m_order.fabric);
+        m_starts.resize(m_form.pieces.size());
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            addPatch(p);
+        for (std::size_t p = 0; p < m_form.pieces.size(); ++p)
+            for (std::size_t r = 0; r < piece(p).rows.size(); ++r)
+                addRow(p, r);
+        m_result.design = m_builder.now();
+        return std::move(m_result);
+    }
+
+private:
+    const FormPiece& piece(std::size_t p) const { return m_form.pieces[p]; }
+    const Vec3& formPoint(std::size_t p, std::size_t k) const
+    {
+        return m_form.points[piece(p).points[piece(p).border[k]]];
+    }
+    const Vec2& flatPoint(std::size_t p, std::size_t k) const { return m_flat[p].at[piece(p).border[k]]; }
+
+    bool beginsRow(std::size_t p, std::size_t k) const
+    {
+        return std::ranges::find(piece(p).rows, k, &BorderRow::first) != piece(p).rows.end();
+    }
+
+    bool isCorner(std::size_t p, std::size_t k) const
+    {
+        const std::size_t before = piece(p).before(k), after = piece(p).after(k);
+        if (beginsRow(p, k) || turnAt(flatPoint(p, before), flatPoint(p, k), flatPoint(p, after)) > sharpTurn)
+            return true;
+        return piece(p).mates[k].none() &&
+               turnAt(formPoint(p, before), formPoint(p, k), formPoint(p, after)) > sharpTurn;
+    }
+
+    void addPatch(std::size_t p)
+    {
+        m_result.patches.push_back(noElement);
+        const std::size_t count = piece(p).border.size(), start = piece(p).rows.front().first;
+        std::vector<BSpline2> curves;
+        std::vector<std::size_t> rows; // which curve each row begins with
+        for (std::size_t k = 0; k < count;) {
+            if (beginsRow(p, (start + k) % count))
+                rows.push_back(curves.size());
+            std::vector<Vec2> row{flatPoint(p, (start + k) % count)};
+            do {
+                ++k;
+                row.push_back(flatPoint(p, (start + k) % count));
+            } while (k < count && !isCorner(p, (start + k) % count));
+            curves.push_back(curveOf(row));
+        }
+        Patch patch;
+        std::vector<double> starts;
+        patch.outline = edits::joined(curves, &starts);
+        for (const std::size_t curve : rows)
+            m_starts[p].push_back(starts[curve]);
+        if (m_flat[p].turnedOver > 0 || outlineProblem(patch.outline)) {
+            m_result.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message", "%1 is left out: laid flat it would lie over itself. "
+                                              "Divide it, or cut it in where it bulges most"),
+                 {piece(p).name}});
+            return;
+        }
+        patch.name = piece(p).name;
+        patch.fabric = m_fabric;
+        patch.position = place(patch.outline.boundingBox());
+        m_result.patches.back() = m_builder.add(std::move(patch));
+    }
+
+    BSpline2 curveOf(const std::vector<Vec2>& row) const
+    {
+        if (isStraight(row, m_order.tolerance / 4))
+            return edits::polyline({row.front(), row.back()}, 3, 0, 1);
+        const BSpline3 fitted = fitCurve(smoothSamples(row), m_order.tolerance);
+        std::vector<Vec2> points;
+        for (const Vec3& point : fitted.points())
+            points.emplace_back(point.head<2>());
+        return {fitted.degree(), false, std::move(points), fitted.knots()};
+    }
+
+    /// Side by side, in rows from above to below.
+    Vec2 place(const Box2& box)
+    {
+        if (m_cursor.x() > 0 && m_cursor.x() + box.sizes().x() > rowOfPatches) {
+            m_cursor = {0, m_cursor.y() - m_rowHeight - besideEachOther};
+            m_rowHeight = 0;
+        }
+        const Vec2 at(m_cursor.x() - box.min().x(), m_cursor.y() - box.max().y());
+        m_cursor.x() += box.sizes().x() + besideEachOther;
+        m_rowHeight = std::max(m_rowHeight, box.sizes().y());
+        return at;
+    }
+
+    bool isThere(std::size_t p) const { return m_result.patches[p] != noElement; }
+
+    Stretch stretchOf(std::size_t p, std::size_t r) const
+    {
+        return {m_result.patches[p], m_starts[p][r], m_starts[p][r + 1 < m_starts[p].size() ? r + 1 : 0]};
+    }
+
+    void addRow(std::size_t p, std::size_t r)
+    {
+        const BorderRow& row = piece(p).rows[r];
+        if (!isThere(p))
+            return;
+        if (!row.isSewn())
+            addFixation(p, row, r);
+        else if (std::pair(row.matePiece, row.mateRow) >= std::pair(static_cast<int>(p), static_cast<int>(r)) &&
+                 isThere(row.matePiece))
+            addSeam(p, row, r);
+    }
+
+    void addSeam(std::size_t p, const BorderRow& row, std::size_t r)
+    {
+        Seam seam;
+        seam.a = stretchOf(p, r);
+        seam.b = stretchOf(row.matePiece, row.mateRow);
+        seam.continuity = bendAlong(p, row) < m_order.hardEdge ? Continuity::G1 : Continuity::C0;
+        const double a = lengthOf(p, seam.a), b = lengthOf(row.matePiece, seam.b);
+        m_result.seams.push_back({m_builder.add(seam), a, b});
+    }
+
+    double lengthOf(std::size_t p, const Stretch& stretch) const
+    {
+        const BSpline2& outline = m_builder.now().find<Patch>(m_result.patches[p])->outline;
+        const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+        return ArcLength2(outline).between(stretch.from, end);
+    }
+
+    /// The angle by which the form bends across a row, on average; degrees.
+    double bendAlong(std::size_t p, const BorderRow& row) const
+    {
+        double sum = 0, length = 0;
+        for (std::size_t k = 0; k < row.count; ++k) {
+            const std::size_t edge = (row.first + k) % piece(p).border.size();
+            const EdgeMate& mate = piece(p).mates[edge];
+            const double weight = (formPoint(p, piece(p).after(edge)) - formPoint(p, edge)).norm();
+            const Vec3 here = normalBeside(p, edge), there = normalBeside(mate.piece, mate.edge);
+            sum += weight * std::acos(std::clamp(here.dot(there), -1.0, 1.0)) * 180 / std::numbers::pi;
+            length += weight;
+        }
+        return length > 0 ? sum / length : 0;
+    }
+
+    Vec3 normalBeside(std::size_t p, std::size_t edge) const
+    {
+        const int from = piece(p).border[edge], to = piece(p).border[piece(p).after(edge)];
+        const auto point = [&](int v) { return m_form.points[piece(p).points[v]]; };
+        for (const auto& triangle : trianglesAt(p, from))
+            for (int k = 0; k < 3; ++k)
+                if (triangle[k] == from && triangle[(k + 1) % 3] == to)
+                    return (point(to) - point(from)).cross(point(triangle[(k + 2) % 3]) - point(from)).normalized();
+        return Vec3::UnitZ();
+    }
+
+    /// Those around a vertex; made for a piece when it is first asked for.
+    std::vector<std::array<int, 3>> trianglesAt(std::size_t p, int vertex) const
+    {
+        m_around.resize(m_form.pieces.size());
+        auto& around = m_around[p];
+        if (around.empty()) {
+            around.resize(piece(p).points.size());
+            for (const auto& triangle : piece(p).triangles)
+                for (const int corner : triangle)
+                    around[corner].push_back(triangle);
+        }
+        return around[vertex];
+    }
+
+    void addFixation(std::size_t p, const BorderRow& row, std::size_t r)
+    {
+        CurveSamples samples;
+        std::vector<Vec3> smooth{formPoint(p, row.first)};
+        double at = 0;
+        for (std::size_t k = 1; k <= row.count; ++k) {
+            const std::size_t index = (row.first + k) % piece(p).border.size();
+            smooth.push_back(formPoint(p, index));
+            if (k < row.count && !isCorner(p, index))
+                continue;
+            const CurveSamples part = smoothSamples(smooth);
+            if (at > 0)
+                samples.corners.push_back(at);
+            for (std::size_t i = at > 0 ? 1 : 0; i < part.points.size(); ++i) {
+                samples.points.push_back(part.points[i]);
+                samples.parameters.push_back(at + part.parameters[i]);
+            }
+            at += part.end;
+            smooth = {formPoint(p, index)};
+        }
+        samples.end = at;
+        FixationCurve curve;
+        curve.name = edits::freeName<FixationCurve>(m_builder.now(), piece(p).name);
+        curve.curve = fitCurve(samples, m_order.tolerance);
+        FixationSeam fixation;
+        fixation.stretch = stretchOf(p, r);
+        fixation.curve = m_builder.add(std::move(curve));
+        m_builder.add(fixation);
+    }
+
+    const Form& m_form;
+    const std::vector<FlatPiece>& m_flat;
+    const FormPatternOrder& m_order;
+    edits::EditBuilder m_builder;
+    FormPattern m_result;
+    ElementId m_fabric = noElement;
+    std::vector<std::vector<double>> m_starts; // of each piece: where its rows begin on the outline
+    mutable std::vector<std::vector<std::vector<std::array<int, 3>>>> m_around;
+    Vec2 m_cursor = Vec2::Zero();
+    double m_rowHeight = 0;
+};
+
+} // namespace
+
+FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order)
+{
+    return Builder(form, flat, order).build();
+}
+
+} // namespace bolster

@@ -1,0 +1,33 @@
+// The design of a form that was laid flat: outlines, seams, fixation curves.
+#pragma once
+
+#include "Design.h"
+#include "Flatten.h"
+
+namespace bolster {
+
+struct FormPatternOrder {
+    double tolerance = 0.2; ///< mm, of outlines and fixation curves
+    Fabric fabric;
+    double edgeLength = 12; ///< of the design, mm
+    double hardEdge = 20;   ///< degrees: seams that bend by less are rounded (G1)
+};
+
+/// A seam of the design that was made, and how long its sides are, mm.
+struct FormSeam {
+    ElementId seam = noElement;
+    double first = 0, second = 0;
+};
+
+struct FormPattern {
+    Design design;
+    std::vector<ElementId> patches; ///< of each piece; none where it could not be made
+    std::vector<FormSeam> seams;
+    std::vector<Message> notes; ///< pieces that are left out, and why
+};
+
+/// Each piece becomes a patch with corners where its seams meet and where its outline turns sharply; each row of
+/// edges that two pieces have in common a seam; each row at the form's border a fixation curve with its fixation.
+FormPattern formPattern(const Form& form, const std::vector<FlatPiece>& flat, const FormPatternOrder& order);
+
+} // namespace bolster

@@ -1,0 +1,159 @@
+// Forms that are known when they lie flat, and the designs that are made of them.
+#include "Flatten.h"
+
+#include "DesignCheck.h"
+#include "FormPattern.h"
+#include "TestForms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace bolster::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+FormPattern patternOf(const TriangleMesh& mesh, const FormCuts& cuts = {})
+{
+    const Form form = cutForm(mesh, cuts);
+    EXPECT_TRUE(form.problem.empty()) << form.problem.english();
+    return formPattern(form, flatten(form, {}), {});
+}
+
+const Patch& onlyPatch(const FormPattern& pattern)
+{
+    EXPECT_EQ(pattern.patches.size(), 1u);
+    return *pattern.design.find<Patch>(pattern.patches.front());
+}
+
+template <class T>
+int countOf(const Design& design)
+{
+    int count = 0;
+    design.each<T>([&](ElementId, const T&) { ++count; });
+    return count;
+}
+
+void expectSound(const FormPattern& pattern)
+{
+    for (const Problem& problem : checkDesign(pattern.design))
+        EXPECT_NE(problem.severity, Severity::Error)
+            << problem.label << ", " << problem.field << ": " << problem.message.english();
+    for (const Message& note : pattern.notes)
+        ADD_FAILURE() << note.english();
+}
+
+TEST(Flatten, HalfAPipeIsARectangle)
+{
+    const Form form = cutForm(halfPipe(100, 200), {});
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    ASSERT_EQ(flat.size(), 1u);
+    EXPECT_EQ(flat[0].turnedOver, 0);
+    EXPECT_LT(flat[0].strainMost, 1e-6);
+    Box2 box;
+    for (const Vec2& at : flat[0].at)
+        box.extend(at);
+    EXPECT_NEAR(box.sizes().x(), 60 * 2 * 100 * std::sin(pi / 120), 1e-3) << "the polygon's length; up is up";
+    EXPECT_NEAR(box.sizes().y(), 200, 1e-3);
+}
+
+TEST(Flatten, TheOutlineOfHalfAPipeHasTheArcsLength)
+{
+    const FormPattern pattern = patternOf(halfPipe(100, 200));
+    expectSound(pattern);
+    const Patch& patch = onlyPatch(pattern);
+    EXPECT_NEAR(patch.outline.boundingBox().sizes().y(), 200, 0.01);
+    EXPECT_LE(patch.outline.pointCount(), 12) << "a rectangle needs no more";
+    EXPECT_EQ(countOf<FixationCurve>(pattern.design), 2) << "all around is divided once, as curves have ends";
+}
+
+TEST(Flatten, AConeIsASectorOfARing)
+{
+    // A frustum with slant height s: the sector spans 2 pi (r2 - r1) / s.
+    const double lower = 150, upper = 90, height = 80, slant = std::hypot(height, lower - upper);
+    const FormPattern pattern = patternOf(ringMesh(lower, upper, height));
+    expectSound(pattern);
+    const Patch& patch = onlyPatch(pattern);
+    EXPECT_NEAR(std::abs(patch.outline.signedArea()), pi * (lower + upper) * slant,
+                0.002 * pi * (lower + upper) * slant);
+    ASSERT_EQ(pattern.seams.size(), 1u) << "where it was cut open";
+    EXPECT_NEAR(pattern.seams[0].first, slant, 0.05);
+    EXPECT_NEAR(pattern.seams[0].second, slant, 0.05);
+}
+
+TEST(Flatten, SewnEdgesAreEquallyLongThoughTheirPiecesAreStrained)
+{
+    // A dome of two halves that cannot be laid flat without strain, and a flat brim around it.
+    const auto dome = [](double from) {
+        return gridMesh(
+            30, 15,
+            [from](double u, double v) {
+                const double around = pi * (from + u), high = 0.5 * pi * v * 0.95;
+                return Vec3(100 * std::cos(around) * std::cos(high), 100 * std::sin(around) * std::cos(high),
+                            70 * std::sin(high));
+            },
+            from == 0 ? "Back" : "Front");
+    };
+    const FormPattern pattern = patternOf(sideBySide(dome(0), dome(1)));
+    expectSound(pattern);
+    ASSERT_GE(pattern.seams.size(), 2u);
+    for (const FormSeam& seam : pattern.seams)
+        EXPECT_NEAR(seam.first, seam.second, 0.2);
+}
+
+TEST(Flatten, SaysWhereThePieceIsStrainedMost)
+{
+    // A plane with a bump near one corner.
+    const Form form = cutForm(gridMesh(40, 40,
+                                       [](double u, double v) {
+                                           const double far = std::hypot(u - 0.25, v - 0.7);
+                                           return Vec3(400 * u, 400 * v, 60 * std::exp(-far * far / 0.01));
+                                       }),
+                              {});
+    const std::vector<FlatPiece> flat = flatten(form, {});
+    ASSERT_EQ(flat.size(), 1u);
+    EXPECT_GT(flat[0].strainMost, 0.05);
+    EXPECT_LT((flat[0].strainedAt.head<2>() - Vec2(100, 280)).norm(), 60);
+}
+
+TEST(Flatten, APieceOfAPlaneStaysAsItIsWhateverTheFabric)
+{
+    for (const double poisson : {-0.4, 0.0, 0.45}) {
+        const Form form =
+            cutForm(gridMesh(20, 10, [](double u, double v) { return Vec3(300 * u, 200 * v, 0); }), {});
+        FlattenOrder order;
+        order.poisson = poisson;
+        const std::vector<FlatPiece> flat = flatten(form, order);
+        EXPECT_LT(flat[0].strainMost, 1e-9);
+        EXPECT_NEAR(flat[0].area, 60'000, 1e-3);
+    }
+}
+
+TEST(Flatten, SeamsThatHardlyBendAreRounded)
+{
+    const auto half = [](double from, const std::string& name) {
+        return gridMesh(
+            20, 10,
+            [from](double u, double v) {
+                const double angle = pi * (1 + from + 0.5 * u);
+                return Vec3(100 * std::cos(angle), 100 * std::sin(angle), 150 * v);
+            },
+            name);
+    };
+    const FormPattern smooth = patternOf(sideBySide(half(0, "Left"), half(0.5, "Right")));
+    ASSERT_EQ(smooth.seams.size(), 1u);
+    EXPECT_EQ(smooth.design.find<Seam>(smooth.seams[0].seam)->continuity, Continuity::G1);
+    const auto plane = [](const Vec3& along, const std::string& name, bool swap) {
+        return gridMesh(
+            10, 10, [=](double u, double v) { return Vec3((swap ? 1 - u : u) * along + Vec3(0, 0, 100 * v)); },
+            name);
+    };
+    const FormPattern edge = patternOf(sideBySide(plane({100, 0, 0}, "A", false), plane({0, 100, 0}, "B", true)));
+    ASSERT_EQ(edge.seams.size(), 1u);
+    EXPECT_EQ(edge.design.find<Seam>(edge.seams[0].seam)->continuity, Continuity::C0);
+}
+
+} // namespace
+} // namespace bolster::test

@@ -1,0 +1,137 @@
+// Where forms are cut, and what hangs together then.
+#include "Form.h"
+
+#include "TestForms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bolster::test {
+namespace {
+
+/// An open box without its lid: bottom and four walls, each a part of its own.
+TriangleMesh tray(double size, double height)
+{
+    const auto wall = [&](const Vec3& from, const Vec3& along, const std::string& name) {
+        return gridMesh(
+            4, 2, [=](double u, double v) { return Vec3(from + u * along + Vec3(0, 0, v * height)); }, name);
+    };
+    TriangleMesh mesh = gridMesh(
+        4, 4, [=](double u, double v) { return Vec3(u * size, (1 - v) * size, 0); }, "Bottom");
+    mesh = sideBySide(mesh, wall({0, 0, 0}, {size, 0, 0}, "Front"));
+    mesh = sideBySide(mesh, wall({size, 0, 0}, {0, size, 0}, "Right"));
+    mesh = sideBySide(mesh, wall({size, size, 0}, {-size, 0, 0}, "Back"));
+    return sideBySide(mesh, wall({0, size, 0}, {0, -size, 0}, "Left"));
+}
+
+std::ptrdiff_t sewnEdges(const FormPiece& piece)
+{
+    return std::ranges::count_if(piece.mates, [](const EdgeMate& mate) { return !mate.none(); });
+}
+
+/// Each sewn edge has a mate that says the same of it, and lies between the same points the other way round.
+void expectMatesAgree(const Form& form)
+{
+    for (int p = 0; p < std::ssize(form.pieces); ++p) {
+        const FormPiece& piece = form.pieces[p];
+        ASSERT_EQ(piece.mates.size(), piece.border.size());
+        for (int k = 0; k < std::ssize(piece.border); ++k) {
+            const EdgeMate mate = piece.mates[k];
+            if (mate.none())
+                continue;
+            const FormPiece& other = form.pieces[mate.piece];
+            EXPECT_EQ(other.mates[mate.edge], (EdgeMate{p, k}));
+            EXPECT_EQ(other.points[other.border[mate.edge]], piece.points[piece.border[piece.after(k)]]);
+        }
+    }
+}
+
+TEST(Form, FallsApartWhereGroupsMeet)
+{
+    const Form form = cutForm(tray(200, 60), {});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 5u);
+    EXPECT_EQ(form.pieces[0].name, "Bottom");
+    EXPECT_EQ(sewnEdges(form.pieces[0]), 16) << "all around";
+    EXPECT_EQ(sewnEdges(form.pieces[1]), 4 + 2 + 2) << "below, and on both sides";
+    expectMatesAgree(form);
+}
+
+TEST(Form, FallsApartWhereItBends)
+{
+    TriangleMesh mesh = tray(200, 60);
+    mesh.parts = {{"Tray", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    const Form form = cutForm(mesh, {false, 30});
+    ASSERT_EQ(form.pieces.size(), 5u);
+    EXPECT_EQ(form.pieces[0].name, "Tray");
+    EXPECT_EQ(form.pieces[4].name, "Tray 5");
+    expectMatesAgree(form);
+    EXPECT_EQ(cutForm(mesh, {false, 120}).pieces.size(), 1u) << "a tray has one border and can be laid flat";
+}
+
+TEST(Form, TurnsFacesThatAreTheWrongWayRound)
+{
+    TriangleMesh mesh = tray(200, 60);
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += 5)
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    const Form form = cutForm(mesh, {});
+    ASSERT_EQ(form.pieces.size(), 5u);
+    EXPECT_FALSE(form.notes.empty());
+    expectMatesAgree(form);
+}
+
+TEST(Form, ARingIsCutOpenAlongTheShortestWay)
+{
+    const Form form = cutForm(ringMesh(100, 100, 150, 40, 10), {});
+    ASSERT_TRUE(form.problem.empty()) << form.problem.english();
+    ASSERT_EQ(form.pieces.size(), 1u);
+    EXPECT_EQ(sewnEdges(form.pieces[0]), 20) << "both sides of the cut";
+    ASSERT_EQ(form.notes.size(), 1u);
+    double length = 0;
+    const FormPiece& piece = form.pieces[0];
+    for (std::size_t k = 0; k < piece.border.size(); ++k)
+        if (!piece.mates[k].none())
+            length += (form.points[piece.points[piece.border[piece.after(k)]]] -
+                       form.points[piece.points[piece.border[k]]])
+                          .norm();
+    EXPECT_NEAR(length, 300, 1e-6) << "straight up, there and back";
+    expectMatesAgree(form);
+}
+
+TEST(Form, WhatHasNoBorderIsRefusedByName)
+{
+    TriangleMesh mesh =
+        sideBySide(tray(200, 60), gridMesh(
+                                      4, 4, [](double u, double v) { return Vec3(u * 200, v * 200, 60); }, "Lid"));
+    for (TriangleMesh::Part& part : mesh.parts)
+        part.name = "Box";
+    mesh.parts = {{"Box", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    const Form form = cutForm(mesh, {});
+    EXPECT_TRUE(form.pieces.empty());
+    EXPECT_NE(form.problem.english().find("Box is closed all around"), std::string::npos) << form.problem.english();
+}
+
+TEST(Form, OfNothingThereIsNothing)
+{
+    EXPECT_FALSE(cutForm({}, {}).problem.empty());
+    TriangleMesh line;
+    line.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+    line.triangles = {{0, 1, 2}};
+    EXPECT_FALSE(cutForm(line, {}).problem.empty());
+}
+
+TEST(Form, EdgesOfThreeFacesAreBorders)
+{
+    TriangleMesh mesh = tray(200, 60);
+    mesh = sideBySide(mesh, gridMesh(
+                                4, 2, [](double u, double v) { return Vec3(200, 200 * u, 60 * v - 60); }, "Skirt"));
+    const Form form = cutForm(mesh, {});
+    ASSERT_EQ(form.pieces.size(), 6u);
+    EXPECT_EQ(sewnEdges(form.pieces[0]), 12) << "one side of four is a border";
+    expectMatesAgree(form);
+}
+
+} // namespace
+} // namespace bolster::test

@@ -1,0 +1,55 @@
+#include "TestForms.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace bolster::test {
+
+TriangleMesh gridMesh(int columns, int rows, const std::function<Vec3(double u, double v)>& place,
+                      const std::string& name)
+{
+    TriangleMesh mesh;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= columns; ++i)
+            mesh.points.push_back(place(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    mesh.parts = {{name, 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+TriangleMesh sideBySide(const TriangleMesh& a, const TriangleMesh& b)
+{
+    TriangleMesh both = a;
+    const auto points = static_cast<std::uint32_t>(a.points.size());
+    const auto triangles = static_cast<std::uint32_t>(a.triangles.size());
+    both.points.insert(both.points.end(), b.points.begin(), b.points.end());
+    for (const auto& [i, j, k] : b.triangles)
+        both.triangles.push_back({points + i, points + j, points + k});
+    for (const TriangleMesh::Part& part : b.parts)
+        both.parts.push_back({part.name, triangles + part.firstTriangle, part.triangleCount});
+    return both;
+}
+
+TriangleMesh halfPipe(double radius, double height, int columns, int rows)
+{
+    return gridMesh(columns, rows, [=](double u, double v) {
+        const double angle = std::numbers::pi * (1 + u);
+        return Vec3(radius * std::cos(angle), radius * std::sin(angle), height * v);
+    });
+}
+
+TriangleMesh ringMesh(double lower, double upper, double height, int columns, int rows)
+{
+    return gridMesh(columns, rows, [=](double u, double v) {
+        const double angle = u < 1 ? 2 * std::numbers::pi * u : 0; // ends where it begins, to the last bit
+        const double radius = lower + v * (upper - lower);
+        return Vec3(radius * std::cos(angle), radius * std::sin(angle), height * v);
+    });
+}
+
+} // namespace bolster::test

@@ -1,0 +1,20 @@
+// Forms of which it is known what they look like flat.
+#pragma once
+
+#include "TriangleMesh.h"
+
+#include <functional>
+
+namespace bolster::test {
+
+/// A grid of columns x rows squares, each two triangles, over [0, 1] x [0, 1]; one part of that name.
+TriangleMesh gridMesh(int columns, int rows, const std::function<Vec3(double u, double v)>& place,
+                      const std::string& name = "Sheet");
+/// The parts of both, points in the same place being doubled as files have them.
+TriangleMesh sideBySide(const TriangleMesh& a, const TriangleMesh& b);
+/// Half of a pipe around the z axis: radius and height in mm, bulging to -y.
+TriangleMesh halfPipe(double radius, double height, int columns = 60, int rows = 24);
+/// A ring around the z axis, open above and below, a cone when the radii differ.
+TriangleMesh ringMesh(double lower, double upper, double height, int columns = 90, int rows = 16);
+
+} // namespace bolster::test
