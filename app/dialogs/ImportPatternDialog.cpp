@@ -116,6 +116,7 @@ QWidget* ImportPatternDialog::buildChoices()
 {
     m_unit = new QComboBox(this);
     m_unit->setObjectName(QStringLiteral("unit"));
+    m_unit->setSizeAdjustPolicy(QComboBox::AdjustToContents); // with the measures that come later
     addUnit(tr("Millimetres"), 1);
     addUnit(tr("Centimetres"), 10);
     addUnit(tr("Inches"), 25.4);

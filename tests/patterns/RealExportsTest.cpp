@@ -4,7 +4,9 @@
 #include "PatternDesign.h"
 #include "TestPaths.h"
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <sstream>
 

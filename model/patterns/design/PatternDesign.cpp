@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 namespace bolster {
 
@@ -41,7 +41,8 @@ private:
     static std::string stemOf(const std::string& name)
     {
         const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-        const bool counted = digits > 1 && digits < name.size() && name.size() - digits < 7 && name[digits - 1] == ' ';
+        const bool counted =
+            digits > 1 && digits < name.size() && name.size() - digits < 7 && name[digits - 1] == ' ';
         return counted ? name.substr(0, digits - 1) : name;
     }
 

@@ -2,6 +2,7 @@
 
 #include "DrawnWords.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

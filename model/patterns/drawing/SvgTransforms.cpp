@@ -3,6 +3,7 @@
 #include "DrawnWords.h"
 #include "SvgNumbers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>

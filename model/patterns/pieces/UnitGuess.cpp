@@ -3,6 +3,7 @@
 #include "DrawnWords.h"
 #include "FoundPieces.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace bolster {
