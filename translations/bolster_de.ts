@@ -4877,10 +4877,6 @@
         <translation>Schnitt aus %1 Teilen importieren</translation>
     </message>
     <message>
-        <source>%1 is left out: its outline has too few or too many points</source>
-        <translation>%1 ist weggelassen: Sein Umriss hat zu wenige oder zu viele Punkte</translation>
-    </message>
-    <message>
         <source>%1 is left out: its outline crosses itself or encloses nothing</source>
         <translation>%1 ist weggelassen: Sein Umriss kreuzt sich selbst oder umschließt nichts</translation>
     </message>
@@ -4905,20 +4901,8 @@
         <translation>%1: Die Datei hört mittendrin auf</translation>
     </message>
     <message>
-        <source>%1: more is drawn in it than a pattern can have</source>
-        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann</translation>
-    </message>
-    <message>
         <source>%1 is not a DXF file: it has no sections</source>
         <translation>%1 ist keine DXF-Datei: Sie hat keine Abschnitte</translation>
-    </message>
-    <message>
-        <source>%1 is a binary DXF file: save it as text (ASCII) and import that</source>
-        <translation>%1 ist eine binäre DXF-Datei: Speichern Sie sie als Text (ASCII) und importieren Sie diese</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; is inserted more often than a pattern needs</source>
-        <translation>%1: „%2“ ist öfter eingefügt, als ein Schnitt es braucht</translation>
     </message>
     <message>
         <source>%1 is not an SVG file</source>
@@ -5007,6 +4991,74 @@
     <message>
         <source>This edge of %1 is not as long as that.</source>
         <translation>Diese Kante von %1 ist nicht so lang.</translation>
+    </message>
+    <message>
+        <source>the pattern is so large that the edge length of its triangles becomes %1 mm; is the unit right?</source>
+        <translation>der Schnitt ist so groß, dass die Kantenlänge seiner Dreiecke %1 mm wird; stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it is %2 m large, the most is %3 m; is the unit right?</source>
+        <translation>%1 ist weggelassen: Es ist %2 m groß, möglich sind %3 m; stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>%1 is left out: its outline has fewer than three points</source>
+        <translation>%1 ist weggelassen: Sein Umriss hat weniger als drei Punkte</translation>
+    </message>
+    <message>
+        <source>%1 is left out: of the %2 points of its outline no curve with at most %3 can be made</source>
+        <translation>%1 ist weggelassen: Aus den %2 Punkten seines Umrisses lässt sich keine Kurve mit höchstens %3 machen</translation>
+    </message>
+    <message>
+        <source>%1: its outline has more than %2 points and is simplified, by %3 mm at most</source>
+        <translation>%1: Sein Umriss hat mehr als %2 Punkte und wird vereinfacht, um höchstens %3 mm</translation>
+    </message>
+    <message>
+        <source>%1: its quantity &quot;%2&quot; is no number of pieces; it is cut once until somebody says how often</source>
+        <translation>%1: Seine Anzahl „%2“ ist keine Stückzahl; es wird einmal zugeschnitten, bis jemand sagt, wie oft</translation>
+    </message>
+    <message>
+        <source>%1: its quantity %2 is more than possible and becomes %3</source>
+        <translation>%1: Seine Anzahl %2 ist mehr als möglich und wird %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 drill holes are narrower than %3 mm or wider than %4 mm and become as wide as possible</source>
+        <translation>%1: %2 Bohrlöcher sind enger als %3 mm oder weiter als %4 mm und werden so weit wie möglich</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it would be a patch with mistakes</source>
+        <translation>%1 ist weggelassen: Es wäre ein Teil mit Fehlern</translation>
+    </message>
+    <message>
+        <source>%1: the file ends in the middle of its section %2, so it is not whole; get it once more</source>
+        <translation>%1: Die Datei endet mitten in ihrem Abschnitt %2, ist also nicht ganz; holen Sie sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: more is drawn in it than a pattern can have (over %2 groups)</source>
+        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann (über %2 Gruppen)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is larger than any pattern (%3)</source>
+        <translation>%1: %2 ist größer als jeder Schnitt (%3)</translation>
+    </message>
+    <message>
+        <source>the mark at the end of the file (EOF) is missing: look whether everything is there</source>
+        <translation>die Marke am Ende der Datei (EOF) fehlt: Sehen Sie nach, ob alles da ist</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is inserted more often than a pattern needs (over %3 times)</source>
+        <translation>%1: „%2“ wird öfter eingefügt, als ein Schnitt es braucht (über %3-mal)</translation>
+    </message>
+    <message>
+        <source>%1: an element has more than %2 attributes</source>
+        <translation>%1: Ein Element hat mehr als %2 Attribute</translation>
+    </message>
+    <message>
+        <source>%1: more is drawn in it than a pattern can have (over %2 elements)</source>
+        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann (über %2 Elemente)</translation>
+    </message>
+    <message>
+        <source>%1: elements lie in each other more than %2 times</source>
+        <translation>%1: Elemente liegen mehr als %2-mal ineinander</translation>
     </message>
 </context>
 <context>
@@ -7648,16 +7700,25 @@
         <source>Not read: %1</source>
         <translation>Nicht gelesen: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
-        <translation>
-            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem ist weggelassen.</numerusform>
-            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem sind weggelassen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The file does not say its unit for certain: look at the measures.</source>
         <translation>Die Datei sagt ihre Einheit nicht sicher: Sehen Sie sich die Maße an.</translation>
+    </message>
+    <message>
+        <source>Pixels (1/96 inch)</source>
+        <translation>Pixel (1/96 Zoll)</translation>
+    </message>
+    <message>
+        <source>Points (1/72 inch)</source>
+        <translation>Punkte (1/72 Zoll)</translation>
+    </message>
+    <message>
+        <source>In no piece and left out, by layer: %1</source>
+        <translation>In keinem Teil und weggelassen, nach Ebenen: %1</translation>
+    </message>
+    <message>
+        <source>Marks of grading, stripes or nothing that is known, left out by layer: %1</source>
+        <translation>Zeichen für Gradierung, Streifen oder nichts Bekanntes, weggelassen nach Ebenen: %1</translation>
     </message>
 </context>
 <context>

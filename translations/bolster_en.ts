@@ -167,13 +167,6 @@
             <numerusform>%n lines lay twice on themselves and are taken once.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
-        <translation>
-            <numerusform>%n mark of grading, stripes or nothing that is known is left out.</numerusform>
-            <numerusform>%n marks of grading, stripes or nothing that is known are left out.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>

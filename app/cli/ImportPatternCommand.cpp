@@ -11,6 +11,7 @@
 #include <QFileInfo>
 
 #include <array>
+#include <cmath>
 
 namespace bolster::cli {
 
@@ -21,8 +22,9 @@ piece becomes a patch, with its seam allowance, notches, grain line, drill holes
 lines inside, quantity and fabric, as far as the file has them. Seams are not made.
 
 Options:
-  --unit mm|cm|in       what the numbers in the file are; without it, what the file
-                        and the size of the pieces say
+  --unit mm|cm|in|m|px|pt
+                        what the numbers in the file are (px: 1/96 inch, pt: 1/72);
+                        without it, what the file and the size of the pieces say
   --size NAME           of a graded pattern; without it, the sample size
   --layers sew|cut      which line becomes the outline of a patch: the sewing line
                         (the usual one; where there is one), or the cut line
@@ -39,18 +41,41 @@ namespace {
 constexpr std::array importPatternRules = {OptionRule{"--unit", true}, OptionRule{"--size", true},
                                            OptionRule{"--layers", true}, OptionRule{"--close", true}};
 
+std::string figure(double value, int digits = 1)
+{
+    return QString::number(value, 'f', value < 100 ? digits : 0).toStdString();
+}
+
+struct NamedUnit {
+    const char* word;
+    const char* many;
+    double size; // mm
+};
+
+constexpr std::array<NamedUnit, 6> namedUnits{{{"mm", "mm", 1},
+                                               {"cm", "cm", 10},
+                                               {"in", "inches", 25.4},
+                                               {"m", "metres", 1000},
+                                               {"px", "pixels of 1/96 inch", 25.4 / 96},
+                                               {"pt", "points of 1/72 inch", 25.4 / 72}}};
+
 double unitOf(const Arguments& arguments, const Drawing& drawing)
 {
-    const QString word = arguments.path("--unit");
-    if (word.isEmpty())
+    const std::string word = arguments.path("--unit").toStdString();
+    if (word.empty())
         return guessedUnit(drawing);
-    if (word == QLatin1String("mm"))
-        return 1;
-    if (word == QLatin1String("cm"))
-        return 10;
-    if (word == QLatin1String("in"))
-        return 25.4;
-    throw UsageError("--unit is mm, cm or in, not \"" + word.toStdString() + "\"");
+    for (const NamedUnit& unit : namedUnits)
+        if (word == unit.word)
+            return unit.size;
+    throw UsageError("--unit is mm, cm, in, m, px or pt, not \"" + word + "\"");
+}
+
+std::string unitText(double size)
+{
+    for (const NamedUnit& unit : namedUnits)
+        if (std::abs(size - unit.size) < 1e-6 * unit.size)
+            return unit.many;
+    return figure(size, 4) + " mm each";
 }
 
 PatternLines linesOf(const Arguments& arguments)
@@ -63,41 +88,40 @@ PatternLines linesOf(const Arguments& arguments)
     throw UsageError("--layers is sew or cut, not \"" + word.toStdString() + "\"");
 }
 
-std::string figure(double value)
+void printByLayer(const std::map<std::string, int>& counts, const char* level, const char* what)
 {
-    return QString::number(value, 'f', value < 100 ? 1 : 0).toStdString();
+    for (const auto& [layer, count] : counts)
+        printError(std::string(level) + ": left out: " + counted(count, "shape") +
+                   (layer.empty() ? " without a layer" : " on layer \"" + layer + "\"") + what);
 }
 
 /// Nothing is left out silently.
 void printUnread(const Drawing& drawing, const FoundPattern& pattern)
 {
+    for (const Message& note : drawing.notes)
+        printError("warning: " + note.english());
     for (const auto& [what, count] : drawing.unknown)
         printError("warning: not read: " + std::to_string(count) + " x " + what);
     for (const Contour& line : pattern.open)
         printError("warning: an outline is open, its ends are " + figure(line.gap) + " mm apart (see --close)");
     if (pattern.doubled > 0)
         printError("warning: " + counted(pattern.doubled, "line") + " lay twice on itself and is taken once");
-    if (pattern.ignored > 0)
-        printError("note: " + counted(pattern.ignored, "mark") +
-                   " of grading, stripes or nothing that is known: left out");
+    printByLayer(pattern.outside, "warning", ", in no piece");
+    printByLayer(pattern.ignored, "note", ", of grading, stripes or nothing that is known");
 }
 
-void printMeasures(const Drawing& drawing, const FoundPattern& pattern, double unit, bool asked)
+/// Of what became a patch: another piece may be drawn in another scale, or be a frame around the sheet.
+void printMeasures(const Drawing& drawing, const FoundPattern& pattern, const ImportedPattern& made, double unit,
+                   bool asked)
 {
-    if (pattern.pieces.empty())
-        return;
     Vec2 size = Vec2::Zero();
-    for (const FoundPiece& piece : pattern.pieces)
-        if (const Vec2 sizes = piece.cut.box().sizes(); sizes.maxCoeff() > size.maxCoeff())
+    for (const std::size_t place : made.taken)
+        if (const Vec2 sizes = pattern.pieces[place].cut.box().sizes(); sizes.maxCoeff() > size.maxCoeff())
             size = sizes;
     std::string line("largest piece: ");
     line.append(figure(size.x())).append(" x ").append(figure(size.y())).append(" mm");
     if (!asked && !drawing.unit)
-        line.append(" (the file does not say its unit; taken for ")
-            .append(unit == 1    ? "mm"
-                    : unit == 10 ? "cm"
-                                 : "inches")
-            .append(", see --unit)");
+        line.append(" (the file does not say its unit; taken for ").append(unitText(unit)).append(", see --unit)");
     printResult(line);
 }
 
@@ -132,18 +156,20 @@ int importPattern(std::span<const std::string> words)
     for (const Message& note : made.notes)
         printError("warning: " + note.english());
     if (made.patches.empty()) {
-        printError("error: there is no piece in \"" + files[0].toStdString() + "\"");
+        printError("error: there is no piece that can be taken in \"" + files[0].toStdString() + "\"");
         return badInput;
     }
-    printMeasures(*imported.drawing, pattern, unit, arguments.has("--unit"));
+    printMeasures(*imported.drawing, pattern, made, unit, arguments.has("--unit"));
     interrupt.beginWriting();
     if (const Message problem = replaceWholeFile(files[1], writeDesign(Design().with(made.edit)));
         !problem.empty()) {
         printError("error: " + problem.english());
         return otherFailure;
     }
+    const std::size_t found = pattern.pieces.size();
     printResult("wrote " + files[1].toStdString() + ": " +
-                counted(static_cast<std::int64_t>(made.patches.size()), "piece"));
+                counted(static_cast<std::int64_t>(made.patches.size()), "piece") +
+                (found > made.patches.size() ? std::string(" of ").append(std::to_string(found)) : ""));
     return done;
 }
 

@@ -1,7 +1,9 @@
 #include "ImportPatternDialog.h"
 
+#include "Ask.h"
 #include "FoundPiecesView.h"
 #include "NumberBox.h"
+#include "Translated.h"
 #include "Units.h"
 #include "ViewColors.h"
 
@@ -20,21 +22,36 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace bolster {
 
 namespace {
 
-constexpr std::array unitSizes{1.0, 10.0, 25.4, 1000.0}; // mm
+constexpr int unitName = Qt::UserRole + 1; // without its measures
 
-Vec2 largestPiece(const FoundPattern& pattern)
+/// Of the chosen ones; of all where none is chosen.
+Vec2 largestPiece(const FoundPattern& pattern, const std::set<std::size_t>& chosen)
 {
     Vec2 largest = Vec2::Zero();
-    for (const FoundPiece& piece : pattern.pieces)
-        if (const Vec2 size = piece.cut.box().sizes(); size.maxCoeff() > largest.maxCoeff())
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i)
+        if (const Vec2 size = pattern.pieces[i].cut.box().sizes();
+            size.maxCoeff() > largest.maxCoeff() && (chosen.empty() || chosen.contains(i)))
             largest = size;
     return largest;
+}
+
+/// "3 x HATCH, 2 x 3DFACE", the first few of them.
+QString listed(const std::map<std::string, int>& counts)
+{
+    constexpr int most = 8;
+    QStringList names;
+    for (const auto& [name, count] : counts)
+        names << QStringLiteral("%1 \u00d7 %2")
+                     .arg(QLocale().toString(count),
+                          name.empty() ? QStringLiteral("\u2013") : QString::fromStdString(name));
+    const QString more = names.size() > most ? QStringLiteral(" \u2026") : QString();
+    return names.mid(0, most).join(QStringLiteral(", ")) + more;
 }
 
 } // namespace
@@ -43,15 +60,16 @@ ImportPatternDialog::ImportPatternDialog(Drawing drawing, const QString& file, Q
     : QDialog(parent)
     , m_drawing(std::make_shared<const Drawing>(std::move(drawing)))
     , m_job(
-          [drawing = m_drawing](const PieceOrder& order,
-                                const std::stop_token&) -> std::shared_ptr<const FoundPattern> {
+          [drawing = m_drawing](PieceOrder order, const std::stop_token&) -> std::shared_ptr<const FoundPattern> {
+              if (!(order.unit > 0))
+                  order.unit = guessedUnit(*drawing);
               return std::make_shared<const FoundPattern>(findPieces(*drawing, order));
           },
           [this](std::shared_ptr<const FoundPattern> pattern) { showPattern(std::move(pattern)); })
 {
     setWindowTitle(tr("Import pattern"));
     build(file);
-    guessUnit();
+    rememberUnit();
     changed();
 }
 
@@ -98,7 +116,15 @@ QWidget* ImportPatternDialog::buildChoices()
 {
     m_unit = new QComboBox(this);
     m_unit->setObjectName(QStringLiteral("unit"));
-    m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Inches"), tr("Metres")});
+    m_unit->setSizeAdjustPolicy(QComboBox::AdjustToContents); // with the measures that come later
+    addUnit(tr("Millimetres"), 1);
+    addUnit(tr("Centimetres"), 10);
+    addUnit(tr("Inches"), 25.4);
+    addUnit(tr("Metres"), 1000);
+    if (m_drawing->usualUnit) {
+        addUnit(tr("Pixels (1/96 inch)"), 25.4 / 96);
+        addUnit(tr("Points (1/72 inch)"), 25.4 / 72);
+    }
     m_measures = new QLabel(this);
     m_measures->setObjectName(QStringLiteral("measures"));
     QFont large = m_measures->font();
@@ -136,20 +162,29 @@ QString ImportPatternDialog::product() const
     return {};
 }
 
-void ImportPatternDialog::guessUnit()
+/// Until something is chosen it is guessed, with the pieces.
+void ImportPatternDialog::rememberUnit()
 {
-    double unit = guessedUnit(*m_drawing);
+    m_unit->setCurrentIndex(-1);
     if (const QString program = product(); !m_drawing->unit && !program.isEmpty())
-        unit = QSettings().value(QStringLiteral("import/unit/") + program, unit).toDouble();
-    const auto found =
-        std::ranges::find_if(unitSizes, [&](double size) { return std::abs(size - unit) < 1e-6 * size; });
-    if (found == unitSizes.end())
-        m_unit->addItem(tr("%1 mm").arg(QLocale().toString(unit)));
-    m_unit->setCurrentIndex(static_cast<int>(found - unitSizes.begin()));
-    if (found == unitSizes.end())
-        m_unit->setItemData(m_unit->count() - 1, unit);
-    for (std::size_t i = 0; i < unitSizes.size(); ++i)
-        m_unit->setItemData(static_cast<int>(i), unitSizes[i]);
+        if (const double unit = QSettings().value(QStringLiteral("import/unit/") + program).toDouble(); unit > 0)
+            chooseUnit(unit);
+}
+
+void ImportPatternDialog::chooseUnit(double unit)
+{
+    int index = 0;
+    while (index < m_unit->count() && std::abs(m_unit->itemData(index).toDouble() - unit) > 1e-6 * unit)
+        ++index;
+    if (index == m_unit->count())
+        addUnit(tr("%1 mm").arg(QLocale().toString(unit)), unit);
+    m_unit->setCurrentIndex(index);
+}
+
+void ImportPatternDialog::addUnit(const QString& name, double size)
+{
+    m_unit->addItem(name, size);
+    m_unit->setItemData(m_unit->count() - 1, name, unitName);
 }
 
 PieceOrder ImportPatternDialog::order() const
@@ -166,9 +201,10 @@ void ImportPatternDialog::changed()
 void ImportPatternDialog::showPattern(std::shared_ptr<const FoundPattern> pattern)
 {
     m_pattern = std::move(pattern);
-    m_unitShown = m_unit->currentData().toDouble();
+    m_unitShown = m_pattern->unit;
+    if (m_unit->currentIndex() < 0)
+        chooseUnit(m_unitShown);
     showSizes();
-    showUnits();
     showPieces();
     tellWhatIsOdd();
     choose();
@@ -189,16 +225,16 @@ void ImportPatternDialog::showSizes()
 /// Each unit with the measures that it would give.
 void ImportPatternDialog::showUnits()
 {
-    const Vec2 size = largestPiece(*m_pattern);
+    const Vec2 size = largestPiece(*m_pattern, chosen());
     const auto measures = [&](double unit) {
         const Vec2 now = size * (unit / m_unitShown);
         return tr("%1 \u00d7 %2 mm").arg(decimalText(now.x(), 0, false), decimalText(now.y(), 0, false));
     };
-    const QStringList names{tr("Millimetres"), tr("Centimetres"), tr("Inches"), tr("Metres")};
-    for (int i = 0; i < names.size(); ++i)
-        m_unit->setItemText(i, size.maxCoeff() > 0
-                                   ? tr("%1: %2").arg(names[i], measures(unitSizes[static_cast<std::size_t>(i)]))
-                                   : names[i]);
+    for (int i = 0; i < m_unit->count(); ++i) {
+        const QString name = m_unit->itemData(i, unitName).toString();
+        m_unit->setItemText(
+            i, size.maxCoeff() > 0 ? tr("%1: %2").arg(name, measures(m_unit->itemData(i).toDouble())) : name);
+    }
     m_measures->setText(measures(m_unitShown));
     const bool odd = size.maxCoeff() > 0 && (size.maxCoeff() < 100 || size.maxCoeff() > 5000);
     QPalette colors = palette();
@@ -221,9 +257,9 @@ void ImportPatternDialog::showPieces()
         QString text = tr("%1 \u2013 %2 \u00d7 %3 mm")
                            .arg(name, decimalText(size.x(), 0, false), decimalText(size.y(), 0, false));
         if (piece.pair)
-            text += tr(", %n pairs", nullptr, piece.quantity);
+            text += tr(", %n pairs", nullptr, static_cast<int>(piece.quantity));
         else if (piece.quantity > 1)
-            text += tr(", %n times", nullptr, piece.quantity);
+            text += tr(", %n times", nullptr, static_cast<int>(piece.quantity));
         auto* item = new QListWidgetItem(text, m_pieces);
         item->setData(Qt::UserRole, name);
         item->setCheckState(unchecked.contains(name) ? Qt::Unchecked : Qt::Checked);
@@ -245,17 +281,15 @@ void ImportPatternDialog::tellWhatIsOdd()
     }
     if (m_pattern->doubled > 0)
         lines << tr("%n lines lay twice on themselves and are taken once.", nullptr, m_pattern->doubled);
-    if (!m_drawing->unknown.empty()) {
-        QStringList names;
-        for (const auto& [name, count] : m_drawing->unknown)
-            names << QStringLiteral("%1 \u00d7 %2").arg(QLocale().toString(count), QString::fromStdString(name));
-        constexpr int most = 8;
-        const QString more = names.size() > most ? QStringLiteral(" \u2026") : QString();
-        lines << tr("Not read: %1").arg(names.mid(0, most).join(QStringLiteral(", ")) + more);
-    }
-    if (m_pattern->ignored > 0)
-        lines << tr("%n marks of grading, stripes or nothing that is known are left out.", nullptr,
-                    m_pattern->ignored);
+    for (const Message& note : m_drawing->notes)
+        lines << asSentence(translated(note));
+    if (!m_drawing->unknown.empty())
+        lines << tr("Not read: %1").arg(listed(m_drawing->unknown));
+    if (!m_pattern->outside.empty())
+        lines << tr("In no piece and left out, by layer: %1").arg(listed(m_pattern->outside));
+    if (!m_pattern->ignored.empty())
+        lines << tr("Marks of grading, stripes or nothing that is known, left out by layer: %1")
+                     .arg(listed(m_pattern->ignored));
     if (!m_drawing->unit && !m_pattern->pieces.empty())
         lines << tr("The file does not say its unit for certain: look at the measures.");
     m_odd->setText(lines.join(u'\n'));
@@ -273,6 +307,8 @@ std::set<std::size_t> ImportPatternDialog::chosen() const
 
 void ImportPatternDialog::choose()
 {
+    if (m_pattern)
+        showUnits();
     m_view->show(m_pattern, chosen(), m_pieces->currentRow());
     const bool sews = m_pattern && std::ranges::any_of(m_pattern->pieces, [](const FoundPiece& piece) {
                           return piece.sew.has_value();

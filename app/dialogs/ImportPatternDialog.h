@@ -32,7 +32,8 @@ public:
 private:
     void build(const QString& file);
     QWidget* buildChoices();
-    void guessUnit();
+    void rememberUnit();
+    void chooseUnit(double unit);
     void changed();
     void showPattern(std::shared_ptr<const FoundPattern> pattern);
     void showPieces();
@@ -42,6 +43,7 @@ private:
     void choose();
     std::set<std::size_t> chosen() const;
     QString product() const;
+    void addUnit(const QString& name, double size);
     PieceOrder order() const;
 
     std::shared_ptr<const Drawing> m_drawing;

@@ -164,7 +164,6 @@ TEST(SvgDrawing, MeasuresInMillimetresWithYUp)
     EXPECT_NEAR(onlyLine(drawing).points[2].at.y(), -30, 1e-9);
     EXPECT_TRUE(onlyLine(drawing).closed);
     EXPECT_FALSE(svg("<line x2=\"96\"/>", "").unit) << "pixels are no measure";
-    EXPECT_NEAR(onlyLine(svg("<line x2=\"96\"/>", "")).points[1].at.x(), 25.4, 1e-9);
 }
 
 TEST(SvgDrawing, TransformsAndUse)
@@ -186,7 +185,7 @@ TEST(SvgDrawing, ArcsAndCurves)
     const Drawing circle = svg("<circle cx=\"5\" cy=\"5\" r=\"3\" transform=\"scale(2)\"/>");
     EXPECT_NEAR(onlyLine(circle).circle, 6, 1e-9);
     const Drawing cubic = svg("<path d=\"M0,0C0,10,10,10,10,0S20-10,20,0\"/>");
-    EXPECT_EQ(onlyLine(cubic).points.back().at, Vec2(20, 0));
+    EXPECT_TRUE(onlyLine(cubic).points.back().at.isApprox(Vec2(20, 0), 1e-9));
 }
 
 TEST(SvgDrawing, ExpandsNothingWithoutLimit)

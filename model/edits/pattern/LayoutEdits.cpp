@@ -1,6 +1,5 @@
 #include "LayoutEdits.h"
 
-#include "EditBuilder.h"
 #include "PlaneCurves.h"
 
 #include <algorithm>
@@ -35,16 +34,18 @@ Box2 around(const std::vector<PlacedPatch>& placed)
     return box;
 }
 
-Edit moved(const Design& design, const std::vector<PlacedPatch>& placed, Message verb)
+/// One change each: thousands of patches come from other programs at once.
+Edit moved(const Design& design, std::vector<PlacedPatch> placed, Message verb)
 {
-    EditBuilder builder(design);
+    std::ranges::sort(placed, {}, &PlacedPatch::id);
+    Edit edit{std::move(verb), {}};
     for (const PlacedPatch& one : placed) {
         Patch patch = *design.find<Patch>(one.id);
         patch.position += one.delta;
         if (one.delta.norm() > 1e-6)
-            builder.replace(one.id, std::move(patch));
+            edit.changes.push_back({one.id, design.element(one.id), makeElement(std::move(patch))});
     }
-    return builder.result(std::move(verb));
+    return edit.empty() ? Edit{} : edit;
 }
 
 Message countVerb(const char* key, const std::vector<PlacedPatch>& placed)

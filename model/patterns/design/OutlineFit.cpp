@@ -263,4 +263,67 @@ std::optional<BSpline2> fittedCurve(const Contour& line, double tolerance)
     }
 }
 
+namespace {
+
+/// The directions from one point in which a straight line passes the points after it.
+class DirectionWedge {
+public:
+    bool holds(const Vec2& way) const { return !m_any || (cross(m_low, way) >= 0 && cross(way, m_high) >= 0); }
+
+    void narrow(const Vec2& way, double tolerance)
+    {
+        const double length = way.norm();
+        if (length <= tolerance)
+            return;
+        const double half = std::asin(tolerance / length);
+        const Vec2 low = Eigen::Rotation2Dd(-half) * way, high = Eigen::Rotation2Dd(half) * way;
+        m_low = m_any && cross(m_low, low) < 0 ? m_low : low;
+        m_high = m_any && cross(high, m_high) < 0 ? m_high : high;
+        m_any = true;
+    }
+
+private:
+    bool m_any = false;
+    Vec2 m_low = Vec2::Zero(), m_high = Vec2::Zero();
+};
+
+} // namespace
+
+Contour thinned(const Contour& line, double tolerance)
+{
+    Contour result = line;
+    const std::size_t count = line.points.size();
+    if (count < 3)
+        return result;
+    result.points = {line.points.front()};
+    DirectionWedge wedge;
+    std::size_t anchor = 0;
+    const auto wayTo = [&](std::size_t i) -> Vec2 { return line.points[i % count].at - line.points[anchor].at; };
+    for (std::size_t i = 1; i < count + (line.closed ? 1 : 0); ++i) {
+        const bool corner = i - 1 > anchor && line.points[i - 1].bend == Bend::Corner;
+        if (i - 1 > anchor && (corner || (wayTo(i).norm() > tolerance && !wedge.holds(wayTo(i))))) {
+            anchor = i - 1;
+            result.points.push_back(line.points[anchor]);
+            wedge = {};
+        }
+        wedge.narrow(wayTo(i), tolerance);
+    }
+    if (!line.closed)
+        result.points.push_back(line.points.back());
+    return result;
+}
+
+std::optional<FittedLine> fittedLine(const Contour& line)
+{
+    const auto fits = [](const std::optional<BSpline2>& curve) {
+        return curve && curve->pointCount() <= mostCurvePoints;
+    };
+    if (auto curve = fittedCurve(line); !curve || fits(curve))
+        return curve ? std::optional(FittedLine{std::move(*curve), 0}) : std::nullopt;
+    for (const double tolerance : {0.05, 0.1, 0.2, 0.5})
+        if (auto curve = fittedCurve(thinned(line, tolerance / 2), tolerance / 2); fits(curve))
+            return FittedLine{std::move(*curve), tolerance};
+    return std::nullopt;
+}
+
 } // namespace bolster

@@ -1,172 +1,152 @@
 #include "PatternDesign.h"
 
-#include "AllowanceFound.h"
+#include "BoxLevels.h"
 #include "DesignCheck.h"
-#include "EditBuilder.h"
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
-#include "OutlineFit.h"
+#include "PieceElements.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace bolster {
 
 namespace {
 
 constexpr double besideOthers = 80;   // mm: from what is in the layout
-constexpr double farFromOutline = 60; // mm: notches that belong to nothing
-constexpr double usualHole = 3;       // mm
+constexpr double farthestApart = 1e6; // mm: pieces that lie farther from each other were never laid out
+constexpr double largestPlace = 9e6;  // mm: what the rules take, and some room
 
-Contour moved(Contour line, const Vec2& by)
-{
-    for (DrawnPoint& point : line.points)
-        point.at += by;
-    return line;
-}
+/// Names of patches that nobody has yet, however many pieces are called alike.
+class FreeNames {
+public:
+    explicit FreeNames(const Design& design)
+    {
+        design.each<Patch>([&](ElementId, const Patch& patch) { m_taken.insert(patch.name); });
+    }
+
+    std::string operator()(const std::string& wanted)
+    {
+        if (m_taken.insert(wanted).second)
+            return wanted;
+        const std::string stem = stemOf(wanted);
+        for (int& count = m_next.try_emplace(stem, 2).first->second;; ++count)
+            if (std::string name = stem + " " + std::to_string(count); m_taken.insert(name).second)
+                return name;
+    }
+
+private:
+    /// "Seat 2" is followed by "Seat 3", not by "Seat 2 2".
+    static std::string stemOf(const std::string& name)
+    {
+        const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+        const bool counted =
+            digits > 1 && digits < name.size() && name.size() - digits < 7 && name[digits - 1] == ' ';
+        return counted ? name.substr(0, digits - 1) : name;
+    }
+
+    std::set<std::string> m_taken;
+    std::map<std::string, int> m_next;
+};
 
 class PatternBuilder {
 public:
     PatternBuilder(const Design& design, const PatternChoice& choice)
         : m_start(design)
-        , m_builder(design)
+        , m_now(design)
         , m_choice(choice)
-    {}
+        , m_fresh(design)
+        , m_names(design)
+    {
+        design.each<Fabric>([&](ElementId id, const Fabric& fabric) {
+            m_fabrics.try_emplace(fabric.name, Change{id, nullptr, design.element(id)});
+            m_anyFabric = m_anyFabric.id == noElement ? Change{id, nullptr, design.element(id)} : m_anyFabric;
+        });
+    }
 
     ImportedPattern build(const FoundPattern& pattern)
     {
         for (std::size_t i = 0; i < pattern.pieces.size(); ++i)
             if (!m_choice.only || m_choice.only->contains(i))
-                addPiece(pattern.pieces[i]);
+                addPiece(pattern.pieces[i], i);
+        m_now = m_start.with(m_added);
         layOut();
         setStyle(pattern);
-        m_result.edit = m_builder.result({QT_TRANSLATE_NOOP("Message", "Import a pattern of %1 pieces"),
-                                          {std::to_string(m_result.patches.size())}});
+        fitEdgeLength();
+        m_result.edit = editBetween(m_start, m_now,
+                                    {QT_TRANSLATE_NOOP("Message", "Import a pattern of %1 pieces"),
+                                     {std::to_string(m_result.patches.size())}});
+        if (m_result.edit.empty())
+            m_result.edit = {};
         return std::move(m_result);
     }
 
 private:
-    void note(const char* sentence, const FoundPiece& piece) { m_result.notes.push_back({sentence, {piece.name}}); }
-
-    void addPiece(const FoundPiece& piece)
+    void addPiece(const FoundPiece& piece, std::size_t place)
     {
-        const bool bySewing = m_choice.lines == PatternLines::Sew && piece.sew.has_value();
-        const Contour& line = bySewing ? *piece.sew : piece.cut;
-        const Vec2 origin = line.box().isEmpty() ? Vec2(0, 0) : Vec2(line.box().center());
-        const auto outline = fittedCurve(moved(line, -origin));
-        if (!outline) {
-            note(QT_TRANSLATE_NOOP("Message", "%1 is left out: its outline has too few or too many points"), piece);
+        const Change fabric = fabricOf(piece);
+        PieceElements made = pieceElements(piece, m_choice.lines, fabric, m_fresh);
+        m_result.notes.insert(m_result.notes.end(), made.notes.begin(), made.notes.end());
+        if (made.patch == noElement)
             return;
+        if (!m_start.element(fabric.id) && m_fabrics.try_emplace(nameOf(fabric), fabric).second) {
+            m_added.changes.push_back(fabric);
+            m_anyFabric = m_anyFabric.id == noElement ? fabric : m_anyFabric;
         }
-        if (outlineProblem(*outline)) {
-            note(QT_TRANSLATE_NOOP("Message", "%1 is left out: its outline crosses itself or encloses nothing"),
-                 piece);
-            return;
-        }
-        Patch patch;
-        patch.name = edits::freeName<Patch>(m_builder.now(), piece.name);
-        patch.fabric = fabricOf(piece);
-        patch.position = origin;
-        patch.outline = *outline;
-        if (piece.grain)
-            patch.grain = *piece.grain;
-        patch.cutting.quantity = piece.quantity;
-        patch.cutting.pair = piece.pair;
-        patch.cutting.note = piece.note;
-        FoundAllowance allowance;
-        allowance.usual.width = 0;
-        if (bySewing)
-            allowance = foundAllowance(*outline, moved(piece.cut, -origin));
-        if (bySewing || piece.isCutLine || m_choice.lines == PatternLines::Cut)
-            patch.allowance = allowance.usual;
-        const ElementId id = m_builder.add(std::move(patch));
-        m_result.patches.push_back(id);
-        for (const EdgeWidth& edge : allowance.edges)
-            m_builder.add(EdgeAllowance{{id, edge.from, edge.to}, edge.width});
-        addMarks(id, piece, *outline, origin);
+        Patch patch = std::get<Patch>(*made.changes.front().after);
+        patch.name = m_names(patch.name);
+        made.changes.front().after = makeElement(std::move(patch));
+        m_added.changes.insert(m_added.changes.end(), made.changes.begin(), made.changes.end());
+        m_result.patches.push_back(made.patch);
+        m_result.taken.push_back(place);
     }
 
-    ElementId fabricOf(const FoundPiece& piece)
+    static const std::string& nameOf(const Change& fabric) { return std::get<Fabric>(*fabric.after).name; }
+
+    /// One that there is, or a new one.
+    Change fabricOf(const FoundPiece& piece)
     {
-        ElementId found = noElement, first = noElement;
-        m_builder.now().each<Fabric>([&](ElementId id, const Fabric& fabric) {
-            if (first == noElement)
-                first = id;
-            if (fabric.name == piece.fabric && found == noElement)
-                found = id;
-        });
-        if (found != noElement || (piece.fabric.empty() && first != noElement))
-            return found != noElement ? found : first;
+        if (const auto found = m_fabrics.find(piece.fabric); found != m_fabrics.end())
+            return found->second;
+        if (piece.fabric.empty() && m_anyFabric.id != noElement)
+            return m_anyFabric;
         Fabric fabric;
         fabric.name = piece.fabric.empty() ? "Leather" : piece.fabric;
-        return m_builder.add(std::move(fabric));
+        return {m_fresh(), nullptr, makeElement(std::move(fabric))};
     }
 
-    /// Inwards from the cut line, or whatever is nearest.
-    static BSpline2::Closest sewnPlace(const BSpline2& outline, const FoundNotch& notch, const Vec2& origin)
+    /// Whether pieces lie on each other in the file, or where nobody looks.
+    bool needsLayout() const
     {
-        const Vec2 at = notch.at - origin;
-        BSpline2::Closest place = outline.closest(at);
-        if (!notch.inwards || place.distance < 0.05)
-            return place;
-        // Along the ray, as far as the nearest point is and a little more.
-        for (int k = 0; k < 3; ++k) {
-            const Vec2 onRay = at + notch.inwards->dot(place.point - at) * *notch.inwards;
-            const BSpline2::Closest next = outline.closest(onRay);
-            if (next.distance > place.distance)
-                break;
-            place = next;
+        std::vector<Box2> boxes;
+        Box2 whole;
+        for (const ElementId id : m_result.patches) {
+            boxes.push_back(edits::layoutBox(*m_now.find<Patch>(id)));
+            whole.extend(boxes.back());
+            if (boxes.back().isEmpty())
+                return true;
         }
-        place.distance = (place.point - at).norm();
-        return place;
-    }
-
-    void addMarks(ElementId id, const FoundPiece& piece, const BSpline2& outline, const Vec2& origin)
-    {
-        int lost = 0;
-        for (const FoundNotch& notch : piece.notches) {
-            const BSpline2::Closest place = sewnPlace(outline, notch, origin);
-            if (place.distance > farFromOutline)
-                ++lost;
-            else
-                m_builder.add(Notch{{id, place.parameter}, notch.shape, notch.twice});
+        if (!whole.isEmpty() && whole.sizes().maxCoeff() > farthestApart)
+            return true;
+        std::ranges::sort(boxes, std::greater(), [](const Box2& box) { return box.sizes().maxCoeff(); });
+        BoxLevels placed;
+        for (const Box2& box : boxes) {
+            if (placed.anyMeets(box, 1))
+                return true;
+            placed.add(box, 0);
         }
-        for (const FoundHole& hole : piece.holes)
-            m_builder.add(DrillHole{
-                "", {id, hole.at - origin}, hole.diameter > 0 ? std::clamp(hole.diameter, 0.1, 100.0) : usualHole});
-        for (const FoundLine& line : piece.inner) {
-            const auto curve = fittedCurve(moved(line.line, -origin));
-            if (!curve) {
-                ++lost;
-                continue;
-            }
-            InternalLine inner;
-            inner.patch = id;
-            inner.curve = *curve;
-            inner.use = line.cut ? LineUse::Cut : LineUse::Drawn;
-            m_builder.add(std::move(inner));
-        }
-        if (lost > 0)
-            m_result.notes.push_back(
-                {QT_TRANSLATE_NOOP("Message", "%1: %2 notches or lines belong to nothing and are left out"),
-                 {piece.name, std::to_string(lost)}});
+        return false;
     }
 
     /// Where they are in the file, unless they lie on each other or on what there is.
     void layOut()
     {
-        std::vector<Box2> boxes;
-        bool overlap = false;
-        for (const ElementId id : m_result.patches) {
-            const Box2 box = edits::layoutBox(*m_builder.now().find<Patch>(id));
-            overlap = overlap || std::ranges::any_of(boxes, [&](const Box2& other) {
-                          Box2 common = box.intersection(other);
-                          return !common.isEmpty() && common.sizes().minCoeff() > 1;
-                      });
-            boxes.push_back(box);
+        if (needsLayout()) {
+            moveAll([](Patch& patch) { patch.position = Vec2::Zero(); });
+            m_now = m_now.with(edits::arrangePatches(m_now, m_result.patches));
         }
-        if (overlap)
-            m_builder.apply(edits::arrangePatches(m_builder.now(), m_result.patches));
-        const Box2 mine = edits::layoutBox(m_builder.now(), m_result.patches);
+        const Box2 mine = edits::layoutBox(m_now, m_result.patches);
         Box2 others;
         m_start.each<Patch>([&](ElementId, const Patch& patch) {
             if (const Box2 box = edits::layoutBox(patch); !box.isEmpty())
@@ -174,13 +154,25 @@ private:
         });
         if (mine.isEmpty())
             return;
-        const Vec2 place = others.isEmpty() ? Vec2(0, 0) : Vec2(others.max().x() + besideOthers, others.min().y());
+        Vec2 place = others.isEmpty() ? Vec2(0, 0) : Vec2(others.max().x() + besideOthers, others.min().y());
+        if ((place + mine.sizes()).cwiseAbs().maxCoeff() > largestPlace)
+            place = -mine.sizes() / 2;
         const Vec2 by = place - mine.min();
+        moveAll([&](Patch& patch) {
+            patch.position = (patch.position + by).cwiseMax(-largestPlace).cwiseMin(largestPlace);
+        });
+    }
+
+    template <class Move>
+    void moveAll(const Move& move)
+    {
+        Edit edit;
         for (const ElementId id : m_result.patches) {
-            Patch patch = *m_builder.now().find<Patch>(id);
-            patch.position += by;
-            m_builder.replace(id, std::move(patch));
+            Patch patch = *m_now.find<Patch>(id);
+            move(patch);
+            edit.changes.push_back({id, m_now.element(id), makeElement(std::move(patch))});
         }
+        m_now = m_now.with(edit);
     }
 
     /// Of an empty design: the article is this one.
@@ -188,16 +180,36 @@ private:
     {
         if (m_result.patches.empty() || !m_start.elements().empty())
             return;
-        Settings settings = m_builder.now().settings();
+        Settings settings = m_now.settings();
         settings.cutting.style = pattern.style;
         settings.cutting.version = pattern.version;
-        if (!(settings == m_builder.now().settings()))
-            m_builder.apply(edits::changeSettings(m_builder.now(), settings));
+        if (!(settings == m_now.settings()))
+            m_now = m_now.with(edits::changeSettings(m_now, settings));
+    }
+
+    /// So much fabric in so fine a mesh would be too many triangles.
+    void fitEdgeLength()
+    {
+        const double least = smallestEdgeLength(m_now);
+        Settings settings = m_now.settings();
+        if (m_result.patches.empty() || settings.edgeLength >= least || !std::isfinite(least))
+            return;
+        settings.edgeLength = std::ceil(10 * least + 0.1) / 10;
+        m_now = m_now.with(edits::changeSettings(m_now, settings));
+        m_result.notes.push_back(
+            {QT_TRANSLATE_NOOP("Message", "the pattern is so large that the edge length of its "
+                                          "triangles becomes %1 mm; is the unit right?"),
+             {numberText(settings.edgeLength)}});
     }
 
     const Design& m_start;
-    edits::EditBuilder m_builder;
+    Design m_now;
     const PatternChoice& m_choice;
+    FreshIds m_fresh;
+    FreeNames m_names;
+    std::map<std::string, Change> m_fabrics;
+    Change m_anyFabric;
+    Edit m_added;
     ImportedPattern m_result;
 };
 

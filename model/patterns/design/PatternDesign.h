@@ -21,11 +21,13 @@ struct PatternChoice {
 struct ImportedPattern {
     Edit edit; ///< empty when there is nothing to add
     std::vector<ElementId> patches;
-    std::vector<Message> notes; ///< what was left out, or made otherwise
+    std::vector<std::size_t> taken; ///< which pieces these are, by their places in the list
+    std::vector<Message> notes;     ///< what was left out, or made otherwise
 };
 
 /// Adds a patch for each piece, where it lies in the file or, if pieces lie on each other there, side by side; with
-/// allowance, grain, notches, drill holes, inner lines, quantity. Fabrics of a name that there is are those.
+/// allowance, grain, notches, drill holes, inner lines, quantity. Fabrics of a name that there is are those. What
+/// comes out has no errors: what would have some is fitted or left out, and told.
 ImportedPattern patternEdit(const Design& design, const FoundPattern& pattern, const PatternChoice& choice = {});
 
 } // namespace bolster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Geometry.h"
+#include "Message.h"
 
 #include <map>
 #include <optional>
@@ -60,7 +61,9 @@ struct Drawing {
     std::vector<DrawnPart> parts;
     std::vector<std::string> texts;     ///< of the whole: "Style Name: Chair"
     std::optional<double> unit;         ///< mm, where the file says it and can be believed
+    std::optional<double> usualUnit;    ///< mm, of formats that have one where the file says nothing: SVG's pixels
     std::map<std::string, int> unknown; ///< what could not be read, and how often it is there
+    std::vector<Message> notes;         ///< what is odd of the file as a whole
 };
 
 } // namespace bolster

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <numbers>
 
 namespace bolster {
@@ -38,6 +39,12 @@ private:
     std::size_t m_calls = 0;
 };
 
+/// Maps within maps can lead to where no pattern is.
+inline bool inReach(const Vec2& at)
+{
+    return at.allFinite() && at.cwiseAbs().maxCoeff() < 1e12;
+}
+
 /// Draws one line, point by point, through a map. Curves become polygons that are nearer to them than anybody cuts.
 class DrawingPen {
 public:
@@ -48,6 +55,11 @@ public:
     {}
 
     bool empty() const { return m_points.empty(); }
+    /// Whether all of it lies where numbers are exact enough.
+    bool isInReach() const
+    {
+        return std::ranges::all_of(m_points, [](const DrawnPoint& point) { return inReach(point.at); });
+    }
     /// Where it is, before the map.
     const Vec2& place() const { return m_place; }
 

@@ -6,11 +6,12 @@
 
 namespace bolster {
 
-/// ASCII DXF from R12 on, and what AAMA and ASTM make of it: POLYLINE with bulges, LWPOLYLINE, LINE, ARC, CIRCLE,
-/// ELLIPSE, SPLINE, POINT, TEXT, MTEXT, and INSERT of blocks with these.
+/// DXF from R12 on, ASCII or binary, and what AAMA and ASTM make of it: POLYLINE with bulges, LWPOLYLINE, LINE,
+/// ARC, CIRCLE, ELLIPSE, SPLINE, POINT, TEXT, MTEXT, and INSERT of blocks with these.
 Drawing readDxf(const FileBytes& bytes);
 
-/// SVG 1.1: paths and shapes, groups, transforms, units, symbols that are used.
+/// SVG 1.1: paths and shapes, groups, transforms, units, viewports, symbols that are used; what is hidden is not
+/// drawn. Of CSS only what moves or hides something.
 Drawing readSvg(const FileBytes& bytes);
 
 } // namespace bolster

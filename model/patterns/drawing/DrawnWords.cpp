@@ -1,5 +1,7 @@
 #include "DrawnWords.h"
 
+#include <QStringDecoder>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -53,19 +55,34 @@ std::size_t utf8Character(std::string_view text, std::uint32_t& c)
     return c < least[length] || surrogate || c > 0x10FFFF ? 0 : length;
 }
 
-/// Whatever is not UTF-8 is taken for Latin-1.
-std::string asUtf8(std::string_view raw)
+/// Bytes of a code page; those that it does not have become question marks in a diamond.
+std::string decoded(std::string_view raw, const std::string& codePage)
 {
-    std::string text;
+    QStringDecoder decoder(codePage.empty() ? "windows-1252" : codePage.c_str());
+    const auto size = static_cast<qsizetype>(raw.size());
+    if (!decoder.isValid())
+        return QString::fromLatin1(raw.data(), size).toStdString();
+    const QString text = decoder(QByteArrayView(raw.data(), size));
+    return text.toStdString();
+}
+
+/// A cut through the middle of a character is nothing wrong with the rest.
+std::string_view wholeCharacters(std::string_view raw)
+{
+    std::string_view text = raw.substr(0, longestWords);
+    if (text.size() < raw.size())
+        for (int i = 0; i < 3 && !text.empty() && (raw[text.size()] & 0xC0) == 0x80; ++i)
+            text.remove_suffix(1);
+    return text;
+}
+
+std::string asUtf8(std::string_view raw, const std::string& codePage)
+{
     std::uint32_t c = 0;
     for (std::size_t i = 0; i < raw.size();) {
         const std::size_t length = utf8Character(raw.substr(i), c);
-        if (length == 0) {
-            text.clear();
-            for (const char byte : raw)
-                appendUtf8(text, static_cast<unsigned char>(byte));
-            return text;
-        }
+        if (length == 0)
+            return decoded(raw, codePage);
         i += length;
     }
     return std::string(raw);
@@ -89,9 +106,29 @@ std::string lowered(std::string_view text)
     return result;
 }
 
-std::string drawnWords(std::string_view raw)
+std::string codePageOf(std::string_view dwgName)
 {
-    const std::string text = asUtf8(raw.substr(0, longestWords));
+    const std::string name = lowered(trimmed(dwgName));
+    static constexpr std::array<std::pair<std::string_view, const char*>, 5> eastern{{{"ansi_932", "Shift_JIS"},
+                                                                                      {"ansi_936", "GBK"},
+                                                                                      {"ansi_949", "EUC-KR"},
+                                                                                      {"ansi_950", "Big5"},
+                                                                                      {"gb2312", "GBK"}}};
+    for (const auto& [dwg, other] : eastern)
+        if (name == dwg)
+            return other;
+    if (name.starts_with("ansi_"))
+        return std::string("windows-").append(name, 5);
+    if (name.starts_with("dos"))
+        return std::string("IBM").append(name, 3);
+    if (name.starts_with("iso8859-"))
+        return std::string("ISO-8859-").append(name, 8);
+    return name;
+}
+
+std::string drawnWords(std::string_view raw, const std::string& codePage)
+{
+    const std::string text = asUtf8(wholeCharacters(raw), codePage);
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const std::string_view rest = std::string_view(text).substr(i);

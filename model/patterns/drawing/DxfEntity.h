@@ -38,13 +38,14 @@ struct DxfBlock {
 };
 
 struct DxfFile {
-    int units = 0; ///< $INSUNITS
+    int units = 0;           ///< $INSUNITS
+    bool endMissing = false; ///< all is there that is drawn, but not the mark at the end of the file
     std::map<std::string, DxfBlock> blocks;
     std::vector<std::string> blockNames; ///< in the file's order
     std::vector<DxfEntity> entities;
 };
 
-/// ASCII DXF of any version. Throws FileRefused.
+/// DXF of any version, ASCII or binary. Throws FileRefused.
 DxfFile readDxfFile(const FileBytes& bytes);
 
 } // namespace bolster

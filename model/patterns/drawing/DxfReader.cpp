@@ -62,15 +62,33 @@ public:
     Drawing draw()
     {
         drawEntities();
-        // Pieces that nobody put onto the sheet.
-        for (const std::string& name : m_file.blockNames)
-            if (!m_inserted.contains(name) && !name.starts_with('*') && !name.starts_with('$'))
-                addPart(name, [&](DrawnPart& part) { addBlock(part, name, DxfMap::Identity(), "0", 0); });
+        drawUnused();
         m_drawing.unit = unit();
+        if (m_file.endMissing)
+            m_drawing.notes.push_back(
+                {QT_TRANSLATE_NOOP(
+                     "Message",
+                     "the mark at the end of the file (EOF) is missing: look whether everything is there"),
+                 {}});
         return std::move(m_drawing);
     }
 
 private:
+    /// Pieces that nobody put onto the sheet. What lies in another one of them is drawn with that.
+    void drawUnused()
+    {
+        std::set<std::string> inOthers;
+        for (const auto& [name, block] : m_file.blocks)
+            for (const DxfEntity& entity : block.entities)
+                if (entity.kind == "INSERT" && !m_inserted.contains(name))
+                    inOthers.insert(entity.name);
+        for (const bool outermost : {true, false})
+            for (const std::string& name : m_file.blockNames)
+                if (!m_inserted.contains(name) && !(outermost && inOthers.contains(name)) &&
+                    !name.starts_with('*') && !name.starts_with('$'))
+                    addPart(name, [&](DrawnPart& part) { addBlock(part, name, DxfMap::Identity(), "0", 0); });
+    }
+
     std::optional<double> unit() const
     {
         switch (m_file.units) {
@@ -128,7 +146,7 @@ private:
     {
         const auto block = m_file.blocks.find(name);
         if (block == m_file.blocks.end()) {
-            ++m_drawing.unknown["INSERT " + name];
+            ++m_drawing.unknown[std::string("INSERT ").append(name, 0, 80)];
             return;
         }
         m_inserted.insert(name);
@@ -146,8 +164,10 @@ private:
         const Vec2 base = block == m_file.blocks.end() ? Vec2(0, 0) : block->second.base;
         const int columns = std::max(1, entity.integer(70, 1)), rows = std::max(1, entity.integer(71, 1));
         if (static_cast<std::int64_t>(columns) * rows > mostCopies)
-            refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is inserted more often than a pattern needs"),
-                       {excerpt(entity.name)});
+            refuseFile({},
+                       QT_TRANSLATE_NOOP("Message",
+                                         "%1: \"%2\" is inserted more often than a pattern needs (over %3 times)"),
+                       {excerpt(entity.name), std::to_string(mostCopies)});
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
                 m_limits.count(1);
@@ -165,7 +185,11 @@ private:
              int depth)
     {
         if (entity.integer(67) == 1) { // on paper
-            ++m_drawing.unknown[entity.kind + " (paper)"];
+            ++m_drawing.unknown[entity.kind.substr(0, 40) + " (paper)"];
+            return;
+        }
+        if (entity.integer(60) == 1) {
+            ++m_drawing.unknown[std::string("hidden ").append(entity.kind, 0, 40)];
             return;
         }
         const std::string& layer = entity.layer == "0" || entity.layer.empty() ? outerLayer : entity.layer;
@@ -189,7 +213,8 @@ private:
         const std::string text = entity.kind == "MTEXT" ? plainText(entity.text) : entity.text;
         for (std::size_t at = 0; at <= text.size();) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
-            if (const std::string_view line = trimmed(std::string_view(text).substr(at, end - at)); !line.empty())
+            if (const std::string_view line = trimmed(std::string_view(text).substr(at, end - at));
+                !line.empty() && inReach(map * entity.point(10)))
                 part.texts.push_back({layer, map * entity.point(10), std::string(line)});
             at = end + 1;
         }
@@ -198,6 +223,10 @@ private:
     void addDot(DrawnPart& part, const DxfEntity& entity, const DxfMap& map, const std::string& layer)
     {
         m_limits.count(1);
+        if (!inReach(map * entity.point(10))) {
+            ++m_drawing.unknown["POINT too far away"];
+            return;
+        }
         DrawnDot dot{layer, map * entity.point(10), entity.number(30), entity.number(39), {}};
         if (entity.has(50)) {
             const double angle = radians(entity.number(50));
@@ -216,6 +245,10 @@ private:
             pen.moveTo(entity.point(10));
             pen.lineTo(entity.point(11));
         } else if (entity.kind == "ARC" || entity.kind == "CIRCLE") {
+            if (entity.number(40) <= 0) {
+                ++m_drawing.unknown[entity.kind + " without a radius"];
+                return true;
+            }
             closed = entity.kind == "CIRCLE";
             arc(pen, entity, closed);
             circle = closed ? entity.number(40) * std::sqrt(std::abs(map.linear().determinant())) : 0;
@@ -234,6 +267,10 @@ private:
             closed = spline(pen, entity);
         } else {
             return false;
+        }
+        if (!pen.isInReach()) {
+            ++m_drawing.unknown[entity.kind + " too far away"];
+            return true;
         }
         DrawnLine line = pen.line(layer, closed);
         m_limits.count(line.points.size());

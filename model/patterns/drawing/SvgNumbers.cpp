@@ -55,55 +55,54 @@ char SvgNumbers::letter()
     return found;
 }
 
-std::optional<double> svgLength(std::string_view text, bool* absolute)
+std::string_view SvgNumbers::unit()
 {
-    SvgNumbers numbers(text);
-    double value = 0;
-    if (!numbers.number(value))
-        return std::nullopt;
-    const std::string unit =
-        lowered(trimmed(text.substr(std::min(text.find_first_not_of("+-.0123456789eE \t"), text.size()))));
+    std::size_t count = 0;
+    while (count < m_text.size() &&
+           (std::isalpha(static_cast<unsigned char>(m_text[count])) || m_text[count] == '%'))
+        ++count;
+    const std::string_view found = m_text.substr(0, count);
+    m_text.remove_prefix(count);
+    return found;
+}
+
+std::optional<double> svgUnit(std::string_view unit)
+{
     constexpr double inch = 96;
-    static constexpr std::array<std::pair<std::string_view, double>, 6> units{{{"mm", inch / 25.4},
+    static constexpr std::array<std::pair<std::string_view, double>, 8> units{{{"", 1},
+                                                                               {"px", 1},
+                                                                               {"mm", inch / 25.4},
                                                                                {"cm", inch / 2.54},
                                                                                {"in", inch},
                                                                                {"pt", inch / 72},
                                                                                {"pc", inch / 6},
                                                                                {"q", inch / 101.6}}};
     for (const auto& [name, size] : units)
-        if (unit == name) {
-            if (absolute)
-                *absolute = true;
-            return value * size;
-        }
-    if (unit == "%")
+        if (unit == name)
+            return size;
+    return std::nullopt;
+}
+
+std::optional<double> svgLength(std::string_view text, bool* absolute, std::optional<double> whole)
+{
+    SvgNumbers numbers(text);
+    double value = 0;
+    if (!numbers.number(value))
         return std::nullopt;
-    return value;
+    const std::string unit = lowered(numbers.unit());
+    if (!numbers.atEnd())
+        return std::nullopt;
+    if (unit == "%")
+        return whole ? std::optional(value / 100 * *whole) : std::nullopt;
+    const auto size = svgUnit(unit);
+    if (!size)
+        return std::nullopt;
+    if (absolute && !unit.empty() && unit != "px")
+        *absolute = true;
+    return value * *size;
 }
 
 namespace {
-
-Eigen::Affine2d oneTransform(std::string_view name, const std::vector<double>& v)
-{
-    Eigen::Affine2d map = Eigen::Affine2d::Identity();
-    const auto degrees = [](double angle) { return angle * std::numbers::pi / 180; };
-    if (name == "matrix" && v.size() == 6) {
-        map.linear() << v[0], v[2], v[1], v[3];
-        map.translation() << v[4], v[5];
-    } else if (name == "translate" && !v.empty()) {
-        map.translate(Vec2(v[0], v.size() > 1 ? v[1] : 0));
-    } else if (name == "scale" && !v.empty()) {
-        map.scale(Vec2(v[0], v.size() > 1 ? v[1] : v[0]));
-    } else if (name == "rotate" && !v.empty()) {
-        const Vec2 centre = v.size() > 2 ? Vec2(v[1], v[2]) : Vec2(0, 0);
-        map.translate(centre).rotate(degrees(v[0])).translate(Vec2(-centre));
-    } else if (name == "skewX" && !v.empty()) {
-        map.linear() << 1, std::tan(degrees(v[0])), 0, 1;
-    } else if (name == "skewY" && !v.empty()) {
-        map.linear() << 1, 0, std::tan(degrees(v[0])), 1;
-    }
-    return map;
-}
 
 class SvgPathPen {
 public:
@@ -278,24 +277,6 @@ private:
 };
 
 } // namespace
-
-Eigen::Affine2d svgTransform(std::string_view text)
-{
-    Eigen::Affine2d map = Eigen::Affine2d::Identity();
-    for (;;) {
-        const std::size_t open = text.find('('), close = text.find(')');
-        if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-            return map;
-        std::string_view name = trimmed(text.substr(0, open));
-        name.remove_prefix(std::min(name.find_first_not_of(" \t\r\n,"), name.size()));
-        std::vector<double> values;
-        SvgNumbers numbers(text.substr(open + 1, close - open - 1));
-        for (double value = 0; values.size() < 6 && numbers.number(value);)
-            values.push_back(value);
-        map = map * oneTransform(name, values);
-        text.remove_prefix(close + 1);
-    }
-}
 
 bool drawSvgPath(std::string_view path, const Eigen::Affine2d& map,
                  const std::function<void(DrawingPen& pen, bool closed)>& take)

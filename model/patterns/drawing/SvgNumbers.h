@@ -1,4 +1,4 @@
-// Numbers, lengths, transforms and paths as attributes of SVG have them. Private to the library.
+// Numbers, lengths and paths as attributes of SVG have them. Private to the library.
 #pragma once
 
 #include "DrawingPen.h"
@@ -21,6 +21,8 @@ public:
     bool flag(bool& value);
     /// The next letter, passing blanks; 0 at the end or before a number.
     char letter();
+    /// Letters, or a percent sign, directly behind what was read.
+    std::string_view unit();
     bool atEnd();
 
 private:
@@ -29,10 +31,10 @@ private:
     std::string_view m_text;
 };
 
-/// "12.5mm" in user units of 1/96 inch; `absolute` becomes whether it says so in a unit of length.
-std::optional<double> svgLength(std::string_view text, bool* absolute = nullptr);
-/// Of "translate(3) rotate(90 5 5) matrix(...)"; what cannot be read ends it.
-Eigen::Affine2d svgTransform(std::string_view text);
+/// User units (1/96 inch) of "mm", "px", "" ...; nothing for what has no fixed size.
+std::optional<double> svgUnit(std::string_view unit);
+/// "12.5mm" in user units; `absolute` becomes true where it says so in a unit of length. Percents are of `whole`.
+std::optional<double> svgLength(std::string_view text, bool* absolute = nullptr, std::optional<double> whole = {});
 /// Draws the path's lines, each given to `take` with whether it is closed. False where it cannot be read to its
 /// end.
 bool drawSvgPath(std::string_view path, const Eigen::Affine2d& map,

@@ -2,8 +2,11 @@
 #include "DrawingReaders.h"
 #include "DrawnWords.h"
 #include "SvgNumbers.h"
+#include "SvgStyles.h"
+#include "SvgTransforms.h"
 #include "SvgTree.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,12 +17,20 @@ namespace {
 using SvgMap = Eigen::Affine2d;
 
 constexpr int deepestUse = 8;
+constexpr double svgPixel = 25.4 / 96; // mm
+
+/// What is drawn where it is used, or not at all.
+constexpr std::array notDrawn{"defs",   "symbol",         "metadata",       "namedview", "style",
+                              "desc",   "clipPath",       "marker",         "mask",      "pattern",
+                              "filter", "linearGradient", "radialGradient", "script"};
 
 /// What is handed down from an element to those in it.
 struct SvgState {
     SvgMap map;
+    Vec2 viewport = Vec2::Zero(); ///< its size, in user units; 0: not known
     std::string layer;
     std::vector<std::string> about;
+    bool visible = true;
     int uses = 0;
 };
 
@@ -27,6 +38,7 @@ class SvgDrawer {
 public:
     SvgDrawer(const SvgElement& root, const ImportWatch& watch)
         : m_root(root)
+        , m_styles(root)
         , m_limits(watch)
     {
         findIds(root);
@@ -35,7 +47,9 @@ public:
     Drawing draw()
     {
         m_drawing.parts.emplace_back();
-        children(m_root, {page(), "", {}, 0});
+        children(m_root, page());
+        if (m_styles.notUnderstood() > 0)
+            m_drawing.unknown["rule of a style sheet"] += m_styles.notUnderstood();
         if (m_drawing.parts.front().empty())
             m_drawing.parts.clear();
         return std::move(m_drawing);
@@ -50,35 +64,44 @@ private:
             findIds(child);
     }
 
-    /// From user units to millimetres if the file says how large it is, y up.
-    SvgMap page()
+    /// Programs round both sizes: what is so near to one of the usual scales is meant to be that.
+    static std::optional<double> usualScale(const Vec2& pixels)
     {
-        constexpr double pixel = 25.4 / 96;
+        for (const double scale : {1.0, 96 / 90.0, 96 / 72.0, 96 / 25.4, 96 / 2.54, 96.0})
+            if (((pixels / scale).array() - 1).abs().maxCoeff() < 5e-4)
+                return scale;
+        return std::nullopt;
+    }
+
+    /// Millimetres where the file says how large it is, else its own numbers; y up.
+    SvgState page()
+    {
         bool absolute = false;
         const auto width = svgLength(m_root.attribute("width"), &absolute);
         const auto height = svgLength(m_root.attribute("height"), &absolute);
-        Vec2 scale(pixel, pixel);
-        Vec2 origin = Vec2::Zero();
-        SvgNumbers numbers(m_root.attribute("viewBox"));
-        std::array<double, 4> box{};
-        const bool hasBox = numbers.number(box[0]) && numbers.number(box[1]) && numbers.number(box[2]) &&
-                            numbers.number(box[3]) && box[2] > 0 && box[3] > 0;
-        if (hasBox) {
-            origin = {box[0], box[1]};
-            if (width && height && *width > 0 && *height > 0) {
-                // As preserveAspectRatio has it when nothing is said: all of the box is seen, nothing is distorted.
-                const double factor = std::min(*width / box[2], *height / box[3]) * pixel;
-                scale = {factor, factor};
-                if (m_root.attribute("preserveAspectRatio") == "none")
-                    scale = pixel * Vec2(*width / box[2], *height / box[3]);
-            }
+        const auto box = svgViewBox(m_root.attribute("viewBox"));
+        SvgState state;
+        state.viewport = {width.value_or(0), height.value_or(0)};
+        Vec2 pixels(1, 1); // of one user unit
+        if (box) {
+            state.viewport = box->sizes();
+            const Vec2 size(width.value_or(0), height.value_or(0));
+            pixels = svgViewport(*box, size, m_root.attribute("preserveAspectRatio")).linear().diagonal();
+            if (const auto usual = usualScale(size.cwiseQuotient(box->sizes())))
+                pixels = Vec2::Constant(*usual);
+            if (size.minCoeff() <= 0) // one of them tells as much
+                pixels = Vec2::Constant(size.maxCoeff() > 0 ? size.cwiseQuotient(box->sizes()).maxCoeff() : 1);
         }
         if (absolute)
             m_drawing.unit = 1;
-        SvgMap map = SvgMap::Identity();
-        map.scale(Vec2(scale.x(), -scale.y()));
-        map.translate(Vec2(-origin));
-        return map;
+        else
+            m_drawing.usualUnit = svgPixel * pixels.x();
+        const Vec2 scale = absolute ? Vec2(svgPixel * pixels) : Vec2(pixels / pixels.x());
+        state.map = SvgMap::Identity();
+        state.map.scale(Vec2(scale.x(), -scale.y()));
+        if (box)
+            state.map.translate(Vec2(-box->min()));
+        return state;
     }
 
     void children(const SvgElement& element, const SvgState& state)
@@ -90,41 +113,80 @@ private:
     void draw(const SvgElement& element, const SvgState& outer)
     {
         const std::string& tag = element.tag;
-        if (tag == "defs" || tag == "symbol" || tag == "metadata" || tag == "namedview" || tag == "style" ||
-            tag == "desc" || tag == "clipPath")
-            return; // drawn where they are used, if at all
+        if (std::ranges::find(notDrawn, tag) != notDrawn.end())
+            return;
         if (tag == "title") {
             if (!element.words.empty())
                 m_drawing.texts.push_back("Style Name: " + element.words.substr(0, 200));
             return;
         }
-        if (isHidden(element)) {
-            ++m_drawing.unknown["hidden " + tag.substr(0, 40)];
+        const SvgStyle style = m_styles.of(element);
+        if (style.displayed == false) {
+            ++m_drawing.unknown[std::string("hidden ").append(tag, 0, 40)];
+            return;
+        }
+        const auto transform = svgTransform(style.transform ? *style.transform : element.attribute("transform"),
+                                            style.origin.value_or(""));
+        if (!transform) { // wherever it is, it is not where it would be without
+            ++m_drawing.unknown[tag.substr(0, 40) + " whose transform cannot be read"];
             return;
         }
         SvgState state = outer;
-        state.map = outer.map * svgTransform(element.attribute("transform"));
+        state.map = outer.map * *transform;
+        state.visible = style.visible.value_or(outer.visible);
         for (const auto& [attribute, key] : {std::pair{"data-piece", "Piece Name: "},
                                              {"data-quantity", "Quantity: "},
                                              {"data-fabric", "Fabric: "},
                                              {"data-note", "Annotation: "}})
             if (const std::string& value = element.attribute(attribute); !value.empty())
                 state.about.push_back(key + drawnWords(value));
-        if (tag == "g" || tag == "svg" || tag == "a" || tag == "switch")
+        if (tag == "g" || tag == "a" || tag == "switch")
             group(element, std::move(state));
+        else if (tag == "svg")
+            viewport(element, element, std::move(state));
         else if (tag == "use")
             use(element, std::move(state));
+        else if (!state.visible)
+            ++m_drawing.unknown[std::string("hidden ").append(tag, 0, 40)];
         else if (tag == "text")
             addText(element, state);
         else if (!addShape(element, state))
             ++m_drawing.unknown[tag.substr(0, 40)];
     }
 
-    static bool isHidden(const SvgElement& element)
+    /// A length of an element along an axis: 0, 1, or 2 for neither; 0 without.
+    double length(const SvgElement& element, std::string_view name, int axis, const SvgState& state)
     {
-        const std::string& style = element.attribute("style");
-        return element.attribute("display") == "none" || element.attribute("visibility") == "hidden" ||
-               style.find("display:none") != std::string::npos || style.find("display: none") != std::string::npos;
+        const std::string& text = element.attribute(name);
+        const Vec2& size = state.viewport;
+        const double whole = axis < 2 ? size[axis] : size.norm() / std::sqrt(2.0);
+        const auto found = svgLength(text, nullptr, whole > 0 ? std::optional(whole) : std::nullopt);
+        if (!found && !text.empty() && text != "auto")
+            ++m_drawing.unknown["length that cannot be read"];
+        return found.value_or(0);
+    }
+    Vec2 lengths(const SvgElement& element, std::string_view x, std::string_view y, const SvgState& state)
+    {
+        return {length(element, x, 0, state), length(element, y, 1, state)};
+    }
+
+    /// What is in `element`, in a viewport of its own, whose size another one may say: that which uses it.
+    void viewport(const SvgElement& element, const SvgElement& sized, SvgState state)
+    {
+        if (element.tag == "svg")
+            state.map.translate(lengths(element, "x", "y", state));
+        const auto side = [&](std::string_view name, int axis) {
+            for (const SvgElement* one : {&sized, &element})
+                if (!one->attribute(name).empty() && one->attribute(name) != "auto")
+                    return length(*one, name, axis, state);
+            return state.viewport[axis];
+        };
+        const Vec2 size(side("width", 0), side("height", 1));
+        const auto box = svgViewBox(element.attribute("viewBox"));
+        if (box && size.minCoeff() > 0)
+            state.map = state.map * svgViewport(*box, size, element.attribute("preserveAspectRatio"));
+        state.viewport = box ? Vec2(box->sizes()) : size;
+        group(element, std::move(state));
     }
 
     /// A layer is called by its label, or by its id.
@@ -147,12 +209,14 @@ private:
         }
         m_limits.count(100); // each of them costs something, even when it draws nothing
         ++state.uses;
-        state.map.translate(
-            Vec2(svgLength(element.attribute("x")).value_or(0), svgLength(element.attribute("y")).value_or(0)));
-        if (target->second->tag == "symbol")
-            children(*target->second, state);
+        state.map.translate(lengths(element, "x", "y", state));
+        const SvgElement& used = *target->second;
+        if (used.tag == "symbol")
+            viewport(used, element, std::move(state));
+        else if (used.tag == "svg" && &used != &m_root)
+            viewport(used, element, std::move(state));
         else
-            draw(*target->second, state);
+            draw(used, state);
     }
 
     void addText(const SvgElement& element, const SvgState& state)
@@ -161,14 +225,18 @@ private:
         const SvgElement* placed = &element;
         if (element.attribute("x").empty() && !element.children.empty())
             placed = &element.children.front();
-        const Vec2 at(svgLength(placed->attribute("x")).value_or(0), svgLength(placed->attribute("y")).value_or(0));
+        const Vec2 at = state.map * lengths(*placed, "x", "y", state);
         const std::string words = drawnWords(trimmed(element.words));
-        if (!words.empty())
-            m_drawing.parts.front().texts.push_back({state.layer, state.map * at, words});
+        if (!words.empty() && inReach(at))
+            m_drawing.parts.front().texts.push_back({state.layer, at, words});
     }
 
     void take(DrawingPen& pen, bool closed, const SvgState& state, double circle = 0)
     {
+        if (!pen.isInReach()) {
+            ++m_drawing.unknown["line too far away"];
+            return;
+        }
         DrawnLine line = pen.line(state.layer, closed);
         m_limits.count(line.points.size());
         if (line.points.size() < 2)
@@ -180,7 +248,6 @@ private:
 
     bool addShape(const SvgElement& element, const SvgState& state)
     {
-        const auto length = [&](std::string_view name) { return svgLength(element.attribute(name)).value_or(0); };
         DrawingPen pen(state.map);
         const std::string& tag = element.tag;
         if (tag == "path") {
@@ -188,21 +255,29 @@ private:
                              [&](DrawingPen& drawn, bool closed) { take(drawn, closed, state); }))
                 ++m_drawing.unknown["end of a path"];
         } else if (tag == "line") {
-            pen.moveTo({length("x1"), length("y1")});
-            pen.lineTo({length("x2"), length("y2")});
+            pen.moveTo(lengths(element, "x1", "y1", state));
+            pen.lineTo(lengths(element, "x2", "y2", state));
             take(pen, false, state);
         } else if (tag == "polyline" || tag == "polygon") {
             SvgNumbers numbers(element.attribute("points"));
             for (Vec2 at; numbers.number(at.x()) && numbers.number(at.y());)
                 pen.empty() ? pen.moveTo(at) : pen.lineTo(at);
+            if (!numbers.atEnd())
+                ++m_drawing.unknown[std::string("end of a ").append(tag)];
             take(pen, tag == "polygon", state);
         } else if (tag == "circle" || tag == "ellipse") {
-            const double rx = length(tag == "circle" ? "r" : "rx"), ry = length(tag == "circle" ? "r" : "ry");
-            pen.arcTo({length("cx"), length("cy")}, {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi);
+            const bool round = tag == "circle";
+            const double rx = length(element, round ? "r" : "rx", round ? 2 : 0, state);
+            const double ry = round ? rx : length(element, "ry", 1, state);
+            if (rx < 0 || ry < 0) {
+                ++m_drawing.unknown[tag + " without a radius"];
+                return true;
+            }
+            pen.arcTo(lengths(element, "cx", "cy", state), {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi);
             take(pen, true, state, rx == ry ? rx : 0);
         } else if (tag == "rect") {
-            rectangle(pen, {length("x"), length("y")}, {length("width"), length("height")},
-                      {length("rx"), length("ry")});
+            rectangle(pen, lengths(element, "x", "y", state), lengths(element, "width", "height", state),
+                      lengths(element, "rx", "ry", state));
             take(pen, true, state);
         } else {
             return false;
@@ -235,6 +310,7 @@ private:
     }
 
     const SvgElement& m_root;
+    SvgStyles m_styles;
     DrawingLimits m_limits;
     Drawing m_drawing;
     std::map<std::string, const SvgElement*, std::less<>> m_ids;

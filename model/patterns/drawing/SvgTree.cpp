@@ -9,6 +9,33 @@ namespace {
 constexpr std::uint64_t largestSvg = 50'000'000;
 constexpr int mostElements = 500'000;
 constexpr int deepestElement = 100;
+constexpr int mostAttributes = 500; // Qt compares each with all others of its element
+
+/// Counts quoted values between one "<" and its ">", without asking what is well-formed.
+void refuseManyAttributes(std::string_view text, const ImportWatch& watch)
+{
+    const auto behind = [&](std::string_view end, std::size_t at) {
+        const std::size_t found = text.find(end, at);
+        return found == std::string_view::npos ? text.size() : found + end.size();
+    };
+    for (std::size_t at = 0; (at = text.find('<', at)) < text.size();) {
+        watch.checkStop();
+        const std::string_view rest = text.substr(at, 9);
+        if (rest.starts_with("<!--") || rest.starts_with("<![CDATA[")) {
+            at = behind(rest[2] == '-' ? "-->" : "]]>", at);
+            continue;
+        }
+        int count = 0;
+        for (++at; at < text.size() && text[at] != '>'; ++at)
+            if (text[at] == '"' || text[at] == '\'') {
+                at = std::min(text.find(text[at], at + 1), text.size());
+                if (++count > mostAttributes)
+                    refuseFile({FilePlace::Unit::Byte, at},
+                               QT_TRANSLATE_NOOP("Message", "%1: an element has more than %2 attributes"),
+                               {std::to_string(mostAttributes)});
+            }
+    }
+}
 
 class SvgParser {
 public:
@@ -26,6 +53,7 @@ public:
     {
         FileWindow window(m_bytes);
         const std::string_view all = window.view(0, m_bytes.size());
+        refuseManyAttributes(all, m_bytes.watch());
         m_reader.addData(QByteArray(all.data(), static_cast<qsizetype>(all.size())));
         SvgElement root;
         if (m_reader.readNextStartElement())
@@ -45,12 +73,21 @@ private:
                    {m_reader.errorString().toStdString()});
     }
 
-    static bool isText(const std::string& tag) { return tag == "text" || tag == "tspan" || tag == "title"; }
+    static bool isText(const std::string& tag)
+    {
+        return tag == "text" || tag == "tspan" || tag == "title" || tag == "style";
+    }
 
     void element(SvgElement& into, int depth)
     {
-        if (++m_count > mostElements || depth > deepestElement)
-            refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: more is drawn in it than a pattern can have"));
+        if (++m_count > mostElements)
+            refuseFile(
+                place(),
+                QT_TRANSLATE_NOOP("Message", "%1: more is drawn in it than a pattern can have (over %2 elements)"),
+                {std::to_string(mostElements)});
+        if (depth > deepestElement)
+            refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: elements lie in each other more than %2 times"),
+                       {std::to_string(deepestElement)});
         if (m_count % 1000 == 0)
             m_bytes.watch().check(static_cast<double>(m_reader.characterOffset()) /
                                   static_cast<double>(std::max<std::uint64_t>(1, m_bytes.size())));

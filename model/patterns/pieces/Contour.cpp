@@ -46,6 +46,7 @@ public:
 
 private:
     static constexpr std::size_t none = SIZE_MAX;
+    static constexpr std::size_t mostAtOnePoint = 100; // ends, of a square of the grid
 
     // End 2 i is where line i begins, 2 i + 1 where it ends.
     const DrawnPoint& pointAt(std::size_t end) const
@@ -54,30 +55,49 @@ private:
         return end % 2 == 0 ? line.points.front() : line.points.back();
     }
 
+    /// What lines on each other have in common: middle, length, spread, number of points.
+    using LineKey = std::array<std::int64_t, 7>;
+    static LineKey keyOf(const DrawnLine& line)
+    {
+        const auto count = static_cast<double>(line.points.size());
+        Vec2 middle = Vec2::Zero();
+        for (const DrawnPoint& point : line.points)
+            middle += point.at / count;
+        double length = 0, across = 0, along = 0;
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const Vec2 off = line.points[i].at - middle;
+            across += off.x() * off.y() / count;
+            along += (off.x() * off.x() - off.y() * off.y()) / count;
+            if (i > 0)
+                length += (line.points[i].at - line.points[i - 1].at).norm();
+        }
+        const auto rounded = [](double value) {
+            return static_cast<std::int64_t>(std::llround(std::clamp(value, -1e12, 1e12) / 0.05));
+        };
+        const double scale = std::max(length, 1e-9); // an error of the points' is as large in these
+        return {rounded(middle.x()),
+                rounded(middle.y()),
+                rounded(length),
+                rounded(across / scale),
+                rounded(along / scale),
+                static_cast<std::int64_t>(line.points.size()),
+                line.closed};
+    }
+
     /// The same points, forwards or backwards, within what is one place.
     void dropDoubles(int& doubled)
     {
-        std::map<std::array<std::int64_t, 5>, std::vector<std::size_t>> seen;
+        constexpr std::size_t mostAlike = 64;
+        std::map<LineKey, std::vector<std::size_t>> seen;
         std::vector<DrawnLine> kept;
         for (DrawnLine& line : m_lines) {
-            Vec2 sum = Vec2::Zero();
-            double length = 0;
-            for (std::size_t i = 0; i < line.points.size(); ++i) {
-                sum += line.points[i].at;
-                if (i > 0)
-                    length += (line.points[i].at - line.points[i - 1].at).norm();
-            }
-            sum /= static_cast<double>(line.points.size());
-            const auto rounded = [&](double value) {
-                return static_cast<std::int64_t>(std::llround(std::clamp(value, -1e12, 1e12) / 0.05));
-            };
-            auto& there = seen[{rounded(sum.x()), rounded(sum.y()), rounded(length),
-                                static_cast<std::int64_t>(line.points.size()), line.closed}];
+            auto& there = seen[keyOf(line)];
             if (std::ranges::any_of(there, [&](std::size_t other) { return isSame(kept[other], line); })) {
                 ++doubled;
                 continue;
             }
-            there.push_back(kept.size());
+            if (there.size() < mostAlike)
+                there.push_back(kept.size());
             kept.push_back(std::move(line));
         }
         m_lines = std::move(kept);
@@ -124,10 +144,9 @@ private:
         };
         std::vector<Pair> pairs;
         for (const std::size_t end : free) {
-            int met = 0;
-            grid.near(pointAt(end).at, [&](std::size_t other) {
+            grid.nearLater(pointAt(end).at, end, mostAtOnePoint, [&](std::size_t other) {
                 const double distance = (pointAt(other).at - pointAt(end).at).norm();
-                if (other > end && distance <= reach && ++met < 100)
+                if (distance <= reach)
                     pairs.push_back({m_lines[end / 2].layer != m_lines[other / 2].layer, distance, end, other});
             });
         }

@@ -1,6 +1,7 @@
 #include "PieceNotches.h"
 
 #include "DrawnWords.h"
+#include "PointGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,17 @@ namespace bolster {
 
 namespace {
 
-constexpr double usualDepth = 4;    // mm
-constexpr double deepestNotch = 50; // mm
-constexpr double onOutline = 1.5;   // mm: on a curve the two of a double notch are beside it
+constexpr double usualDepth = 4;             // mm
+constexpr double deepestNotch = 50;          // mm
+constexpr double onOutline = 1.5;            // mm: on a curve the two of a double notch are beside it
+constexpr double besideEachOther = 3;        // mm: nobody means two places by that
+constexpr std::size_t mostBars = 20;         // at one tip
+constexpr std::size_t mostNotchPoints = 200; // of a round one
 
+/// What was written with four decimals was meant with two.
 double sensible(double size)
 {
-    return std::clamp(size, 0.5, deepestNotch);
+    return std::clamp(std::round(size * 100) / 100, 0.5, deepestNotch);
 }
 
 NotchShape::Kind kindOfLayer(const std::string& layer, bool hasWidth)
@@ -37,6 +42,15 @@ NotchShape::Kind kindOfLayer(const std::string& layer, bool hasWidth)
 double doubleDistance(const NotchShape& shape)
 {
     return std::max(shape.width, 5.0) + 2;
+}
+
+std::optional<FoundNotch> finished(FoundNotch notch)
+{
+    if (!(notch.shape.depth > 0.1) || notch.shape.depth > deepestNotch)
+        return std::nullopt;
+    notch.shape.depth = sensible(notch.shape.depth);
+    notch.shape.width = sensible(notch.shape.width);
+    return notch;
 }
 
 } // namespace
@@ -62,15 +76,22 @@ FoundNotch notchOfDot(const DrawnDot& dot, double unit)
 std::optional<FoundNotch> notchOfLine(const Contour& line, const Contour& outline)
 {
     std::vector<Vec2> p = line.places();
-    if (line.closed || p.size() < 2 || p.size() > 40)
+    if (line.closed || p.size() < 2 || p.size() > mostNotchPoints)
         return std::nullopt;
     const double near = std::min(onOutline, 0.3 * line.box().sizes().norm());
     const auto isOn = [&](const Vec2& at) { return outline.distance(at) < near; };
     if (!isOn(p.front()) && isOn(p.back()))
         std::ranges::reverse(p);
+    FoundNotch notch;
+    if (p.size() == 3 && isOn(p[1]) && !isOn(p[0])) { // a V whose tip is where it is cut
+        const Vec2 way = (p[0] + p[2]) / 2 - p[1];
+        notch.at = p[1];
+        notch.shape = {NotchShape::Kind::V, way.norm(), (p[2] - p[0]).norm()};
+        notch.inwards = way.normalized();
+        return finished(notch);
+    }
     if (!isOn(p.front()))
         return std::nullopt;
-    FoundNotch notch;
     // The bar of a T lies across the end of its first line.
     const bool bar = p.size() == 4 && ((p[2] + p[3]) / 2 - p[1]).norm() < 0.1 * (p[3] - p[2]).norm();
     if (p.size() == 2 || bar) {
@@ -94,13 +115,40 @@ std::optional<FoundNotch> notchOfLine(const Contour& line, const Contour& outlin
         notch.shape.depth = std::abs(deepest);
         notch.inwards = std::copysign(1, deepest) * Vec2(-along.y(), along.x());
     }
-    if (!(notch.shape.depth > 0.1) || notch.shape.depth > deepestNotch)
-        return std::nullopt;
-    // What was written with four decimals was meant with two.
-    const auto rounded = [](double size) { return sensible(std::round(size * 100) / 100); };
-    notch.shape.depth = rounded(notch.shape.depth);
-    notch.shape.width = rounded(notch.shape.width);
-    return notch;
+    return finished(notch);
+}
+
+std::vector<Contour> withBars(std::vector<Contour> lines)
+{
+    std::vector<bool> gone(lines.size(), false);
+    PointGrid grid(1);
+    const auto isStroke = [](const Contour& line) { return !line.closed && line.points.size() == 2; };
+    const auto ends = [](const Contour& line) { return std::pair(line.points[0].at, line.points[1].at); };
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (isStroke(lines[i]) && (lines[i].points[1].at - lines[i].points[0].at).norm() < deepestNotch)
+            grid.add((lines[i].points[0].at + lines[i].points[1].at) / 2, i);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (gone[i] || !isStroke(lines[i]))
+            continue;
+        const auto [a, b] = ends(lines[i]);
+        for (const auto& [from, tip] : {std::pair(a, b), std::pair(b, a)})
+            grid.some(tip, mostBars, [&, from = from, tip = tip](std::size_t k) {
+                if (k == i || gone[k] || gone[i] || lines[i].points.size() != 2)
+                    return;
+                const auto [c, d] = ends(lines[k]);
+                const Vec2 stem = tip - from, bar = d - c;
+                if (stem.norm() > deepestNotch || ((c + d) / 2 - tip).norm() > 0.05 * bar.norm() ||
+                    std::abs(stem.dot(bar)) > 0.2 * stem.norm() * bar.norm())
+                    return;
+                lines[i].points = {{from}, {tip}, {c}, {d}};
+                gone[k] = true;
+            });
+    }
+    std::vector<Contour> kept;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (!gone[i])
+            kept.push_back(std::move(lines[i]));
+    return kept;
 }
 
 void pairDoubles(std::vector<FoundNotch>& notches)
@@ -109,12 +157,15 @@ void pairDoubles(std::vector<FoundNotch>& notches)
         for (std::size_t k = i + 1; k < notches.size(); ++k) {
             FoundNotch &a = notches[i], &b = notches[k];
             const double apart = (a.at - b.at).norm();
-            if (a.twice || b.twice || !(a.shape == b.shape) || std::abs(apart - doubleDistance(a.shape)) > 0.3)
+            const bool beside = apart < besideEachOther;
+            if (b.twice || !(a.shape == b.shape) || (a.twice && !beside) ||
+                (!beside && std::abs(apart - doubleDistance(a.shape)) > 0.3))
                 continue;
-            a.at = (a.at + b.at) / 2;
+            // A third one says no more than two, but where the middle is.
+            a.at = a.twice ? Vec2((2 * a.at + b.at) / 3) : Vec2((a.at + b.at) / 2);
             a.twice = true;
             notches.erase(notches.begin() + static_cast<std::ptrdiff_t>(k));
-            break;
+            --k;
         }
 }
 

@@ -2,40 +2,92 @@
 
 #include "DrawnWords.h"
 
-#include <charconv>
+#include <algorithm>
+#include <optional>
 
 namespace bolster {
 
 namespace {
 
-constexpr int mostPieces = 9999;
+constexpr double mostSaid = 1e9; // more than anybody writes; what is possible is asked later
 
-/// The whole numbers of a text, "1,0" being two.
-std::vector<int> numbersIn(std::string_view text)
+/// A whole number where one begins; what is no whole number ("2.5", "-1") is nothing. Passes it.
+std::optional<double> wholeNumber(std::string_view& text)
 {
-    std::vector<int> found;
-    while (!text.empty() && found.size() < 4) {
-        const std::size_t digit = text.find_first_of("0123456789");
-        if (digit == std::string_view::npos)
-            break;
-        text.remove_prefix(digit);
-        int value = 0;
-        const auto end = std::from_chars(text.data(), text.data() + text.size(), value).ptr;
-        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-        found.push_back(value);
+    const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+    double value = 0;
+    for (const char digit : text.substr(0, end))
+        value = std::min(mostSaid, 10 * value + (digit - '0'));
+    const bool any = end > 0;
+    text.remove_prefix(end);
+    if (text.starts_with('.')) { // "2.0" is whole
+        const std::size_t rest = std::min(text.find_first_not_of("0123456789", 1), text.size());
+        if (rest < 2 || text.substr(1, rest - 1).find_first_not_of('0') != std::string_view::npos)
+            return std::nullopt;
+        text.remove_prefix(rest);
     }
-    return found;
+    return any ? std::optional(value) : std::nullopt;
 }
 
-/// So many as it is, so many mirrored.
-void setQuantity(const std::vector<int>& counts, FoundPiece& piece)
+/// So many as it is, so many mirrored: "2", "2,2", "2 pcs"; nothing for anything else.
+std::optional<std::pair<double, double>> saidQuantity(std::string_view text)
 {
-    if (counts.empty())
-        return;
-    const int plain = std::clamp(counts[0], 0, mostPieces),
-              mirrored = counts.size() > 1 ? std::clamp(counts[1], 0, mostPieces) : 0;
+    text = trimmed(text);
+    const auto plain = wholeNumber(text);
+    text = trimmed(text);
+    double mirrored = 0;
+    if (!text.empty() && std::string_view(",;+").find(text.front()) != std::string_view::npos) {
+        text = trimmed(text.substr(1));
+        const auto second = wholeNumber(text);
+        if (!second)
+            return std::nullopt;
+        mirrored = *second;
+    }
+    // Words may follow, more numbers may not.
+    if (!plain || text.find_first_of("0123456789-/*") != std::string_view::npos)
+        return std::nullopt;
+    return std::pair(*plain, mirrored);
+}
+
+void setQuantity(double plain, double mirrored, FoundPiece& piece)
+{
     piece.pair = mirrored > 0 && plain == mirrored;
-    piece.quantity = std::max(1, piece.pair ? plain : plain + mirrored);
+    piece.quantity = std::max(1.0, piece.pair ? plain : plain + mirrored);
+    piece.oddQuantity.assign(plain + mirrored > 0 ? 0 : 1, '0');
+}
+
+void readQuantity(const std::string& value, FoundPiece& piece)
+{
+    if (trimmed(value).empty())
+        return;
+    if (const auto said = saidQuantity(value))
+        setQuantity(said->first, said->second, piece);
+    else
+        piece.oddQuantity = value;
+}
+
+/// "Cut 2 and 2 mirrored", "2x", "Qty 4", "4 pieces": a first number, and a second one where that is mirrored.
+void readHowMany(const std::string& words, FoundPiece& piece)
+{
+    std::string_view text = words;
+    const auto passToNumber = [&] {
+        const std::size_t digit = text.find_first_of("0123456789");
+        const bool negative = digit != std::string_view::npos && digit > 0 && text[digit - 1] == '-';
+        text.remove_prefix(std::min(digit, text.size()));
+        return !negative;
+    };
+    const bool first = passToNumber();
+    const auto plain = wholeNumber(text);
+    if (!first || !plain) {
+        piece.oddQuantity = words;
+        return;
+    }
+    double mirrored = 0;
+    if (text.find("mirror") != std::string_view::npos || text.find("gespiegelt") != std::string_view::npos ||
+        text.find("miroir") != std::string_view::npos)
+        if (passToNumber())
+            mirrored = wholeNumber(text).value_or(0);
+    setQuantity(*plain, mirrored, piece);
 }
 
 bool saysHowMany(const std::string& words)
@@ -57,7 +109,7 @@ bool readKey(const std::string& words, FoundPiece& piece)
     else if (key == "size")
         piece.size = value;
     else if (key == "quantity")
-        setQuantity(numbersIn(value), piece);
+        readQuantity(value, piece);
     else if (key == "fabric" || key == "material")
         piece.fabric = value;
     else if (key == "annotation")
@@ -75,8 +127,8 @@ void readLabel(const std::vector<std::string>& lines, FoundPiece& piece)
         const std::string words = lowered(lines[i]);
         if (piece.name.empty())
             piece.name = lines[i];
-        else if (const std::vector<int> counts = numbersIn(words); !counts.empty() && saysHowMany(words))
-            setQuantity(counts, piece);
+        else if (words.find_first_of("0123456789") != std::string::npos && saysHowMany(words))
+            readHowMany(words, piece);
     }
 }
 

@@ -20,6 +20,33 @@ public:
 
     void add(const Vec2& at, std::size_t index) { m_squares[key(square(at.x()), square(at.y()))].push_back(index); }
 
+    /// Points of squares around one that were added after it, so many of each square at most. `index` grows as they
+    /// are added.
+    template <class Visit>
+    void nearLater(const Vec2& at, std::size_t index, std::size_t most, const Visit& visit) const
+    {
+        for (std::int64_t i = -1; i <= 1; ++i)
+            for (std::int64_t k = -1; k <= 1; ++k)
+                if (const auto found = m_squares.find(key(square(at.x()) + i, square(at.y()) + k));
+                    found != m_squares.end()) {
+                    auto later = std::ranges::upper_bound(found->second, index);
+                    for (std::size_t n = 0; n < most && later != found->second.end(); ++n, ++later)
+                        visit(*later);
+                }
+    }
+
+    /// So many of each square around a point at most.
+    template <class Visit>
+    void some(const Vec2& at, std::size_t most, const Visit& visit) const
+    {
+        for (std::int64_t i = -1; i <= 1; ++i)
+            for (std::int64_t k = -1; k <= 1; ++k)
+                if (const auto found = m_squares.find(key(square(at.x()) + i, square(at.y()) + k));
+                    found != m_squares.end())
+                    for (std::size_t n = 0; n < std::min(most, found->second.size()); ++n)
+                        visit(found->second[n]);
+    }
+
     template <class Visit>
     void near(const Vec2& at, const Visit& visit) const
     {
