@@ -5260,6 +5260,14 @@
         <source>Overview of %1 x %2 sheets</source>
         <translation>Übersicht über %1 x %2 Blätter</translation>
     </message>
+    <message>
+        <source>%1: sheet %2</source>
+        <translation>%1: Blatt %2</translation>
+    </message>
+    <message>
+        <source>%1: sheets %2 to %3</source>
+        <translation>%1: Blätter %2 bis %3</translation>
+    </message>
 </context>
 <context>
     <name>PatternSelectTool</name>
@@ -5869,10 +5877,6 @@
         <translation>Material</translation>
     </message>
     <message>
-        <source>Pieces</source>
-        <translation>Teile</translation>
-    </message>
-    <message>
         <source>Seams in the order of sewing</source>
         <translation>Nähte in der Reihenfolge des Nähens</translation>
     </message>
@@ -6003,6 +6007,18 @@
     <message>
         <source>Second side longer, %</source>
         <translation>Zweite Seite länger, %</translation>
+    </message>
+    <message>
+        <source>Pieces, with the numbers of their seams</source>
+        <translation>Teile, mit den Nummern ihrer Nähte</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
     </message>
 </context>
 <context>
@@ -6769,6 +6785,14 @@
         <source>too many sheets: is its unit right?</source>
         <translation>zu viele Blätter: stimmt die Einheit?</translation>
     </message>
+    <message>
+        <source>the first %1 are shown</source>
+        <translation>die ersten %1 sind zu sehen</translation>
+    </message>
+    <message>
+        <source>There is nothing to cut.</source>
+        <translation>Es gibt nichts zu schneiden.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FabricCommands</name>
@@ -7399,6 +7423,10 @@
         <source>-sewing</source>
         <translation>-naehplan</translation>
     </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -7955,6 +7983,13 @@
     </message>
 </context>
 <context>
+    <name>bolster::PagesView</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+</context>
+<context>
     <name>bolster::PatternCommands</name>
     <message>
         <source>Removed, because they make no sense any more: %1</source>
@@ -8499,6 +8534,10 @@
     <message>
         <source>There is nothing to cut.</source>
         <translation>Es gibt nichts zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Laying out …</source>
+        <translation>Wird ausgelegt …</translation>
     </message>
 </context>
 <context>

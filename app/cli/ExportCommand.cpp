@@ -1,5 +1,7 @@
 #include "CutCheck.h"
+#include "DesignCheck.h"
 #include "DxfWriter.h"
+#include "ExportOrder.h"
 #include "FabricBaking.h"
 #include "HpglWriter.h"
 #include "Interrupt.h"
@@ -7,6 +9,7 @@
 #include "OutputFiles.h"
 #include "PatternPdf.h"
 #include "PictureStudio.h"
+#include "ProgressLine.h"
 #include "SewingSheet.h"
 #include "Solving.h"
 #include "Subcommands.h"
@@ -17,6 +20,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,11 +52,12 @@ Options:
   --chord MM            how far a line may be from its curve (0.05)
   --unfold              mirrored pairs as two pieces
   --piece NAME          this piece alone; several times for several pieces
+  --lenient             leave bad elements out instead of refusing the design
 
 Exit code:
   0  done
-  1  an output cannot be written
-  2  the design is bad (see "bolster check"), or wrong usage
+  1  an output cannot be written, or interrupted; then nothing is written
+  2  the design is bad (see "bolster check"), or wrong usage; nothing is written
 )";
 
 namespace {
@@ -73,104 +78,65 @@ constexpr std::array exportRules = {
     OptionRule{"--piece", true, true},
     OptionRule{"--sheet", true},
     OptionRule{"--splines"},
+    OptionRule{"--lenient"},
 };
 
-DxfStandard standardOf(const Arguments& arguments)
+/// The design, or of a lenient export what is usable of it; nothing when it has errors. Files of frames and scans
+/// have nothing to do with what is cut.
+std::optional<Design> exportedDesign(const OpenedDesign& opened, bool lenient)
 {
-    const std::string word = arguments.path("--standard").toLower().toStdString();
-    if (arguments.has("--splines")) {
-        if (word == "plain" || word.empty())
-            return DxfStandard::Splines;
-        throw UsageError("--splines is of the plain DXF: AAMA and ASTM know no curves");
+    Problems problems = opened.problems;
+    for (Problem& problem : problems)
+        if (opened.readable && problem.field == "file")
+            problem.severity = Severity::Warning;
+    addMissingPatch(problems, opened.design);
+    const auto firstWarning = std::stable_partition(problems.begin(), problems.end(), [](const Problem& problem) {
+        return problem.severity == Severity::Error;
+    });
+    const Problems errors(problems.begin(), firstWarning), warnings(firstWarning, problems.end());
+    if (errors.empty() || !opened.readable || !lenient) {
+        printProblems(errors);
+        printProblems(warnings);
+        return errors.empty() && opened.readable ? std::optional(opened.design) : std::nullopt;
     }
-    if (word.empty() || word == "aama")
-        return DxfStandard::Aama;
-    if (word == "astm")
-        return DxfStandard::Astm;
-    if (word == "plain")
-        return DxfStandard::Plain;
-    throw UsageError("--standard is aama, astm or plain, not \"" + word + "\"");
-}
-
-PaperSize paperOf(const Arguments& arguments)
-{
-    if (!arguments.has("--paper"))
-        return {};
-    if (const auto paper = paperSize(arguments.path("--paper")))
-        return *paper;
-    throw UsageError("--paper is " + paperNames().join(", ").toStdString() +
-                     " or roll:WIDTH (150 to 5000), not \"" + arguments.path("--paper").toStdString() + "\"");
-}
-
-CutLayers layersOf(const Arguments& arguments)
-{
-    if (!arguments.has("--lines"))
-        return {};
-    std::string unknown;
-    if (const auto layers = cutLayers(arguments.path("--lines").toStdString(), unknown))
-        return *layers;
-    throw UsageError("--lines does not know \"" + unknown +
-                     "\": it takes cut, sew, notches, grain, labels, internal, holes");
-}
-
-CutOptions cutOptionsOf(const Arguments& arguments)
-{
-    CutOptions options;
-    if (arguments.has("--allowance"))
-        options.allowance = arguments.number("--allowance", 10, 0, 200);
-    if (arguments.has("--notch-spacing"))
-        options.notchSpacing = arguments.number("--notch-spacing", 0, 0, 10000);
-    options.chord = arguments.number("--chord", options.chord, 0.001, 10);
-    options.unfold = arguments.has("--unfold");
-    return options;
-}
-
-/// The patches of these names; throws UsageError for one that there is not.
-std::optional<std::set<ElementId>> chosenPieces(const Arguments& arguments, const Design& design)
-{
-    const std::vector<std::string> names = arguments.values("--piece");
-    if (names.empty())
-        return std::nullopt;
-    std::set<ElementId> chosen;
-    for (const std::string& name : names) {
-        bool found = false;
-        design.each<Patch>([&](ElementId id, const Patch& patch) {
-            if (patch.name == name)
-                chosen.insert(id), found = true;
-        });
-        if (!found)
-            throw UsageError("there is no piece \"" + name + "\"");
-    }
-    return chosen;
+    Problems missing;
+    Design usable = usablePart(opened.design, errors, &missing);
+    for (const Problem& problem : allLeftOut(errors, missing))
+        printError("left out: " + problem.english());
+    printProblems(warnings);
+    return usable;
 }
 
 /// Letters need an application, but no display.
 template <class Make>
-std::string withLetters(const Make& make)
+QByteArray withLetters(const Make& make)
 {
     int count = 3;
     char name[] = "bolster", option[] = "-platform", platform[] = "offscreen";
     char* words[] = {name, option, platform, nullptr};
     const QGuiApplication application(count, words);
-    return make().toStdString();
+    return make();
 }
 
 /// From the front and from behind; none when there is no cover.
-std::vector<QImage> coverPictures(const QString& path, const OpenedDesign& opened, const std::stop_token& stop)
+std::vector<QImage> coverPictures(const QString& path, const OpenedDesign& opened, const Design& design,
+                                  bool lenient, const std::stop_token& stop)
 {
-    const SolveResult solved = solveOpened(opened, {}, stop);
+    SolveOptions options;
+    options.lenient = lenient;
+    const SolveResult solved = solveOpened(opened, options, stop);
     if (!solved.surface) {
         printError("note: the sewing sheet has no pictures: there is no cover yet");
         return {};
     }
-    FabricBaking bake(path, opened.design, 0, stop);
-    PictureStudio studio({solved.surface, opened.design, opened.files,
+    FabricBaking bake(path, design, 0, stop);
+    PictureStudio studio({solved.surface, design, opened.files,
                           [&bake](ElementId id, const Fabric& fabric) { return bake(id, fabric); }, nullptr,
                           nullptr});
     std::vector<QImage> pictures;
     for (const char* const view : {"three-quarter", "front", "back"}) {
         PictureOrder order;
-        order.look.colourway = opened.design.settings().colourway;
+        order.look.colourway = design.settings().colourway;
         order.from = *pictureDirection(view);
         order.options.width = 640;
         order.options.height = 560;
@@ -198,68 +164,135 @@ void printLeftOut(const CutPattern& pattern, const Design& design)
                    " is left out: its outline crosses itself or encloses nothing");
 }
 
+/// All that is written, before anything is: who interrupts it leaves nothing behind.
+class ExportedBytes {
+public:
+    ExportedBytes(const OutputFiles& files, const CutPattern& pattern, const ExportOrder& order,
+                  Interrupt& interrupt)
+        : m_files(files)
+        , m_pattern(pattern)
+        , m_order(order)
+        , m_interrupt(interrupt)
+    {}
+
+    void makeDrawings()
+    {
+        const QDateTime now = QDateTime::currentDateTime();
+        const CutLayers& layers = m_order.pdf.layers;
+        make("--dxf", [&] {
+            return dxfText(m_pattern,
+                           {m_order.standard, layers, now.toString(QStringLiteral("dd-MM-yyyy")).toStdString(),
+                            now.toString(QStringLiteral("HH:mm")).toStdString()});
+        });
+        make("--svg", [&] { return svgText(m_pattern, layers); });
+        make("--hpgl",
+             [&] { return hpglText(m_pattern, layers, tableWidth(m_order.pdf.paper, m_order.pdf.landscape)); });
+    }
+
+    /// False when there are too many sheets.
+    bool makePdf()
+    {
+        if (!m_files.has("--pdf"))
+            return true;
+        const PatternPdf pdf(m_pattern, m_order.pdf, m_interrupt.token());
+        if (pdf.plan().tooMany()) {
+            printError("error: the PDF would have " + std::to_string(std::llround(pdf.plan().wanted)) +
+                       " sheets, and " + std::to_string(std::llround(SheetPlan::mostSheets)) +
+                       " is the most: is the design's unit right? Larger --paper needs fewer");
+            return false;
+        }
+        makeSheets("--pdf", "PDF", [&](const SheetWatch& watch) { return pdf.bytes(watch); });
+        return true;
+    }
+
+    void makeSewingSheet(const Design& design, const CutOptions& options, const std::vector<QImage>& pictures)
+    {
+        const QString today = QDate::currentDate().toString(Qt::ISODate);
+        makeSheets("--sheet", "sewing sheet", [&](const SheetWatch& watch) {
+            const SewingPlan plan = sewingPlan(design, options, watch.stop);
+            return SewingSheet(design, plan, pictures, today).pdf(m_order.pdf.paper, watch);
+        });
+    }
+
+    bool write() const
+    {
+        bool written = true;
+        for (const auto& [option, bytes] : m_made)
+            written &= m_files.write(option, [&](const QString& file) { return replaceWholeFile(file, bytes); });
+        return written;
+    }
+
+private:
+    template <class Make>
+    void make(const char* option, const Make& text)
+    {
+        if (m_files.has(option) && !m_interrupt.token().stop_requested())
+            m_made.emplace_back(option, text());
+    }
+
+    template <class Make>
+    void makeSheets(const char* option, const std::string& what, const Make& bytes)
+    {
+        make(option, [&] {
+            ProgressLine line("drawing the " + what);
+            const SheetWatch watch{m_interrupt.token(), [&](double share) {
+                                       line.say("drawing the " + what + ", " +
+                                                std::to_string(std::lround(100 * share)) + " %");
+                                   }};
+            return withLetters([&] { return bytes(watch); }).toStdString();
+        });
+    }
+
+    const OutputFiles& m_files;
+    const CutPattern& m_pattern;
+    const ExportOrder& m_order;
+    Interrupt& m_interrupt;
+    std::vector<std::pair<const char*, std::string>> m_made;
+};
+
 } // namespace
 
 int exportPattern(std::span<const std::string> words)
 {
     const Arguments arguments(words, exportRules);
     const QString path = arguments.onlyFile("DESIGN");
-    const OutputFiles files(arguments, {"--dxf", "--svg", "--pdf", "--hpgl", "--sheet"});
+    const OutputFiles files(arguments, {"--dxf", "--svg", "--hpgl", "--pdf", "--sheet"});
     if (files.empty())
         throw UsageError("nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file");
-    const DxfStandard standard = standardOf(arguments);
-    const PdfOrder pdf{paperOf(arguments), arguments.has("--landscape"), layersOf(arguments)};
-    CutOptions options = cutOptionsOf(arguments);
+    const ExportOrder order = exportOrder(arguments);
 
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
-    printProblems(opened.problems);
-    if (!opened.readable)
-        return badInput;
     files.protectInputs(path, opened.design);
-    options.only = chosenPieces(arguments, opened.design);
+    const std::optional<Design> design = exportedDesign(opened, order.lenient);
+    if (!design)
+        return badInput;
+    CutOptions options = order.cutting;
+    options.only = chosenPieces(arguments, *design);
     options.style = QFileInfo(path).completeBaseName().toStdString();
-    const CutPattern pattern = cutPattern(opened.design, options);
-    printLeftOut(pattern, opened.design);
-    printFindings(pattern, opened.design);
+    const CutPattern pattern = cutPattern(*design, options, interrupt.token());
+    printLeftOut(pattern, *design);
+    printFindings(pattern, *design);
     if (pattern.pieces.empty()) {
         printError("error: there is no piece to cut");
         return badInput;
     }
-    const double sheets = arguments.has("--pdf") ? PatternPdf(pattern, pdf).sheets() : 0;
-    if (sheets > PatternPdf::mostSheets) {
-        printError("error: the PDF would have " + std::to_string(std::llround(sheets)) + " sheets, and " +
-                   std::to_string(std::llround(PatternPdf::mostSheets)) +
-                   " is the most: is the design's unit right? Larger --paper needs fewer");
+    ExportedBytes bytes(files, pattern, order, interrupt);
+    bytes.makeDrawings();
+    if (!bytes.makePdf())
         return badInput;
-    }
-    const QDateTime now = QDateTime::currentDateTime();
-    const DxfOrder dxf{standard, pdf.layers, now.toString(QStringLiteral("dd-MM-yyyy")).toStdString(),
-                       now.toString(QStringLiteral("HH:mm")).toStdString()};
-    const std::vector<QImage> pictures =
-        arguments.has("--sheet") ? coverPictures(path, opened, interrupt.token()) : std::vector<QImage>();
+    if (files.has("--sheet"))
+        bytes.makeSewingSheet(*design, options,
+                              coverPictures(path, opened, *design, order.lenient, interrupt.token()));
     interrupt.beginWriting();
-    bool written = true;
-    written &= files.write("--dxf", [&](const QString& f) { return replaceWholeFile(f, dxfText(pattern, dxf)); });
-    written &=
-        files.write("--svg", [&](const QString& f) { return replaceWholeFile(f, svgText(pattern, pdf.layers)); });
-    written &= files.write("--hpgl", [&](const QString& f) {
-        return replaceWholeFile(f, hpglText(pattern, pdf.layers, tableWidth(pdf.paper, pdf.landscape)));
-    });
-    written &= files.write("--pdf", [&](const QString& f) {
-        return replaceWholeFile(f, withLetters([&] { return PatternPdf(pattern, pdf).bytes(); }));
-    });
-    written &= files.write("--sheet", [&](const QString& f) {
-        const SewingPlan plan = sewingPlan(opened.design, options);
-        return replaceWholeFile(f, withLetters([&] {
-                                    return SewingSheet(opened.design, plan, pictures,
-                                                       now.toString(QStringLiteral("yyyy-MM-dd")))
-                                        .pdf(pdf.paper);
-                                }));
-    });
-    if (written)
-        printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
-    return written ? done : otherFailure;
+    if (interrupt.token().stop_requested()) {
+        printError("error: interrupted");
+        return otherFailure;
+    }
+    if (!bytes.write())
+        return otherFailure;
+    printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
+    return done;
 }
 
 } // namespace bolster::cli

@@ -1,9 +1,13 @@
 #include "OutputFiles.h"
 
 #include "Output.h"
+#include "TemporaryFile.h"
 
+#include <QFile>
 #include <QFileInfo>
 
+#include <sys/stat.h>
+#include <unistd.h>
 #include <utility>
 
 namespace bolster::cli {
@@ -25,6 +29,14 @@ bool isDevice(const QString& path)
     return QFileInfo::exists(path) && !QFileInfo(path).isFile();
 }
 
+/// Whether it is the pipe, the terminal or the file that stdout leads to.
+bool isStandardOutput(const QString& path)
+{
+    struct stat there = {}, out = {};
+    return ::stat(QFile::encodeName(path).constData(), &there) == 0 && ::fstat(STDOUT_FILENO, &out) == 0 &&
+           there.st_dev == out.st_dev && there.st_ino == out.st_ino;
+}
+
 } // namespace
 
 OutputFiles::OutputFiles(const Arguments& arguments, std::initializer_list<const char*> options)
@@ -38,7 +50,14 @@ OutputFiles::OutputFiles(const Arguments& arguments, std::initializer_list<const
         const auto [other, isNew] = taken.emplace(resolved(path), option);
         if (!isNew && !isDevice(path))
             throw UsageError(other->second + " and " + option + " are the same file");
+        if (isStandardOutput(path))
+            sendResultsToErrors(true);
     }
+}
+
+OutputFiles::~OutputFiles()
+{
+    sendResultsToErrors(false);
 }
 
 void OutputFiles::protectInputs(const QString& designPath, const Design& design) const
@@ -59,6 +78,8 @@ bool OutputFiles::write(const std::string& option, const std::function<Message(c
     const auto found = m_paths.find(option);
     if (found == m_paths.end())
         return true;
+    if (!isDevice(found->second))
+        removeLeftTemporaryFiles(QFileInfo(resolved(found->second)).absolutePath());
     const Message problem = writer(found->second);
     if (problem.empty())
         printResult("wrote " + found->second.toStdString());

@@ -11,10 +11,15 @@ namespace bolster::cli {
 
 class OutputFiles {
 public:
-    /// Throws UsageError when two of these options name the same file.
+    /// Throws UsageError when two of these options name the same file. Results go to stderr as long as one of them
+    /// is what stdout leads to: nothing shall come in between.
     OutputFiles(const Arguments& arguments, std::initializer_list<const char*> options);
+    ~OutputFiles();
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
 
     bool empty() const { return m_paths.empty(); }
+    bool has(const std::string& option) const { return m_paths.contains(option); }
 
     /// Throws UsageError when an output would overwrite the design or one of its files: "chair.json --obj
     /// chair.obj" beside a frame chair.obj is typed soon.

@@ -34,20 +34,6 @@ Problems errorsOf(const OpenedDesign& opened)
     return errors;
 }
 
-/// What was left out and why: the errors themselves, then what went because it refers to a bad element.
-Problems leftOut(const Problems& errors, const Problems& leftOutBySolver)
-{
-    Problems all = errors;
-    std::set<ElementId> wrong;
-    for (const Problem& error : errors)
-        wrong.insert(error.element);
-    std::ranges::copy_if(leftOutBySolver, std::back_inserter(all),
-                         [&](const Problem& problem) { return !wrong.contains(problem.element); });
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Problem& a, const Problem& b) { return a.element < b.element; });
-    return all;
-}
-
 /// With a word on the terminal about how far it is.
 SolveResult solveShown(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)
 {
@@ -64,7 +50,7 @@ SolveResult solveLeniently(const OpenedDesign& opened, Problems errors, const So
 {
     SolveResult result = solveShown(opened, options, std::move(stop));
     addNew(errors, result.errors);
-    result.leftOut = leftOut(errors, result.leftOut);
+    result.leftOut = allLeftOut(errors, result.leftOut);
     result.errors = result.surface ? Problems() : errors;
     return result;
 }
@@ -88,6 +74,19 @@ void addMissingPatch(Problems& problems, const Design& design)
                             {"the design has no patch yet: draw one, there is nothing to "
                              "cover a frame with",
                              {}}});
+}
+
+Problems allLeftOut(const Problems& errors, const Problems& leftOutBySolver)
+{
+    Problems all = errors;
+    std::set<ElementId> wrong;
+    for (const Problem& error : errors)
+        wrong.insert(error.element);
+    std::ranges::copy_if(leftOutBySolver, std::back_inserter(all),
+                         [&](const Problem& problem) { return !wrong.contains(problem.element); });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Problem& a, const Problem& b) { return a.element < b.element; });
+    return all;
 }
 
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop)

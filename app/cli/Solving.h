@@ -12,6 +12,9 @@ OpenedDesign openedShown(const QString& path);
 /// Adds the error of a design that has nothing wrong and nothing to solve, which every command sees as one.
 void addMissingPatch(Problems& problems, const Design& design);
 
+/// What was left out and why: the errors themselves, then what went because it refers to a bad element.
+Problems allLeftOut(const Problems& errors, const Problems& others);
+
 /// Refuses designs with errors, unless `options` are lenient. What went wrong is in the result.
 SolveResult solveOpened(const OpenedDesign& opened, const SolveOptions& options, std::stop_token stop);
 

@@ -17,22 +17,28 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace bolster {
 
-ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, QWidget* parent)
+ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, const QImage& cover, QWidget* parent)
     : QDialog(parent)
     , m_design(std::move(design))
     , m_style(style.toStdString())
-    , m_job(
-          [design = m_design](const CutOptions& options, const std::stop_token&) {
-              const auto pattern = std::make_shared<const CutPattern>(cutPattern(design, options));
-              return Made{pattern, checkCutting(design, *pattern)};
+    , m_layout(
+          [design = m_design, cover](const LayoutOrder& order, const std::stop_token& stop) {
+              return laidOut(design, cover, order, stop);
           },
-          [this](const Made& made) {
-              m_pattern = made.pattern;
-              showFindings(made.findings);
+          [this](const Layout& layout) { show(layout); })
+    , m_job(
+          [design = m_design](const CutOptions& options, const std::stop_token& stop) {
+              const auto pattern = std::make_shared<const CutPattern>(cutPattern(design, options, stop));
+              return Cut{pattern, checkCutting(design, *pattern, stop)};
+          },
+          [this](const Cut& cut) {
+              m_pattern = cut.pattern;
+              showFindings(cut.findings);
               preview();
           })
 {
@@ -43,9 +49,6 @@ ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, QW
 
 void ExportPatternDialog::build()
 {
-    m_preview = new SheetPreview(this);
-    m_summary = new QLabel(this);
-    m_summary->setWordWrap(true);
     auto* right = new QVBoxLayout;
     right->addWidget(buildChoices());
     right->addWidget(buildLines());
@@ -53,19 +56,8 @@ void ExportPatternDialog::build()
     auto* pieces = new QGroupBox(tr("Pieces"), this);
     (new QVBoxLayout(pieces))->addWidget(m_pieces);
     right->addWidget(pieces, 1);
-
-    auto* left = new QVBoxLayout;
-    left->addWidget(m_preview, 1);
-    left->addWidget(m_summary);
-    m_findings = new QListWidget(this);
-    m_findings->setAccessibleName(tr("What to look at before cutting"));
-    m_findings->setToolTip(tr("A double click shows where it is."));
-    m_findings->setWordWrap(true);
-    m_findings->setMaximumHeight(110);
-    m_findings->hide();
-    left->addWidget(m_findings);
     auto* top = new QHBoxLayout;
-    top->addLayout(left, 1);
+    top->addWidget(buildPreview(), 1);
     top->addLayout(right);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_export = buttons->addButton(tr("&Export \u2026"), QDialogButtonBox::AcceptRole);
@@ -75,6 +67,30 @@ void ExportPatternDialog::build()
     auto* all = new QVBoxLayout(this);
     all->addLayout(top, 1);
     all->addWidget(buttons);
+}
+
+QWidget* ExportPatternDialog::buildPreview()
+{
+    auto* left = new QWidget(this);
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins({});
+    m_preview = new SheetPreview(left);
+    m_pages = new PagesView(left);
+    m_shown = new QStackedWidget(left);
+    m_shown->addWidget(m_preview);
+    m_shown->addWidget(m_pages);
+    m_summary = new QLabel(left);
+    m_summary->setWordWrap(true);
+    m_findings = new QListWidget(left);
+    m_findings->setAccessibleName(tr("What to look at before cutting"));
+    m_findings->setToolTip(tr("A double click shows where it is."));
+    m_findings->setWordWrap(true);
+    m_findings->setMaximumHeight(110);
+    m_findings->hide();
+    column->addWidget(m_shown, 1);
+    column->addWidget(m_summary);
+    column->addWidget(m_findings);
+    return left;
 }
 
 QWidget* ExportPatternDialog::buildChoices()
@@ -118,8 +134,8 @@ QWidget* ExportPatternDialog::buildChoices()
 
 QWidget* ExportPatternDialog::buildLines()
 {
-    auto* group = new QGroupBox(tr("Lines"), this);
-    auto* grid = new QGridLayout(group);
+    m_lines = new QGroupBox(tr("Lines"), this);
+    auto* grid = new QGridLayout(m_lines);
     const std::pair<QString, bool CutLayers::*> lines[] = {
         {tr("C&ut lines"), &CutLayers::cut},    {tr("Sewing li&nes"), &CutLayers::sew},
         {tr("Notc&hes"), &CutLayers::notches},  {tr("&Grain lines"), &CutLayers::grain},
@@ -134,7 +150,7 @@ QWidget* ExportPatternDialog::buildLines()
         m_layers.emplace_back(box, layer);
         ++place;
     }
-    return group;
+    return m_lines;
 }
 
 void ExportPatternDialog::buildPieces()
@@ -190,41 +206,77 @@ void ExportPatternDialog::changed()
 {
     m_pattern = nullptr;
     m_export->setEnabled(false);
-    m_job.request(order().cutting);
+    m_layout.cancel();
+    m_job.request(order().cutting, true);
 }
 
 void ExportPatternDialog::preview()
 {
     const PatternOrder order = this->order();
-    const bool sheets = hasSheets(order.format);
-    m_paper->setEnabled(sheets || order.format == PatternFormat::Hpgl ||
-                        order.format == PatternFormat::SewingSheet);
+    const bool isSewing = order.format == PatternFormat::SewingSheet, sheets = hasSheets(order.format);
+    m_paper->setEnabled(sheets || isSewing || order.format == PatternFormat::Hpgl);
     m_landscape->setEnabled(sheets && !order.paper.roll);
-    if (!m_pattern)
-        return;
-    const double width = m_paper->isEnabled() && order.format != PatternFormat::SewingSheet
-                             ? tableWidth(order.paper, order.landscape)
-                             : usualTableWidth;
-    SheetPreview::Shown shown{m_pattern, arranged(*m_pattern, width), order.layers, std::nullopt};
-    const Vec2 size = shown.table.size;
-    QString summary = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))
-                          .arg(qRound(size.x()))
-                          .arg(qRound(size.y()));
-    bool few = true;
-    if (sheets) {
-        const PatternPdf pdf(*m_pattern, {order.paper, order.landscape, order.layers});
-        few = pdf.sheets() <= PatternPdf::mostSheets;
-        if (few)
-            shown.grid = sheetGrid(size, order.paper, order.landscape);
-        summary += few ? QStringLiteral(", ") + tr("%n pages", nullptr, pdf.pages())
-                       : QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");
+    m_lines->setEnabled(!isSewing);
+    m_export->setEnabled(false);
+    if (m_pattern)
+        m_layout.request({m_pattern, order}, true);
+}
+
+ExportPatternDialog::Layout ExportPatternDialog::laidOut(const Design& design, const QImage& cover,
+                                                         const LayoutOrder& wanted, const std::stop_token& stop)
+{
+    constexpr int pageWidth = 1000, mostPages = 20; // pixels; more than these nobody looks at here
+    const PatternOrder& order = wanted.order;
+    Layout layout{order, nullptr, {}, 0};
+    SheetPlan plan;
+    if (hasSheets(order.format))
+        plan = planSheets(*wanted.pattern, {order.paper, order.landscape, order.layers}, stop);
+    else if (order.format == PatternFormat::SewingSheet)
+        layout.pages = sewingPages(design, order, cover, pageWidth, mostPages, layout.allPages, {stop, {}});
+    else
+        plan.table =
+            arranged(*wanted.pattern, order.format == PatternFormat::Hpgl ? tableWidth(order.paper, order.landscape)
+                                                                          : usualTableWidth);
+    layout.plan = std::make_shared<const SheetPlan>(std::move(plan));
+    return layout;
+}
+
+QString ExportPatternDialog::summary(const Layout& layout) const
+{
+    QString said;
+    if (layout.order.format == PatternFormat::SewingSheet) {
+        said = tr("%n pages", nullptr, layout.allPages);
+        if (const int shown = static_cast<int>(layout.pages.size()); shown < layout.allPages)
+            said += QStringLiteral(" \u2013 ") + tr("the first %1 are shown").arg(shown);
+    } else {
+        const Vec2 size = layout.plan->table.size;
+        said = tr("%n pieces on %1 x %2 mm", nullptr, static_cast<int>(m_pattern->pieces.size()))
+                   .arg(qRound(size.x()))
+                   .arg(qRound(size.y()));
     }
+    if (layout.plan->tooMany())
+        said += QStringLiteral(" \u2013 ") + tr("too many sheets: is its unit right?");
+    else if (hasSheets(layout.order.format))
+        said += QStringLiteral(", ") + tr("%n pages", nullptr, layout.plan->pages());
     if (!m_pattern->leftOut.empty())
-        summary += QStringLiteral(" \u2013 ") + tr("%n patches are left out: their outlines cross themselves",
-                                                   nullptr, static_cast<int>(m_pattern->leftOut.size()));
-    m_preview->show(std::move(shown));
-    m_summary->setText(summary);
-    m_export->setEnabled(few && !m_pattern->pieces.empty());
+        said += QStringLiteral(" \u2013 ") + tr("%n patches are left out: their outlines cross themselves", nullptr,
+                                                static_cast<int>(m_pattern->leftOut.size()));
+    return said;
+}
+
+void ExportPatternDialog::show(const Layout& layout)
+{
+    if (!m_pattern) // other pieces are on their way
+        return;
+    if (layout.order.format == PatternFormat::SewingSheet) {
+        m_pages->showPages(layout.pages, tr("There is nothing to cut."));
+        m_shown->setCurrentWidget(m_pages);
+    } else {
+        m_preview->show({m_pattern, layout.plan, layout.order.layers});
+        m_shown->setCurrentWidget(m_preview);
+    }
+    m_summary->setText(summary(layout));
+    m_export->setEnabled(!layout.plan->tooMany() && !m_pattern->pieces.empty());
 }
 
 } // namespace bolster

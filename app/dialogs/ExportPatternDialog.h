@@ -3,6 +3,7 @@
 
 #include "CutCheck.h"
 #include "LatestJob.h"
+#include "PagesView.h"
 #include "PatternFile.h"
 #include "SheetPreview.h"
 
@@ -10,9 +11,11 @@
 
 class QCheckBox;
 class QComboBox;
+class QGroupBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
+class QStackedWidget;
 
 namespace bolster {
 
@@ -22,8 +25,9 @@ class ExportPatternDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `style`: what the pattern is called where the design does not say it.
-    ExportPatternDialog(Design design, const QString& style, QWidget* parent = nullptr);
+    /// `style`: what the pattern is called where the design does not say it. `cover`: a picture of it for the
+    /// sewing sheet, may be null.
+    ExportPatternDialog(Design design, const QString& style, const QImage& cover, QWidget* parent = nullptr);
 
 signals:
     /// Something is wrong there and shall be seen: in outline coordinates, mm.
@@ -36,12 +40,32 @@ public:
     const std::shared_ptr<const CutPattern>& pattern() const { return m_pattern; }
 
 private:
+    struct Cut {
+        std::shared_ptr<const CutPattern> pattern;
+        std::vector<CutFinding> findings;
+    };
+    struct LayoutOrder {
+        std::shared_ptr<const CutPattern> pattern;
+        PatternOrder order;
+    };
+    struct Layout {
+        PatternOrder order;
+        std::shared_ptr<const SheetPlan> plan; ///< of formats without pages the table alone
+        std::vector<QImage> pages;             ///< the first ones of the sewing sheet
+        int allPages = 0;
+    };
+    static Layout laidOut(const Design& design, const QImage& cover, const LayoutOrder& order,
+                          const std::stop_token& stop);
+
     void build();
+    QWidget* buildPreview();
     QWidget* buildChoices();
     QWidget* buildLines();
     void buildPieces();
     void changed();
     void preview();
+    void show(const Layout& layout);
+    QString summary(const Layout& layout) const;
     void showFindings(const std::vector<CutFinding>& findings);
 
     Design m_design;
@@ -52,17 +76,17 @@ private:
     QCheckBox* m_landscape = nullptr;
     QCheckBox* m_unfold = nullptr;
     NumberBox* m_allowance = nullptr;
+    QGroupBox* m_lines = nullptr;
     std::vector<std::pair<QCheckBox*, bool CutLayers::*>> m_layers;
     QListWidget* m_pieces = nullptr;
+    QStackedWidget* m_shown = nullptr; ///< the preview or the pages
     SheetPreview* m_preview = nullptr;
+    PagesView* m_pages = nullptr;
     QLabel* m_summary = nullptr;
     QListWidget* m_findings = nullptr;
     QPushButton* m_export = nullptr;
-    struct Made {
-        std::shared_ptr<const CutPattern> pattern;
-        std::vector<CutFinding> findings;
-    };
-    LatestJob<CutOptions, Made> m_job; ///< last: it uses the others
+    LatestJob<LayoutOrder, Layout> m_layout; ///< after all that they use
+    LatestJob<CutOptions, Cut> m_job;
 };
 
 } // namespace bolster

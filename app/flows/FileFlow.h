@@ -128,6 +128,8 @@ private:
                     const PatternChoice& choice);
     template <class Result, class Read, class Done>
     void readInBackground(const QString& path, Read read, Done done);
+    template <class Result, class Read, class Done>
+    void withProgress(const QString& text, Read read, Done done);
     void place(const QString& path, const FileContent& content, const Element& element,
                std::optional<ElementId> replaced);
     void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);

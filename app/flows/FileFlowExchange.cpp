@@ -8,6 +8,7 @@
 #include "ImportPatternDialog.h"
 #include "PatternImport.h"
 #include "SurfaceExport.h"
+#include "TemporaryFile.h"
 #include "Translated.h"
 #include "WholeFile.h"
 
@@ -82,12 +83,18 @@ QString FileFlow::readingText(const QString& path)
     return tr("Reading %1 \u2026").arg(QFileInfo(path).fileName());
 }
 
-/// Reads with progress that can be cancelled; `done` gets what was read unless it was.
 template <class Result, class Read, class Done>
 void FileFlow::readInBackground(const QString& path, Read read, Done done)
 {
+    withProgress<Result>(readingText(path), std::move(read), std::move(done));
+}
+
+/// Works with progress that can be cancelled; `done` gets what came of it unless it was.
+template <class Result, class Read, class Done>
+void FileFlow::withProgress(const QString& text, Read read, Done done)
+{
     constexpr int steps = 100;
-    const auto [progress, bar] = openProgress(m_window, readingText(path), steps);
+    const auto [progress, bar] = openProgress(m_window, text, steps);
     std::stop_source stop;
     connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
     connect(progress, &QObject::destroyed, [stop]() mutable { stop.request_stop(); }); // with its window
@@ -232,7 +239,7 @@ void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& pat
 
 void FileFlow::exportPattern(const QImage& cover)
 {
-    auto* dialog = new ExportPatternDialog(m_session.document().design(), m_session.title(), m_window);
+    auto* dialog = new ExportPatternDialog(m_session.document().design(), m_session.title(), cover, m_window);
     connect(dialog, &ExportPatternDialog::placeWanted, this, &FileFlow::placeWanted);
     connect(dialog, &QDialog::accepted, this, [this, dialog, cover] {
         const PatternOrder order = dialog->order();
@@ -247,14 +254,21 @@ void FileFlow::exportPattern(const QImage& cover)
 
 void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover)
 {
-    inBackground<Message>([design = m_session.document().design(), path, order, cover] {
-        return replaceWholeFile(path, patternBytes(design, order, cover));
-    }).then(this, [this, path](const Message& problem) {
-        if (problem.empty())
-            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-        else
-            fail(tr("The pattern could not be exported."), problem);
-    });
+    withProgress<Message>(
+        tr("Writing %1 \u2026").arg(QFileInfo(path).fileName()),
+        [design = m_session.document().design(), path, order, cover](const ImportWatch& watch) -> Message {
+            const std::string bytes = patternBytes(design, order, cover, {watch.stop, watch.progress});
+            if (watch.stop.stop_requested())
+                return {};
+            removeLeftTemporaryFiles(QFileInfo(path).absolutePath());
+            return replaceWholeFile(path, bytes);
+        },
+        [this, path](const Message& problem) {
+            if (problem.empty())
+                emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+            else
+                fail(tr("The pattern could not be exported."), problem);
+        });
 }
 
 namespace {

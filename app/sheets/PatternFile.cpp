@@ -18,22 +18,17 @@ std::string dxf(const CutPattern& pattern, const PatternOrder& order, DxfStandar
                              now.toString(QStringLiteral("HH:mm")).toStdString()});
 }
 
-std::string sewingSheet(const Design& design, const PatternOrder& order, const QImage& cover)
+template <class Use>
+auto withSewingSheet(const Design& design, const PatternOrder& order, const QImage& cover, const SheetWatch& watch,
+                     const Use& use)
 {
-    const SewingPlan plan = sewingPlan(design, order.cutting);
+    const SewingPlan plan = sewingPlan(design, order.cutting, watch.stop);
     const QString today = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
-    return SewingSheet(design, plan, cover.isNull() ? std::vector<QImage>() : std::vector{cover}, today)
-        .pdf(order.paper)
-        .toStdString();
+    return use(SewingSheet(design, plan, cover.isNull() ? std::vector<QImage>() : std::vector{cover}, today));
 }
 
-} // namespace
-
-std::string patternBytes(const Design& design, const PatternOrder& order, const QImage& cover)
+std::string bytesOf(const CutPattern& pattern, const PatternOrder& order, const SheetWatch& watch)
 {
-    if (order.format == PatternFormat::SewingSheet)
-        return sewingSheet(design, order, cover);
-    const CutPattern pattern = cutPattern(design, order.cutting);
     switch (order.format) {
     case PatternFormat::DxfAama:
         return dxf(pattern, order, DxfStandard::Aama);
@@ -51,7 +46,28 @@ std::string patternBytes(const Design& design, const PatternOrder& order, const 
     case PatternFormat::SewingSheet:
         break;
     }
-    return PatternPdf(pattern, {order.paper, order.landscape, order.layers}).bytes().toStdString();
+    return PatternPdf(pattern, {order.paper, order.landscape, order.layers}, watch.stop).bytes(watch).toStdString();
+}
+
+} // namespace
+
+std::string patternBytes(const Design& design, const PatternOrder& order, const QImage& cover,
+                         const SheetWatch& watch)
+{
+    if (order.format == PatternFormat::SewingSheet)
+        return withSewingSheet(design, order, cover, watch, [&](const SewingSheet& sheet) {
+            return sheet.pdf(order.paper, watch).toStdString();
+        });
+    std::string bytes = bytesOf(cutPattern(design, order.cutting, watch.stop), order, watch);
+    return watch.stopped() ? std::string() : bytes;
+}
+
+std::vector<QImage> sewingPages(const Design& design, const PatternOrder& order, const QImage& cover, int width,
+                                int most, int& all, const SheetWatch& watch)
+{
+    return withSewingSheet(design, order, cover, watch, [&](const SewingSheet& sheet) {
+        return sheet.pictures(order.paper, width, most, all, watch);
+    });
 }
 
 QString patternEnding(PatternFormat format)

@@ -1,21 +1,17 @@
 #include "SewingSheet.h"
 
-#include "PieceDrawing.h"
-
 #include <QLocale>
-#include <QPainter>
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace bolster {
 
 namespace {
 
-constexpr int drawingPixels = 220;    // of the drawing of a piece
-constexpr int drawingSize = 66;       // of it on paper, 1/96 inch
-constexpr double mostOfThePage = 0.4; // that the pictures of the cover take
+constexpr QSize drawingSize(170, 150); // of the drawing of a piece at most, 1/96 inch
+constexpr int drawingDots = 4;         // of it for each of these
+constexpr double mostOfThePage = 0.4;  // that the pictures of the cover take
 
 QString number(double value, int decimals)
 {
@@ -58,24 +54,13 @@ QString pictureTag(int picture, const QSize& size)
         .arg(size.height());
 }
 
-/// Cut line, sewing line, notches and grain, as large as fits.
-QImage drawingOf(const CutPiece& piece)
+QString numbersOf(const std::vector<NumberedSide>& sides)
 {
-    QImage image(drawingPixels, drawingPixels, QImage::Format_RGB32);
-    image.fill(Qt::white);
-    const Box2 box = piece.box();
-    if (box.isEmpty())
-        return image;
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double scale = (drawingPixels - 8) / std::max(1.0, box.sizes().maxCoeff());
-    painter.translate(drawingPixels / 2.0, drawingPixels / 2.0);
-    painter.scale(scale, -scale);
-    painter.translate(-box.center().x(), -box.center().y());
-    CutLayers layers;
-    layers.labels = false;
-    drawPiece(painter, piece, {}, layers, 6 / scale);
-    return image;
+    QStringList numbers;
+    for (const NumberedSide& side : sides)
+        if (const QString number = QString::number(side.number); !numbers.contains(number))
+            numbers << number;
+    return numbers.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -87,9 +72,22 @@ SewingSheet::SewingSheet(const Design& design, const SewingPlan& plan, std::vect
     , m_date(std::move(date))
 {}
 
-QByteArray SewingSheet::pdf(const PaperSize& paper) const
+QByteArray SewingSheet::pdf(const PaperSize& paper, const SheetWatch& watch) const
 {
-    HtmlPages pages(paper, title());
+    return pages(paper, watch).pdf();
+}
+
+std::vector<QImage> SewingSheet::pictures(const PaperSize& paper, int width, int most, int& all,
+                                          const SheetWatch& watch) const
+{
+    const HtmlPages pages = this->pages(paper, watch);
+    all = pages.count();
+    return pages.pictures(width, most);
+}
+
+HtmlPages SewingSheet::pages(const PaperSize& paper, const SheetWatch& watch) const
+{
+    HtmlPages pages(paper, title(), watch);
     QString head = QStringLiteral("<h2>%1</h2>").arg(title().toHtmlEscaped());
     if (!m_date.isEmpty())
         head += QStringLiteral("<p>%1</p>").arg(m_date.toHtmlEscaped());
@@ -98,7 +96,7 @@ QByteArray SewingSheet::pdf(const PaperSize& paper) const
     addNeeds(pages);
     addPieces(pages);
     addSeams(pages);
-    return pages.pdf();
+    return pages;
 }
 
 QString SewingSheet::title() const
@@ -118,27 +116,49 @@ void SewingSheet::addPictures(HtmlPages& pages) const
     for (const QImage& picture : m_pictures) {
         const QSizeF size =
             QSizeF(picture.size()).scaled(width, mostOfThePage * pages.height(), Qt::KeepAspectRatio);
-        row += cell(pictureTag(pages.addPicture(picture), size.toSize()));
+        row += cell(pictureTag(pages.addPicture([picture] { return picture; }), size.toSize()));
     }
     pages.add(row + QStringLiteral("</tr></table>"));
 }
 
 void SewingSheet::addPieces(HtmlPages& pages) const
 {
+    const std::map<ElementId, std::vector<NumberedSide>> sides = numberedSides();
+    static const std::vector<NumberedSide> none;
     QStringList rows;
     for (const CutPiece& piece : m_plan.pattern.pieces) {
         const Vec2 size = piece.box().isEmpty() ? Vec2(0, 0) : Vec2(piece.box().sizes());
         const QString count =
             piece.pair ? tr("%1 and %1 mirrored").arg(piece.quantity) : QString::number(piece.quantity);
-        const int drawing = pages.addPicture(drawingOf(piece));
-        rows += rowOf({cell(pictureTag(drawing, {drawingSize, drawingSize})),
+        const auto sewn = sides.find(piece.patch);
+        const std::vector<NumberedSide>& seams = sewn == sides.end() ? none : sewn->second;
+        const QSize pixels = seamDrawingSize(piece, drawingSize * drawingDots);
+        const int drawing = pages.addPicture([&piece, seams, pixels] { return seamDrawing(piece, seams, pixels); });
+        rows += rowOf({cell(pictureTag(drawing, pixels / drawingDots), "center"),
                        cell(QString::fromStdString(piece.name).toHtmlEscaped()), cell(count),
                        cell(QString::fromStdString(piece.fabricName).toHtmlEscaped()),
                        cell(tr("%1 \u00d7 %2 mm").arg(number(size.x(), 0), number(size.y(), 0)), "right"),
-                       cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right")});
+                       cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right"),
+                       cell(numbersOf(seams))});
     }
-    addTable(pages, tr("Pieces"),
-             {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Size as cut"), tr("Area as cut")}, rows);
+    addTable(
+        pages, tr("Pieces, with the numbers of their seams"),
+        {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Size as cut"), tr("Area as cut"), tr("Seams")},
+        rows);
+}
+
+/// By patch, with the numbers that the list of seams has.
+std::map<ElementId, std::vector<NumberedSide>> SewingSheet::numberedSides() const
+{
+    std::map<ElementId, std::vector<NumberedSide>> sides;
+    int number = 0;
+    for (const PlannedSeam& planned : m_plan.seams) {
+        ++number;
+        if (const Seam* seam = m_design.find<Seam>(planned.seam))
+            for (const Stretch* side : {&seam->a, &seam->b})
+                sides[side->patch].push_back({number, side->from, side->to});
+    }
+    return sides;
 }
 
 QString SewingSheet::stitchOf(const PlannedSeam& seam) const
@@ -176,7 +196,7 @@ void SewingSheet::addSeams(HtmlPages& pages) const
                        cell(QString::number(seam.notches), "right"), cell(stitchOf(seam))});
     }
     addTable(pages, tr("Seams in the order of sewing"),
-             {QString(), tr("Seam"), tr("Lengths, mm"), tr("Second side longer, %"), tr("Allowance, mm"),
+             {tr("No."), tr("Seam"), tr("Lengths, mm"), tr("Second side longer, %"), tr("Allowance, mm"),
               tr("Notches"), tr("Stitch")},
              rows);
 }

@@ -1,5 +1,6 @@
 #include "CutCheck.h"
 
+#include "CutMarks.h"
 #include "DesignCheck.h"
 #include "SewnPair.h"
 
@@ -21,18 +22,24 @@ class Check {
 public:
     Check(const Design& design, const CutPattern& pattern)
         : m_design(design)
-        , m_pattern(pattern)
-    {}
+        , m_marks(cutMarks(design))
+    {
+        for (const CutPiece& piece : pattern.pieces)
+            m_pieces[piece.patch].push_back(&piece);
+    }
 
-    std::vector<CutFinding> run()
+    std::vector<CutFinding> run(const std::stop_token& stop)
     {
         m_design.each<Seam>([&](ElementId id, const Seam& seam) {
+            if (stop.stop_requested())
+                return;
             lengths(id, seam);
             allowances(id, seam);
         });
-        for (const CutPiece& piece : m_pattern.pieces)
-            if (!piece.mirrored)
-                look(piece);
+        for (const auto& [patch, pieces] : m_pieces)
+            for (const CutPiece* piece : pieces)
+                if (!piece->mirrored && !stop.stop_requested())
+                    look(*piece);
         return std::move(m_found);
     }
 
@@ -52,8 +59,8 @@ private:
         const SewnPair pair(m_design, seam);
         if (!pair.usable() || !isCut(seam.a.patch) || !isCut(seam.b.patch))
             return;
-        const double a = allowanceAt(m_design, {seam.a.patch, pair.onA(0.5)}, std::nullopt);
-        const double b = allowanceAt(m_design, {seam.b.patch, pair.onB(0.5)}, std::nullopt);
+        const double a = allowanceAt(m_design, m_marks, {seam.a.patch, pair.onA(0.5)}, std::nullopt);
+        const double b = allowanceAt(m_design, m_marks, {seam.b.patch, pair.onB(0.5)}, std::nullopt);
         if (std::abs(a - b) > sameAllowance)
             add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
                 {QT_TRANSLATE_NOOP("Message",
@@ -75,10 +82,7 @@ private:
         return elementLabel(id, element) + " (" + name(seam->a.patch) + " \u2013 " + name(seam->b.patch) + ")";
     }
 
-    bool isCut(ElementId patch) const
-    {
-        return std::ranges::find(m_pattern.pieces, patch, &CutPiece::patch) != m_pattern.pieces.end();
-    }
+    bool isCut(ElementId patch) const { return m_pieces.contains(patch); }
 
     void lengths(ElementId id, const Seam& seam)
     {
@@ -150,13 +154,9 @@ private:
         if (!seam)
             return true;
         const ElementId other = seam->a.patch == piece.patch ? seam->b.patch : seam->a.patch;
-        bool cut = false, met = false;
-        for (const CutPiece& there : m_pattern.pieces)
-            if (there.patch == other) {
-                cut = true;
-                met = met || meets(there);
-            }
-        return met || !cut;
+        const auto there = m_pieces.find(other);
+        return there == m_pieces.end() ||
+               std::ranges::any_of(there->second, [&](const CutPiece* one) { return meets(*one); });
     }
 
     void width(const CutPiece& piece)
@@ -205,15 +205,16 @@ private:
     }
 
     const Design& m_design;
-    const CutPattern& m_pattern;
+    MarksByPatch m_marks;
+    std::map<ElementId, std::vector<const CutPiece*>> m_pieces; // by patch
     std::vector<CutFinding> m_found;
 };
 
 } // namespace
 
-std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern)
+std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern, const std::stop_token& stop)
 {
-    return Check(design, pattern).run();
+    return Check(design, pattern).run(stop);
 }
 
 } // namespace bolster

@@ -14,6 +14,8 @@ struct CutFinding {
 
 /// Sides of seams that are not as long as wanted, notches that nobody meets or that reach the sewing line, labels
 /// without room, pieces that are wider than their fabric, inner corners that cannot be spread, cut lines that meet.
-std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern);
+/// Incomplete when it is stopped.
+std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern,
+                                     const std::stop_token& stop = {});
 
 } // namespace bolster

@@ -12,7 +12,7 @@ namespace bolster {
 namespace {
 
 constexpr double scale = 1e4;    // Clipper counts in 0.1 micrometres
-constexpr double mostMitre = 4;  // times the allowance: a longer tip is cut off
+constexpr double mostMitre = 4;  // times the allowance: a longer tip is cut off, and a longer fold is none
 constexpr double arcStep = 0.07; // radians; 10 mm around a corner: 6 micrometres
 constexpr double leastTurn = 1e-9;
 
@@ -202,16 +202,23 @@ private:
     }
 
     /// The first allowance ends where the second cut line crosses the edge: at right angles, or as the mirror image
-    /// of that line, so that it does not stick out when it is folded back.
+    /// of that line, so that it does not stick out when it is folded back. Where the edges hardly turn, or turn
+    /// nearly back, that place is far away: such a corner is mitred.
     void fold(const Corner& c, bool mirrored)
     {
+        const double most = mostMitre * c.widest();
+        const double reach = c.w2 / c.sine(), folded = mirrored ? reach + c.w1 * c.cosine() / c.sine() : reach;
+        if (std::max(reach, std::abs(folded)) > most) {
+            cutOff(c, most);
+            return;
+        }
         const Vec2 foot = c.crossing();
         const Vec2 square = foot + c.w1 * c.n1();
         m_parts.add({c.p, foot, square, c.end1()});
         m_parts.add({c.p, foot, c.end2()});
         if (!mirrored)
             return;
-        const Vec2 slant = foot + (c.w1 / c.sine()) * (2 * c.cosine() * c.d1 - c.d2);
+        const Vec2 slant = c.p + folded * c.d1 + c.w1 * c.n1();
         (slant - square).dot(c.d1) > 0 ? m_parts.add({foot, slant, square})
                                        : m_parts.takeOff({foot, square, slant});
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace bolster {
 
@@ -27,15 +28,51 @@ bool isCorner(const BSpline2& outline, double t)
                                [&](double corner) { return lengthAlong(outline, corner, t) < atCorner; });
 }
 
+/// Places in squares as large as they must be apart: those that are too near lie in one or beside it.
+class NearPlaces {
+public:
+    /// False when there is one nearer than sameNotch, and for what is no place.
+    bool add(const Vec2& at)
+    {
+        constexpr double farthest = 1e12; // mm
+        if (!(at.cwiseAbs().maxCoeff() < farthest))
+            return false;
+        const auto [x, y] = square(at);
+        for (long long i = x - 1; i <= x + 1; ++i)
+            for (long long k = y - 1; k <= y + 1; ++k)
+                if (const auto there = m_squares.find({i, k}); there != m_squares.end())
+                    for (const Vec2& other : there->second)
+                        if ((other - at).norm() < sameNotch)
+                            return false;
+        m_squares[{x, y}].push_back(at);
+        return true;
+    }
+
+private:
+    static std::pair<long long, long long> square(const Vec2& at)
+    {
+        return {static_cast<long long>(std::floor(at.x() / sameNotch)),
+                static_cast<long long>(std::floor(at.y() / sameNotch))};
+    }
+
+    std::map<std::pair<long long, long long>, std::vector<Vec2>> m_squares;
+};
+
 class Places {
 public:
-    Places(const Design& design, const AutomaticNotches& order)
+    Places(const Design& design, const AutomaticNotches& order, const std::stop_token& stop)
         : m_design(design)
         , m_order(order)
+        , m_stop(stop)
     {
         design.each<Seam>([&](ElementId id, const Seam& seam) {
-            if (SewnPair pair(design, seam); pair.usable())
-                m_seams.emplace(id, std::move(pair));
+            SewnPair pair(design, seam);
+            if (!pair.usable() || m_stop.stop_requested())
+                return;
+            m_seams.emplace(id, std::move(pair));
+            m_seamsOf[seam.a.patch].push_back(id);
+            if (seam.b.patch != seam.a.patch)
+                m_seamsOf[seam.b.patch].push_back(id);
         });
     }
 
@@ -43,6 +80,8 @@ public:
     {
         m_design.each<Notch>([&](ElementId id, const Notch& notch) { placed(id, notch); });
         for (const auto& [id, pair] : m_seams) {
+            if (m_stop.stop_requested())
+                return {};
             if (m_order.ends)
                 ends(id, pair);
             spaced(id, pair);
@@ -61,11 +100,8 @@ private:
     {
         const BSpline2& outline = m_design.find<Patch>(patch)->outline;
         place.at = outline.wrapped(place.at);
-        std::vector<NotchPlace>& there = m_places[patch];
-        if (std::ranges::none_of(there, [&](const NotchPlace& other) {
-                return lengthAlong(outline, other.at, place.at) < sameNotch;
-            }))
-            there.push_back(place);
+        if (m_near[patch].add(outline.at(place.at)))
+            m_places[patch].push_back(place);
     }
 
     /// On both sides of a seam, where they meet.
@@ -92,9 +128,9 @@ private:
     /// Adds both sides if the place is on a seam.
     bool onSeam(const OutlinePlace& where, const NotchPlace& place)
     {
-        for (const auto& [id, pair] : m_seams)
-            if (const auto fraction = pair.fractionAt(where)) {
-                addPair(id, pair, *fraction, place);
+        for (const ElementId id : m_seamsOf[where.patch])
+            if (const auto fraction = m_seams.at(id).fractionAt(where)) {
+                addPair(id, m_seams.at(id), *fraction, place);
                 return true;
             }
         return false;
@@ -142,14 +178,18 @@ private:
     /// more.
     void tell()
     {
-        std::vector<ElementId> told;
         for (const auto& [id, pair] : m_seams) {
+            if (m_stop.stop_requested())
+                return;
             if (pair.length() < shortestTold)
                 continue;
             int before = 0;
             bool alike = false;
-            for (const auto& [other, there] : m_seams)
-                if (other != id && pair.couldBe(there, alikeSeams)) {
+            std::set<ElementId> beside(m_seamsOf[pair.seam().a.patch].begin(),
+                                       m_seamsOf[pair.seam().a.patch].end());
+            beside.insert(m_seamsOf[pair.seam().b.patch].begin(), m_seamsOf[pair.seam().b.patch].end());
+            for (const ElementId other : beside)
+                if (other != id && pair.couldBe(m_seams.at(other), alikeSeams)) {
                     alike = true;
                     before += other < id;
                 }
@@ -163,15 +203,19 @@ private:
 
     const Design& m_design;
     const AutomaticNotches& m_order;
+    const std::stop_token& m_stop;
     std::map<ElementId, SewnPair> m_seams;
+    std::map<ElementId, std::vector<ElementId>> m_seamsOf; // by patch
+    std::map<ElementId, NearPlaces> m_near;
     std::map<ElementId, std::vector<NotchPlace>> m_places;
 };
 
 } // namespace
 
-std::map<ElementId, std::vector<NotchPlace>> notchPlaces(const Design& design, const AutomaticNotches& notches)
+std::map<ElementId, std::vector<NotchPlace>> notchPlaces(const Design& design, const AutomaticNotches& notches,
+                                                         const std::stop_token& stop)
 {
-    return Places(design, notches).result();
+    return Places(design, notches, stop).result();
 }
 
 } // namespace bolster

@@ -5,6 +5,7 @@
 #include "Design.h"
 
 #include <map>
+#include <stop_token>
 #include <vector>
 
 namespace bolster {
@@ -21,6 +22,7 @@ struct NotchPlace {
 
 /// By patch, in increasing parameter; of two within 1 mm the one that somebody placed, or the first. `notches` says
 /// which there are of themselves.
-std::map<ElementId, std::vector<NotchPlace>> notchPlaces(const Design& design, const AutomaticNotches& notches);
+std::map<ElementId, std::vector<NotchPlace>> notchPlaces(const Design& design, const AutomaticNotches& notches,
+                                                         const std::stop_token& stop = {});
 
 } // namespace bolster

@@ -1,6 +1,6 @@
 #include "CutPattern.h"
 
-#include "AllowanceFields.h"
+#include "CutMarks.h"
 #include "CutNotches.h"
 #include "DesignCheck.h"
 #include "FabricShown.h"
@@ -34,60 +34,18 @@ Eigen::Matrix2d growth(const Fabric* fabric, double grain)
     return turn * factors.asDiagonal() * turn.transpose();
 }
 
-/// Whether a parameter lies on the stretch.
-bool isOn(const Stretch& stretch, const BSpline2& outline, double t)
-{
-    const double period = outline.period();
-    const double length =
-        unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd()) - stretch.from;
-    return t - stretch.from - period * std::floor((t - stretch.from) / period) < length;
-}
-
-double withinLimits(double width)
-{
-    return std::isfinite(width) ? std::clamp(width, allowanceWidth.least, allowanceWidth.most) : 0;
-}
-
-/// Which allowance counts where on a patch: that of the edge, or the patch's.
-class PatchAllowances {
-public:
-    PatchAllowances(const Design& design, ElementId id, const Patch& patch, std::optional<double> otherwise)
-        : usual(allowanceOf(design, patch, otherwise))
-        , m_outline(patch.outline)
-    {
-        design.each<EdgeAllowance>([&](ElementId, const EdgeAllowance& edge) {
-            if (edge.stretch.patch != id || !std::isfinite(edge.stretch.from) || !std::isfinite(edge.stretch.to))
-                return;
-            edges.push_back(edge);
-            edges.back().width = withinLimits(edge.width);
-        });
-    }
-
-    double widthAt(double t) const
-    {
-        for (const EdgeAllowance& edge : edges)
-            if (isOn(edge.stretch, m_outline, t))
-                return edge.width;
-        return usual.width;
-    }
-
-    CutAllowance usual;
-    std::vector<EdgeAllowance> edges;
-
-private:
-    const BSpline2& m_outline;
-};
-
 class PieceMaker {
 public:
-    PieceMaker(const Design& design, const CutOptions& options, ElementId id, const Patch& patch)
+    PieceMaker(const Design& design, const CutOptions& options, const CutMarks& marks, ElementId id,
+               const Patch& patch)
         : m_design(design)
         , m_options(options)
+        , m_marks(marks)
         , m_id(id)
         , m_patch(patch)
         , m_fabric(design.find<Fabric>(fabricShown(design, id)))
         , m_grown(growth(m_fabric, patch.grain))
-        , m_allowances(design, id, patch, options.allowance)
+        , m_usual(allowanceOf(design, patch, options.allowance))
     {}
 
     CutPiece make(const std::vector<NotchPlace>& notches)
@@ -104,13 +62,10 @@ public:
         addLines();
         for (const NotchPlace& place : notches)
             addNotch(place);
-        m_design.each<DrillHole>([&](ElementId hole, const DrillHole& drilled) {
-            if (drilled.place.patch == m_id)
-                m_piece.holes.push_back({m_grown * drilled.place.position, drilled.diameter, hole, drilled.name});
-        });
-        for (const auto& [element, value] : m_design.elements())
-            if (const PatchCurve* drawn = patchCurve(*value); drawn && drawn->patch == m_id)
-                addInner(element, *drawn);
+        for (const auto& [hole, drilled] : m_marks.holes)
+            m_piece.holes.push_back({m_grown * drilled->place.position, drilled->diameter, hole, drilled->name});
+        for (const auto& [element, drawn] : m_marks.lines)
+            addInner(element, *drawn);
         m_piece.grain = placeGrain(m_piece, m_patch.grain);
         return std::move(m_piece);
     }
@@ -127,8 +82,8 @@ private:
     void addLines()
     {
         m_piece.outline = grown(m_patch.outline);
-        SampleOrder order{m_options.chord, m_allowances.usual.width, {}};
-        for (const EdgeAllowance& edge : m_allowances.edges) {
+        SampleOrder order{m_options.chord, m_usual.width, {}};
+        for (const EdgeAllowance& edge : m_marks.edges) {
             order.reach = std::max(order.reach, edge.width);
             order.breaks.push_back(edge.stretch.from);
             order.breaks.push_back(edge.stretch.to);
@@ -138,18 +93,15 @@ private:
         SewingLine line;
         for (std::size_t i = 0; i < count; ++i) {
             const double end = i + 1 < count ? samples[i + 1].parameter : m_patch.outline.domainEnd();
-            line.vertices.push_back({m_grown * samples[i].at,
-                                     m_allowances.widthAt((samples[i].parameter + end) / 2), samples[i].corner,
-                                     m_allowances.usual.corner});
+            line.vertices.push_back({m_grown * samples[i].at, widthAt((samples[i].parameter + end) / 2),
+                                     samples[i].corner, m_usual.corner});
         }
-        m_design.each<CutCorner>([&](ElementId, const CutCorner& corner) {
-            if (corner.place.patch != m_id || !std::isfinite(corner.place.at))
-                return;
+        for (const CutCorner& corner : m_marks.corners) {
             const Vec2 at = m_patch.outline.at(m_patch.outline.wrapped(corner.place.at));
             for (std::size_t i = 0; i < count; ++i)
                 if ((samples[i].at - at).norm() < samePlace)
                     line.vertices[i].join = corner.join;
-        });
+        }
         if (m_patch.outline.signedArea() < 0)
             turnRound(line);
         for (const SewingLine::Vertex& vertex : line.vertices)
@@ -168,6 +120,8 @@ private:
             line.vertices[i].width = line.vertices[i + 1].width;
         line.vertices.back().width = first;
     }
+
+    double widthAt(double t) const { return m_marks.widthAt(m_patch.outline, t, m_usual.width); }
 
     void addNotch(const NotchPlace& place)
     {
@@ -225,13 +179,23 @@ private:
 
     const Design& m_design;
     const CutOptions& m_options;
+    const CutMarks& m_marks;
     ElementId m_id;
     const Patch& m_patch;
     const Fabric* m_fabric;
     Eigen::Matrix2d m_grown;
-    PatchAllowances m_allowances;
+    CutAllowance m_usual;
     CutPiece m_piece;
 };
+
+/// What a map has of a patch, or nothing of that kind.
+template <class T>
+const T& ofPatch(const std::map<ElementId, T>& map, ElementId id)
+{
+    static const T none{};
+    const auto found = map.find(id);
+    return found == map.end() ? none : found->second;
+}
 
 std::vector<std::string> labelLines(const CutPiece& piece, const Patch& patch, const CutPattern& pattern,
                                     const CutWords& words)
@@ -260,19 +224,11 @@ CutAllowance allowanceOf(const Design& design, const Patch& patch, std::optional
         found = *design.settings().cutting.allowance;
     else
         found.width = otherwise.value_or(found.width);
-    found.width = withinLimits(found.width);
+    found.width = possibleWidth(found.width);
     return found;
 }
 
-double allowanceAt(const Design& design, const OutlinePlace& place, std::optional<double> otherwise)
-{
-    const Patch* patch = design.find<Patch>(place.patch);
-    if (!patch || patch->outline.empty())
-        return 0;
-    return PatchAllowances(design, place.patch, *patch, otherwise).widthAt(place.at);
-}
-
-CutPattern cutPattern(const Design& design, const CutOptions& options)
+CutPattern cutPattern(const Design& design, const CutOptions& options, const std::stop_token& stop)
 {
     const DesignCutting& cutting = design.settings().cutting;
     CutPattern pattern;
@@ -280,17 +236,16 @@ CutPattern cutPattern(const Design& design, const CutOptions& options)
     pattern.version = cutting.version;
     AutomaticNotches automatic = cutting.notches;
     automatic.spacing = options.notchSpacing.value_or(automatic.spacing);
-    const auto notches = notchPlaces(design, automatic);
+    const auto notches = notchPlaces(design, automatic, stop);
+    const MarksByPatch marks = cutMarks(design);
     design.each<Patch>([&](ElementId id, const Patch& patch) {
-        if (options.only && !options.only->contains(id))
+        if ((options.only && !options.only->contains(id)) || stop.stop_requested())
             return;
         if (outlineProblem(patch.outline)) {
             pattern.leftOut.push_back(id);
             return;
         }
-        const auto there = notches.find(id);
-        CutPiece piece = PieceMaker(design, options, id, patch)
-                             .make(there == notches.end() ? std::vector<NotchPlace>() : there->second);
+        CutPiece piece = PieceMaker(design, options, ofPatch(marks, id), id, patch).make(ofPatch(notches, id));
         const bool unfolded = options.unfold && piece.pair;
         if (unfolded)
             piece.pair = false;

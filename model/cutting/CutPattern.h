@@ -5,6 +5,7 @@
 #include "Design.h"
 
 #include <set>
+#include <stop_token>
 
 namespace bolster {
 
@@ -32,12 +33,10 @@ struct CutPattern {
     std::vector<ElementId> leftOut; ///< patches whose outlines enclose nothing or cross themselves
 };
 
-CutPattern cutPattern(const Design& design, const CutOptions& options);
+/// Without the rest of its pieces when it is stopped.
+CutPattern cutPattern(const Design& design, const CutOptions& options, const std::stop_token& stop = {});
 
 /// The allowance that holds for a patch where none of its edges has another one.
 CutAllowance allowanceOf(const Design& design, const Patch& patch, std::optional<double> otherwise = {});
-/// The width at a place of an outline, mm: that of the edge there, or the patch's. Within the limits of the fields,
-/// whatever the design says.
-double allowanceAt(const Design& design, const OutlinePlace& place, std::optional<double> otherwise);
 
 } // namespace bolster

@@ -57,7 +57,10 @@ Message copyWholeFile(const QString& from, const QString& to, std::int64_t large
 
 Message replaceWholeFile(const QString& path, std::string_view bytes)
 {
-    const QString target = resolved(path);
+    const auto there = statusOf(path);
+    // The links to open pipes ("/dev/stdout") lead to names that are no files.
+    const bool isDirect = there && !S_ISREG(there->st_mode) && !S_ISDIR(there->st_mode);
+    const QString target = isDirect ? path : resolved(path);
     const auto present = statusOf(target);
     if (present)
         if (Message problem = protection(target, *present); !problem.empty())

@@ -11,9 +11,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QSemaphore>
 
 #include <algorithm>
 
@@ -206,6 +210,82 @@ TEST_F(CuttingTest, ThePatternIsExportedAsItIsShown)
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const QByteArray svg = file.readAll();
     EXPECT_EQ(svg.mid(svg.indexOf("<g id=\"cut\"")).count("<path"), static_cast<int>(all<Patch>().size()));
+}
+
+/// The window in which an export is chosen.
+class ExportWindowTest : public CuttingTest {
+protected:
+    ExportPatternDialog* chooser()
+    {
+        window.command("file.export-pattern")->trigger();
+        ExportPatternDialog* dialog = nullptr;
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                dialog = window.findChild<ExportPatternDialog*>();
+                return dialog && dialog->isVisible() && dialog->pattern();
+            },
+            30000));
+        return dialog;
+    }
+
+    static void choose(ExportPatternDialog* dialog, PatternFormat format)
+    {
+        dialog->findChild<QComboBox*>(QStringLiteral("format"))->setCurrentIndex(static_cast<int>(format));
+    }
+};
+
+TEST_F(ExportWindowTest, TheSewingSheetShowsItsPages)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    ExportPatternDialog* dialog = chooser();
+    ASSERT_TRUE(dialog);
+    auto* preview = dialog->findChild<SheetPreview*>();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview->isVisible() && preview->isDrawn(); }, 30000));
+    choose(dialog, PatternFormat::SewingSheet);
+    auto* pages = dialog->findChild<PagesView*>();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return pages->isVisible() && pages->count() > 0; }, 60000));
+    EXPECT_FALSE(preview->isVisible());
+    choose(dialog, PatternFormat::Pdf);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return preview->isVisible() && preview->isDrawn(); }, 30000));
+    dialog->reject();
+}
+
+TEST_F(ExportWindowTest, WritingThatTakesLongSaysSoAndCanBeCancelled)
+{
+    ASSERT_TRUE(open(sample("car-seat")));
+    QTemporaryDir folder;
+    QSemaphore slowDisk;
+    QThreadPool& pool = backgroundPool();
+    for (const bool cancel : {true, false}) {
+        ExportPatternDialog* dialog = chooser();
+        ASSERT_TRUE(dialog);
+        dialog->accept();
+        QFileDialog* files = nullptr;
+        ASSERT_TRUE(QTest::qWaitFor([&] {
+            files = window.findChild<QFileDialog*>();
+            return files && files->isVisible();
+        }));
+        for (int i = 0; i < pool.maxThreadCount(); ++i)
+            pool.start([&] { slowDisk.acquire(); });
+        files->findChild<QLineEdit*>()->setText(folder.filePath(QStringLiteral("seat.pdf")));
+        QTest::keyClick(files->findChild<QLineEdit*>(), Qt::Key_Return);
+        const auto writing = [&]() -> QProgressDialog* {
+            auto* progress = window.findChild<QProgressDialog*>();
+            return progress && progress->isVisible() ? progress : nullptr;
+        };
+        EXPECT_TRUE(QTest::qWaitFor([&] { return writing() != nullptr; }, 20000));
+        if (cancel && writing())
+            QTest::mouseClick(writing()->findChild<QPushButton*>(), Qt::LeftButton);
+        slowDisk.release(pool.maxThreadCount());
+        EXPECT_TRUE(pool.waitForDone(60000));
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                return window.findChildren<QProgressDialog*>().isEmpty() &&
+                       window.findChildren<ExportPatternDialog*>().isEmpty();
+            },
+            20000));
+        EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), cancel ? 0 : 1);
+    }
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <sstream>
 
@@ -257,39 +259,79 @@ TEST_F(Export, WritesSvgThatAnotherProgramDrawsAlike)
     EXPECT_NE(text.find("R\u00fccken"), std::string::npos);
 }
 
-TEST_F(Export, WritesPagesWhoseSquaresMeasure100Millimetres)
-{
-    ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", "A4"}).exitCode, 0);
-    // 10 pixels for a millimetre: the square's lines are found by their runs.
-    output("pdftoppm", {"-r", "254", "-gray", "-png", path("p.pdf"), path("page")});
-    const QStringList pages = QDir(path(".")).entryList({"page*.png"}, QDir::Files, QDir::Name);
-    ASSERT_GE(pages.size(), 5) << "an overview and sheets";
-    for (const QString& name : pages) {
-        const QImage page(path(name));
-        EXPECT_NEAR(page.width(), 2100, 1);
-        EXPECT_NEAR(page.height(), 2970, 1);
-        // Its corners: 15 mm from the left of the room and 15 mm above its lower end.
-        const auto inked = [&](double x, double y) {
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    if (qGray(page.pixel(std::lround(10 * x) + dx, std::lround(10 * y) + dy)) < 215)
-                        return true;
+/// Grey lines on white, found by their runs.
+class SquareSearch {
+public:
+    explicit SquareSearch(const QImage& page)
+        : m_page(page)
+    {}
+
+    /// Whether there is a square with this side, in pixels, within a pixel.
+    bool finds(int side) const
+    {
+        for (int y = 0; y < m_page.height(); ++y)
+            for (int x = 0, from = 0; x < m_page.width(); x = from + 1) {
+                while (x < m_page.width() && !isInk(x, y))
+                    ++x;
+                for (from = x; from < m_page.width() && isInk(from, y);)
+                    ++from;
+                // Its upper side, or its lower one: the inch lies in a corner of the other square.
+                if (std::abs(from - x - 1 - side) <= 1 &&
+                    (isSquare(x, y, side) || (y >= side && isSquare(x, y - side, side))))
+                    return true;
+            }
+        return false;
+    }
+
+private:
+    bool isInk(int x, int y) const { return qGray(m_page.pixel(x, y)) < 215; }
+    bool isSquare(int left, int top, int side) const
+    {
+        const auto inked = [&](int x, int y) {
+            for (int d = 0; d < 9; ++d)
+                if (m_page.valid(x + d % 3 - 1, y + d / 3 - 1) && isInk(x + d % 3 - 1, y + d / 3 - 1))
+                    return true;
             return false;
         };
-        const double left = 10 + 15, bottom = 297 - 10 - 9 - 15;
+        if (top + side >= m_page.height() || left + side >= m_page.width())
+            return false;
         int seen = 0;
-        for (int k = 1; k < 100; ++k)
-            seen += inked(left + k, bottom) && inked(left + k, bottom - 100) && inked(left, bottom - k) &&
-                    inked(left + 100, bottom - k);
-        EXPECT_GE(seen, 97) << name.toStdString() << ": 100 mm within 0.1 mm";
+        for (int k = 0; k <= side; ++k)
+            seen += inked(left + k, top) && inked(left, top + k) && inked(left + side, top + k) &&
+                    inked(left + k, top + side);
+        return seen > side - 3;
+    }
+
+    const QImage& m_page;
+};
+
+TEST_F(Export, WritesPagesWhoseSquaresMeasure100Millimetres)
+{
+    for (const char* const paper : {"A4", "letter", "roll:400"}) {
+        ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", paper}).exitCode, 0);
+        for (const QString& old : QDir(path(".")).entryList({"page*.png"}))
+            QFile::remove(path(old));
+        output("pdftoppm",
+               {"-r", "254", "-gray", "-png", path("p.pdf"), path("page")}); // 10 pixels for a millimetre
+        const QStringList pages = QDir(path(".")).entryList({"page*.png"}, QDir::Files, QDir::Name);
+        ASSERT_GE(pages.size(), QLatin1String(paper).startsWith(QLatin1String("roll")) ? 1 : 5) << paper;
+        for (const QString& name : pages) {
+            const QImage page(path(name));
+            const SquareSearch search(page);
+            EXPECT_TRUE(search.finds(1000)) << paper << " " << name.toStdString() << ": 100 mm within 0.1 mm";
+            EXPECT_TRUE(search.finds(254)) << paper << " " << name.toStdString() << ": an inch";
+        }
     }
 }
 
 TEST_F(Export, TilesPutTogetherGiveTheCutLine)
 {
-    // As wide as seven columns of A4: the pieces lie in the same places.
-    ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", "A4", "--lines", "cut"}).exitCode, 0);
-    ASSERT_EQ(run({"--pdf", path("whole.pdf"), "--paper", "roll:1470", "--lines", "cut"}).exitCode, 0);
+    // A piece alone lies in the same place on a roll.
+    ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", "A4", "--lines", "cut", "--piece", "R\u00fccken"}).exitCode,
+              0);
+    ASSERT_EQ(run({"--pdf", path("whole.pdf"), "--paper", "roll:1470", "--lines", "cut", "--piece", "R\u00fccken"})
+                  .exitCode,
+              0);
     output("pdftoppm", {"-r", "127", "-gray", "-png", "-singlefile", path("whole.pdf"), path("whole")});
     const QImage whole(path("whole.png")); // 5 pixels for a millimetre
     ASSERT_NEAR(whole.width(), 7350, 1);
@@ -297,7 +339,7 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
         return image.valid(x, y) && qGray(image.pixel(x, y)) < 128;
     };
     const std::string words = output("pdftotext", {"-layout", path("p.pdf"), "-"});
-    int page = 0, looked = 0, missing = 0;
+    int page = 0, looked = 0, missing = 0, tiles = 0;
     std::istringstream text(words);
     for (std::string one; std::getline(text, one, '\f');) {
         ++page;
@@ -305,6 +347,7 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
         int row = 0, column = 0;
         if (at == std::string::npos || std::sscanf(one.c_str() + at, "Row %d, column %d", &row, &column) != 2)
             continue;
+        ++tiles;
         const QString number = QString::number(page);
         output("pdftoppm", {"-r", "127", "-gray", "-png", "-singlefile", "-f", number, "-l", number, path("p.pdf"),
                             path("tile")});
@@ -313,8 +356,8 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
         for (int y = 52; y < 50 + 1340 - 2; ++y)
             for (int x = 52; x < 50 + 950 - 2; ++x) {
                 const int wx = x + left, wy = y + top;
-                if (!dark(whole, wx, wy) || wy > whole.height() - 60 || (wx < 800 && wy > whole.height() - 720))
-                    continue; // the squares and words of the roll
+                if (!dark(whole, wx, wy) || wy > whole.height() - 60)
+                    continue; // the words of the roll
                 bool found = false;
                 for (int d = 0; d < 9; ++d)
                     found = found || dark(tile, x + d % 3 - 1, y + d / 3 - 1);
@@ -322,8 +365,106 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
                 missing += !found;
             }
     }
+    EXPECT_EQ(tiles, 4) << "340 x 500 mm";
     EXPECT_GT(looked, 5000);
     EXPECT_EQ(missing, 0) << "within 0.2 mm";
+}
+
+TEST_F(Export, DrawsAPieceOnItsOwnSheetsAlone)
+{
+    ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", "A4"}).exitCode, 0);
+    const std::string words = output("pdftotext", {"-layout", path("p.pdf"), "-"});
+    std::istringstream text(words);
+    int sheets = 0, withSeat = 0;
+    std::string one;
+    std::getline(text, one, '\f');
+    EXPECT_NE(one.find("Sitz links: sheets "), std::string::npos) << "the overview says on which it is";
+    while (std::getline(text, one, '\f')) {
+        if (one.find("Row ") == std::string::npos)
+            continue;
+        ++sheets;
+        withSeat += one.find("Cut 2 and 2 mirrored") != std::string::npos;
+    }
+    EXPECT_GT(withSeat, 0);
+    EXPECT_LT(withSeat, sheets) << "others have the other piece alone";
+}
+
+TEST_F(Export, RefusesADesignWithErrorsAndLeavesThemOutOnDemand)
+{
+    Json spoilt = panels();
+    spoilt["elements"][1]["outline"]["points"] = {{0, 0}, {300, 400}, {300, 0}, {0, 400}}; // crosses itself
+    write(QStringLiteral("panels.json"), spoilt.dump());
+    const ProgramRun refused = run({"--svg", path("p.svg"), "--dxf", path("p.dxf"), "--pdf", path("p.pdf")});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_NE(refused.err.find("error: "), std::string::npos) << refused.err;
+    EXPECT_EQ(QDir(path(".")).entryList(QDir::Files), QStringList{"panels.json"}) << "nothing is written";
+    const ProgramRun lenient = run({"--svg", path("p.svg"), "--lenient"});
+    EXPECT_EQ(lenient.exitCode, 0);
+    EXPECT_NE(lenient.err.find("left out: "), std::string::npos) << lenient.err;
+    EXPECT_EQ(lenient.out.find("error"), std::string::npos);
+    const std::string svg = read("p.svg");
+    EXPECT_NE(svg.find("R\u00fccken"), std::string::npos);
+    EXPECT_EQ(svg.find("Sitz links"), std::string::npos);
+}
+
+/// A seat of twelve metres, for a printer: thousands of sheets.
+Json huge()
+{
+    Json design = panels();
+    design["elements"] = {design["elements"][0], design["elements"][1]};
+    design["elements"][1]["outline"]["points"] = {{0, 0}, {12000, 0}, {12000, 12000}, {0, 12000}};
+    return design;
+}
+
+TEST_F(Export, InterruptedLeavesNothing)
+{
+    write(QStringLiteral("panels.json"), huge().dump());
+    QProcess process;
+    process.setProcessEnvironment(bareEnvironment());
+    process.setReadChannel(QProcess::StandardError);
+    process.start(QString::fromStdString(test::program()),
+                  {"export", m_design, "--svg", path("p.svg"), "--pdf", path("p.pdf")});
+    // Wider than its fabric: that is said just before sheets are drawn.
+    ASSERT_TRUE(process.waitForReadyRead(60000));
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    ASSERT_TRUE(process.waitForFinished(60000));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_EQ(process.exitCode(), 1);
+    EXPECT_EQ(QDir(path(".")).entryList(QDir::Files | QDir::Hidden), QStringList{"panels.json"});
+}
+
+TEST_F(Export, WritesToAPipeAloneWhatWasAskedFor)
+{
+    const QString command = QStringLiteral("\"%1\" export \"%2\" --svg /dev/stdout | cat > \"%3\"")
+                                .arg(QString::fromStdString(test::program()), m_design, path("p.svg"));
+    output(QStringLiteral("/bin/sh"), {"-c", command});
+    const std::string svg = read("p.svg");
+    EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
+    EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n") << "and no word besides";
+}
+
+TEST_F(Export, RemovesWhatAKilledOneHasLeft)
+{
+    const QString left = QStringLiteral(".bolster-00000000-0123456789abcdef0123456789abcdef");
+    write(left, "half a file");
+    QFile file(path(left));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addDays(-2), QFileDevice::FileModificationTime));
+    file.close();
+    ASSERT_EQ(run({"--svg", path("p.svg")}).exitCode, 0);
+    EXPECT_FALSE(QFile::exists(path(left)));
+}
+
+TEST_F(Export, ALongRollHasPagesThatPdfKnows)
+{
+    write(QStringLiteral("panels.json"), huge().dump());
+    ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", "roll:5000"}).exitCode, 0);
+    const std::string info = output(QStringLiteral("pdfinfo"), {"-f", "2", "-l", "2", path("p.pdf")});
+    double width = 0, height = 0;
+    const std::size_t at = info.find("size:");
+    ASSERT_NE(at, std::string::npos) << info;
+    ASSERT_EQ(std::sscanf(info.c_str() + at, "size: %lf x %lf", &width, &height), 2);
+    EXPECT_LE(std::max(width, height), 14400) << "no viewer shows more points";
 }
 
 TEST_F(Export, WritesHpglInsideBeforeCutLine)
@@ -348,8 +489,8 @@ TEST_F(Export, TheSewingSheetSaysWhatIsSewn)
     const ProgramRun exported = run({"--sheet", path("sheet.pdf"), "--paper", "letter"});
     ASSERT_EQ(exported.exitCode, 0) << exported.err;
     const std::string text = output(QStringLiteral("pdftotext"), {"-layout", path("sheet.pdf"), "-"});
-    for (const char* words :
-         {"Stuhl B", "Sitz links", "2 and 2 mirrored", "Leather", "Sitz links to R\u00fccken", "Sewing thread"})
+    for (const char* words : {"Stuhl B", "Sitz links", "2 and 2 mirrored", "Leather", "Sitz links to R\u00fccken",
+                              "Sewing thread", "No.", "Seams"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     const std::string info = output(QStringLiteral("pdfinfo"), {path("sheet.pdf")});
     EXPECT_NE(info.find("612 x 792"), std::string::npos) << info;

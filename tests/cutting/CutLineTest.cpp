@@ -143,6 +143,23 @@ TEST(CutLine, ASteppedCornerEndsAtRightAngles)
     EXPECT_LT(distanceTo(cut.points, {foot, -10}), 1e-3);
 }
 
+TEST(CutLine, FoldedAndSteppedCornersHaveALimitAsMitresHave)
+{
+    // The edges turn by 3 degrees, and by 177.
+    const double narrow = 300 * std::tan(3 * std::numbers::pi / 180);
+    const std::vector<Vec2> shapes[] = {{{0, 0}, {300, 0}, {600, narrow}, {600, 300}, {0, 300}},
+                                        {{0, 0}, {300, narrow}, {0, narrow}}};
+    for (const CornerJoin join : {CornerJoin::Folded, CornerJoin::Stepped})
+        for (const std::vector<Vec2>& shape : shapes) {
+            SewingLine line = polygon(shape, 10);
+            line.vertices[1].join = join;
+            const CutLine cut = cutLineOf(line);
+            EXPECT_FALSE(crossesItself(cut.points));
+            for (const LinePoint& point : cut.points)
+                EXPECT_LE(distanceTo(asLine(line), point.at), 42) << point.at.transpose();
+        }
+}
+
 TEST(CutLine, EdgesHaveAllowancesOfTheirOwn)
 {
     SewingLine line = polygon(square, 10);
@@ -202,6 +219,30 @@ TEST(CutLine, SaysWhereItMeetsItself)
     EXPECT_NEAR(areaOf(cut.points), 220 * 220, 0.1) << "the outer line";
 }
 
+TEST(CutLine, OfAnyCurveIsNowhereNearerOrFartherThanItsAllowance)
+{
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(0.45, 1.0);
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Vec2> points;
+        const int count = 6 + round % 9;
+        for (int k = 0; k < count; ++k) {
+            const double angle = 2 * std::numbers::pi * k / count;
+            points.push_back(260 * share(random) * Vec2(std::cos(angle), std::sin(angle)));
+        }
+        const double width = 1 + round % 20;
+        const BSpline2 outline(3, true, points);
+        const CutLine cut = cutLineOf(sewnAlong(outline, width));
+        ASSERT_GE(cut.points.size(), 3u);
+        EXPECT_FALSE(crossesItself(cut.points)) << "round " << round;
+        for (std::size_t i = 0; i < cut.points.size(); ++i) {
+            const Vec2 &a = cut.points[i].at, &b = cut.points[(i + 1) % cut.points.size()].at;
+            EXPECT_NEAR(outline.closest(a).distance, width, 0.05) << "round " << round;
+            EXPECT_NEAR(outline.closest((a + b) / 2).distance, width, 0.05) << "round " << round;
+        }
+    }
+}
+
 TEST(CutLine, NeverCrossesItselfAndKeepsItsDistance)
 {
     std::mt19937 random(7);
@@ -228,6 +269,8 @@ TEST(CutLine, NeverCrossesItselfAndKeepsItsDistance)
             EXPECT_TRUE(isInside(cut.points, point.at) || distanceTo(cut.points, point.at) < 2e-3) << round;
         for (const LinePoint& point : cut.points)
             EXPECT_FALSE(isInside(sewn, point.at) && distanceTo(sewn, point.at) > 2e-3) << round;
+        for (const LinePoint& point : cut.points)
+            EXPECT_LE(distanceTo(sewn, point.at), 25 * std::sqrt(17.0) + 0.01) << "no corner goes on for ever";
     }
 }
 

@@ -1,5 +1,7 @@
 #include "CutPattern.h"
 
+#include "CutCheck.h"
+#include "Growth.h"
 #include "Panels.h"
 
 #include <gtest/gtest.h>
@@ -164,6 +166,49 @@ TEST(CutPattern, LeavesOutWhatHasNoOutline)
     const CutPattern pattern = cutPattern(with(design, left, crossed), {});
     EXPECT_EQ(pattern.leftOut, (std::vector{left}));
     EXPECT_EQ(pattern.pieces.size(), 1u);
+}
+
+namespace {
+
+/// Panels in a row, each with its marks, sewn to the next one.
+Design manyPanels(int count)
+{
+    Edit edit;
+    Fabric fabric;
+    fabric.name = "Leather";
+    edit.changes.push_back({ElementId(1), nullptr, makeElement(fabric)});
+    int id = 2;
+    ElementId before{};
+    for (int k = 0; k < count; ++k) {
+        const auto patch = ElementId(id++);
+        Patch panel;
+        panel.name = "Panel";
+        panel.fabric = ElementId(1);
+        panel.outline = test::rectangle(200, 100);
+        edit.changes.push_back({patch, nullptr, makeElement(panel)});
+        edit.changes.push_back({ElementId(id++), nullptr, makeElement(EdgeAllowance{{patch, 0, 1}, 20})});
+        edit.changes.push_back({ElementId(id++), nullptr, makeElement(DrillHole{"", {patch, {50, 50}}, 3})});
+        edit.changes.push_back({ElementId(id++), nullptr, makeElement(Notch{{patch, 1.3}, {}, false})});
+        if (k > 0)
+            edit.changes.push_back({ElementId(id++), nullptr, makeElement(Seam{{before, 1, 2}, {patch, 3, 4}})});
+        before = patch;
+    }
+    return Design().with(edit);
+}
+
+} // namespace
+
+TEST(CutPattern, OfManyPiecesTakesAsMuchLonger)
+{
+    const auto cut = [](const Design& design) { return checkCutting(design, cutPattern(design, {})); };
+    EXPECT_LT(test::growth(60, manyPanels, cut), test::nearlyLinear);
+}
+
+TEST(CutPattern, IsGivenUpWhenNobodyWantsIt)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(cutPattern(manyPanels(50), {}, stop.get_token()).pieces.empty());
 }
 
 } // namespace bolster

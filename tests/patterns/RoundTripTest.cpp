@@ -1,4 +1,5 @@
 // What is written is read again: outlines, notches, holes, grain, names, quantities, allowances.
+#include "CutMarks.h"
 #include "CutPattern.h"
 #include "DesignCheck.h"
 #include "DrawingReaders.h"
@@ -168,6 +169,61 @@ TEST_P(RoundTrip, KeepsWhatACutterIsTold)
         ASSERT_EQ(after.inner.size(), before.inner.size());
         EXPECT_NEAR(lengthOf(after.inner[0].points, false), lengthOf(before.inner[0].points, false), 0.02);
     }
+}
+
+/// Sums up how long the parts of an outline are that have another allowance than they had, mm.
+double otherwiseCut(const Design& before, const Patch& old, const Design& after, ElementId id,
+                    const Alignment2& place)
+{
+    const MarksByPatch marksBefore = cutMarks(before), marksAfter = cutMarks(after);
+    const Patch& now = *after.find<Patch>(id);
+    ElementId oldId{};
+    before.each<Patch>([&](ElementId other, const Patch& patch) {
+        if (&patch == &old)
+            oldId = other;
+    });
+    constexpr int count = 1000;
+    double length = 0;
+    Vec2 last = now.outline.at(now.outline.domainStart());
+    for (int k = 0; k < count; ++k) {
+        const auto at = [&](double share) {
+            return now.outline.wrapped(now.outline.domainStart() + now.outline.period() * share / count);
+        };
+        const Vec2 next = now.outline.at(at(k + 1));
+        const double there = old.outline.closest(place(now.outline.at(at(k + 0.5)))).parameter;
+        const double width = allowanceAt(after, marksAfter, {id, at(k + 0.5)}, std::nullopt);
+        if (std::abs(width - allowanceAt(before, marksBefore, {oldId, there}, std::nullopt)) > 0.06)
+            length += (next - last).norm();
+        last = next;
+    }
+    return length;
+}
+
+/// As it is, and with allowances of all kinds.
+TEST(RoundTrips, KeepTheAllowanceOfEveryEdge)
+{
+    for (const char* const name : {"armchair", "armchair-scan", "box-cushion", "car-seat", "car-seat-cushioned",
+                                   "cylinder", "pillow", "room-scan", "trapezoid", "trapezoid-cushion"})
+        for (const bool marked : {false, true}) {
+            Design design = test::sampleDesign(name);
+            design = marked ? withMarks(design) : design;
+            CutOptions options;
+            options.faceUp = false;
+            const CutPattern pattern = cutPattern(design, options);
+            for (const Format format : {Format::Aama, Format::Svg}) {
+                const ImportedPattern imported =
+                    patternEdit(Design(), findPieces(written(pattern, format), {1, "", 0}));
+                const Design again = Design().with(imported.edit);
+                ASSERT_EQ(imported.patches.size(), pattern.pieces.size()) << name;
+                for (const CutPiece& after : cutPattern(again, options).pieces) {
+                    const auto original = std::ranges::find(pattern.pieces, after.name, &CutPiece::name);
+                    ASSERT_NE(original, pattern.pieces.end()) << after.name;
+                    const Patch &old = *design.find<Patch>(original->patch), &now = *again.find<Patch>(after.patch);
+                    EXPECT_LT(otherwiseCut(design, old, again, after.patch, Alignment2(now, old)), 4)
+                        << name << ": " << after.name << (marked ? ", marked" : "");
+                }
+            }
+        }
 }
 
 std::string caseName(const testing::TestParamInfo<std::tuple<std::string, Format>>& tested)

@@ -9,6 +9,8 @@
 namespace bolster::cli {
 namespace {
 
+bool resultsAreErrors = false;
+
 void print(std::FILE* stream, const std::string& text)
 {
     const std::string line = escaped(text, Text::Line) + '\n';
@@ -21,7 +23,12 @@ void print(std::FILE* stream, const std::string& text)
 
 void printResult(const std::string& line)
 {
-    print(stdout, line);
+    print(resultsAreErrors ? stderr : stdout, line);
+}
+
+void sendResultsToErrors(bool send)
+{
+    resultsAreErrors = send;
 }
 
 void printError(const std::string& line)

@@ -11,6 +11,8 @@ namespace bolster::cli {
 /// One line on stdout or stderr. Control characters, which names in a design may hold, are escaped.
 void printResult(const std::string& line);
 void printError(const std::string& line);
+/// Results go to stderr, too: stdout has something else.
+void sendResultsToErrors(bool send);
 
 /// One line each on stderr: "error: patch 2 "Seat", outline.points: ..."
 void printProblems(const Problems& problems);

@@ -11,7 +11,14 @@ namespace {
 constexpr double gap = 20;        // mm
 constexpr double tableBorder = 5; // mm: a cut line on the tableBorder of a sheet could not be seen
 
-/// Everything of the piece that a file may hold.
+} // namespace
+
+double uprightAngle(const CutPiece& piece)
+{
+    const Vec2 grain = piece.grain.to - piece.grain.from;
+    return grain.norm() > 0 ? std::numbers::pi / 2 - std::atan2(grain.y(), grain.x()) : 0;
+}
+
 Box2 turnedBox(const CutPiece& piece, double angle)
 {
     const Eigen::Rotation2Dd turn(angle);
@@ -21,8 +28,6 @@ Box2 turnedBox(const CutPiece& piece, double angle)
             box.extend(turn * point.at);
     return box;
 }
-
-} // namespace
 
 CutTable arranged(const CutPattern& pattern, double width)
 {
@@ -34,8 +39,7 @@ CutTable arranged(const CutPattern& pattern, double width)
     std::vector<Waiting> waiting;
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         const CutPiece& piece = pattern.pieces[i];
-        const Vec2 grain = piece.grain.to - piece.grain.from;
-        const double angle = grain.norm() > 0 ? std::numbers::pi / 2 - std::atan2(grain.y(), grain.x()) : 0;
+        const double angle = uprightAngle(piece);
         if (const Box2 box = turnedBox(piece, angle); !box.isEmpty())
             waiting.push_back({i, angle, box});
     }

@@ -19,6 +19,11 @@ struct CutTable {
     Vec2 size = Vec2::Zero();       ///< from 0, mm
 };
 
+/// By which a piece is turned so that its grain runs up, radians.
+double uprightAngle(const CutPiece& piece);
+/// Of both lines of the piece turned so.
+Box2 turnedBox(const CutPiece& piece, double angle);
+
 /// Of files without pages, mm.
 inline constexpr double usualTableWidth = 3000;
 

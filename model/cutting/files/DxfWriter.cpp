@@ -4,6 +4,7 @@
 #include "CutText.h"
 #include "DxfText.h"
 
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -215,13 +216,14 @@ public:
         if (piece.mirrored)
             stem += " mirrored";
         std::string name = stem + "_M";
-        for (int count = 2; !m_taken.insert(name).second; ++count)
-            name = stem + " " + std::to_string(count) + "_M";
+        for (int& count = m_counts[stem]; !m_taken.insert(name).second;)
+            name = stem + " " + std::to_string(++count + 1) + "_M";
         return name;
     }
 
 private:
     std::set<std::string> m_taken;
+    std::map<std::string, int> m_counts; // of pieces with one stem, beyond the first
 };
 
 /// Whole sheets, without blocks.

@@ -1,5 +1,6 @@
 #include "SewingPlan.h"
 
+#include "CutMarks.h"
 #include "SewingOrder.h"
 #include "SewnPair.h"
 
@@ -19,6 +20,7 @@ std::vector<PlannedSeam> plannedSeams(const Design& design, const CutPattern& pa
     std::map<ElementId, const CutPiece*> pieces;
     for (const CutPiece& piece : pattern.pieces)
         pieces.try_emplace(piece.patch, &piece);
+    const MarksByPatch marks = cutMarks(design);
     std::vector<PlannedSeam> seams;
     for (const SewingStep& step : sewingOrder(design)) {
         const Seam& seam = *design.find<Seam>(step.seam);
@@ -26,7 +28,7 @@ std::vector<PlannedSeam> plannedSeams(const Design& design, const CutPattern& pa
         if (!pair.usable() || !pieces.contains(seam.a.patch) || !pieces.contains(seam.b.patch))
             continue;
         const auto allowance = [&](const Stretch& side, double at) {
-            return allowanceAt(design, {side.patch, at}, options.allowance);
+            return allowanceAt(design, marks, {side.patch, at}, options.allowance);
         };
         PlannedSeam planned;
         planned.seam = step.seam;
@@ -70,10 +72,12 @@ void addNeeds(SewingPlan& plan)
 
 } // namespace
 
-SewingPlan sewingPlan(const Design& design, const CutOptions& options)
+SewingPlan sewingPlan(const Design& design, const CutOptions& options, const std::stop_token& stop)
 {
     SewingPlan plan;
-    plan.pattern = cutPattern(design, options);
+    plan.pattern = cutPattern(design, options, stop);
+    if (stop.stop_requested())
+        return plan;
     plan.seams = plannedSeams(design, plan.pattern, options);
     addNeeds(plan);
     return plan;

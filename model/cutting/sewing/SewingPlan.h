@@ -40,7 +40,7 @@ struct SewingPlan {
 /// Sewing thread for each length of a row of lockstitch, both threads together.
 inline constexpr double threadPerSeam = 3;
 
-/// The seams as sewingOrder() has them.
-SewingPlan sewingPlan(const Design& design, const CutOptions& options);
+/// The seams as sewingOrder() has them. Incomplete when it is stopped.
+SewingPlan sewingPlan(const Design& design, const CutOptions& options, const std::stop_token& stop = {});
 
 } // namespace bolster

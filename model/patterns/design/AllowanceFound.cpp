@@ -11,26 +11,59 @@ namespace bolster {
 
 namespace {
 
-constexpr double alike = 0.06; // mm: widths that are one
-constexpr double widest = 200; // mm
+constexpr double alike = 0.06;      // mm: widths that are one
+constexpr double widest = 200;      // mm
+constexpr double exactness = 0.05;  // mm: of the lines
+constexpr double exactShare = 1e-5; // of an area
 
-/// From the point to the line, along a direction; nothing where it meets none.
-std::optional<double> wayTo(const Contour& line, const Vec2& from, const Vec2& way)
+/// From the point to the closed line, along a direction; nothing where it meets none.
+std::optional<double> wayTo(const std::vector<Vec2>& line, const Vec2& from, const Vec2& way)
 {
     double nearest = widest + 1;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        const Vec2 a = line.points[i].at - from, b = line.points[(i + 1) % line.points.size()].at - from;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const Vec2 a = line[i] - from, b = line[(i + 1) % line.size()] - from;
         const double sideA = cross(way, a), sideB = cross(way, b);
         if ((sideA > 0) == (sideB > 0))
             continue;
         const double t = (a + (b - a) * (sideA / (sideA - sideB))).dot(way);
-        if (t > -0.05)
+        if (t > -exactness)
             nearest = std::min(nearest, std::max(t, 0.0));
     }
     if (nearest > widest)
         return std::nullopt;
     return nearest;
 }
+
+/// A piece's two lines, as polygons.
+struct BothLines {
+    const BSpline2& outline;
+    Contour sew;
+    std::vector<Vec2> cut;
+
+    BothLines(const BSpline2& sewn, const Contour& cutLine)
+        : outline(sewn)
+        , cut(cutLine.places())
+    {
+        sew.closed = true;
+        for (const OutlineSample& sample : sampled(outline, {0.02, 0, {}})) {
+            sew.points.emplace_back();
+            sew.points.back().at = sample.at;
+        }
+    }
+
+    /// From a place of the outline straight out to the cut line. Beside an inner corner the way leads along another
+    /// edge, or back into the piece: then its middle is nearer to something else, and nothing can be said.
+    std::optional<double> widthAt(double parameter) const
+    {
+        const double t = outline.wrapped(parameter);
+        const Vec2 at = outline.at(t), along = outline.derivative(t);
+        const Vec2 out = Vec2(along.y(), -along.x()).normalized();
+        const auto width = wayTo(cut, at, out);
+        if (!width || sew.distance(at + *width / 2 * out) < *width / 2 - exactness)
+            return std::nullopt;
+        return width;
+    }
+};
 
 /// Lines are exact to a few hundredths, and nobody asks for an allowance of 9.99 mm.
 double rounded(double width)
@@ -42,13 +75,13 @@ double rounded(double width)
 /// The parts of an edge that have one width each. Near corners the cut line belongs to both edges.
 class EdgeWidths {
 public:
-    EdgeWidths(const BSpline2& outline, const Contour& cut, double from, double to)
-        : m_outline(outline)
-        , m_cut(cut)
+    EdgeWidths(const BothLines& lines, double from, double to)
+        : m_lines(lines)
         , m_from(from)
         , m_to(to)
     {}
 
+    /// None where nothing can be said.
     std::vector<EdgeWidth> parts()
     {
         constexpr int steps = 48, leastRun = 4;
@@ -56,7 +89,7 @@ public:
         int length = 0;
         for (int k = 1; k < steps; ++k) {
             const double t = m_from + (m_to - m_from) * k / steps;
-            const auto width = at(t);
+            const auto width = m_lines.widthAt(t);
             if (!width) {
                 length = 0;
             } else if (length > 0 && std::abs(*width - m_last) <= alike) {
@@ -69,8 +102,12 @@ public:
             }
             m_last = width.value_or(m_last);
         }
-        if (runs.empty())
-            runs.push_back({m_from, m_to, at((m_from + m_to) / 2).value_or(0)});
+        if (runs.empty()) {
+            const auto middle = m_lines.widthAt((m_from + m_to) / 2);
+            if (!middle)
+                return {};
+            runs.push_back({m_from, m_to, *middle, false});
+        }
         for (std::size_t i = 0; i + 1 < runs.size(); ++i)
             runs[i].to = runs[i + 1].from = change(runs[i], runs[i + 1]);
         runs.front().from = m_from;
@@ -81,13 +118,6 @@ public:
     }
 
 private:
-    std::optional<double> at(double parameter) const
-    {
-        const double t = m_outline.wrapped(parameter);
-        const Vec2 along = m_outline.derivative(t);
-        return wayTo(m_cut, m_outline.at(t), Vec2(along.y(), -along.x()).normalized());
-    }
-
     static void begin(std::vector<EdgeWidth>& runs, double from, double width)
     {
         if (runs.empty() || std::abs(runs.back().width - width) > alike)
@@ -100,45 +130,72 @@ private:
         double low = first.to, high = second.from;
         for (int k = 0; k < 30; ++k) {
             const double middle = (low + high) / 2;
-            const double width = at(middle).value_or(second.width);
+            const double width = m_lines.widthAt(middle).value_or(second.width);
             (std::abs(width - first.width) < std::abs(width - second.width) ? low : high) = middle;
         }
         return (low + high) / 2;
     }
 
-    const BSpline2& m_outline;
-    const Contour& m_cut;
+    const BothLines& m_lines;
     double m_from, m_to;
     double m_last = 0;
 };
 
-/// Corners of the cut line as the one of five ways to join them that has its area.
-CornerJoin joinOf(const BSpline2& outline, const Contour& cut, const FoundAllowance& found)
+double areaCut(const BSpline2& outline, const FoundAllowance& found)
+{
+    Patch patch;
+    patch.outline = outline;
+    patch.allowance = found.usual;
+    std::vector<Change> changes{{ElementId(1), nullptr, makeElement(std::move(patch))}};
+    int id = 2;
+    for (const EdgeWidth& edge : found.edges)
+        changes.push_back(
+            {ElementId(id++), nullptr, makeElement(EdgeAllowance{{ElementId(1), edge.from, edge.to}, edge.width})});
+    const CutPattern pattern = cutPattern(Design().with({{}, std::move(changes), {}}), {});
+    return pattern.pieces.empty() ? 0 : areaOf(pattern.pieces.front().cut);
+}
+
+/// Takes for the corners the one of five ways to join them that has the area of the cut line. Returns how far off
+/// it is, mm2.
+double chooseCorners(const BSpline2& outline, double area, FoundAllowance& found)
 {
     constexpr CornerJoin all[] = {CornerJoin::Mitred, CornerJoin::Square, CornerJoin::Rounded, CornerJoin::Folded,
                                   CornerJoin::Stepped};
-    CornerJoin best = CornerJoin::Mitred;
+    FoundAllowance tried = found;
     double least = std::numeric_limits<double>::infinity();
     for (const CornerJoin join : all) {
-        Patch patch;
-        patch.outline = outline;
-        patch.allowance = CutAllowance{found.usual.width, join};
-        std::vector<Change> changes{{ElementId(1), nullptr, makeElement(std::move(patch))}};
-        int id = 2;
-        for (const EdgeWidth& edge : found.edges)
-            changes.push_back({ElementId(id++), nullptr,
-                               makeElement(EdgeAllowance{{ElementId(1), edge.from, edge.to}, edge.width})});
-        const CutPattern pattern = cutPattern(Design().with({{}, std::move(changes), {}}), {});
-        if (pattern.pieces.empty())
-            break;
-        const double off = std::abs(areaOf(pattern.pieces.front().cut) - cut.signedArea());
+        tried.usual.corner = join;
+        const double off = std::abs(areaCut(outline, tried) - area);
         // Only what differs by more than the lines are exact.
-        if (off < least - 1e-5 * std::abs(cut.signedArea())) {
+        if (off < least - exactShare * std::abs(area)) {
             least = off;
-            best = join;
+            found.usual.corner = join;
         }
     }
-    return best;
+    return least;
+}
+
+/// Edges whose width could be measured nowhere but in their middle have the usual one if that explains the cut line
+/// as well.
+void dropGuesses(const BSpline2& outline, double area, FoundAllowance& found, double off)
+{
+    constexpr int most = 40; // each one costs a few cut lines
+    int looked = 0;
+    for (std::size_t i = 0; i < found.edges.size();) {
+        if (found.edges[i].sure || ++looked > most) {
+            ++i;
+            continue;
+        }
+        FoundAllowance without = found;
+        without.edges.erase(without.edges.begin() + static_cast<std::ptrdiff_t>(i));
+        const double offWithout = chooseCorners(outline, area, without);
+        if (offWithout <= off + exactShare * std::abs(area)) {
+            found = std::move(without);
+            off = offWithout;
+        } else {
+            ++i;
+        }
+    }
 }
 
 } // namespace
@@ -149,11 +206,12 @@ FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut)
     if (corners.empty())
         corners.push_back(outline.domainStart());
     std::vector<EdgeWidth> edges;
+    const BothLines lines(outline, cut);
     const ArcLength2 length(outline);
     std::map<long long, double> lengths; // by width
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + outline.period();
-        for (EdgeWidth& part : EdgeWidths(outline, cut, corners[i], to).parts()) {
+        for (EdgeWidth& part : EdgeWidths(lines, corners[i], to).parts()) {
             lengths[std::llround(part.width / alike)] += length.between(part.from, part.to);
             part.from = outline.wrapped(part.from);
             part.to = outline.wrapped(part.to);
@@ -173,11 +231,12 @@ FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut)
             // Neighbours of one width are one edge.
             if (!found.edges.empty() && found.edges.back().to == other.from &&
                 std::abs(found.edges.back().width - other.width) <= alike)
-                found.edges.back().to = other.to;
+                found.edges.back().to = other.to, found.edges.back().sure |= other.sure;
             else
                 found.edges.push_back(other);
         }
-    found.usual.corner = joinOf(outline, cut, found);
+    const double off = chooseCorners(outline, cut.signedArea(), found);
+    dropGuesses(outline, cut.signedArea(), found, off);
     return found;
 }
 

@@ -5,6 +5,8 @@
 #include "Contour.h"
 #include "CutAllowance.h"
 
+#include <vector>
+
 namespace bolster {
 
 /// Of a stretch of the outline between two corners.
@@ -12,6 +14,7 @@ struct EdgeWidth {
     double from = 0; ///< parameters
     double to = 0;
     double width = 0; ///< mm
+    bool sure = true; ///< it was measured in several places
 };
 
 struct FoundAllowance {
