@@ -16,6 +16,7 @@
 #include <QHeaderView>
 #include <QImage>
 #include <QPainter>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -96,6 +97,20 @@ TEST_F(SeamsTest, SelectsAndIsSelected)
     QTest::mouseClick(view.table().viewport(), Qt::LeftButton, {}, view.table().visualRect(first).center());
     EXPECT_EQ(selection.elements(), Selection::Elements{squareSeam});
     keepPicture(view, "seams");
+}
+
+TEST_F(SeamsTest, SelectAllMeansItsSeams)
+{
+    SeamsView view(document, selection);
+    view.resize(600, 300);
+    view.show();
+    QTreeView& table = view.table();
+    QShortcut allPatches(QKeySequence::SelectAll, &view); // as the window's
+    QSignalSpy others(&allPatches, &QShortcut::activated);
+    table.setFocus();
+    QTest::keyClick(&table, Qt::Key_A, Qt::ControlModifier);
+    EXPECT_EQ(others.count(), 0);
+    EXPECT_EQ(selection.elements(), (Selection::Elements{squareSeam, added}));
 }
 
 TEST_F(SeamsTest, SortsTheWorstEaseFirst)

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QSortFilterProxyModel>
@@ -176,6 +177,7 @@ void SeamsView::buildTable()
     m_table->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_table->setMouseTracking(true);
     m_table->viewport()->installEventFilter(this);
+    m_table->installEventFilter(this);
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(SeamsModel::Label, Qt::AscendingOrder);
 
@@ -184,7 +186,7 @@ void SeamsView::buildTable()
     header->setMinimumSectionSize(28);
     const int digit = m_table->fontMetrics().horizontalAdvance(u'0');
     for (const auto& [column, digits] :
-         {std::pair(SeamsModel::Label, 4), std::pair(SeamsModel::Name, 16), std::pair(SeamsModel::Difference, 10),
+         {std::pair(SeamsModel::Label, 6), std::pair(SeamsModel::Name, 16), std::pair(SeamsModel::Difference, 10),
           std::pair(SeamsModel::Ratio, 7), std::pair(SeamsModel::ContinuityColumn, 6),
           std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
           std::pair(SeamsModel::MatchColumn, 11), std::pair(SeamsModel::Step, 6)})
@@ -244,8 +246,14 @@ void SeamsView::changeEvent(QEvent* event)
 
 bool SeamsView::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Leave)
+    if (watched != m_table && event->type() == QEvent::Leave)
         m_selection.hover(noElement);
+    // Here all seams are meant, not all patches: who deletes them then keeps these.
+    if (watched == m_table && event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->matches(QKeySequence::SelectAll)) {
+        event->accept();
+        return true;
+    }
     return QWidget::eventFilter(watched, event);
 }
 

@@ -15,7 +15,7 @@ namespace bolster {
 
 namespace {
 
-constexpr double leastLetters = 13; // pixels from line to line: smaller ones nobody reads
+constexpr double leastLetters = 11; // pixels from line to line: smaller ones nobody reads
 constexpr double markRadius = 4;    // pixels
 
 /// From a piece's coordinates, which grow with what the fabric shrinks, to pixels.
@@ -65,6 +65,16 @@ void paintLabel(QPainter& painter, const PieceLabel& label, const PiecePlace& pl
     painter.restore();
 }
 
+QPainterPath beside(const std::vector<QPolygonF>& words, const QRectF& window)
+{
+    QPainterPath path;
+    path.setFillRule(Qt::OddEvenFill); // words of two patches do not meet
+    path.addRect(window.adjusted(-1, -1, 1, 1));
+    for (const QPolygonF& frame : words)
+        path.addPolygon(frame);
+    return path;
+}
+
 void paintGrain(QPainter& painter, const GrainLine& grain, const PiecePlace& place)
 {
     if (grain.from == grain.to)
@@ -110,8 +120,10 @@ void paintAllowances(QPainter& painter, const CutPattern& pattern, const Pattern
 }
 
 void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
-                   const PatternTransform& transform, const ViewColors& colors, const Selection& selection)
+                   const PatternTransform& transform, const ViewColors& colors, const Selection& selection,
+                   const std::vector<QPolygonF>& words)
 {
+    const QPainterPath besideWords = beside(words, painter.window());
     const QColor ink = mixed(colors.canvas, colors.outline, 0.75);
     for (const CutPiece& piece : pattern.pieces) {
         const PatternPatch* patch = scene.patch(piece.patch);
@@ -135,7 +147,10 @@ void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternSc
             const double radius = std::max(2.0, hole.diameter / 2 * transform.scale());
             painter.drawEllipse(place(hole.at), radius, radius);
         }
+        painter.save();
+        painter.setClipPath(besideWords, Qt::IntersectClip);
         paintGrain(painter, piece.grain, place);
+        painter.restore();
         if (const PieceLabel* label = readableLabel(&pattern, piece.patch, transform))
             paintLabel(painter, *label, place, transform.scale(), label->fits ? colors.label : colors.warning);
     }

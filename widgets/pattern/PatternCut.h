@@ -3,6 +3,10 @@
 
 #include "ElementId.h"
 
+#include <QPolygonF>
+
+#include <vector>
+
 class QPainter;
 
 namespace bolster {
@@ -21,8 +25,10 @@ const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const Pa
 /// Below the patches: the allowances, faintly.
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
                      const PatternTransform& transform, const ViewColors& colors);
-/// Above them: everything else, and handles of what somebody placed.
+/// Above them: everything else, and handles of what somebody placed. Grain lines leave the `words` of the view
+/// (pixels) free.
 void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
-                   const PatternTransform& transform, const ViewColors& colors, const Selection& selection);
+                   const PatternTransform& transform, const ViewColors& colors, const Selection& selection,
+                   const std::vector<QPolygonF>& words);
 
 } // namespace bolster

@@ -66,13 +66,13 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     m_grainHalf = QPointF(std::cos(angle), std::sin(angle)) * length / 2;
 }
 
-QRectF PatternLabel::box() const
+QPolygonF PatternLabel::frame() const
 {
     if (empty())
         return {};
     QTransform turn;
     turn.translate(m_centre.x(), m_centre.y()).rotateRadians(-m_angle); // pixels run downwards
-    return turn.mapRect(QRectF(QPointF(-m_extent.width(), -m_extent.height()) / 2, m_extent));
+    return turn.map(QPolygonF(QRectF(QPointF(-m_extent.width(), -m_extent.height()) / 2, m_extent)));
 }
 
 /// With a rim where the ground may have any colour.
@@ -92,7 +92,7 @@ void PatternLabel::write(QPainter& painter, const QFont& font, double top, const
     painter.drawText(QRectF(-500, top, 1000, metrics.height()), Qt::AlignCenter, text);
 }
 
-void PatternLabel::paint(QPainter& painter, const Colors& colors) const
+void PatternLabel::paint(QPainter& painter, const Colors& colors, bool grain) const
 {
     if (empty())
         return;
@@ -105,7 +105,7 @@ void PatternLabel::paint(QPainter& painter, const Colors& colors) const
     if (!m_size.isEmpty())
         write(painter, m_sizeFont, top + line, m_size, colors.rest, colors.rim);
     painter.restore();
-    if (!m_grainHalf.isNull())
+    if (grain && !m_grainHalf.isNull())
         paintGrainArrow(painter, m_grainCentre, m_grainHalf, colors.rest);
 }
 

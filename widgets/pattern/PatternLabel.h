@@ -5,6 +5,7 @@
 #include "PatternTransform.h"
 
 #include <QFont>
+#include <QPolygonF>
 #include <QRectF>
 
 class QPainter;
@@ -21,14 +22,17 @@ public:
 
     bool empty() const { return m_name.isEmpty(); }
     /// Around the text, in pixels; empty when nothing is written.
-    QRectF box() const;
+    QRectF box() const { return frame().boundingRect(); }
+    /// The same, turned as the text is.
+    QPolygonF frame() const;
 
     struct Colors {
         QColor name;
         QColor rest; ///< of size and grain
         QColor rim;  ///< around the letters, where the ground may have any colour; not valid: none
     };
-    void paint(QPainter& painter, const Colors& colors) const;
+    /// `grain`: with the little arrow along the grain.
+    void paint(QPainter& painter, const Colors& colors, bool grain) const;
 
 private:
     static void write(QPainter& painter, const QFont& font, double top, const QString& text, const QColor& ink,

@@ -70,7 +70,7 @@ void PatternPainter::paint()
     if (m_in.layers.seams)
         paintSeamLinks();
     if (m_in.cut)
-        paintCutMarks(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors, m_in.selection);
+        paintCutMarks(m_painter, *m_in.cut, m_in.scene, m_in.transform, m_in.colors, m_in.selection, m_words);
     if (m_in.layers.points)
         paintAllPoints();
     paintScaleBar(m_painter, m_in.transform, m_in.size, m_in.colors);
@@ -295,8 +295,11 @@ void PatternPainter::paintInside(const PatternPatch& patch)
                     {bad(patch.id) ? m_in.colors.error
                      : faint       ? m_in.colors.mutedLabel
                                    : m_in.colors.label,
-                     onMap ? m_in.colors.label : m_in.colors.mutedLabel, onMap ? m_in.colors.canvas : QColor()});
+                     onMap ? m_in.colors.label : m_in.colors.mutedLabel, onMap ? m_in.colors.canvas : QColor()},
+                    !m_in.cut); // the piece has its own
         written = label.box();
+        if (m_in.cut && !written.isEmpty())
+            m_words.push_back(label.frame());
         if (faint && !written.isEmpty()) // until it is shown again
             icon(QStringLiteral("hide"), m_in.colors.mutedLabel)
                 .paint(&m_painter, QRectF(written.center().x() - 8, written.top() - 19, 16, 16).toRect());

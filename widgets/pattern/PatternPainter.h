@@ -8,6 +8,7 @@
 #include "ViewColors.h"
 
 #include <QFont>
+#include <QPolygonF>
 #include <QSize>
 
 class QPainter;
@@ -102,6 +103,7 @@ private:
     Box2 m_visible;
     std::map<ElementId, Stretches> m_stretches; ///< by patch
     std::map<ElementId, Trims> m_trims;         ///< by patch
+    std::vector<QPolygonF> m_words;             ///< written inside of patches that have cut lines, pixels
 };
 
 } // namespace bolster

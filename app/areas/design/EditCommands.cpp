@@ -73,7 +73,13 @@ void EditCommands::addSelection(Commands& commands)
                    .text = tr("Re&name"),
                    .keys = {Qt::Key_F2},
                    .places = {"edit/3"},
-                   .enabled = [this] { return m_selection.elements().size() == 1; },
+                   .enabled =
+                       [this] {
+                           const bool one = m_selection.elements().size() == 1;
+                           const ElementPtr element =
+                               one ? m_document.design().element(*m_selection.elements().begin()) : nullptr;
+                           return element && hasName(*element); // seams are called after their patches
+                       },
                    .does = [this] { rename(); }},
                   {.id = "edit.delete",
                    .formerly = "delete",

@@ -209,7 +209,7 @@ bool MarkTool::keyPress(const QKeyEvent& event)
         if (const ElementId mark = place(); mark != noElement)
             m_context.selection().set({mark});
         find();
-    } else if (takesNumbers() && m_hover.mark == noElement && m_typed.keyPress(event)) {
+    } else if (takesNumbers() && (m_typed.open() || m_hover.patch != noElement) && m_typed.keyPress(event)) {
         find();
     } else {
         return false;
@@ -222,7 +222,9 @@ bool MarkTool::wants(int key) const
 {
     if (m_drag)
         return m_drag->wants(key) || isEnterKey(key);
-    return takesNumbers() && (m_typed.wants(key) || (isEnterKey(key) && m_typed.open()));
+    if (!takesNumbers() || !(m_typed.open() || m_hover.patch != noElement))
+        return false;
+    return m_typed.wants(key) || (isEnterKey(key) && m_typed.open());
 }
 
 bool MarkTool::escape()

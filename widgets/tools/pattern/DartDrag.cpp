@@ -88,7 +88,7 @@ public:
         if (!now || now->outline.empty())
             return;
         painter.setRenderHint(QPainter::Antialiasing);
-        paintDart(painter, colors, m_context, *now, m_shown, m_problem.empty());
+        paintDart(painter, colors, m_context, *now, m_shown, m_problem.empty(), m_handle == DartHandle::Tip);
         if (m_handle == DartHandle::Mouth && m_middle)
             paintWayFromCorner(painter, colors, m_context, m_dart.patch, m_closed, *m_middle);
         EditingDrag::paint(painter, colors);

@@ -48,7 +48,7 @@ void paintAxis(QPainter& painter, const ViewColors& colors, const PatternToolCon
 
 /// Each where it is: the mouth outside, legs on their outer side, the depth beyond the tip.
 void paintMeasures(QPainter& painter, const ViewColors& colors, const Patch& patch, const edits::DartShape& dart,
-                   const QPolygonF& legs)
+                   const QPolygonF& legs, bool mouth)
 {
     const auto [from, tip, to] = wedge(patch, dart);
     const QPointF middle = (legs[0] + legs[2]) / 2;
@@ -59,7 +59,8 @@ void paintMeasures(QPainter& painter, const ViewColors& colors, const Patch& pat
             out = -out;
         paintLengthBeside(painter, colors, on, out, lengthText(((end == 0 ? from : to) - tip).norm()));
     }
-    paintLengthBeside(painter, colors, middle, middle - legs[1], mouthText(patch, dart));
+    if (mouth)
+        paintLengthBeside(painter, colors, middle, middle - legs[1], mouthText(patch, dart));
     const edits::DartAxis axis = edits::dartAxis(patch.outline, dart);
     const QString depth =
         dartText(hasEqualLegs(patch, dart) ? QT_TRANSLATE_NOOP("DartPicture", "Depth %1, legs of one length")
@@ -119,7 +120,7 @@ QString mouthText(const Patch& patch, const edits::DartShape& dart)
 }
 
 void paintDart(QPainter& painter, const ViewColors& colors, const PatternToolContext& context, const Patch& patch,
-               const edits::DartShape& dart, bool good)
+               const edits::DartShape& dart, bool good, bool mouth)
 {
     const QColor color = good ? colors.accent : colors.error;
     const auto pixel = [&](const Vec2& at) { return context.transform().toPixels(toLayout(patch, at)); };
@@ -137,7 +138,7 @@ void paintDart(QPainter& painter, const ViewColors& colors, const PatternToolCon
     painter.drawPolyline(legs);
     painter.setBrush(colors.pointFill);
     painter.drawEllipse(legs[1], tipRadius, tipRadius);
-    paintMeasures(painter, colors, patch, dart, legs);
+    paintMeasures(painter, colors, patch, dart, legs, mouth);
 }
 
 } // namespace bolster

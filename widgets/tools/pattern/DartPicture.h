@@ -20,8 +20,8 @@ Vec2 snappedTip(const PatternToolContext& context, const Patch& patch, const edi
 /// "Mouth 20 mm"
 QString mouthText(const Patch& patch, const edits::DartShape& dart);
 
-/// With its measures. `good`: it can be cut so.
+/// With its measures. `good`: it can be cut so. `mouth`: with how wide that is.
 void paintDart(QPainter& painter, const ViewColors& colors, const PatternToolContext& context, const Patch& patch,
-               const edits::DartShape& dart, bool good);
+               const edits::DartShape& dart, bool good, bool mouth = true);
 
 } // namespace bolster
