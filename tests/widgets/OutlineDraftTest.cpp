@@ -23,7 +23,10 @@ TEST(OutlineDraft, CornersAloneAreAPolygon)
     const auto outline = draftOutline({{{0, 0}}, {{100, 0}}, {{100, 0}}, {{100, 80}}, {{0, 80}}, {{0, 0}}});
     ASSERT_TRUE(outline);
     EXPECT_EQ(*outline, BSpline2(1, true, {{0, 0}, {100, 0}, {100, 80}, {0, 80}})) << "repeated points count once";
-    EXPECT_FALSE(draftOutline({{{0, 0}}, {{100, 0}}}));
+    EXPECT_FALSE(draftOutline(std::vector<DraftPoint>(2, DraftPoint{{100, 0}, {}}))) << "one place";
+    std::vector<DraftPoint> line(2);
+    line.back().at = {100, 0};
+    EXPECT_FALSE(draftOutline(line));
     EXPECT_FALSE(draftOutline({}));
 }
 
