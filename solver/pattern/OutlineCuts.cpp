@@ -132,6 +132,8 @@ OutlineSpan OutlineCuts::span(const Stretch& stretch) const
 Problems OutlineCuts::cut(const std::vector<LineEnd>& lineEnds)
 {
     cutAtCornersAndEnds();
+    if (Problems problems = strayStretches(); !problems.empty())
+        return problems;
     for (const LineEnd& end : lineEnds)
         m_outlines[end.outline].add(end.t, end.reach);
     for (bool changed = true; changed;) {
@@ -155,6 +157,29 @@ Problems OutlineCuts::cut(const std::vector<LineEnd>& lineEnds)
                         QT_TRANSLATE_NOOP("Message", "the corners of the two stretches lie too close together to "
                                                      "be matched. Move them apart or choose a smaller edge "
                                                      "length.")));
+    return problems;
+}
+
+/// A stretch has a cut at each end, unless it lies elsewhere than its outline.
+Problems OutlineCuts::strayStretches() const
+{
+    Problems problems;
+    const auto look = [&](const OutlineSpan& span, ElementId id, const char* field) {
+        const CutOutline& outline = m_outlines[span.outline];
+        const double same = rounding * m_edge;
+        if (outline.near(span.s0, same) < 0 || outline.near(span.s1, same) < 0 || !(span.s1 > span.s0))
+            problems.push_back(
+                problem(id, field,
+                        QT_TRANSLATE_NOOP("Message", "the stretch does not lie on its outline any more. "
+                                                     "Sew or fix it anew.")));
+    };
+    for (const SeamSpans& seam : m_seams) {
+        look(seam.a, seam.id, "a");
+        look(seam.b, seam.id, "b");
+    }
+    for (const auto* held : {&m_fixations, &m_orientations})
+        for (const FixationSpan& fixation : *held)
+            look(fixation.span, fixation.id, "from");
     return problems;
 }
 

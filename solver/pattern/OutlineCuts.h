@@ -108,6 +108,7 @@ public:
 
 private:
     OutlineSpan span(const Stretch& stretch) const;
+    Problems strayStretches() const;
     void cutAtCornersAndEnds();
     void cutAtCurveCorners(const FixationSpan& fixation);
     bool carry(const SeamSpans& seam, bool forward);

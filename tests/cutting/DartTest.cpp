@@ -235,6 +235,45 @@ TEST(Darts, AreRefusedWhereTheyCannotBe)
     EXPECT_TRUE(edits::removeDart(design, between, &problem).empty());
 }
 
+TEST(Darts, InSewnEdgesOfTwinsDivideTheSeamsOfBoth)
+{
+    for (const bool fromFollower : {false, true}) {
+        Design design = twoPanels();
+        design = design.with(
+            edits::makeTwins(design, std::array{left, right}, [](const std::string& n) { return n + "'"; }));
+        const ElementId patch = fromFollower ? twinOf(design, left) : left;
+        ASSERT_NE(patch, noElement);
+        const auto make = [&](const Edit& edit) {
+            ASSERT_FALSE(edit.empty());
+            design = design.with(edits::withFollowers(design, edit));
+        };
+        const Design before = design;
+        const std::size_t sewn = seamsOf(design).size();
+        make(edits::addDart(design, {patch, 1.4, 1.6, {fromFollower ? -150.0 : 150.0, 50}}));
+        EXPECT_EQ(errorsIn(design), 0u);
+        EXPECT_EQ(seamsOf(design).size(), 2 * sewn + 2) << "each seam is divided, and each dart is sewn";
+        EXPECT_EQ(*mirroredCurve(design.find<Patch>(left)->outline),
+                  design.find<Patch>(twinOf(design, left))->outline);
+        std::vector<ElementId> darts;
+        for (const auto& [id, seam] : seamsOf(design))
+            if (edits::dartOf(design, id))
+                darts.push_back(id);
+        ASSERT_EQ(darts.size(), 2u);
+        make(edits::moveDartTip(design, darts.front(),
+                                {patch == edits::dartOf(design, darts.front())->patch
+                                     ? (fromFollower ? -140.0 : 140.0)
+                                     : (fromFollower ? 140.0 : -140.0),
+                                 50}));
+        EXPECT_EQ(errorsIn(design), 0u);
+        make(edits::moveDart(design, darts.front(), 1.4));
+        EXPECT_EQ(errorsIn(design), 0u);
+        EXPECT_TRUE(edits::dartOf(design, darts.front()) && edits::dartOf(design, darts.back())) << "both stay";
+        make(edits::removeDart(design, darts.front()));
+        EXPECT_EQ(errorsIn(design), 0u);
+        EXPECT_EQ(seamsOf(design).size(), sewn) << "seams are whole again";
+    }
+}
+
 TEST(Darts, AreCutIntoTwinsToo)
 {
     Design design = twoPanels();

@@ -9,9 +9,11 @@
 #include "PlaneCurves.h"
 #include "StraightCorner.h"
 #include "StretchRemap.h"
+#include "Twins.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace bolster::edits {
 
@@ -128,7 +130,9 @@ DartAxis dartAxis(const BSpline2& outline, const DartShape& dart)
     return {(a + b) / 2, along.norm() > 0 ? Vec2(inwards.normalized()) : Vec2(0, 1), along.norm()};
 }
 
-Edit addDart(const Design& design, const DartShape& shape, Message* problem)
+namespace {
+
+Edit addOneDart(const Design& design, const DartShape& shape, Message* problem)
 {
     const Patch* patch = design.find<Patch>(shape.patch);
     if (!patch || outlineProblem(patch->outline))
@@ -160,6 +164,47 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
     return builder.result({QT_TRANSLATE_NOOP("Message", "Add a dart to %1"), {displayName(design, shape.patch)}});
 }
 
+/// The outlines of twins stay mirror images to the last bit.
+Edit withMirroredOutline(const Design& design, const Edit& both, ElementId patch, ElementId twin)
+{
+    Design now = design.with(both);
+    if (!releasedPoints(design, patch).empty())
+        return both;
+    const std::optional<BSpline2> mirrored = mirroredCurve(now.find<Patch>(patch)->outline);
+    Patch changed = *now.find<Patch>(twin);
+    if (!mirrored || mirrored->knots() != changed.outline.knots())
+        return both;
+    changed.outline = *mirrored;
+    EditBuilder builder(now);
+    builder.replace(twin, std::move(changed));
+    return editBetween(design, builder.now(), both.verb);
+}
+
+/// What was done to a patch, and the same to its twin, if it has one and there it can be done; `same` gets the
+/// design as it is by then, and the twin.
+Edit alsoForTwin(const Design& design, const Edit& edit, ElementId patch,
+                 const std::function<Edit(const Design& now, ElementId twin)>& same)
+{
+    const ElementId twin = twinOf(design, patch);
+    if (edit.empty() || twin == noElement)
+        return edit;
+    const Design now = design.with(edit);
+    const Edit other = same(now, twin);
+    if (other.empty())
+        return edit;
+    return withMirroredOutline(design, editBetween(design, now.with(other), edit.verb), patch, twin);
+}
+
+} // namespace
+
+Edit addDart(const Design& design, const DartShape& shape, Message* problem)
+{
+    return alsoForTwin(
+        design, addOneDart(design, shape, problem), shape.patch, [&](const Design& now, ElementId twin) {
+            return addOneDart(now, {twin, shape.from, shape.to, mirroredInOutline(shape.tip)}, nullptr);
+        });
+}
+
 std::optional<DartShape> dartOf(const Design& design, ElementId id)
 {
     const Seam* seam = design.find<Seam>(id);
@@ -182,7 +227,22 @@ std::optional<DartShape> dartOf(const Design& design, ElementId id)
     return DartShape{seam->a.patch, one.from, two.to, at(one.to)};
 }
 
-Edit removeDart(const Design& design, ElementId id, Message* problem)
+ElementId twinDart(const Design& design, const DartShape& dart)
+{
+    const ElementId twin = twinOf(design, dart.patch);
+    ElementId found = noElement;
+    if (twin != noElement)
+        design.each<Seam>([&](ElementId id, const Seam&) {
+            if (const auto other = dartOf(design, id);
+                other && other->patch == twin && std::abs(other->from - dart.from) < 1e-9)
+                found = id;
+        });
+    return found;
+}
+
+namespace {
+
+Edit removeOneDart(const Design& design, ElementId id, Message* problem)
 {
     const std::optional<DartShape> dart = dartOf(design, id);
     if (!dart)
@@ -208,7 +268,7 @@ Edit removeDart(const Design& design, ElementId id, Message* problem)
     return builder.result({QT_TRANSLATE_NOOP("Message", "Close a dart of %1"), {displayName(design, dart->patch)}});
 }
 
-Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
+Edit moveOneTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
 {
     const std::optional<DartShape> dart = dartOf(design, id);
     if (!dart)
@@ -245,6 +305,32 @@ Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* p
         {QT_TRANSLATE_NOOP("Message", "Move the tip of a dart of %1"), {displayName(design, dart->patch)}});
 }
 
+} // namespace
+
+Edit removeDart(const Design& design, ElementId id, Message* problem)
+{
+    const Edit one = removeOneDart(design, id, problem);
+    if (one.empty())
+        return one;
+    const DartShape dart = *dartOf(design, id);
+    const ElementId other = twinDart(design, dart);
+    return other == noElement ? one : alsoForTwin(design, one, dart.patch, [&](const Design& now, ElementId) {
+        return removeOneDart(now, other, nullptr);
+    });
+}
+
+Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
+{
+    const Edit one = moveOneTip(design, id, tip, problem);
+    if (one.empty())
+        return one;
+    const DartShape dart = *dartOf(design, id);
+    const ElementId other = twinDart(design, dart);
+    return other == noElement ? one : alsoForTwin(design, one, dart.patch, [&](const Design& now, ElementId) {
+        return moveOneTip(now, other, mirroredInOutline(tip), nullptr);
+    });
+}
+
 Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
 {
     const std::optional<DartShape> dart = dartOf(design, id);
@@ -274,12 +360,15 @@ Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
     EditBuilder builder(without.with(added));
     for (const Change& change : added.changes)
         if (const auto now = change.before ? std::nullopt : dartOf(builder.now(), change.id)) {
+            const ElementId sameDart = now->patch == dart->patch ? id : twinDart(design, *dart);
+            if (sameDart == noElement)
+                continue;
             const Seam sewn = *builder.now().find<Seam>(change.id);
-            Seam kept = *design.find<Seam>(id);
+            Seam kept = *design.find<Seam>(sameDart);
             kept.a = sewn.a;
             kept.b = sewn.b;
             builder.remove(change.id);
-            builder.replace(id, std::move(kept));
+            builder.replace(sameDart, std::move(kept));
         }
     return editBetween(design, builder.now(),
                        {QT_TRANSLATE_NOOP("Message", "Move a dart of %1"), {displayName(design, dart->patch)}});

@@ -228,20 +228,6 @@ private:
     EditBuilder m_builder;
 };
 
-/// The dart of the twin that lies at the same parameters.
-ElementId twinDart(const Design& design, const DartShape& dart)
-{
-    const ElementId twin = twinOf(design, dart.patch);
-    ElementId found = noElement;
-    if (twin != noElement)
-        design.each<Seam>([&](ElementId id, const Seam&) {
-            if (const auto other = dartOf(design, id);
-                other && other->patch == twin && std::abs(other->from - dart.from) < 1e-9)
-                found = id;
-        });
-    return found;
-}
-
 } // namespace
 
 Edit rotateDart(const Design& design, ElementId seam, double to, Message* problem)
