@@ -84,8 +84,23 @@ void SeamProposalsWindow::look()
     m_job.request({++m_asked, m_document.design()}, true);
 }
 
+/// Where one stands in a list that is made again: at the same proposal, or in the same place when that has been sewn.
+int SeamProposalsWindow::rowAfter(const std::vector<SeamProposal>& proposals) const
+{
+    const int row = std::max(m_list->indexOfTopLevelItem(m_list->currentItem()), 0);
+    if (row < std::ssize(m_proposals)) {
+        const SeamProposal& here = m_proposals[static_cast<std::size_t>(row)];
+        const auto same = std::ranges::find_if(
+            proposals, [&](const SeamProposal& other) { return other.a == here.a && other.b == here.b; });
+        if (same != proposals.end())
+            return static_cast<int>(same - proposals.begin());
+    }
+    return std::min(row, static_cast<int>(std::ssize(proposals)) - 1);
+}
+
 void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposals)
 {
+    const int row = rowAfter(proposals);
     m_proposals = proposals;
     m_list->clear();
     const Design& design = m_document.design();
@@ -103,7 +118,7 @@ void SeamProposalsWindow::showProposals(const std::vector<SeamProposal>& proposa
     m_sewLikely->setEnabled(!likely().empty());
     m_sewAll->setEnabled(!proposals.empty());
     if (m_list->topLevelItemCount() > 0)
-        m_list->setCurrentItem(m_list->topLevelItem(0));
+        m_list->setCurrentItem(m_list->topLevelItem(row));
 }
 
 std::vector<SeamProposal> SeamProposalsWindow::likely() const

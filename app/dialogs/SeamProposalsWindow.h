@@ -23,6 +23,7 @@ public:
 private:
     void build();
     void look();
+    int rowAfter(const std::vector<SeamProposal>& proposals) const;
     void showProposals(const std::vector<SeamProposal>& proposals);
     void selectEdges();
     void sew(const std::vector<SeamProposal>& proposals);

@@ -101,10 +101,13 @@ TEST_F(ImportPatternTest, PiecesAreShownTakenAndSewn)
     EXPECT_GE(proposed, m_seams * 7 / 10);
     EXPECT_EQ(count<Seam>(), 0) << "none is made silently";
     EXPECT_EQ(window.selection().edges().size(), 2u) << "the edges of the first one are shown";
+    QTest::keyClick(list, Qt::Key_Down);
+    QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
     EXPECT_EQ(count<Seam>(), 1) << "accepted by a key";
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return list->topLevelItemCount() < proposed && list->currentItem(); }, 60000));
+    EXPECT_EQ(list->indexOfTopLevelItem(list->currentItem()), 2) << "rows that were skipped stay skipped";
     for (QPushButton* button : proposals->findChildren<QPushButton*>())
         if (button->text() == QStringLiteral("Sew &all")) {
             ASSERT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, 60000));
