@@ -1932,6 +1932,14 @@
         <source>Import pattern (DX&amp;F, SVG) …</source>
         <translation>Schnitt importieren (DX&amp;F, SVG) …</translation>
     </message>
+    <message>
+        <source>Export cover (&amp;HTML, glTF, STL) …</source>
+        <translation>Bezug exportieren (&amp;HTML, glTF, STL) …</translation>
+    </message>
+    <message>
+        <source>Export foam &amp;body …</source>
+        <translation>S&amp;chaumkörper exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>FixationCurveForm</name>
@@ -4985,6 +4993,38 @@
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
         <translation>ihre Seiten haben Zugaben von %1 mm und %2 mm: gleichen Sie sie an, oder achten Sie darauf, wenn sie aufeinander gelegt werden</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; would be replaced, which is needed; choose another name</source>
+        <translation>„%1“ würde ersetzt, wird aber gebraucht; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>there is no cover yet: nothing is sewn or solved</source>
+        <translation>es gibt noch keinen Bezug: nichts ist genäht oder berechnet</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this file</source>
+        <translation>für diese Datei reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>the cover cannot be made a file (%1)</source>
+        <translation>aus dem Bezug lässt sich keine Datei machen (%1)</translation>
+    </message>
+    <message>
+        <source>the cover is %1 mm thick and has %2 cm³</source>
+        <translation>der Bezug ist %1 mm dick und hat %2 cm³</translation>
+    </message>
+    <message>
+        <source>there is no room for foam between the frame and the cover</source>
+        <translation>zwischen Gestell und Bezug ist kein Platz für Schaum</translation>
+    </message>
+    <message>
+        <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
+        <translation>der Schaum hat %1 l und wiegt %2 kg bei %3 kg/m³</translation>
+    </message>
+    <message>
+        <source>there are neither fixation curves nor seams</source>
+        <translation>es gibt weder Fixierkurven noch Nähte</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -7315,6 +7355,62 @@
     <message>
         <source>-sewing</source>
         <translation>-naehplan</translation>
+    </message>
+    <message>
+        <source>Page for the customer (*.html)</source>
+        <translation>Seite für den Kunden (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF (*.glb)</source>
+        <translation>glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>USDZ, for phones (*.usdz)</source>
+        <translation>USDZ, für Telefone (*.usdz)</translation>
+    </message>
+    <message>
+        <source>OBJ with materials (*.obj)</source>
+        <translation>OBJ mit Materialien (*.obj)</translation>
+    </message>
+    <message>
+        <source>STL, with a thickness (*.stl)</source>
+        <translation>STL, mit einer Dicke (*.stl)</translation>
+    </message>
+    <message>
+        <source>3MF, with a thickness (*.3mf)</source>
+        <translation>3MF, mit einer Dicke (*.3mf)</translation>
+    </message>
+    <message>
+        <source>STEP, curves alone (*.step)</source>
+        <translation>STEP, nur Kurven (*.step)</translation>
+    </message>
+    <message>
+        <source>STL (*.stl)</source>
+        <translation>STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>3MF (*.3mf)</source>
+        <translation>3MF (*.3mf)</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Bezug exportieren</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Schaumkörper exportieren</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-schaum</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>Der Bezug konnte nicht exportiert werden.</translation>
     </message>
 </context>
 <context>

@@ -1,3 +1,4 @@
+#include "CoverOutputs.h"
 #include "CutCheck.h"
 #include "DxfWriter.h"
 #include "FabricBaking.h"
@@ -25,9 +26,10 @@ namespace bolster::cli {
 const char* const exportHelp = R"(Usage: bolster export DESIGN [options]
 
 Writes the pattern of a design (JSON or a project) as it is cut: with seam
-allowances, notches, grain lines, labels, drill holes and lines inside.
+allowances, notches, grain lines, labels, drill holes and lines inside; and the
+cover, as others look at it or make it.
 
-Outputs:
+Outputs of the pattern:
   --dxf FILE            DXF for cutters and pattern programs
   --svg FILE            SVG, 1:1 in millimetres
   --pdf FILE            pages to print at 100 %, to be put together
@@ -35,7 +37,22 @@ Outputs:
   --sheet FILE.pdf      the sewing sheet: the cover, pieces, seams in order,
                         materials
 
-Options:
+Outputs of the cover, which is solved for them:
+  --glb FILE            glTF: fabrics, stitches, piping, all colourways
+  --usdz FILE           the same for the room view of phones
+  --obj FILE            OBJ with materials and pictures beside it
+  --html FILE           a page that turns, zooms, switches colourways, measures
+  --stl FILE            the cover as thick as its material, closed
+  --3mf FILE            the same as 3MF
+  --foam FILE           the body between frame and cover, .stl or .3mf
+  --step FILE           fixation curves and seams as curves
+
+Options of the cover:
+  --thickness MM        of the material (1.2)
+  --density KG          of the foam, for its weight, per cubic metre (35)
+  --no-frame            the cover alone, without its frames and foam
+
+Options of the pattern:
   --standard WORD       of the DXF: aama (the usual one), astm, or plain (R12)
   --splines             the plain DXF as R2000: sewing lines and lines inside as
                         curves; cut lines stay within --chord of theirs
@@ -51,8 +68,9 @@ Options:
 
 Exit code:
   0  done
-  1  an output cannot be written
+  1  an output cannot be written, or interrupted
   2  the design is bad (see "bolster check"), or wrong usage
+  3  the cover has not converged; its outputs are written nevertheless
 )";
 
 namespace {
@@ -202,11 +220,16 @@ void printLeftOut(const CutPattern& pattern, const Design& design)
 
 int exportPattern(std::span<const std::string> words)
 {
-    const Arguments arguments(words, exportRules);
+    std::vector<OptionRule> rules(exportRules.begin(), exportRules.end());
+    rules.insert(rules.end(), coverRules.begin(), coverRules.end());
+    const Arguments arguments(words, rules);
     const QString path = arguments.onlyFile("DESIGN");
     const OutputFiles files(arguments, {"--dxf", "--svg", "--pdf", "--hpgl", "--sheet"});
-    if (files.empty())
-        throw UsageError("nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file");
+    const CoverOutputs covers(arguments);
+    if (files.empty() && covers.empty())
+        throw UsageError(
+            "nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file, or an output of "
+            "the cover: --glb, --usdz, --obj, --html, --stl, --3mf, --foam or --step");
     const DxfStandard standard = standardOf(arguments);
     const PdfOrder pdf{paperOf(arguments), arguments.has("--landscape"), layersOf(arguments)};
     CutOptions options = cutOptionsOf(arguments);
@@ -217,6 +240,9 @@ int exportPattern(std::span<const std::string> words)
     if (!opened.readable)
         return badInput;
     files.protectInputs(path, opened.design);
+    covers.protectInputs(path, opened.design);
+    if (files.empty())
+        return covers.write(path, opened, interrupt);
     options.only = chosenPieces(arguments, opened.design);
     options.style = QFileInfo(path).completeBaseName().toStdString();
     const CutPattern pattern = cutPattern(opened.design, options);
@@ -259,7 +285,8 @@ int exportPattern(std::span<const std::string> words)
     });
     if (written)
         printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
-    return written ? done : otherFailure;
+    const int ofCover = covers.empty() ? done : covers.write(path, opened, interrupt);
+    return written ? ofCover : otherFailure;
 }
 
 } // namespace bolster::cli
