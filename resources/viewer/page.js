@@ -7,12 +7,14 @@
             seams: "Seams", size: "Size", measure: "Measure", home: "Start view",
             first: "Tap two points on the model", second: "Tap the second point",
             noView: "This browser cannot draw in 3D (WebGL is missing or switched off).",
+            tooOld: "This browser is too old for this page.",
             width: "width", depth: "depth", height: "height"
         },
         de: {
             seams: "N\u00e4hte", size: "Ma\u00dfe", measure: "Messen", home: "Anfangsansicht",
             first: "Zwei Punkte am Modell antippen", second: "Den zweiten Punkt antippen",
             noView: "Dieser Browser kann nicht in 3D zeichnen (WebGL fehlt oder ist abgeschaltet).",
+            tooOld: "Dieser Browser ist zu alt f\u00fcr diese Seite.",
             width: "Breite", depth: "Tiefe", height: "H\u00f6he"
         }
     };
@@ -120,7 +122,7 @@
         key.castShadow = true;
         key.shadow.mapSize.set(2048, 2048);
         key.shadow.radius = 3;
-        key.shadow.bias = -0.0008;
+        key.shadow.bias = -0.003;
         const view = key.shadow.camera;
         view.left = view.bottom = -size;
         view.right = view.top = size;
@@ -160,7 +162,12 @@
 
     const bytes = Uint8Array.from(atob(find("model").textContent.trim()), c => c.charCodeAt(0));
     find("model").textContent = "";
-    new THREE.GLTFLoader().parse(bytes.buffer, "", show, function (error) { hint.textContent = String(error); });
+    const fail = error => { hint.textContent = String(error); };
+    if (window.DecompressionStream)
+        new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer()
+            .then(buffer => new THREE.GLTFLoader().parse(buffer, "", show, fail)).catch(fail);
+    else
+        fail(say.tooOld);
 
     function show(gltf) {
         const root = gltf.scene.children[0];
@@ -174,7 +181,7 @@
         function home() {
             const half = 0.5 * size.length();
             const narrow = Math.min(1, camera.aspect);
-            const away = 1.05 * half / Math.sin(camera.fov * Math.PI / 360) / narrow;
+            const away = 1.15 * half / Math.sin(camera.fov * Math.PI / 360) / narrow;
             const direction = new THREE.Vector3(0.62, 0.36, 1).normalize();
             controls.target.copy(middle);
             camera.position.copy(middle).addScaledVector(direction, away);

@@ -1,15 +1,19 @@
-"""Reads a binary glTF as the specification says, and prints what is in it and what is wrong as JSON.
+"""Reads a binary glTF as the specification says, and prints what is in it and what is wrong as JSON. Of a page for
+customers, the one that is packed in it.
 
     check_glb.py FILE
 """
+import base64
 import json
 import math
+import re
 import struct
 import sys
+import zlib
 
 COMPONENTS = {5120: ("b", 1), 5121: ("B", 1), 5122: ("h", 2), 5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-KNOWN = {"KHR_materials_variants", "KHR_texture_transform", "KHR_materials_sheen"}
+KNOWN = {"KHR_materials_variants", "KHR_texture_transform", "KHR_materials_sheen", "KHR_mesh_quantization"}
 
 
 class Glb:
@@ -48,11 +52,13 @@ class Glb:
         offset = accessor.get("byteOffset", 0)
         self.check(count > 0, f"{whose}: empty")
         self.check((view.get("byteOffset", 0) + offset) % size == 0, f"{whose}: not aligned")
-        self.check("byteStride" not in view, f"{whose}: has a stride")
-        self.check(offset + count * width * size <= len(data), f"{whose}: beyond its view")
-        flat = struct.unpack_from(f"<{count * width}{letter}", data, offset)
-        rows = [flat[i:i + width] for i in range(0, len(flat), width)]
-        self.check(all(math.isfinite(n) for n in flat), f"{whose}: not finite")
+        stride = view.get("byteStride", width * size)
+        self.check(stride % 4 == 0 or "target" not in view or view["target"] == 34963, f"{whose}: stride {stride}")
+        self.check(offset + (count - 1) * stride + width * size <= len(data), f"{whose}: beyond its view")
+        rows = [struct.unpack_from(f"<{width}{letter}", data, offset + i * stride) for i in range(count)]
+        if accessor.get("normalized"):
+            rows = [tuple(max(n / 32767, -1) for n in row) for row in rows]
+        self.check(all(math.isfinite(n) for row in rows for n in row), f"{whose}: not finite")
         if "min" in accessor:
             for name, of in (("min", min), ("max", max)):
                 found = [of(row[k] for row in rows) for k in range(width)]
@@ -101,7 +107,9 @@ def check_primitive(glb, name, primitive, variants):
     for key, index in attributes.items():
         accessor, view, rows[key] = glb.accessor(index, f"{name} {key}")
         glb.check(view["target"] == 34962, f"{name} {key}: target")
-        glb.check(accessor["componentType"] == 5126, f"{name} {key}: no floats")
+        small = key == "NORMAL" and "KHR_mesh_quantization" in glb.json.get("extensionsRequired", [])
+        glb.check((accessor["componentType"], accessor.get("normalized", False)) ==
+                  ((5122, True) if small else (5126, False)), f"{name} {key}: kind of numbers")
         if key == "POSITION":
             glb.check("min" in accessor and "max" in accessor, f"{name}: no bounds")
     glb.check(len({len(list(r)) for r in rows.values()}) == 1, f"{name}: attributes differ in number")
@@ -161,7 +169,10 @@ def turned(q, p):
 
 def main(path):
     with open(path, "rb") as file:
-        glb = Glb(file.read())
+        data = file.read()
+    if packed := re.search(rb'<script id="model"[^>]*>([^<]*)</script>', data):
+        data = zlib.decompress(base64.b64decode(packed.group(1)))
+    glb = Glb(data)
     doc = glb.json
     glb.check(doc["asset"]["version"] == "2.0", "asset.version")
     used = doc.get("extensionsUsed", [])

@@ -1,6 +1,7 @@
 #include "CustomerPage.h"
 
 #include "GlbFile.h"
+#include "PackedFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -103,7 +104,7 @@ std::string customerPage(const PageParts& parts, const CoverModel& model, const 
                                    {"script", parts.script},
                                    {"libraries", libraries},
                                    {"facts", asScriptData(factsJson(facts))},
-                                   {"model", base64(glbFile(model))}});
+                                   {"model", base64(zlibPacked(glbFile(model, true)))}});
 }
 
 } // namespace bolster

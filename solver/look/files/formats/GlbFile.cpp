@@ -19,7 +19,7 @@ using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
 
 // Numbers of the specification.
-constexpr int floatType = 5126, shortType = 5123, intType = 5125;
+constexpr int floatType = 5126, signedShortType = 5122, shortType = 5123, intType = 5125;
 constexpr int vertexBuffer = 34962, indexBuffer = 34963;
 constexpr int linear = 9729, linearMipmaps = 9987, repeat = 10497;
 
@@ -33,8 +33,9 @@ Json numbers(const auto& values)
 
 class GlbWriter {
 public:
-    explicit GlbWriter(const CoverModel& model)
+    GlbWriter(const CoverModel& model, bool small)
         : m_model(model)
+        , m_small(small)
     {}
 
     std::string bytes();
@@ -44,6 +45,7 @@ private:
     std::size_t addAccessor(Json accessor);
     template <class Vector>
     std::size_t addVectors(const std::vector<Vector>& vectors, bool bounds);
+    std::size_t addSmallNormals(const std::vector<Vec3f>& normals);
     std::size_t addIndices(const ModelMesh& mesh);
     void addPictures();
     Json textureInfo(std::size_t picture, const ModelMaterial& material);
@@ -54,6 +56,7 @@ private:
     void use(const char* extension) { m_extensions.insert(extension); }
 
     const CoverModel& m_model;
+    bool m_small;
     std::string m_bin;
     Json m_json;
     std::set<std::string> m_extensions;
@@ -95,6 +98,25 @@ std::size_t GlbWriter::addVectors(const std::vector<Vector>& vectors, bool bound
         accessor["max"] = numbers(box.max());
     }
     return addAccessor(std::move(accessor));
+}
+
+/// Four numbers each, as each must begin at a multiple of 4 bytes.
+std::size_t GlbWriter::addSmallNormals(const std::vector<Vec3f>& normals)
+{
+    const std::size_t start = m_bin.size();
+    for (const Vec3f& n : normals) {
+        for (const float number : n)
+            appendRaw(m_bin, static_cast<std::int16_t>(std::lround(32767 * std::clamp(number, -1.F, 1.F))));
+        appendRaw(m_bin, std::int16_t{0});
+    }
+    const std::size_t view = addView(start, vertexBuffer);
+    m_json["bufferViews"][view]["byteStride"] = 8;
+    use("KHR_mesh_quantization");
+    return addAccessor({{"bufferView", view},
+                        {"componentType", signedShortType},
+                        {"normalized", true},
+                        {"count", normals.size()},
+                        {"type", "VEC3"}});
 }
 
 std::size_t GlbWriter::addIndices(const ModelMesh& mesh)
@@ -190,7 +212,7 @@ void GlbWriter::addMesh(const ModelMesh& mesh)
         normals.push_back(yUp(n));
     Json primitive;
     primitive["attributes"]["POSITION"] = addVectors(points, true);
-    primitive["attributes"]["NORMAL"] = addVectors(normals, false);
+    primitive["attributes"]["NORMAL"] = m_small ? addSmallNormals(normals) : addVectors(normals, false);
     for (std::size_t set = 0; set < mesh.places.size(); ++set) {
         std::vector<Vec2f> places;
         for (const Vec2f& p : mesh.places[set])
@@ -242,6 +264,8 @@ std::string GlbWriter::bytes()
         m_json.erase("extensionsUsed");
     else
         m_json["extensionsUsed"] = m_extensions;
+    if (m_small)
+        m_json["extensionsRequired"] = Json::array({"KHR_mesh_quantization"});
     m_json["buffers"] = Json::array({{{"byteLength", m_bin.size()}}});
 
     std::string json = m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -282,9 +306,9 @@ Eigen::Vector3f standing(const CoverModel& model)
     return -(turn * foot);
 }
 
-std::string glbFile(const CoverModel& model)
+std::string glbFile(const CoverModel& model, bool small)
 {
-    return GlbWriter(model).bytes();
+    return GlbWriter(model, small).bytes();
 }
 
 } // namespace bolster

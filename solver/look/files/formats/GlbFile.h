@@ -7,7 +7,8 @@ namespace bolster {
 
 /// Metres, y up, the front to +z, standing on y = 0 around the origin; pictures inside. Colourways are the
 /// variants of KHR_materials_variants where there is more than one. The same model gives the same bytes.
-std::string glbFile(const CoverModel& model);
+/// `small`: normals in 16 bits, for readers that know KHR_mesh_quantization.
+std::string glbFile(const CoverModel& model, bool small = false);
 
 /// From the design's axes (mm, z up) to those of glTF and USD: y up, metres; directions keep their length.
 Eigen::Vector3f yUp(const Eigen::Vector3f& p);

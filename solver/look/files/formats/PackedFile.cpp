@@ -34,6 +34,18 @@ std::string squeezed(std::string_view bytes)
 
 } // namespace
 
+std::string zlibPacked(std::string_view bytes)
+{
+    auto size = compressBound(static_cast<uLong>(bytes.size()));
+    std::string packed(size, '\0');
+    if (bytes.size() > 0xFFFF0000U ||
+        compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                  static_cast<uLong>(bytes.size()), 9) != Z_OK)
+        throw std::runtime_error("zlib");
+    packed.resize(size);
+    return packed;
+}
+
 PackedFile::PackedFile(std::uint32_t alignment)
     : m_alignment(alignment)
 {}

@@ -8,6 +8,9 @@
 
 namespace bolster {
 
+/// As zlib packs (RFC 1950). Throws std::runtime_error for more than 4 GB.
+std::string zlibPacked(std::string_view bytes);
+
 /// The same files give the same bytes: no clock is asked. For less than 4 GB in all.
 class PackedFile {
 public:

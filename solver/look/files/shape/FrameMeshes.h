@@ -4,10 +4,12 @@
 #include "CoverModel.h"
 #include "FrameSkin.h"
 
+#include <functional>
+
 namespace bolster {
 
-/// Corners with one position and one normal become one point.
-ModelMesh frameMesh(const FrameSkin& skin);
+/// Corners with one position and one normal become one point. Triangles whose corners are all hidden are left out.
+ModelMesh frameMesh(const FrameSkin& skin, const std::function<bool(const Eigen::Vector3f&)>& hidden);
 
 /// Of unit length; `other` where it has no direction.
 Eigen::Vector3f unitOr(const Eigen::Vector3f& normal, const Eigen::Vector3f& other);

@@ -8,6 +8,7 @@
 #include "MeshShape.h"
 #include "SeamLines.h"
 #include "SeamTrims.h"
+#include "TriangleTree.h"
 
 #include <algorithm>
 
@@ -42,6 +43,14 @@ private:
     std::vector<std::uint32_t> m_new;
     std::uint32_t m_count = 0;
 };
+
+TriangleTree coverTree(const SurfaceMesh& cover, const std::stop_token& stop)
+{
+    std::vector<TriangleTree::Triangle> triangles;
+    for (const auto& t : cover.topology->triangles)
+        triangles.push_back({cover.positions[t[0]], cover.positions[t[1]], cover.positions[t[2]]});
+    return TriangleTree(triangles, stop);
+}
 
 void append(const ModelMesh& from, ModelMesh& to)
 {
@@ -245,12 +254,15 @@ void CoverModeller::addSeams()
     }
 }
 
+/// What lies inside of the cover is not seen, and often most of it: frames are modelled with their foam.
 void CoverModeller::addFrames()
 {
+    const TriangleTree cover = coverTree(*m_subject.surface, m_stop);
+    const auto hidden = [&](const Vec3f& p) { return cover.windingNumber(p.cast<double>()) > 0.5; };
     for (const Scene::FrameLook& frame : framesForPicture(m_design, m_subject.files, m_subject.surface.get())) {
         if (!frame.skin)
             continue;
-        ModelMesh mesh = frameMesh(*frame.skin);
+        ModelMesh mesh = frameMesh(*frame.skin, hidden);
         mesh.name = frame.material.kind == FrameMaterial::Kind::Foam ? "Foam" : "Frame";
         mesh.materials.assign(m_colourways.size(), m_book.frame(frame.material));
         join(std::move(mesh));
