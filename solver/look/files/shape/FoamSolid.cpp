@@ -1,6 +1,7 @@
 #include "FoamSolid.h"
 
 #include "BodyTree.h"
+#include "CoverLids.h"
 #include "FramePieces.h"
 #include "IsoSurface.h"
 #include "WorkerPool.h"
@@ -17,22 +18,13 @@ namespace {
 constexpr int blockEdge = 4;                 ///< voxels that are looked at together where nothing is near
 constexpr std::size_t mostVoxels = 1U << 26; ///< 256 MB
 
-/// How far inside of a surface a point is, mm, up to `reach`; negative outside. Across openings, where no triangle
-/// is near, what the surface winds around the point says how near their lid is.
-double depthIn(const TriangleTree& tree, const Vec3& p, double reach)
-{
-    const double winding = tree.windingNumber(p);
-    const double distance = tree.distance(p, reach);
-    if (distance < reach)
-        return winding > 0.5 ? distance : -distance;
-    return std::clamp(4 * reach * (winding - 0.5), -reach, reach);
-}
-
 class FoamGrid {
 public:
     FoamGrid(const SurfaceMesh& cover, const Design& design, const DesignFiles& files, const FoamOrder& order,
              const std::stop_token& stop)
         : m_cover(trianglesOf(cover), stop)
+        , m_lids(coverLids(cover), stop)
+        , m_closed(together(m_cover, m_lids), stop)
         , m_parts(partsOf(design, files, stop))
         , m_frames(bodiesOf(m_parts), stop)
         , m_grid(gridAround(cover.boundingBox(), order.edge))
@@ -71,6 +63,13 @@ private:
         return triangles;
     }
 
+    static std::vector<TriangleTree::Triangle> together(const TriangleTree& a, const TriangleTree& b)
+    {
+        std::vector<TriangleTree::Triangle> triangles = a.triangles();
+        triangles.insert(triangles.end(), b.triangles().begin(), b.triangles().end());
+        return triangles;
+    }
+
     static std::vector<FrameParts> partsOf(const Design& design, const DesignFiles& files,
                                            const std::stop_token& stop)
     {
@@ -94,27 +93,25 @@ private:
         return bodies;
     }
 
+    /// How far inside of the foam a place is, mm, up to the reach; negative outside.
     double value(const Vec3& p) const
     {
-        const double inCover = depthIn(m_cover, p, m_reach) - m_below;
-        if (inCover <= 0)
-            return inCover;
+        const double toCover = m_cover.distance(p, m_reach), toLid = m_lids.distance(p, m_reach);
+        if (m_closed.windingNumber(p) <= 0.5)
+            return -std::min(toCover + m_below, toLid);
         const double toFrame = m_frames.distance(p, m_reach);
-        return std::min(inCover, m_frames.contains(p) ? -toFrame : toFrame);
+        return std::min({toCover - m_below, toLid, m_frames.contains(p) ? -toFrame : toFrame});
     }
 
-    /// One look for all where neither cover nor frame is near; openings are looked at voxel by voxel.
+    /// One look for all where neither cover nor frame is near.
     void block(int x0, int y0, int z0)
     {
         const double radius = 0.5 * std::sqrt(3.0) * blockEdge * m_grid.edge;
         const Vec3 middle = m_grid.centre(x0, y0, z0) + Vec3::Constant(0.5 * (blockEdge - 1) * m_grid.edge);
         const double reach = radius + m_reach;
         std::optional<double> all;
-        if (m_cover.distance(middle, reach) >= reach && m_frames.distance(middle, reach) >= reach) {
-            const double winding = m_cover.windingNumber(middle);
-            if (std::abs(winding - 0.5) > 0.3)
-                all = winding > 0.5 && !m_frames.contains(middle) ? m_reach : -m_reach;
-        }
+        if (m_closed.distance(middle, reach) >= reach && m_frames.distance(middle, reach) >= reach)
+            all = m_closed.windingNumber(middle) > 0.5 && !m_frames.contains(middle) ? m_reach : -m_reach;
         for (int z = z0; z < std::min(z0 + blockEdge, m_grid.size[2]); ++z)
             for (int y = y0; y < std::min(y0 + blockEdge, m_grid.size[1]); ++y)
                 for (int x = x0; x < std::min(x0 + blockEdge, m_grid.size[0]); ++x)
@@ -132,7 +129,7 @@ private:
         return false;
     }
 
-    TriangleTree m_cover;
+    TriangleTree m_cover, m_lids, m_closed; ///< the third: both together
     std::vector<FrameParts> m_parts;
     BodyTree m_frames;
     VoxelGrid m_grid;

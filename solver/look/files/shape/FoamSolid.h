@@ -15,10 +15,10 @@ struct FoamOrder {
     double below = 1; ///< how far it ends below the cover's outside, mm: the material
 };
 
-/// What lies inside of the cover - whose openings close as flatly as they can - and outside of all frames: closed,
-/// each edge between two triangles, which face outwards; mm, the design's axes. Exact to a small part of the grid's
-/// edge where surfaces are smooth; edges are rounded by it. No triangles where there is nothing, or when it was
-/// stopped.
+/// What lies inside of the cover - whose openings are closed by lids from their borders to the middle (CoverLids) -
+/// and outside of all frames: closed, each edge between two triangles, which face outwards; mm, the design's axes.
+/// Exact to a small part of the grid's edge where surfaces are smooth; edges are rounded by it. No triangles where
+/// there is nothing, or when it was stopped.
 TriangleMesh foamSolid(const SurfaceMesh& cover, const Design& design, const DesignFiles& files,
                        const FoamOrder& order, const std::stop_token& stop = {});
 
