@@ -7402,7 +7402,7 @@
     </message>
     <message>
         <source>-foam</source>
-        <translation>-schaum</translation>
+        <translation>-Schaum</translation>
     </message>
     <message>
         <source>Exporting %1 …</source>
