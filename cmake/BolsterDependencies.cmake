@@ -52,6 +52,9 @@ if(NOT BOLSTER_HEADLESS)
         endif()
     endforeach()
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_present}")
+
+    # The viewer of pages for customers.
+    find_path(THREE_FOLDER three.min.js PATHS /usr/share/javascript/three REQUIRED)
 endif()
 
 if(BOLSTER_TESTS)

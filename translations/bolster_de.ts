@@ -294,6 +294,14 @@
         <source>Drag the dart along the outline, or type how far its middle is from the corner – Esc takes it back</source>
         <translation>Ziehen Sie den Abnäher am Umriss entlang, oder tippen Sie, wie weit seine Mitte von der Ecke ist – Esc nimmt es zurück</translation>
     </message>
+    <message>
+        <source>Near the dotted line both legs become of one length – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
+        <translation>Nahe der punktierten Linie werden beide Schenkel gleich lang – Umschalt bleibt darauf, Strg löst, Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Drag the dart along the outline – Esc takes it back</source>
+        <translation>Ziehen Sie den Abnäher am Umriss entlang – Esc nimmt es zurück</translation>
+    </message>
 </context>
 <context>
     <name>DartPicture</name>
@@ -1943,6 +1951,14 @@
         <source>Import pattern (DX&amp;F, SVG) …</source>
         <translation>Schnitt importieren (DX&amp;F, SVG) …</translation>
     </message>
+    <message>
+        <source>Export cover (&amp;HTML, glTF, STL) …</source>
+        <translation>Bezug exportieren (&amp;HTML, glTF, STL) …</translation>
+    </message>
+    <message>
+        <source>Export foam &amp;body …</source>
+        <translation>S&amp;chaumkörper exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>FixationCurveForm</name>
@@ -2733,6 +2749,10 @@
     <message>
         <source>Drag it along the outline, or type how far it is from the corner – Esc takes it back</source>
         <translation>Am Umriss entlang ziehen, oder tippen, wie weit es von der Ecke ist – Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Allowance of %1 – Ctrl for any width, Esc takes it back</source>
+        <translation>Zugabe %1 – Strg für jede Breite, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -5060,6 +5080,54 @@
         <source>%1: elements lie in each other more than %2 times</source>
         <translation>%1: Elemente liegen mehr als %2-mal ineinander</translation>
     </message>
+    <message>
+        <source>%1 is left out: its outline has too few or too many points</source>
+        <translation>%1 ist weggelassen: Sein Umriss hat zu wenige oder zu viele Punkte</translation>
+    </message>
+    <message>
+        <source>%1: more is drawn in it than a pattern can have</source>
+        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann</translation>
+    </message>
+    <message>
+        <source>%1 is a binary DXF file: save it as text (ASCII) and import that</source>
+        <translation>%1 ist eine binäre DXF-Datei: Speichern Sie sie als Text (ASCII) und importieren Sie diese</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is inserted more often than a pattern needs</source>
+        <translation>%1: „%2“ ist öfter eingefügt, als ein Schnitt es braucht</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would be replaced, which is needed; choose another name</source>
+        <translation>„%1“ würde ersetzt, wird aber gebraucht; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>there is no cover yet: nothing is sewn or solved</source>
+        <translation>es gibt noch keinen Bezug: nichts ist genäht oder berechnet</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this file</source>
+        <translation>für diese Datei reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>the cover cannot be made a file (%1)</source>
+        <translation>aus dem Bezug lässt sich keine Datei machen (%1)</translation>
+    </message>
+    <message>
+        <source>the cover is %1 mm thick and has %2 cm³</source>
+        <translation>der Bezug ist %1 mm dick und hat %2 cm³</translation>
+    </message>
+    <message>
+        <source>there is no room for foam between the frame and the cover</source>
+        <translation>zwischen Gestell und Bezug ist kein Platz für Schaum</translation>
+    </message>
+    <message>
+        <source>the foam has %1 l and weighs %2 kg at %3 kg/m³</source>
+        <translation>der Schaum hat %1 l und wiegt %2 kg bei %3 kg/m³</translation>
+    </message>
+    <message>
+        <source>there are neither fixation curves nor seams</source>
+        <translation>es gibt weder Fixierkurven noch Nähte</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -6019,6 +6087,10 @@
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>
@@ -7427,6 +7499,62 @@
         <source>Writing %1 …</source>
         <translation>%1 wird geschrieben …</translation>
     </message>
+    <message>
+        <source>Page for the customer (*.html)</source>
+        <translation>Seite für den Kunden (*.html)</translation>
+    </message>
+    <message>
+        <source>glTF (*.glb)</source>
+        <translation>glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>USDZ, for phones (*.usdz)</source>
+        <translation>USDZ, für Telefone (*.usdz)</translation>
+    </message>
+    <message>
+        <source>OBJ with materials (*.obj)</source>
+        <translation>OBJ mit Materialien (*.obj)</translation>
+    </message>
+    <message>
+        <source>STL, with a thickness (*.stl)</source>
+        <translation>STL, mit einer Dicke (*.stl)</translation>
+    </message>
+    <message>
+        <source>3MF, with a thickness (*.3mf)</source>
+        <translation>3MF, mit einer Dicke (*.3mf)</translation>
+    </message>
+    <message>
+        <source>STEP, curves alone (*.step)</source>
+        <translation>STEP, nur Kurven (*.step)</translation>
+    </message>
+    <message>
+        <source>STL (*.stl)</source>
+        <translation>STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>3MF (*.3mf)</source>
+        <translation>3MF (*.3mf)</translation>
+    </message>
+    <message>
+        <source>Export cover</source>
+        <translation>Bezug exportieren</translation>
+    </message>
+    <message>
+        <source>Export foam</source>
+        <translation>Schaumkörper exportieren</translation>
+    </message>
+    <message>
+        <source>-foam</source>
+        <translation>-Schaum</translation>
+    </message>
+    <message>
+        <source>Exporting %1 …</source>
+        <translation>%1 wird exportiert …</translation>
+    </message>
+    <message>
+        <source>The cover could not be exported.</source>
+        <translation>Der Bezug konnte nicht exportiert werden.</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -7748,6 +7876,13 @@
         <source>Marks of grading, stripes or nothing that is known, left out by layer: %1</source>
         <translation>Zeichen für Gradierung, Streifen oder nichts Bekanntes, weggelassen nach Ebenen: %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
+        <translation>
+            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem ist weggelassen.</numerusform>
+            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem sind weggelassen.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -7910,6 +8045,14 @@
     <message>
         <source>Click inside a patch to place a drill hole, or type where: 120, 40 – Esc ends the tool</source>
         <translation>Klick in ein Schnittteil setzt ein Bohrloch, oder tippen Sie, wo: 120; 40 – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click an outline to place a notch; on a seam the other side gets one, too – Esc ends the tool</source>
+        <translation>Einen Umriss anklicken, um einen Knips zu setzen; an einer Naht bekommt die andere Seite auch einen – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click inside a patch to place a drill hole – Esc ends the tool</source>
+        <translation>In ein Teil klicken, um ein Bohrloch zu setzen – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ namespace {
 const char* const help = R"(Usage: bolster [DESIGN ...]         open the workbench, a window for each
        bolster solve DESIGN ...     solve a design and write the cover
        bolster render DESIGN ...    draw pictures of the cover
-       bolster export DESIGN ...    write the pattern for cutters, plotters and printers
+       bolster export DESIGN ...    write the pattern for cutting, the cover for others
        bolster check DESIGN         report everything that is wrong with a design
        bolster dump FILE            write a project's design as text
        bolster import DESIGN FILE   make a project of a design

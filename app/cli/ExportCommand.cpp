@@ -1,3 +1,4 @@
+#include "CoverOutputs.h"
 #include "CutCheck.h"
 #include "DesignCheck.h"
 #include "DxfWriter.h"
@@ -29,9 +30,10 @@ namespace bolster::cli {
 const char* const exportHelp = R"(Usage: bolster export DESIGN [options]
 
 Writes the pattern of a design (JSON or a project) as it is cut: with seam
-allowances, notches, grain lines, labels, drill holes and lines inside.
+allowances, notches, grain lines, labels, drill holes and lines inside; and the
+cover, as others look at it or make it.
 
-Outputs:
+Outputs of the pattern:
   --dxf FILE            DXF for cutters and pattern programs
   --svg FILE            SVG, 1:1 in millimetres
   --pdf FILE            pages to print at 100 %, to be put together
@@ -39,7 +41,22 @@ Outputs:
   --sheet FILE.pdf      the sewing sheet: the cover, pieces, seams in order,
                         materials
 
-Options:
+Outputs of the cover, which is solved for them:
+  --glb FILE            glTF: fabrics, stitches, piping, all colourways
+  --usdz FILE           the same for the room view of phones
+  --obj FILE            OBJ with materials and pictures beside it
+  --html FILE           a page that turns, zooms, switches colourways, measures
+  --stl FILE            the cover as thick as its material, closed
+  --3mf FILE            the same as 3MF
+  --foam FILE           the body between frame and cover, .stl or .3mf
+  --step FILE           fixation curves and seams as curves
+
+Options of the cover:
+  --thickness MM        of the material (1.2)
+  --density KG          of the foam, for its weight, per cubic metre (35)
+  --no-frame            the cover alone, without its frames and foam
+
+Options of the pattern:
   --standard WORD       of the DXF: aama (the usual one), astm, or plain (R12)
   --splines             the plain DXF as R2000: sewing lines and lines inside as
                         curves; cut lines stay within --chord of theirs
@@ -58,6 +75,7 @@ Exit code:
   0  done
   1  an output cannot be written, or interrupted; then nothing is written
   2  the design is bad (see "bolster check"), or wrong usage; nothing is written
+  3  the cover has not converged; its outputs are written nevertheless
 )";
 
 namespace {
@@ -254,16 +272,24 @@ private:
 
 int exportPattern(std::span<const std::string> words)
 {
-    const Arguments arguments(words, exportRules);
+    std::vector<OptionRule> rules(exportRules.begin(), exportRules.end());
+    rules.insert(rules.end(), coverRules.begin(), coverRules.end());
+    const Arguments arguments(words, rules);
     const QString path = arguments.onlyFile("DESIGN");
     const OutputFiles files(arguments, {"--dxf", "--svg", "--hpgl", "--pdf", "--sheet"});
-    if (files.empty())
-        throw UsageError("nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file");
+    const CoverOutputs covers(arguments);
+    if (files.empty() && covers.empty())
+        throw UsageError(
+            "nothing to write: give --dxf, --svg, --pdf, --hpgl or --sheet with a file, or an output of "
+            "the cover: --glb, --usdz, --obj, --html, --stl, --3mf, --foam or --step");
     const ExportOrder order = exportOrder(arguments);
 
     Interrupt interrupt;
     const OpenedDesign opened = openedShown(path);
     files.protectInputs(path, opened.design);
+    covers.protectInputs(path, opened.design);
+    if (files.empty())
+        return covers.write(path, opened, interrupt);
     const std::optional<Design> design = exportedDesign(opened, order.lenient);
     if (!design)
         return badInput;
@@ -292,7 +318,7 @@ int exportPattern(std::span<const std::string> words)
     if (!bytes.write())
         return otherFailure;
     printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
-    return done;
+    return covers.empty() ? done : covers.write(path, opened, interrupt);
 }
 
 } // namespace bolster::cli

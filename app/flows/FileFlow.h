@@ -4,6 +4,7 @@
 #include "Ask.h"
 #include "DesignSession.h"
 #include "FileContent.h"
+#include "Scene.h"
 #include "SurfaceMesh.h"
 
 #include <QImage>
@@ -19,6 +20,8 @@ class QWidget;
 namespace bolster {
 
 class Banner;
+enum class CoverFormat;
+struct CoverFile;
 struct Drawing;
 struct FoundPattern;
 struct PatternChoice;
@@ -54,6 +57,9 @@ public:
     /// The same for an element that is there.
     void replaceFile(ElementId id);
     void exportSurface(const SurfaceMeshPtr& surface);
+    /// Ask where, and by that in which format.
+    void exportCover(const SurfaceMeshPtr& surface, const FabricBaker& bake);
+    void exportFoam(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
     /// Asks how, then where. `cover`: a picture of it for the sewing sheet, null when there is none.
     void exportPattern(const QImage& cover);
@@ -134,6 +140,9 @@ private:
                std::optional<ElementId> replaced);
     void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);
+    void exportCoverTo(const SurfaceMeshPtr& surface, const FabricBaker& bake, CoverFormat format,
+                       const QString& path);
+    void finishCoverExport(const CoverFile& file, const QString& path);
     void failImport(const QString& path, const Message& why);
     void fail(const QString& title, const Message& why);
     QMessageBox* newBox(QMessageBox::Icon icon, const QString& text, QMessageBox::StandardButtons buttons);

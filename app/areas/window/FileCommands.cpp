@@ -27,7 +27,7 @@ FileCommands::FileCommands(Commands& commands, FileFlow& files, DesignSession& s
     addSaving(commands);
     addExchange(commands);
     connect(&solver, &SolverLink::surfaceChanged, this, [&commands] {
-        commands.update({"file.export-surface", "file.render-picture"});
+        commands.update({"file.export-surface", "file.export-cover", "file.export-foam", "file.render-picture"});
     });
 }
 
@@ -145,6 +145,17 @@ void FileCommands::addExchange(Commands& commands)
           .places = {"file/4"},
           .enabled = covered,
           .does = [this] { m_cover.then([this] { m_files.exportSurface(m_solver.surface()); }); }},
+         {.id = "file.export-cover",
+          .text = tr("Export cover (&HTML, glTF, STL) \u2026"),
+          .icon = "export",
+          .places = {"file/4"},
+          .enabled = covered,
+          .does = [this] { m_cover.then([this] { m_files.exportCover(m_solver.surface(), m_fabrics.baker()); }); }},
+         {.id = "file.export-foam",
+          .text = tr("Export foam &body \u2026"),
+          .places = {"file/4"},
+          .enabled = covered,
+          .does = [this] { m_cover.then([this] { m_files.exportFoam(m_solver.surface()); }); }},
          {.id = "file.export-pattern",
           .text = tr("E&xport pattern \u2026"),
           .icon = "patch",

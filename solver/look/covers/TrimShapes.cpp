@@ -120,9 +120,12 @@ void addPipe(const std::vector<CoverPoint3>& along, bool closed, float radius, T
         skin(sections, corners, to);
         return;
     }
-    const auto cap = [&](const Section& end, const Vec3f& outwards, int ring) { // half a ball
+    // Half a ball; `side`: -1 before the pipe, 1 behind it. Cloth goes on over it: else it would lie along a line
+    // there, and whoever asks for the direction of its threads gets none.
+    const auto cap = [&](const Section& end, const Vec3f& outwards, int ring, float side) {
         const float angle = 0.5F * std::numbers::pi_v<float> * static_cast<float>(ring) / capRings;
         Section section = end;
+        section.along += side * radius * angle;
         section.middle += radius * std::sin(angle) * outwards;
         section.radius = std::max(1e-3F, std::cos(angle)) * radius;
         section.lean = std::tan(std::min(angle, 1.5F)) * outwards;
@@ -132,10 +135,10 @@ void addPipe(const std::vector<CoverPoint3>& along, bool closed, float radius, T
     const Vec3f backward = (path.front().point - path[1].point).normalized();
     const Vec3f forward = (path.back().point - path[count - 2].point).normalized();
     for (int ring = capRings; ring > 0; --ring)
-        all.push_back(cap(sections.front(), backward, ring));
+        all.push_back(cap(sections.front(), backward, ring, -1));
     all.insert(all.end(), sections.begin(), sections.end());
     for (int ring = 1; ring <= capRings; ++ring)
-        all.push_back(cap(sections.back(), forward, ring));
+        all.push_back(cap(sections.back(), forward, ring, 1));
     skin(all, corners, to);
 }
 
