@@ -13,7 +13,7 @@ namespace {
 
 constexpr double gapsAcross = 400;         // in the diagonal of the mesh
 constexpr double mostFilling = 500'000;    // points
-constexpr double largeTriangle = 3;        // gaps long
+constexpr double largeTriangle = 8;        // gaps long: smaller ones are a scanner's, and stay as they are
 constexpr std::size_t denseMesh = 200'000; // corners: it is seen as it is
 constexpr std::size_t trianglesBetweenChecks = 1 << 12;
 
