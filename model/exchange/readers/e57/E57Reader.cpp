@@ -22,8 +22,9 @@ struct E57Header {
 E57Header readE57Header(const FileBytes& bytes)
 {
     FileWindow window(bytes.quietly());
-    const std::string_view header = window.view(0, e57HeaderBytes).substr(0, e57HeaderBytes);
-    if (header.size() < e57HeaderBytes || !header.starts_with("ASTM-E57"))
+    const std::string_view header =
+        bytes.size() < e57HeaderBytes ? std::string_view() : window.view(0, e57HeaderBytes);
+    if (!header.starts_with("ASTM-E57"))
         refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 is not an E57 file"));
     const auto version = littleEndian<std::uint32_t>(header.substr(8));
     if (version != 1 || littleEndian<std::uint64_t>(header.substr(40)) != E57Pages::pageSize)
