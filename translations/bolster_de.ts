@@ -5128,6 +5128,98 @@
         <source>there are neither fixation curves nor seams</source>
         <translation>es gibt weder Fixierkurven noch Nähte</translation>
     </message>
+    <message>
+        <source>Align %1: %2 mm rms, %3 % of its points matched</source>
+        <translation>%1 ausrichten: %2 mm im quadratischen Mittel, %3 % der Punkte zugeordnet</translation>
+    </message>
+    <message>
+        <source>The three places lie on a line: choose some that do not.</source>
+        <translation>Die drei Stellen liegen auf einer Linie: wählen Sie andere.</translation>
+    </message>
+    <message>
+        <source>The places are not as far from each other on the scan as where they belong: check the scale of the scan, and which is which.</source>
+        <translation>Die Stellen sind auf dem Scan anders voneinander entfernt als dort, wohin sie gehören: prüfen Sie den Maßstab des Scans, und welche welche ist.</translation>
+    </message>
+    <message>
+        <source>The scan could not be aligned: there are not enough of its points where it would stand. Click other places, or bring back what is cut away of it.</source>
+        <translation>Der Scan konnte nicht ausgerichtet werden: dort, wo er stünde, sind zu wenige seiner Punkte. Klicken Sie andere Stellen an, oder holen Sie zurück, was von ihm weggeschnitten ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a scan that can be read; E57, LAS, PTX, PTS, PLY, XYZ, PCD, OBJ, STL and OFF can</source>
+        <translation>„%1“ ist kein lesbarer Scan; lesbar sind E57, LAS, PTX, PTS, PLY, XYZ, PCD, OBJ, STL und OFF</translation>
+    </message>
+    <message>
+        <source>%1: the numbers of &quot;%2&quot; are not described as they must be: &quot;%3&quot;</source>
+        <translation>%1: die Zahlen von „%2“ sind nicht so beschrieben, wie es sein muss: „%3“</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged: something is said to be at byte %2, where nothing can be; copy it again, or export the scan anew</source>
+        <translation>%1: die Datei ist beschädigt: etwas soll bei Byte %2 sein, wo nichts sein kann; kopieren Sie sie noch einmal, oder exportieren Sie den Scan neu</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged: a checksum is wrong; copy it again, or export the scan anew</source>
+        <translation>%1: die Datei ist beschädigt: eine Prüfsumme ist falsch; kopieren Sie sie noch einmal, oder exportieren Sie den Scan neu</translation>
+    </message>
+    <message>
+        <source>%1 is not an E57 file</source>
+        <translation>%1 ist keine E57-Datei</translation>
+    </message>
+    <message>
+        <source>%1: E57 of version %2 cannot be read, or its pages have another size than 1024; export the scan as E57 1.0</source>
+        <translation>%1: E57 der Version %2 ist nicht lesbar, oder die Seiten haben eine andere Größe als 1024; exportieren Sie den Scan als E57 1.0</translation>
+    </message>
+    <message>
+        <source>%1: the pose of a scan is no rotation and translation</source>
+        <translation>%1: die Lage eines Scans ist keine Drehung und Verschiebung</translation>
+    </message>
+    <message>
+        <source>%1: two scans are said to be at one place of the file; export them anew</source>
+        <translation>%1: zwei Scans sollen an derselben Stelle der Datei sein; exportieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; of the points is missing or no number of things</source>
+        <translation>%1: „%2“ der Punkte fehlt oder ist keine Anzahl</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged: a packet of points is not as it must be; export the scan anew</source>
+        <translation>%1: die Datei ist beschädigt: ein Paket von Punkten ist nicht so, wie es sein muss; exportieren Sie den Scan neu</translation>
+    </message>
+    <message>
+        <source>%1: the points are packed by &quot;%2&quot;, which cannot be read; export the scan without an extension</source>
+        <translation>%1: die Punkte sind mit „%2“ gepackt, das nicht lesbar ist; exportieren Sie den Scan ohne Erweiterung</translation>
+    </message>
+    <message>
+        <source>%1: more is described in it than a scan can have</source>
+        <translation>%1: es ist mehr darin beschrieben, als ein Scan haben kann</translation>
+    </message>
+    <message>
+        <source>%1: numbers that belong to one point lie too far from each other; export the scan anew</source>
+        <translation>%1: Zahlen, die zu einem Punkt gehören, liegen zu weit auseinander; exportieren Sie den Scan neu</translation>
+    </message>
+    <message>
+        <source>%1: a document type is not expected here</source>
+        <translation>%1: ein Dokumenttyp wird hier nicht erwartet</translation>
+    </message>
+    <message>
+        <source>%1 is not a LAS file</source>
+        <translation>%1 ist keine LAS-Datei</translation>
+    </message>
+    <message>
+        <source>%1 is compressed (LAZ), which cannot be read: save it as LAS, for example with laszip or CloudCompare, or as E57</source>
+        <translation>%1 ist komprimiert (LAZ) und so nicht lesbar: speichern Sie sie als LAS, zum Beispiel mit laszip oder CloudCompare, oder als E57</translation>
+    </message>
+    <message>
+        <source>%1: points of format %2 with %3 bytes cannot be read; save them as LAS 1.2 or 1.4</source>
+        <translation>%1: Punkte im Format %2 mit %3 Bytes sind nicht lesbar; speichern Sie sie als LAS 1.2 oder 1.4</translation>
+    </message>
+    <message>
+        <source>%1: its scale and offset make no points</source>
+        <translation>%1: Maßstab und Versatz ergeben keine Punkte</translation>
+    </message>
+    <message>
+        <source>%1: the points are said to begin within the header</source>
+        <translation>%1: die Punkte sollen schon im Kopf beginnen</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5592,6 +5684,22 @@
         <source>Placing the scan on the cover: step %1</source>
         <translation>Der Scan wird am Bezug ausgerichtet: Schritt %1</translation>
     </message>
+    <message>
+        <source>A&amp;lign …</source>
+        <translation>An drei Stellen ausr&amp;ichten …</translation>
+    </message>
+    <message>
+        <source>Click three places of the scan and where each belongs; the rest is found</source>
+        <translation>Drei Stellen des Scans anklicken und wohin jede gehört; den Rest findet das Programm</translation>
+    </message>
+    <message>
+        <source>Aligning the scan …</source>
+        <translation>Der Scan wird ausgerichtet …</translation>
+    </message>
+    <message>
+        <source>Aligning the scan: step %1</source>
+        <translation>Der Scan wird ausgerichtet: Schritt %1</translation>
+    </message>
 </context>
 <context>
     <name>ScanCutTool</name>
@@ -5681,6 +5789,10 @@
     <message>
         <source>Remove a&amp;ll cuts</source>
         <translation>Alle Schnitte en&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>Ali&amp;gn …</source>
+        <translation>An drei Stellen ausr&amp;ichten …</translation>
     </message>
 </context>
 <context>
@@ -8988,6 +9100,41 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
         <translation>Klick auf eine Fläche, Kante oder Ecke blickt von dort; Ziehen dreht</translation>
+    </message>
+</context>
+<context>
+    <name>ScanAlignTool</name>
+    <message>
+        <source>There is no point of the scan here: click on one.</source>
+        <translation>Hier ist kein Punkt des Scans: klicken Sie auf einen.</translation>
+    </message>
+    <message>
+        <source>There is neither a frame nor the cover here: click where that place of the scan belongs.</source>
+        <translation>Hier ist weder ein Gestell noch der Bezug: klicken Sie dorthin, wohin die Stelle des Scans gehört.</translation>
+    </message>
+    <message>
+        <source>Take the last place &amp;back</source>
+        <translation>Letzte Stelle &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Click on the frame or the cover where place %1 of the scan belongs – Backspace takes it back</source>
+        <translation>Klicken Sie auf Gestell oder Bezug, wohin Stelle %1 des Scans gehört – die Rücktaste nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Click on a place of the scan that can be told from others, such as a corner – drag turns the view, Esc ends the tool</source>
+        <translation>Klicken Sie auf eine Stelle des Scans, die man von anderen unterscheiden kann, etwa eine Ecke – Ziehen dreht die Ansicht, Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click on place %1 of 3 of the scan, far from the others – Backspace takes one back</source>
+        <translation>Klicken Sie auf Stelle %1 von 3 des Scans, weit von den anderen – die Rücktaste nimmt eine zurück</translation>
+    </message>
+    <message>
+        <source>%1: where it belongs</source>
+        <translation>%1: wohin sie gehört</translation>
+    </message>
+    <message>
+        <source>%1: on the scan</source>
+        <translation>%1: auf dem Scan</translation>
     </message>
 </context>
 </TS>

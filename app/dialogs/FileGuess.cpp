@@ -56,6 +56,14 @@ FileUnit guessUnit(const Box3& fileBox, double largest)
     return nearest;
 }
 
+std::optional<FileUnit> unitOf(const QString& fileEnding)
+{
+    for (const char* const metres : {"e57", "las", "ptx"})
+        if (fileEnding.compare(QLatin1String(metres), Qt::CaseInsensitive) == 0)
+            return FileUnit::Metre;
+    return std::nullopt;
+}
+
 double guessFactor(const Box3& fileBox)
 {
     const double size = fileBox.isEmpty() ? 0 : fileBox.sizes().maxCoeff();

@@ -1,10 +1,11 @@
-// What a file from elsewhere probably means: files say neither unit nor axis.
+// What a file from elsewhere probably means: most say neither unit nor axis.
 #pragma once
 
 #include "Placement.h"
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace bolster {
@@ -17,6 +18,8 @@ double millimetresPer(FileUnit unit);
 /// The unit with which the content has a size from a stool to `largest` mm, or comes nearest to it; Custom when it
 /// would be smaller or larger than anything that is meant (isPlausible) with all of them.
 FileUnit guessUnit(const Box3& fileBox, double largest);
+/// What the format itself says: scanners' formats are in metres. Nothing for the others.
+std::optional<FileUnit> unitOf(const QString& fileEnding);
 /// mm per unit for a content that has no known unit: the power of ten that makes it as large as furniture. 1 for
 /// one without any size.
 double guessFactor(const Box3& fileBox);

@@ -118,10 +118,11 @@ void FileImportDialog::connectFields()
     m_factor->setKeyboardTracking(true);
 }
 
-/// The unit by the size, the axes by the kind of file.
+/// The unit by the kind of file if that has one, else by the size; the axes by the kind of file.
 void FileImportDialog::guess(const QString& file)
 {
-    const FileUnit unit = guessUnit(m_content.boundingBox(), largestSize());
+    const FileUnit unit =
+        unitOf(QFileInfo(file).suffix()).value_or(guessUnit(m_content.boundingBox(), largestSize()));
     m_unit->setCurrentIndex(static_cast<int>(unit));
     if (unit == FileUnit::Custom)
         m_factor->display(guessFactor(m_content.boundingBox()));

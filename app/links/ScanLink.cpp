@@ -3,9 +3,14 @@
 #include "Background.h"
 #include "DesignSession.h"
 #include "ElementEdits.h"
+#include "ScanAlign.h"
+#include "ScanAlignTool.h"
 #include "ScanEdits.h"
 #include "ScanMeasure.h"
 #include "Selection.h"
+
+#include <cmath>
+#include <set>
 
 namespace bolster {
 
@@ -96,45 +101,142 @@ void ScanLink::receive(Result result)
     emit measured();
 }
 
-void ScanLink::fitPlacement(ElementId id, std::stop_source stop, const std::function<void(int)>& progress,
-                            const std::function<void(const Message&)>& done)
+/// `compute(scan, report, stop)` runs beside the windows; what it finds is one edit, unless the scan was moved
+/// meanwhile.
+template <class Fit, class Compute>
+void ScanLink::moveInBackground(ElementId id, const ScanJob& job, const Compute& compute, const Message& failure,
+                                Message (*verb)(const Scan& scan, const Fit& fit))
 {
-    const Scan* found = m_session.document().design().find<Scan>(id);
-    if (!found || !m_surface) {
-        done({QT_TRANSLATE_NOOP("Message", "There is no cover to place the scan on."), {}});
-        return;
-    }
-    const auto report = [this, progress, stop](int iteration) {
+    const Scan before = *m_session.document().design().find<Scan>(id);
+    const auto report = [this, job](int step) {
         QMetaObject::invokeMethod(
             this,
-            [progress, stop, iteration] {
-                if (!stop.stop_requested())
-                    progress(iteration);
+            [job, step] {
+                if (!job.stop.stop_requested())
+                    job.progress(step);
             },
             Qt::QueuedConnection);
     };
-    using Fit = std::optional<PlacementFit>;
-    inBackground<Fit>([scan = *found, id, files = m_session.files(), surface = m_surface, stop, report]() -> Fit {
-        const auto index = ScanIndexCache().index(id, scan, files);
-        return index ? bolster::fitPlacement(*surface, scan, *index, stop.get_token(), report) : Fit();
-    }).then(this, [this, id, before = *found, stop, done](const Fit& fit) {
-        if (stop.stop_requested())
+    inBackground<std::optional<Fit>>([before, compute, report, stop = job.stop] {
+        return compute(before, report, stop.get_token());
+    }).then(this, [this, id, before, job, failure, verb](const std::optional<Fit>& fit) {
+        if (job.stop.stop_requested())
             return;
         Document& document = m_session.document();
         const Scan* now = document.design().find<Scan>(id);
         if (!fit || !now || static_cast<const Placement&>(*now) != before) {
-            done({QT_TRANSLATE_NOOP("Message",
-                                    "The scan could not be placed: move it nearer to the cover, or cut away "
-                                    "what does not belong to it."),
-                  {}});
+            job.done(failure);
             return;
         }
+        const Message done = verb(*now, *fit);
         document.cancelGesture();
         document.commit(
-            edits::replaceElement(document.design(), id, withPlacement(Element(*now), fit->placement),
-                                  {QT_TRANSLATE_NOOP("Message", "Place %1 on the cover"), {now->name}}));
-        done({});
+            edits::replaceElement(document.design(), id, withPlacement(Element(*now), fit->placement), done));
+        job.done(done);
     });
+}
+
+void ScanLink::fitPlacement(ElementId id, const ScanJob& job)
+{
+    if (!m_session.document().design().find<Scan>(id) || !m_surface) {
+        job.done({QT_TRANSLATE_NOOP("Message", "There is no cover to place the scan on."), {}});
+        return;
+    }
+    const auto compute = [id, files = m_session.files(),
+                          surface = m_surface](const Scan& scan, const std::function<void(int)>& report,
+                                               const std::stop_token& stop) {
+        const auto index = ScanIndexCache().index(id, scan, files, stop);
+        return index ? bolster::fitPlacement(*surface, scan, *index, stop, report) : std::nullopt;
+    };
+    moveInBackground<PlacementFit>(
+        id, job, compute,
+        {QT_TRANSLATE_NOOP("Message", "The scan could not be placed: move it nearer to the cover, or cut away "
+                                      "what does not belong to it."),
+         {}},
+        [](const Scan& scan, const PlacementFit&) -> Message {
+            return {QT_TRANSLATE_NOOP("Message", "Place %1 on the cover"), {scan.name}};
+        });
+}
+
+namespace {
+
+/// What was clicked: the cover, frames, or both.
+AlignTarget targetOf(const std::vector<ScanMark>& marks, const Design& design, const DesignFiles& files,
+                     const SurfaceMeshPtr& surface)
+{
+    AlignTarget target;
+    std::set<ElementId> frames;
+    bool cover = false;
+    for (const ScanMark& mark : marks) {
+        if (mark.onFrame)
+            frames.insert(mark.frame);
+        cover = cover || !mark.onFrame;
+    }
+    if (cover && surface)
+        target.add(surface->positions, surface->topology->triangles);
+    for (const ElementId id : frames) {
+        const Frame* const frame = design.find<Frame>(id);
+        const auto mesh = files.meshes.find(id);
+        if (frame && mesh != files.meshes.end())
+            target.add(mesh->second->points, mesh->second->triangles, *frame);
+    }
+    target.build();
+    return target;
+}
+
+/// How far the places that were clicked are from their middle, mm: root mean square.
+double spreadOf(const std::vector<ScanPair>& pairs)
+{
+    Vec3 middle = Vec3::Zero();
+    for (const ScanPair& pair : pairs)
+        middle += pair.onTarget / static_cast<double>(pairs.size());
+    double squares = 0;
+    for (const ScanPair& pair : pairs)
+        squares += (pair.onTarget - middle).squaredNorm() / static_cast<double>(pairs.size());
+    return std::sqrt(squares);
+}
+
+Message alignVerb(const Scan& scan, const ScanAlignment& found)
+{
+    return {QT_TRANSLATE_NOOP("Message", "Align %1: %2 mm rms, %3 % of its points matched"),
+            {scan.name, numberText(found.rms, 2), numberText(100 * found.matched, 2)}};
+}
+
+} // namespace
+
+void ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const ScanJob& job)
+{
+    const Scan* const scan = m_session.document().design().find<Scan>(id);
+    std::vector<ScanPair> pairs;
+    for (const ScanMark& mark : marks)
+        pairs.push_back({mark.onScan, mark.onTarget});
+    const std::optional<Placement> start = scan ? placementByPairs(pairs, *scan) : std::nullopt;
+    if (!start) {
+        job.done({QT_TRANSLATE_NOOP("Message", "The three places lie on a line: choose some that do not."), {}});
+        return;
+    }
+    constexpr double mostMismatch = 0.25;
+    if (pairResidual(pairs, *start) > mostMismatch * spreadOf(pairs)) {
+        job.done(
+            {QT_TRANSLATE_NOOP("Message", "The places are not as far from each other on the scan as where they "
+                                          "belong: check the scale of the scan, and which is which."),
+             {}});
+        return;
+    }
+    const auto compute = [id, marks, start = *start, files = m_session.files(), surface = m_surface,
+                          design = m_session.document().design()](const Scan& aligned,
+                                                                  const std::function<void(int)>& report,
+                                                                  const std::stop_token& stop) {
+        const auto index = ScanIndexCache().index(id, aligned, files, stop);
+        return index ? alignScan(targetOf(marks, design, files, surface), *index, start, stop, report)
+                     : std::nullopt;
+    };
+    moveInBackground<ScanAlignment>(
+        id, job, compute,
+        {QT_TRANSLATE_NOOP("Message", "The scan could not be aligned: there are not enough of its points where it "
+                                      "would stand. Click other places, or bring back what is cut away of it."),
+         {}},
+        alignVerb);
 }
 
 void ScanLink::keepAroundCover(ElementId id)

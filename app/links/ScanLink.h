@@ -10,7 +10,15 @@
 namespace bolster {
 
 class DesignSession;
+struct ScanMark;
 class Selection;
+
+/// Who waits for a scan to be moved. All on the GUI thread, and nothing after stop.request_stop().
+struct ScanJob {
+    std::stop_source stop{};
+    std::function<void(int)> progress{};        ///< wants to know the step
+    std::function<void(const Message&)> done{}; ///< gets what there is to say, if anything
+};
 
 /// One scan is measured at a time: the selected one, or else the first that is fitted to, or else the first.
 class ScanLink : public QObject {
@@ -27,10 +35,10 @@ public:
     const std::vector<std::pair<Vec3, Vec3>>& pairs() const { return m_pairs; }
     const std::map<ElementId, ScanFigures>& figures() const { return m_figures; }
 
-    /// Moves the scan onto the cover. `progress` wants to know the iteration, `done` is called with what went
-    /// wrong, or nothing; both on the GUI thread, neither after stop.request_stop().
-    void fitPlacement(ElementId scan, std::stop_source stop, const std::function<void(int)>& progress,
-                      const std::function<void(const Message&)>& done);
+    /// Moves the scan onto the cover from where it is.
+    void fitPlacement(ElementId scan, const ScanJob& job);
+    /// Moves it to where three of its places belong, and from there onto what was clicked: cover, frames, or both.
+    void align(ElementId scan, const std::vector<ScanMark>& marks, const ScanJob& job);
     /// Keeps what is near the cover; the distance is that of the scan's threshold.
     void keepAroundCover(ElementId scan);
 
@@ -56,6 +64,9 @@ private:
         WorkerPool pool{1};
     };
 
+    template <class Fit, class Compute>
+    void moveInBackground(ElementId id, const ScanJob& job, const Compute& compute, const Message& failure,
+                          Message (*verb)(const Scan& scan, const Fit& fit));
     void request();
     void receive(Result result);
     std::optional<ElementId> scanToMeasure() const;

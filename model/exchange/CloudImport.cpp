@@ -15,7 +15,10 @@ struct CloudFormat {
 
 constexpr std::int64_t largestCloudFile = 1'000'000'000'000; // only pieces of it are in memory
 
-constexpr CloudFormat cloudFormats[] = {{"ply", readPlyCloud}, {"xyz", readXyz}, {"pcd", readPcd}};
+constexpr CloudFormat cloudFormats[] = {{"e57", readE57},     {"las", readLas},    {"laz", readLas},
+                                        {"ptx", readPtx},     {"pts", readPts},    {"ply", readPlyScan},
+                                        {"xyz", readXyz},     {"pcd", readPcd},    {"obj", readObjScan},
+                                        {"stl", readStlScan}, {"off", readOffScan}};
 
 } // namespace
 
@@ -32,7 +35,8 @@ ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
         return imported;
     }
     return {nullptr,
-            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a scan that can be read; PLY, XYZ and PCD can"),
+            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a scan that can be read; E57, LAS, PTX, PTS, PLY, XYZ, "
+                                          "PCD, OBJ, STL and OFF can"),
              {path.toStdString()}},
             {}};
 }

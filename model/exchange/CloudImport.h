@@ -1,4 +1,4 @@
-// Scans from PLY, XYZ and PCD files. Untrusted input: see the limits in CloudBuilder.
+// Scans from the files of scanners, and from meshes. Untrusted input: see the limits in CloudBuilder.
 #pragma once
 
 #include "ImportWatch.h"
@@ -22,7 +22,7 @@ struct ImportedCloud {
 /// of a grid is kept (PointCloud::spacing).
 ImportedCloud importCloud(const QString& path, const ImportWatch& watch = {});
 
-/// Endings without the dot: "ply", "xyz", "pcd".
+/// Endings without the dot: "e57", "las", "ptx" ...; "laz" is refused with a remedy.
 QStringList cloudFileEndings();
 
 } // namespace bolster

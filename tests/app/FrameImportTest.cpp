@@ -33,6 +33,16 @@ TEST(FileImport, GuessesTheUnitFromTheSize)
     EXPECT_EQ(guessUnit(Box3(), largestFurniture), FileUnit::Custom);
 }
 
+TEST(FileImport, ScannersFormatsAreInMetresWhateverTheirSize)
+{
+    for (const char* ending : {"e57", "las", "PTX"})
+        EXPECT_EQ(unitOf(QLatin1String(ending)), FileUnit::Metre) << ending;
+    EXPECT_EQ(unitOf(QStringLiteral("ply")), std::nullopt);
+    FileContent hall = box(60, 40, 20);
+    EXPECT_EQ(FileImportDialog(QStringLiteral("hall.e57"), hall).placement().scale, 1000);
+    EXPECT_EQ(FileImportDialog(QStringLiteral("hall.obj"), hall).placement().scale, 10);
+}
+
 TEST(FileImport, GuessesAFactorWhereNoUnitFits)
 {
     for (const double size : {1e-9, 4e-7, 2e-4, 3e5, 1e6, 9e6}) {

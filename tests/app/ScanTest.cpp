@@ -111,12 +111,92 @@ TEST_F(ScanTest, ARectangleInTheViewCutsPartOfItAway)
     EXPECT_EQ(scan().cuts.size(), 1U);
 }
 
+/// Of the cover's vertices that are seen and were scanned, those that are far from each other: where each is in the
+/// picture.
+std::vector<std::pair<Vec3, QPointF>> farPlaces(const CoverView& view, const SurfaceMesh& surface,
+                                                const PointCloud& cloud, const Placement& placement)
+{
+    const Camera& camera = view.navigation().camera();
+    std::vector<std::pair<Vec3, QPointF>> seen;
+    for (std::size_t v = 0; v < surface.positions.size(); v += 11) {
+        const Vec3& at = surface.positions[v];
+        const std::optional<Vec2> pixel = camera.pixel(at);
+        if (!pixel || !QRectF(view.rect()).adjusted(90, 90, -90, -90).contains({pixel->x(), pixel->y()}))
+            continue;
+        const QPointF there(pixel->x(), pixel->y());
+        const CoverHit hit = view.hit(there);
+        const bool scanned =
+            std::ranges::any_of(cloud.points, [&, file = placement.filePoint(at)](const Vec3& point) {
+                return placement.scale * (point - file).norm() < 8;
+            });
+        if (scanned && hit && (hit.position - at).norm() < 5)
+            seen.emplace_back(at, there);
+    }
+    if (seen.size() < 3)
+        return seen;
+    std::vector<std::pair<Vec3, QPointF>> far = {seen.front()};
+    while (far.size() < 3)
+        far.push_back(*std::ranges::max_element(seen, {}, [&](const auto& one) {
+            double nearest = 1e9;
+            for (const auto& other : far)
+                nearest = std::min(nearest, (one.first - other.first).norm());
+            return nearest;
+        }));
+    return far;
+}
+
+TEST_F(ScanTest, ThreePlacesAlignItWithTheCover)
+{
+    ASSERT_TRUE(open(sample("armchair-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    const Placement right = scan();
+    Scan off = scan();
+    off.enabled = false;
+    const Quat turn(Eigen::AngleAxisd(0.15, Vec3(1, 2, 3).normalized()));
+    off.rotation = turn * off.rotation;
+    off.position = turn * off.position + Vec3(60, -40, 90);
+    window.document().commit(edits::replaceElement(window.document().design(), scanId(), makeElement(off), {}));
+    ASSERT_TRUE(waitUntilSolved());
+    const Placement before = scan();
+
+    CoverView& view = window.coverView();
+    const auto places =
+        farPlaces(view, *window.solver().surface(), *window.session().files().clouds.at(scanId()), right);
+    ASSERT_EQ(places.size(), 3U);
+    wish(ScanWish::Align);
+    EXPECT_EQ(view.tool(), CoverToolKind::AlignScan);
+    for (const auto& [place, pixel] : places) {
+        const auto onScan = view.navigation().camera().pixel(scan().placed(right.filePoint(place)));
+        ASSERT_TRUE(onScan);
+        QTest::mouseClick(&view, Qt::LeftButton, {}, QPointF(onScan->x(), onScan->y()).toPoint());
+        EXPECT_TRUE(view.prompt().contains(QStringLiteral("belongs"))) << view.prompt().toStdString();
+        QTest::mouseClick(&view, Qt::LeftButton, {}, pixel.toPoint());
+    }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !(static_cast<const Placement&>(scan()) == before); }, 60000));
+    EXPECT_LT((scan().position - right.position).norm(), 8);
+    EXPECT_LT(scan().rotation.angularDistance(right.rotation), 0.01);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
+    const std::string verb =
+        window.document().history().node(window.document().history().current()).edit.verb.english();
+    EXPECT_NE(verb.find("mm rms"), verb.npos) << verb;
+    window.command("edit.undo")->trigger();
+    EXPECT_TRUE(static_cast<const Placement&>(scan()) == before) << "one step";
+
+    wish(ScanWish::Align); // and a change of mind
+    QTest::mouseClick(&view, Qt::LeftButton, {}, places[0].second.toPoint());
+    QTest::keyClick(&view, Qt::Key_Backspace);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
+    EXPECT_TRUE(static_cast<const Placement&>(scan()) == before);
+}
+
 TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)
 {
     ASSERT_TRUE(open(sample("room-scan")));
     ASSERT_TRUE(waitUntilSolved());
     for (const QAction* action :
-         window.commands().list({"scan.place", "scan.cut", "scan.keep", "scan.keep-around-cover"}))
+         window.commands().list({"scan.align", "scan.place", "scan.cut", "scan.keep", "scan.keep-around-cover"}))
         EXPECT_FALSE(action->shortcut().isEmpty()) << action->objectName().toStdString();
     window.patternView().setFocus();
     window.selection().clear();

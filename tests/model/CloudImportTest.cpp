@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
 
 namespace bolster {
 namespace {
@@ -38,7 +39,7 @@ TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
     expectRefused("a.xyz", "1 2 x\n", "a.xyz:1: \"x\" is not a number");
     expectRefused("a.xyz", "# nothing\n", "no points");
     expectRefused("a.xyz", "1 2 3e8\n", "beyond 10,000,000");
-    expectRefused("a.abc", "1 2 3\n", "PLY, XYZ and PCD");
+    expectRefused("a.abc", "1 2 3\n", "PCD, OBJ, STL and OFF");
 }
 
 TEST_F(CloudImportTest, KeepsTheColoursOfPoints)
@@ -64,6 +65,36 @@ TEST_F(CloudImportTest, KeepsTheColoursOfPoints)
             append(bytes, static_cast<std::uint8_t>(color >> shift));
     }
     EXPECT_EQ(colors("a.ply", bytes), both);
+}
+
+TEST_F(CloudImportTest, KeepsTheColoursOfPcd)
+{
+    const auto header = [](const std::string& data, const std::string& type) {
+        return "FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F " + type +
+               "\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\n" + "DATA " + data + "\n";
+    };
+    const std::vector<std::uint32_t> both = {0xff8000, 0x0102ff};
+    const auto colors = [this](std::string_view bytes) {
+        const ImportedCloud imported = importCloud(write("a.pcd", bytes));
+        return imported.cloud ? imported.cloud->colors : std::vector<std::uint32_t>();
+    };
+    EXPECT_EQ(colors(header("ascii", "U") + "1 2 3 16744448\n4 5 6 66303\n"), both);
+    char text[100];
+    std::snprintf(text, sizeof text, "1 2 3 %.9g\n4 5 6 %.9g\n", static_cast<double>(std::bit_cast<float>(both[0])),
+                  static_cast<double>(std::bit_cast<float>(both[1])));
+    EXPECT_EQ(colors(header("ascii", "F") + text), both);
+    std::string rows, columns(24, '\0');
+    for (const std::uint32_t color : both) {
+        for (int axis = 0; axis < 3; ++axis)
+            append(rows, 1.0F);
+        append(rows, color | 0xff000000U);
+        append(columns, color);
+    }
+    EXPECT_EQ(colors(header("binary", "F") + rows), both);
+    std::string bytes = header("binary_compressed", "U");
+    append(bytes, static_cast<std::uint32_t>(33));
+    append(bytes, static_cast<std::uint32_t>(32));
+    EXPECT_EQ(colors(bytes + '\x1f' + columns), both);
 }
 
 TEST_F(CloudImportTest, ReadsEveryFormOfPlyWithAndWithoutFaces)

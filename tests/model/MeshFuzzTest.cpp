@@ -1,5 +1,7 @@
 // Damaged files must be read or refused, whatever the damage; run with sanitizers this shows bad accesses too.
 #include "CloudReaders.h"
+#include "E57Writer.h"
+#include "LasWriter.h"
 #include "MeshReaders.h"
 #include "ReaderFuzz.h"
 #include "TestFiles.h"
@@ -112,14 +114,20 @@ std::string pcdSeed(const std::string& data)
     return bytes;
 }
 
-template <class Content>
-void fuzz(Content (*reader)(const FileBytes&), const std::string& seed)
+std::string asItIs(std::string bytes)
 {
-    EXPECT_TRUE(test::fuzzReader(reader, seed));
+    return bytes;
+}
+
+/// `packed`: what is done with the bytes after they were damaged.
+template <class Content>
+void fuzz(Content (*reader)(const FileBytes&), const std::string& seed, std::string (*packed)(std::string) = asItIs)
+{
+    EXPECT_TRUE(test::fuzzReader(reader, packed(seed)));
     std::mt19937 random(1);
     int accepted = 0;
     for (int i = 0; i < 10000; ++i)
-        accepted += test::fuzzReader(reader, mutated(seed, random));
+        accepted += test::fuzzReader(reader, packed(mutated(seed, random)));
     EXPECT_GT(accepted, 100); // or the mutations would say nothing about what is behind the first check
     EXPECT_LT(accepted, 9900);
 }
@@ -161,6 +169,56 @@ TEST(CloudFuzz, Pcd)
 {
     for (const char* data : {"ascii", "binary", "binary_compressed"})
         fuzz(readPcd, pcdSeed(data));
+}
+
+TEST(CloudFuzz, E57)
+{
+    test::E57Writer writer;
+    writer.addScan(
+        {test::e57Integers("cartesianX", 0, 1000, {0, 7, 1000}), test::e57Doubles("cartesianY", {1, 2, 3}),
+         test::e57Integers("cartesianZ", -5, 99, {-5, 0, 99}, "scale=\"0.001\" offset=\"1\""),
+         test::e57Integers("colorRed", 0, 255, {0, 1, 2}), test::e57Integers("colorGreen", 0, 255, {0, 1, 2}),
+         test::e57Integers("colorBlue", 0, 255, {0, 1, 2})},
+        3, "<pose type=\"Structure\"><rotation type=\"Structure\"><w type=\"Float\">1</w></rotation></pose>");
+    writer.addScan({test::e57Singles("sphericalRange", {1, 2}), test::e57Singles("sphericalAzimuth", {1, 2}),
+                    test::e57Singles("sphericalElevation", {1, 2}), test::e57Integers("intensity", 0, 1, {0, 1}),
+                    test::e57Integers("sphericalInvalidState", 0, 2, {0, 0})});
+    fuzz(readE57, writer.content(),
+         test::e57Pages); // with checksums that are right: else nothing else is looked at
+    EXPECT_TRUE(test::fuzzReader(readE57, writer.file()));
+}
+
+TEST(CloudFuzz, Las)
+{
+    test::LasWriter las;
+    las.points = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    for (const int format : {0, 3, 7}) {
+        las.format = format;
+        las.minor = format == 7 ? 4 : 2;
+        fuzz(readLas, las.file());
+    }
+}
+
+TEST(CloudFuzz, PtsAndPtx)
+{
+    fuzz(readPts, "2\n0 0 0 -12 1 2 3\n1 0 0 5 1 2 3\n1\n0 1 nan 0 1 2 3\n");
+    fuzz(readPtx, "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 0 0\n-1 0 0 0\n0 0 1 0\n1 2 3 1\n0 0 0 0.5 1 2 3\n"
+                  "1 2 3 0.5 1 2 3\n1\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+                  "4 5 6 0.25 7 8 9\n");
+}
+
+TEST(CloudFuzz, MeshesAsScans)
+{
+    const auto fewer = [](PointCloud (*reader)(const FileBytes&), const std::string& seed) {
+        EXPECT_TRUE(test::fuzzReader(reader, seed));
+        std::mt19937 random(1);
+        for (int i = 0; i < 200; ++i) // each is filled with points
+            test::fuzzReader(reader, mutated(seed, random));
+    };
+    fewer(readObjScan, objSeed);
+    fewer(readOffScan, offSeed);
+    fewer(readStlScan, textStlSeed);
+    fewer(readPlyScan, textPlySeed);
 }
 
 } // namespace

@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t fewPoints = 25'000;
 constexpr std::size_t mostPoints = 200'000; // of one that is selected
 
+constexpr double pickReach = 9; // pixels around the pointer
+
 bool drawnAlike(const Scan& a, const Scan& b)
 {
     return static_cast<const Placement&>(a) == b && a.cuts == b.cuts;
@@ -94,6 +96,32 @@ Box3 ScanPoints::box(ElementId scan) const
 {
     const auto found = m_scans.find(scan);
     return found == m_scans.end() ? Box3() : found->second.box;
+}
+
+std::optional<Vec3> ScanPoints::pointAt(ElementId scan, const Camera& camera, QPointF pixel) const
+{
+    const auto found = m_scans.find(scan);
+    if (found == m_scans.end())
+        return std::nullopt;
+    struct Near {
+        Vec3 at;
+        double depth, pixels;
+    };
+    std::vector<Near> near;
+    for (const Eigen::Vector3f& point : *found->second.kept) {
+        const Vec3 at = point.cast<double>();
+        const std::optional<Vec2> seen = camera.pixel(at);
+        const double pixels = seen ? (*seen - Vec2(pixel.x(), pixel.y())).norm() : pickReach;
+        if (pixels < pickReach)
+            near.push_back({at, camera.depth(at), pixels});
+    }
+    if (near.empty())
+        return std::nullopt;
+    // What lies behind the foremost surface is not meant, however near the pixel it is.
+    const double foremost = std::ranges::min(near, {}, &Near::depth).depth;
+    std::erase_if(near,
+                  [&](const Near& one) { return one.depth > foremost + 2 * pickReach * camera.pixelSize(one.at); });
+    return std::ranges::min(near, {}, &Near::pixels).at;
 }
 
 bool ScanPoints::hasColors() const

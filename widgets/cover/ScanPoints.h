@@ -1,11 +1,15 @@
 // The points of scans where they stand, for drawing.
 #pragma once
 
+#include "Camera.h"
 #include "Design.h"
 #include "DesignFiles.h"
 #include "ViewScene.h"
 
+#include <QPointF>
+
 #include <map>
+#include <optional>
 #include <set>
 
 namespace bolster {
@@ -20,6 +24,8 @@ public:
     /// Of what is not cut away, mm.
     Box3 box(ElementId scan) const;
     Box3 box() const;
+    /// The foremost one near the pixel that is not cut away, mm.
+    std::optional<Vec3> pointAt(ElementId scan, const Camera& camera, QPointF pixel) const;
     bool hasColors() const; ///< some scan's points have
 
 private:

@@ -35,7 +35,7 @@ struct FormSources {
 };
 
 /// What the user wants of a scan beyond its numbers.
-enum class ScanWish { FitPlacement, CutAway, KeepOnly, KeepAroundCover, ShowAll };
+enum class ScanWish { Align, FitPlacement, CutAway, KeepOnly, KeepAroundCover, ShowAll };
 
 /// What forms ask of the window.
 struct FormWishes {

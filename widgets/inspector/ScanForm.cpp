@@ -26,6 +26,7 @@ void ScanForm::add(PropertyForm& form, const Ids& ids) const
     if (scan.several())
         return;
     const ElementId id = ids.front();
+    form.addButton(tr("Ali&gn \u2026"), [this, id] { m_wishes.workOnScan(id, ScanWish::Align); });
     form.addButton(tr("Place on &the cover"), [this, id] { m_wishes.workOnScan(id, ScanWish::FitPlacement); });
     addCuts(form, id);
     form.addButton(tr("Choose an&other file \u2026"), [this, id] { m_wishes.chooseFile(id); });

@@ -282,6 +282,13 @@ CoverHit ShownScene::hit(const Camera& camera, QPointF pixel) const
     return m_hits.hit({camera, &m_curves, m_selection, m_visibility.layerVisible(Layer::Seams)}, pixel);
 }
 
+std::optional<Vec3> ShownScene::scanPoint(ElementId scan, const Camera& camera, QPointF pixel) const
+{
+    if (!m_visibility.layerVisible(Layer::Scans) || m_visibility.hidden().contains(scan))
+        return std::nullopt;
+    return m_scans.points().pointAt(scan, camera, pixel);
+}
+
 std::optional<CoverPoint> ShownScene::inPattern(const CoverHit& solid) const
 {
     return solid.kind == CoverHit::Kind::Cover ? m_cover.places().inPattern(solid.triangle, solid.position)

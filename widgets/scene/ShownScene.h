@@ -79,6 +79,8 @@ public:
 
     CoverHit hit(const Camera& camera, QPointF pixel) const;
     const CoverHitTest& hits() const { return m_hits; }
+    /// The foremost point of the scan near the pixel, mm, where it is shown.
+    std::optional<Vec3> scanPoint(ElementId scan, const Camera& camera, QPointF pixel) const;
     /// The same point on the cover (mm), and in the pattern.
     std::optional<Vec3> onCover(const CoverPoint& point) { return m_cover.places().onCover(point); }
     std::optional<CoverPoint> inPattern(const CoverHit& solid) const;

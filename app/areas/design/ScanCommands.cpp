@@ -49,7 +49,14 @@ void ScanCommands::add()
         m_document.design().each<Scan>([&](ElementId, const Scan& scan) { found = found || !scan.cuts.empty(); });
         return found;
     };
-    m_commands.add({{.id = "scan.place",
+    m_commands.add({{.id = "scan.align",
+                     .text = tr("A&lign \u2026"),
+                     .keys = {Qt::CTRL | Qt::ALT | Qt::Key_L},
+                     .tip = tr("Click three places of the scan and where each belongs; the rest is found"),
+                     .places = {"scan/1"},
+                     .enabled = any,
+                     .does = wishes(ScanWish::Align)},
+                    {.id = "scan.place",
                      .formerly = "place-on-the-cover",
                      .text = tr("&Place on the cover"),
                      .keys = {Qt::CTRL | Qt::ALT | Qt::Key_P},
@@ -123,6 +130,14 @@ void ScanCommands::work(ElementId scan, ScanWish wish)
 {
     m_document.cancelGesture();
     switch (wish) {
+    case ScanWish::Align:
+        m_commands["layer.scans"]->setChecked(true);
+        for (const char* const map : {"map.strain", "map.along", "map.across", "map.shear", "map.curvature",
+                                      "map.thickness", "map.deviation"})
+            m_commands[map]->setChecked(false); // beside one no scans are shown
+        m_surface.startScanAlign(
+            scan, [this](ElementId aligned, const std::vector<ScanMark>& marks) { align(aligned, marks); });
+        break;
     case ScanWish::FitPlacement:
         fitPlacement(scan);
         break;
@@ -140,22 +155,36 @@ void ScanCommands::work(ElementId scan, ScanWish wish)
     }
 }
 
+/// A dialog from which it can be stopped, until it says how it went.
+ScanJob ScanCommands::watched(const QString& begun, const std::function<QString(int)>& step)
+{
+    QProgressDialog* progress = openProgress(&m_window, begun).dialog;
+    ScanJob job;
+    connect(progress, &QProgressDialog::canceled, this, [stop = job.stop]() mutable { stop.request_stop(); });
+    job.progress = [progress = QPointer(progress), step](int iteration) {
+        if (progress)
+            progress->setLabelText(step(iteration));
+    };
+    job.done = [this, progress = QPointer(progress)](const Message& said) {
+        closeProgress(progress);
+        if (!said.empty())
+            m_status.flash(translated(said));
+    };
+    return job;
+}
+
 void ScanCommands::fitPlacement(ElementId scan)
 {
-    QProgressDialog* progress = openProgress(&m_window, tr("Placing the scan on the cover \u2026")).dialog;
-    std::stop_source stop;
-    connect(progress, &QProgressDialog::canceled, this, [stop]() mutable { stop.request_stop(); });
-    m_scans.fitPlacement(
-        scan, stop,
-        [progress = QPointer(progress)](int iteration) {
-            if (progress)
-                progress->setLabelText(tr("Placing the scan on the cover: step %1").arg(iteration));
-        },
-        [this, progress = QPointer(progress)](const Message& problem) {
-            closeProgress(progress);
-            if (!problem.empty())
-                m_status.flash(translated(problem));
-        });
+    m_scans.fitPlacement(scan, watched(tr("Placing the scan on the cover \u2026"), [](int iteration) {
+                             return tr("Placing the scan on the cover: step %1").arg(iteration);
+                         }));
+}
+
+void ScanCommands::align(ElementId scan, const std::vector<ScanMark>& marks)
+{
+    m_scans.align(scan, marks, watched(tr("Aligning the scan \u2026"), [](int iteration) {
+                      return tr("Aligning the scan: step %1").arg(iteration);
+                  }));
 }
 
 } // namespace bolster

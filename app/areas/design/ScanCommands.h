@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <functional>
+#include <vector>
 
 namespace bolster {
 
@@ -14,7 +15,9 @@ class Commands;
 class Document;
 class FileFlow;
 class Inspector;
+struct ScanJob;
 class ScanLink;
+struct ScanMark;
 enum class ScanWish;
 class Selection;
 class StatusLine;
@@ -32,7 +35,9 @@ private:
     std::function<void()> wishes(ScanWish wish);
     void onTheScan(const std::function<void(ElementId)>& work);
     void work(ElementId scan, ScanWish wish);
+    ScanJob watched(const QString& begun, const std::function<QString(int)>& step);
     void fitPlacement(ElementId scan);
+    void align(ElementId scan, const std::vector<ScanMark>& marks);
 
     Commands& m_commands;
     Document& m_document;

@@ -4,6 +4,13 @@
 
 namespace bolster {
 
+FileBytes FileBytes::quietly() const
+{
+    Source source = *m_source;
+    source.watch.progress = nullptr;
+    return FileBytes(std::move(source));
+}
+
 std::string_view FileWindow::view(std::uint64_t at, std::size_t least)
 {
     auto& source = *m_bytes.m_source;

@@ -29,6 +29,8 @@ public:
 
     std::uint64_t size() const { return m_source->size; }
     const ImportWatch& watch() const { return m_source->watch; }
+    /// The same ones, for a look ahead: how far it is counts for nothing. It may be stopped.
+    FileBytes quietly() const;
 
 private:
     friend class FileWindow;
@@ -42,6 +44,10 @@ private:
         std::size_t window;
         std::uint64_t readSoFar;
     };
+    explicit FileBytes(Source source)
+        : m_source(std::make_shared<Source>(std::move(source)))
+    {}
+
     std::shared_ptr<Source> m_source;
 };
 

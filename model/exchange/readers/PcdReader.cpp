@@ -4,6 +4,8 @@
 #include "Lzf.h"
 #include "TextScanner.h"
 
+#include <bit>
+#include <cmath>
 #include <optional>
 
 namespace bolster {
@@ -136,19 +138,45 @@ std::array<std::size_t, 3> coordinates(const PcdHeader& header)
     return found;
 }
 
+/// Where the colour is: 0xRRGGBB in the bits of a number of four bytes, whatever its type.
+std::optional<std::size_t> colorField(const PcdHeader& header)
+{
+    for (std::size_t k = 0; k < header.fields.size(); ++k)
+        if (const PcdField& field = header.fields[k];
+            (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1)
+            return k;
+    return std::nullopt;
+}
+
+constexpr std::uint32_t colorBits = 0xffffff;
+
+/// Of a number that was written as a text.
+std::uint32_t colorOf(double number, const PcdField& field)
+{
+    if (field.type == 'F')
+        return std::bit_cast<std::uint32_t>(static_cast<float>(number)) & colorBits;
+    return std::abs(number) <= 4294967295.0
+               ? static_cast<std::uint32_t>(static_cast<std::int64_t>(number)) & colorBits
+               : 0;
+}
+
 void readTextPoints(TextScanner& text, const PcdHeader& header, CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
+    const std::optional<std::size_t> colors = colorField(header);
     while (text.nextLine()) {
         Vec3 point;
+        std::optional<std::uint32_t> color;
         for (std::size_t k = 0; k < header.fields.size(); ++k)
             for (std::uint64_t i = 0; i < header.fields[k].count; ++i) {
                 const std::string_view word = text.word();
                 for (int axis = 0; axis < 3; ++axis)
                     if (axes[static_cast<std::size_t>(axis)] == k)
                         point[axis] = text.number(word);
+                if (colors == k)
+                    color = colorOf(text.number(word), header.fields[k]);
             }
-        cloud.addPoint(point, text.place());
+        cloud.addPoint(point, text.place(), color);
     }
 }
 
@@ -156,19 +184,23 @@ void readTextPoints(TextScanner& text, const PcdHeader& header, CloudBuilder& cl
 void readBinaryPoints(ByteReader bytes, const PcdHeader& header, CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
+    const std::optional<std::size_t> colors = colorField(header);
     bytes.require(header.points, header.bytesPerPoint());
     cloud.reservePoints(header.points, bytes.place());
     for (std::uint64_t i = 0; i < header.points; ++i) {
         const FilePlace place = bytes.place();
         Vec3 point;
+        std::optional<std::uint32_t> color;
         for (std::size_t k = 0; k < header.fields.size(); ++k) {
             const auto axis = std::find(axes.begin(), axes.end(), k);
             if (axis != axes.end())
                 point[axis - axes.begin()] = binaryNumber(bytes, header.fields[k]);
+            else if (colors == k)
+                color = bytes.read<std::uint32_t>() & colorBits;
             else
                 bytes.skip(header.fields[k].size * header.fields[k].count);
         }
-        cloud.addPoint(point, place);
+        cloud.addPoint(point, place, color);
     }
 }
 
@@ -177,8 +209,12 @@ void readColumns(const FileBytes& file, std::uint64_t start, std::uint64_t packe
                  CloudBuilder& cloud)
 {
     const auto axes = coordinates(header);
+    const std::optional<std::size_t> colors = colorField(header);
+    std::vector<std::size_t> columns(axes.begin(), axes.end());
+    if (colors)
+        columns.push_back(*colors);
     std::vector<LzfReader> readers;
-    for (const std::size_t wanted : axes) {
+    for (const std::size_t wanted : columns) {
         readers.emplace_back(file, start, packedSize);
         for (std::size_t k = 0; k < wanted; ++k)
             readers.back().skip(header.points * header.fields[k].size * header.fields[k].count);
@@ -188,7 +224,8 @@ void readColumns(const FileBytes& file, std::uint64_t start, std::uint64_t packe
         Vec3 point;
         for (std::size_t axis = 0; axis < 3; ++axis)
             point[static_cast<Eigen::Index>(axis)] = binaryNumber(readers[axis], header.fields[axes[axis]]);
-        cloud.addPoint(point, {});
+        cloud.addPoint(point, {},
+                       colors ? std::optional(readers[3].read<std::uint32_t>() & colorBits) : std::nullopt);
     }
     LzfReader& last = *std::ranges::max_element(readers, {}, &LzfReader::unpacked);
     last.skip(header.points * header.bytesPerPoint() - last.unpacked());

@@ -14,6 +14,10 @@ public:
     virtual CoverHit hit(QPointF pixel) const = 0;
     /// What a curve drawn there would lie on: a frame, or the cover where there is none.
     virtual CoverHit ground(QPointF pixel) const = 0;
+    /// The cover, or a frame where there is none, and nothing of what lies on them.
+    virtual CoverHit solid(QPointF pixel) const = 0;
+    /// The foremost point of a scan near the pixel, mm.
+    virtual std::optional<Vec3> scanPoint(ElementId scan, QPointF pixel) const = 0;
     /// The nearest place on a frame or on the cover (`on`).
     virtual std::optional<CoverFoot> nearest(const Vec3& point, CoverHit::Kind on) const = 0;
     /// Of what is shown of an element with a placement; its position when nothing is.

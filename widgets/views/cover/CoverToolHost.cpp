@@ -27,6 +27,12 @@ void CoverToolHost::startScanCut(ElementId scan, bool keep)
     replaceTool(std::make_unique<ScanCutTool>(static_cast<CoverToolContext&>(*this), scan, keep));
 }
 
+void CoverToolHost::startScanAlign(ElementId scan, ScanAlignTool::Done done)
+{
+    setTool(CoverToolKind::AlignScan);
+    replaceTool(std::make_unique<ScanAlignTool>(static_cast<CoverToolContext&>(*this), scan, std::move(done)));
+}
+
 QString CoverToolHost::prompt() const
 {
     return m_section.hovering() ? m_section.prompt() : tool().prompt();
@@ -103,6 +109,16 @@ const ViewColors& CoverToolHost::colors() const
 CoverHit CoverToolHost::ground(QPointF pixel) const
 {
     return m_shown.hits().hitGround(m_camera, pixel);
+}
+
+CoverHit CoverToolHost::solid(QPointF pixel) const
+{
+    return m_shown.hits().hitSolid(m_camera, pixel);
+}
+
+std::optional<Vec3> CoverToolHost::scanPoint(ElementId scan, QPointF pixel) const
+{
+    return m_shown.scanPoint(scan, m_camera, pixel);
 }
 
 std::optional<CoverFoot> CoverToolHost::nearest(const Vec3& point, CoverHit::Kind on) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoverTools.h"
+#include "ScanAlignTool.h"
 #include "ToolHost.h"
 
 class QMouseEvent;
@@ -20,6 +21,8 @@ public:
 
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(ElementId scan, bool keep);
+    /// The next clicks say where three places of the scan belong.
+    void startScanAlign(ElementId scan, ScanAlignTool::Done done);
     /// Of the tool, or of the section's handle when the pointer is on it.
     QString prompt() const override;
     QCursor cursor() const;
@@ -36,6 +39,8 @@ private:
     const Camera& toolCamera() const override { return m_camera; }
     const ViewColors& colors() const override;
     CoverHit ground(QPointF pixel) const override;
+    CoverHit solid(QPointF pixel) const override;
+    std::optional<Vec3> scanPoint(ElementId scan, QPointF pixel) const override;
     std::optional<CoverFoot> nearest(const Vec3& point, CoverHit::Kind on) const override;
     Vec3 middleOf(ElementId id) const override;
 

@@ -1,4 +1,4 @@
-// The tools of the 3D view. Cutting a scan needs to know which one: CoverView::startScanCut.
+// The tools of the 3D view. Those for a scan need to know which one: CoverView::startScanCut, startScanAlign.
 #pragma once
 
 #include "CoverTool.h"
@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-enum class CoverToolKind { Select, CutScan, DrawFixation };
+enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation };
 
 std::unique_ptr<CoverTool> makeSurfaceTool(CoverToolKind kind, CoverToolContext& context);
 

@@ -69,6 +69,11 @@ public:
     CoverToolKind tool() const { return m_tools.kind(); }
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(bolster::ElementId scan, bool keep) { m_tools.startScanCut(scan, keep); }
+    /// The next clicks say where three places of the scan belong.
+    void startScanAlign(bolster::ElementId scan, ScanAlignTool::Done done)
+    {
+        m_tools.startScanAlign(scan, std::move(done));
+    }
     /// What can be done now, for the status bar.
     QString prompt() const { return m_tools.prompt(); }
     CoverHit hit(QPointF pixel) const { return m_tools.hit(pixel); }

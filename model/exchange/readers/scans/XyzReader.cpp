@@ -33,6 +33,14 @@ std::optional<std::uint32_t> colorBehind(TextScanner& text)
     return color;
 }
 
+void addPointOfLine(TextScanner& text, std::string_view first, std::string_view second, CloudBuilder& cloud)
+{
+    const double x = text.number(first);
+    const double y = text.number(second);
+    const double z = text.number();
+    cloud.addPoint({x, y, z}, text.place(), colorBehind(text));
+}
+
 } // namespace
 
 PointCloud readXyz(const FileBytes& bytes)
@@ -41,14 +49,31 @@ PointCloud readXyz(const FileBytes& bytes)
     CloudBuilder cloud(bytes);
     bool first = true;
     while (text.nextLine()) {
-        const double x = text.number();
-        const std::string_view second = text.word();
-        if (std::exchange(first, false) && second.empty())
-            continue; // some programs begin with the number of points
-        const double y = text.number(second);
-        const double z = text.number();
-        cloud.addPoint({x, y, z}, text.place(), colorBehind(text));
+        const std::string_view x = text.word(), y = text.word();
+        if (!(std::exchange(first, false) && y.empty())) // some programs begin with the number of points
+            addPointOfLine(text, x, y, cloud);
+        else
+            text.number(x);
     }
+    return cloud.finish();
+}
+
+PointCloud readPts(const FileBytes& bytes)
+{
+    TextScanner text(bytes);
+    CloudBuilder cloud(bytes);
+    std::uint64_t promised = 0, read = 0;
+    while (text.nextLine()) {
+        const std::string_view x = text.word(), y = text.word();
+        if (y.empty()) { // another scan begins
+            promised += std::min(text.count(x), largestCloudCount);
+            continue;
+        }
+        addPointOfLine(text, x, y, cloud);
+        ++read;
+    }
+    if (read < promised)
+        refuseFile(text.place(), QT_TRANSLATE_NOOP("Message", "%1: the file promises more than it holds"));
     return cloud.finish();
 }
 
