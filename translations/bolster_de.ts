@@ -294,14 +294,6 @@
         <source>Drag the dart along the outline, or type how far its middle is from the corner – Esc takes it back</source>
         <translation>Ziehen Sie den Abnäher am Umriss entlang, oder tippen Sie, wie weit seine Mitte von der Ecke ist – Esc nimmt es zurück</translation>
     </message>
-    <message>
-        <source>Near the dotted line both legs become of one length – Shift keeps to it, Ctrl lets go, Esc takes it back</source>
-        <translation>Nahe der punktierten Linie werden beide Schenkel gleich lang – Umschalt bleibt darauf, Strg löst, Esc nimmt es zurück</translation>
-    </message>
-    <message>
-        <source>Drag the dart along the outline – Esc takes it back</source>
-        <translation>Ziehen Sie den Abnäher am Umriss entlang – Esc nimmt es zurück</translation>
-    </message>
 </context>
 <context>
     <name>DartPicture</name>
@@ -2038,6 +2030,35 @@
     </message>
 </context>
 <context>
+    <name>FixationsLeft</name>
+    <message>
+        <source>“%1”: up to %2 mm</source>
+        <translation>„%1“: bis zu %2 mm</translation>
+    </message>
+    <message>
+        <source>“%1”: more than %2 mm</source>
+        <translation>„%1“: mehr als %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They stay where they are. Drag their points onto the frame, or undo the change.</source>
+        <translation>Sie bleiben, wo sie sind. Ziehen Sie ihre Punkte auf das Gestell, oder nehmen Sie die Änderung zurück.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixation curve(s) no longer lie on the frame.</source>
+        <translation>
+            <numerusform>%n Fixierkurve liegt nicht mehr auf dem Gestell.</numerusform>
+            <numerusform>%n Fixierkurven liegen nicht mehr auf dem Gestell.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FixingCommands</name>
     <message>
         <source>&amp;Create fixation curve</source>
@@ -2749,10 +2770,6 @@
     <message>
         <source>Drag it along the outline, or type how far it is from the corner – Esc takes it back</source>
         <translation>Am Umriss entlang ziehen, oder tippen, wie weit es von der Ecke ist – Esc nimmt es zurück</translation>
-    </message>
-    <message>
-        <source>Allowance of %1 – Ctrl for any width, Esc takes it back</source>
-        <translation>Zugabe %1 – Strg für jede Breite, Esc nimmt es zurück</translation>
     </message>
 </context>
 <context>
@@ -3779,10 +3796,6 @@
     <message>
         <source>%1: the scan is too large, the limit is %2 points</source>
         <translation>%1: der Scan ist zu groß, die Grenze liegt bei %2 Punkten</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a scan that can be read; PLY, XYZ and PCD can</source>
-        <translation>„%1“ ist kein lesbarer Scan; lesbar sind PLY, XYZ und PCD</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not expected in a PCD header</source>
@@ -5081,22 +5094,6 @@
         <translation>%1: Elemente liegen mehr als %2-mal ineinander</translation>
     </message>
     <message>
-        <source>%1 is left out: its outline has too few or too many points</source>
-        <translation>%1 ist weggelassen: Sein Umriss hat zu wenige oder zu viele Punkte</translation>
-    </message>
-    <message>
-        <source>%1: more is drawn in it than a pattern can have</source>
-        <translation>%1: Darin ist mehr gezeichnet, als ein Schnitt haben kann</translation>
-    </message>
-    <message>
-        <source>%1 is a binary DXF file: save it as text (ASCII) and import that</source>
-        <translation>%1 ist eine binäre DXF-Datei: Speichern Sie sie als Text (ASCII) und importieren Sie diese</translation>
-    </message>
-    <message>
-        <source>%1: &quot;%2&quot; is inserted more often than a pattern needs</source>
-        <translation>%1: „%2“ ist öfter eingefügt, als ein Schnitt es braucht</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; would be replaced, which is needed; choose another name</source>
         <translation>„%1“ würde ersetzt, wird aber gebraucht; wählen Sie einen anderen Namen</translation>
     </message>
@@ -5219,6 +5216,50 @@
     <message>
         <source>%1: the points are said to begin within the header</source>
         <translation>%1: die Punkte sollen schon im Kopf beginnen</translation>
+    </message>
+    <message>
+        <source>The second side ends inside an edge, so the first one was changed.</source>
+        <translation>Die zweite Seite endet innerhalb einer Kante, also wurde die erste geändert.</translation>
+    </message>
+    <message>
+        <source>%1 faces of the form were turned round</source>
+        <translation>%1 Flächen der Form wurden umgedreht</translation>
+    </message>
+    <message>
+        <source>%1 edges of the form belong to more than two faces: they are borders, nothing is sewn there</source>
+        <translation>%1 Kanten der Form gehören zu mehr als zwei Flächen: Sie sind Ränder, dort wird nichts genäht</translation>
+    </message>
+    <message>
+        <source>%1 is closed all around and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
+        <translation>%1 ist ringsum geschlossen und lässt sich nicht flach legen: teilen Sie es durch Gruppen, oder schneiden Sie bei einem kleineren Winkel</translation>
+    </message>
+    <message>
+        <source>%1 has too many holes: close them, or divide it by groups</source>
+        <translation>%1 hat zu viele Löcher: schließen Sie sie, oder teilen Sie es durch Gruppen</translation>
+    </message>
+    <message>
+        <source>%1 has a handle, like a cup, and cannot be laid flat: divide it by groups, or cut at a smaller angle</source>
+        <translation>%1 hat einen Henkel wie eine Tasse und lässt sich nicht flach legen: teilen Sie es durch Gruppen, oder schneiden Sie bei einem kleineren Winkel</translation>
+    </message>
+    <message>
+        <source>%1 cuts were made where a piece would have had a hole or been a ring; they are seams</source>
+        <translation>%1 Schnitte wurden gemacht, wo ein Stück ein Loch gehabt hätte oder ein Ring gewesen wäre; sie sind Nähte</translation>
+    </message>
+    <message>
+        <source>it has %1 triangles, more than %2: make it coarser first</source>
+        <translation>es hat %1 Dreiecke, mehr als %2: machen Sie es erst gröber</translation>
+    </message>
+    <message>
+        <source>it has no triangle with an area</source>
+        <translation>es hat kein Dreieck mit einer Fläche</translation>
+    </message>
+    <message>
+        <source>%1 is left out: laid flat it would lie over itself. Divide it, or cut it in where it bulges most</source>
+        <translation>%1 ist weggelassen: Flach gelegt läge es über sich selbst. Teilen Sie es, oder schneiden Sie es dort ein, wo es sich am meisten wölbt</translation>
+    </message>
+    <message>
+        <source>the stretch does not lie on its outline any more. Sew or fix it anew.</source>
+        <translation>der Abschnitt liegt nicht mehr auf seinem Umriss. Nähen oder befestigen Sie ihn neu.</translation>
     </message>
 </context>
 <context>
@@ -5620,6 +5661,41 @@
     <message>
         <source>View %1 saved: View &gt; Saved views</source>
         <translation>Ansicht %1 gespeichert: Ansicht &gt; Gespeicherte Ansichten</translation>
+    </message>
+</context>
+<context>
+    <name>ScanAlignTool</name>
+    <message>
+        <source>There is no point of the scan here: click on one.</source>
+        <translation>Hier ist kein Punkt des Scans: klicken Sie auf einen.</translation>
+    </message>
+    <message>
+        <source>There is neither a frame nor the cover here: click where that place of the scan belongs.</source>
+        <translation>Hier ist weder ein Gestell noch der Bezug: klicken Sie dorthin, wohin die Stelle des Scans gehört.</translation>
+    </message>
+    <message>
+        <source>Take the last place &amp;back</source>
+        <translation>Letzte Stelle &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Click on the frame or the cover where place %1 of the scan belongs – Backspace takes it back</source>
+        <translation>Klicken Sie auf Gestell oder Bezug, wohin Stelle %1 des Scans gehört – die Rücktaste nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Click on a place of the scan that can be told from others, such as a corner – drag turns the view, Esc ends the tool</source>
+        <translation>Klicken Sie auf eine Stelle des Scans, die man von anderen unterscheiden kann, etwa eine Ecke – Ziehen dreht die Ansicht, Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click on place %1 of 3 of the scan, far from the others – Backspace takes one back</source>
+        <translation>Klicken Sie auf Stelle %1 von 3 des Scans, weit von den anderen – die Rücktaste nimmt eine zurück</translation>
+    </message>
+    <message>
+        <source>%1: where it belongs</source>
+        <translation>%1: wohin sie gehört</translation>
+    </message>
+    <message>
+        <source>%1: on the scan</source>
+        <translation>%1: auf dem Scan</translation>
     </message>
 </context>
 <context>
@@ -6199,10 +6275,6 @@
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Teile</translation>
     </message>
 </context>
 <context>
@@ -7988,13 +8060,6 @@
         <source>Marks of grading, stripes or nothing that is known, left out by layer: %1</source>
         <translation>Zeichen für Gradierung, Streifen oder nichts Bekanntes, weggelassen nach Ebenen: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n marks of grading, stripes or nothing that is known are left out.</source>
-        <translation>
-            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem ist weggelassen.</numerusform>
-            <numerusform>%n Zeichen der Gradierung, von Streifen oder von nichts Bekanntem sind weggelassen.</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>bolster::MainWindow</name>
@@ -8157,14 +8222,6 @@
     <message>
         <source>Click inside a patch to place a drill hole, or type where: 120, 40 – Esc ends the tool</source>
         <translation>Klick in ein Schnittteil setzt ein Bohrloch, oder tippen Sie, wo: 120; 40 – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Click an outline to place a notch; on a seam the other side gets one, too – Esc ends the tool</source>
-        <translation>Einen Umriss anklicken, um einen Knips zu setzen; an einer Naht bekommt die andere Seite auch einen – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Click inside a patch to place a drill hole – Esc ends the tool</source>
-        <translation>In ein Teil klicken, um ein Bohrloch zu setzen – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -9100,41 +9157,6 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
     <message>
         <source>Click a face, an edge or a corner to look from there; drag to turn</source>
         <translation>Klick auf eine Fläche, Kante oder Ecke blickt von dort; Ziehen dreht</translation>
-    </message>
-</context>
-<context>
-    <name>ScanAlignTool</name>
-    <message>
-        <source>There is no point of the scan here: click on one.</source>
-        <translation>Hier ist kein Punkt des Scans: klicken Sie auf einen.</translation>
-    </message>
-    <message>
-        <source>There is neither a frame nor the cover here: click where that place of the scan belongs.</source>
-        <translation>Hier ist weder ein Gestell noch der Bezug: klicken Sie dorthin, wohin die Stelle des Scans gehört.</translation>
-    </message>
-    <message>
-        <source>Take the last place &amp;back</source>
-        <translation>Letzte Stelle &amp;zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Click on the frame or the cover where place %1 of the scan belongs – Backspace takes it back</source>
-        <translation>Klicken Sie auf Gestell oder Bezug, wohin Stelle %1 des Scans gehört – die Rücktaste nimmt sie zurück</translation>
-    </message>
-    <message>
-        <source>Click on a place of the scan that can be told from others, such as a corner – drag turns the view, Esc ends the tool</source>
-        <translation>Klicken Sie auf eine Stelle des Scans, die man von anderen unterscheiden kann, etwa eine Ecke – Ziehen dreht die Ansicht, Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
-        <source>Click on place %1 of 3 of the scan, far from the others – Backspace takes one back</source>
-        <translation>Klicken Sie auf Stelle %1 von 3 des Scans, weit von den anderen – die Rücktaste nimmt eine zurück</translation>
-    </message>
-    <message>
-        <source>%1: where it belongs</source>
-        <translation>%1: wohin sie gehört</translation>
-    </message>
-    <message>
-        <source>%1: on the scan</source>
-        <translation>%1: auf dem Scan</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FixationsLeft</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n fixation curve(s) no longer lie on the frame.</source>
+        <translation>
+            <numerusform>%n fixation curve no longer lies on the frame.</numerusform>
+            <numerusform>%n fixation curves no longer lie on the frame.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FrameParts</name>
     <message numerus="yes">
         <source>%1: %n piece(s)</source>

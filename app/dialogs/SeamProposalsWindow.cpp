@@ -84,7 +84,8 @@ void SeamProposalsWindow::look()
     m_job.request({++m_asked, m_document.design()}, true);
 }
 
-/// Where one stands in a list that is made again: at the same proposal, or in the same place when that has been sewn.
+/// Where one stands in a list that is made again: at the same proposal, or in the same place when that has been
+/// sewn.
 int SeamProposalsWindow::rowAfter(const std::vector<SeamProposal>& proposals) const
 {
     const int row = std::max(m_list->indexOfTopLevelItem(m_list->currentItem()), 0);

@@ -115,6 +115,19 @@ TEST_F(ShapeEdits, TheSecondSideOfASeamBecomesAsLongAsTheFirst)
     EXPECT_NEAR(edgeLength(even, {seat, 1, 2}), 510, 1e-6);
 }
 
+TEST_F(ShapeEdits, OfASeamThatEndsInsideAnEdgeTheOtherSideChanges)
+{
+    Seam part = *design.find<Seam>(seam);
+    part.b = {side, 0.25, 1};
+    const Design inside = design.with({{}, {{seam, nullptr, makeElement(part)}}});
+    const Edit edit = makeSeamSidesEqual(inside, std::array{seam});
+    ASSERT_FALSE(edit.empty());
+    EXPECT_FALSE(edit.note.empty()) << "which side was changed is said";
+    const Design even = inside.with(edit);
+    EXPECT_NEAR(edgeLength(even, part.b), edgeLength(inside, part.b), 1e-9);
+    EXPECT_NEAR(edgeLength(even, part.a), edgeLength(inside, part.b), 1e-4);
+}
+
 TEST_F(ShapeEdits, MirrorsInPlace)
 {
     for (const MirrorAxis axis : {MirrorAxis::Vertical, MirrorAxis::Horizontal}) {

@@ -170,8 +170,9 @@ Figures figuresOf(const TriangleMesh& mesh, const Design& known)
     return figures;
 }
 
-/// The known outlines have rounded corners where strips end (they were fitted within 0.9 mm), so they are smaller than what
-/// they were cut of: the surface of the car seat's pieces, measured on its triangles, is 0.3 % larger as well.
+/// The known outlines have rounded corners where strips end (they were fitted within 0.9 mm), so they are smaller
+/// than what they were cut of: the surface of the car seat's pieces, measured on its triangles, is 0.3 % larger as
+/// well.
 void expectReached(const Figures& figures)
 {
     EXPECT_LT(figures.rms, 1.0);

@@ -14,8 +14,8 @@ namespace bolster::edits {
 /// when no such outline is possible.
 std::optional<BSpline2> withoutLegs(const BSpline2& outline, double from, double to);
 
-/// Without the knots at a parameter where both sides are one polynomial: nobody sees that parts were joined there. The
-/// same outline where they are not.
+/// Without the knots at a parameter where both sides are one polynomial: nobody sees that parts were joined there.
+/// The same outline where they are not.
 BSpline2 withoutJoint(const BSpline2& outline, double t);
 
 } // namespace bolster::edits

@@ -73,6 +73,9 @@ public:
         return !pointsOn(own).empty();
     }
 
+    /// It ends at corners, so that it can be made longer alone.
+    bool takes(const Stretch& edge) const { return !pointsOn(original(edge)).empty(); }
+
     bool add(const Stretch& edge, double length)
     {
         const Target target{original(edge), length, pointsOn(original(edge))};
@@ -229,15 +232,23 @@ Edit makeEdgesEqual(const Design& design, std::span<const Stretch> edges, Messag
 Edit makeSeamSidesEqual(const Design& design, std::span<const ElementId> seams, Message* problem)
 {
     EdgeFit fit(design);
-    bool all = !seams.empty();
+    bool all = !seams.empty(), turned = false;
     for (const ElementId id : seams)
-        if (const Seam* seam = design.find<Seam>(id))
-            all = fit.add(seam->b, edgeLength(design, seam->a)) && all;
+        if (const Seam* seam = design.find<Seam>(id)) {
+            const bool second = fit.takes(seam->b) || !fit.takes(seam->a);
+            const Stretch &changed = second ? seam->b : seam->a, &kept = second ? seam->a : seam->b;
+            all = fit.add(changed, edgeLength(design, kept)) && all;
+            turned = turned || !second;
+        }
     const Message verb = seams.size() == 1
                              ? Message{QT_TRANSLATE_NOOP("Message", "Make the sides of a seam equally long"), {}}
                              : Message{QT_TRANSLATE_NOOP("Message", "Make the sides of %1 seams equally long"),
                                        {std::to_string(seams.size())}};
-    return fitted(fit, all, verb, problem);
+    Edit edit = fitted(fit, all, verb, problem);
+    if (turned && !edit.empty())
+        edit.note = {
+            QT_TRANSLATE_NOOP("Message", "The second side ends inside an edge, so the first one was changed."), {}};
+    return edit;
 }
 
 } // namespace bolster::edits

@@ -28,7 +28,8 @@ Edit setEdgeLengths(const Design& design, std::span<const Stretch> edges, double
                     Message* problem = nullptr);
 /// Makes edges as long as the first one, which stays as it is. Edges that share corners give way to each other.
 Edit makeEdgesEqual(const Design& design, std::span<const Stretch> edges, Message* problem = nullptr);
-/// Makes the second side of each seam as long as its first one.
+/// Makes the second side of each seam as long as its first one; the first one as long as the second where only that
+/// ends at corners, with a note.
 Edit makeSeamSidesEqual(const Design& design, std::span<const ElementId> seams, Message* problem = nullptr);
 
 } // namespace bolster::edits

@@ -1,8 +1,8 @@
 #include "CoverFiles.h"
 
-#include "CurvesForCad.h"
 #include "CoverRefiner.h"
 #include "CoverSolid.h"
+#include "CurvesForCad.h"
 #include "FoamSolid.h"
 #include "GlbFile.h"
 #include "PageFactsOf.h"
