@@ -62,7 +62,8 @@ inline FileBytes inPieces(std::string_view bytes, std::size_t piece)
 {
     const auto read = [bytes](std::uint64_t at, char* to, std::size_t count) {
         mustBe(at <= bytes.size() && count <= bytes.size() - at, "nothing is read beyond the end");
-        std::memcpy(to, bytes.data() + at, count);
+        if (count > 0) // an empty file has no bytes to point to
+            std::memcpy(to, bytes.data() + at, count);
         return true;
     };
     return {read, bytes.size(), {}, piece};
