@@ -74,7 +74,7 @@ public:
     }
 
     /// It ends at corners, so that it can be made longer alone.
-    bool takes(const Stretch& edge) const { return !pointsOn(original(edge)).empty(); }
+    bool takes(const Stretch& edge) { return !pointsOn(original(edge)).empty(); }
 
     bool add(const Stretch& edge, double length)
     {
