@@ -3,6 +3,7 @@
 
 #include "Crosshair.h"
 #include "CurveEdits.h"
+#include "ElidedLabel.h"
 #include "FindingsLink.h"
 #include "StatusLine.h"
 
