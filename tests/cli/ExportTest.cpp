@@ -308,7 +308,11 @@ private:
 TEST_F(Export, WritesPagesWhoseSquaresMeasure100Millimetres)
 {
     for (const char* const paper : {"A4", "letter", "roll:400"}) {
-        ASSERT_EQ(run({"--pdf", path("p.pdf"), "--paper", paper}).exitCode, 0);
+        QStringList words{"--pdf", path("p.pdf"), "--paper", paper};
+        if (QLatin1String(paper).startsWith(QLatin1String("roll")))
+            words << "--piece"
+                  << "Sitz links"; // images of more than 128 MB are not read
+        ASSERT_EQ(run(words).exitCode, 0);
         for (const QString& old : QDir(path(".")).entryList({"page*.png"}))
             QFile::remove(path(old));
         output("pdftoppm",
@@ -356,8 +360,8 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
         for (int y = 52; y < 50 + 1340 - 2; ++y)
             for (int x = 52; x < 50 + 950 - 2; ++x) {
                 const int wx = x + left, wy = y + top;
-                if (!dark(whole, wx, wy) || wy > whole.height() - 60)
-                    continue; // the words of the roll
+                if (!dark(whole, wx, wy) || wy > whole.height() - 5 * 19)
+                    continue; // the words of the roll, in its last 19 mm
                 bool found = false;
                 for (int d = 0; d < 9; ++d)
                     found = found || dark(tile, x + d % 3 - 1, y + d / 3 - 1);

@@ -268,6 +268,12 @@ private:
     std::vector<std::pair<const char*, std::string>> m_made;
 };
 
+int interrupted()
+{
+    printError("error: interrupted");
+    return otherFailure;
+}
+
 } // namespace
 
 int exportPattern(std::span<const std::string> words)
@@ -297,6 +303,8 @@ int exportPattern(std::span<const std::string> words)
     options.only = chosenPieces(arguments, *design);
     options.style = QFileInfo(path).completeBaseName().toStdString();
     const CutPattern pattern = cutPattern(*design, options, interrupt.token());
+    if (interrupt.token().stop_requested())
+        return interrupted();
     printLeftOut(pattern, *design);
     printFindings(pattern, *design);
     if (pattern.pieces.empty()) {
@@ -311,10 +319,8 @@ int exportPattern(std::span<const std::string> words)
         bytes.makeSewingSheet(*design, options,
                               coverPictures(path, opened, *design, order.lenient, interrupt.token()));
     interrupt.beginWriting();
-    if (interrupt.token().stop_requested()) {
-        printError("error: interrupted");
-        return otherFailure;
-    }
+    if (interrupt.token().stop_requested())
+        return interrupted();
     if (!bytes.write())
         return otherFailure;
     printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
