@@ -86,7 +86,7 @@ QImage SheetPreview::drawn(const Order& order, const std::stop_token& stop)
     painter.scale(1, -1);
     for (const TablePiece& piece : table.pieces) {
         if (stop.stop_requested())
-            return {};
+            break; // nobody sees it
         const CutPiece& cut = shown.pattern->pieces[piece.piece];
         CutLayers layers = shown.layers;
         layers.labels = layers.labels && cut.label.height * scale > leastLetters;
