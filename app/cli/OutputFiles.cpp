@@ -50,14 +50,16 @@ OutputFiles::OutputFiles(const Arguments& arguments, std::initializer_list<const
         const auto [other, isNew] = taken.emplace(resolved(path), option);
         if (!isNew && !isDevice(path))
             throw UsageError(other->second + " and " + option + " are the same file");
-        if (isStandardOutput(path))
-            sendResultsToErrors(true);
+        m_standardOutput = m_standardOutput || isStandardOutput(path);
     }
+    if (m_standardOutput)
+        sendResultsToErrors(true);
 }
 
 OutputFiles::~OutputFiles()
 {
-    sendResultsToErrors(false);
+    if (m_standardOutput) // another list of outputs may have done so
+        sendResultsToErrors(false);
 }
 
 void OutputFiles::protectInputs(const QString& designPath, const Design& design) const

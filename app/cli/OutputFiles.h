@@ -31,6 +31,7 @@ public:
 
 private:
     std::map<std::string, QString> m_paths; // by option
+    bool m_standardOutput = false;          // one of them is what stdout leads to
 };
 
 } // namespace bolster::cli

@@ -9,7 +9,7 @@
 namespace bolster::cli {
 namespace {
 
-bool resultsAreErrors = false;
+int resultsAreErrors = 0; // how often that is wanted
 
 void print(std::FILE* stream, const std::string& text)
 {
@@ -28,7 +28,7 @@ void printResult(const std::string& line)
 
 void sendResultsToErrors(bool send)
 {
-    resultsAreErrors = send;
+    resultsAreErrors += send ? 1 : -1;
 }
 
 void printError(const std::string& line)

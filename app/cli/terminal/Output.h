@@ -11,7 +11,7 @@ namespace bolster::cli {
 /// One line on stdout or stderr. Control characters, which names in a design may hold, are escaped.
 void printResult(const std::string& line);
 void printError(const std::string& line);
-/// Results go to stderr, too: stdout has something else.
+/// Results go to stderr, too: stdout has something else. Until it has been taken back as often as it was asked for.
 void sendResultsToErrors(bool send);
 
 /// One line each on stderr: "error: patch 2 "Seat", outline.points: ..."
