@@ -2890,10 +2890,6 @@
         <translation>%1 enthält nur Punkte; ein Gestell braucht Flächen dazwischen</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a mesh that can be read; OBJ, PLY, STL and OFF can</source>
-        <translation>„%1“ ist kein lesbares Netz; gelesen werden OBJ, PLY, STL und OFF</translation>
-    </message>
-    <message>
         <source>%1: points are counted from 1, not from 0</source>
         <translation>%1: die Punkte werden ab 1 gezählt, nicht ab 0</translation>
     </message>
@@ -3740,10 +3736,6 @@
     <message>
         <source>%1: the scan is too large, the limit is %2 points</source>
         <translation>%1: der Scan ist zu groß, die Grenze liegt bei %2 Punkten</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a scan that can be read; PLY, XYZ and PCD can</source>
-        <translation>„%1“ ist kein lesbarer Scan; lesbar sind PLY, XYZ und PCD</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not expected in a PCD header</source>
@@ -4910,10 +4902,6 @@
         <translation>%1: Das ist kein wohlgeformtes XML (%2)</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a pattern that can be read; DXF and SVG can</source>
-        <translation>„%1“ ist kein Schnitt, der gelesen werden kann; DXF und SVG können es</translation>
-    </message>
-    <message>
         <source>Sew %1 proposed seams</source>
         <translation>%1 vorgeschlagene Nähte nähen</translation>
     </message>
@@ -4984,6 +4972,82 @@
     <message>
         <source>its sides have allowances of %1 mm and %2 mm: make them alike, or mind it when they are laid together</source>
         <translation>ihre Seiten haben Zugaben von %1 mm und %2 mm: gleichen Sie sie an, oder achten Sie darauf, wenn sie aufeinander gelegt werden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs the file &quot;%2&quot; beside it, and the frame of a design is one file; export it as GLB</source>
+        <translation>„%1“ braucht die Datei „%2“ neben sich, und das Gestell eines Entwurfs ist eine einzige Datei; als GLB exportieren</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot;, which reads such files for Bolster, cannot be started; install Bolster again</source>
+        <translation>das Programm „%1“, das für Bolster solche Dateien liest, lässt sich nicht starten; Bolster neu installieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes too long to read; export fewer parts of it, or triangles (OBJ, STL) instead</source>
+        <translation>„%1“ zu lesen dauert zu lange; weniger Teile davon exportieren, oder stattdessen Dreiecke (OBJ, STL)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read: it is damaged, or needs too much memory; export it again, or fewer parts of it, from the program that it comes from</source>
+        <translation>„%1“ ließ sich nicht lesen: Die Datei ist beschädigt oder braucht zu viel Speicher; sie oder weniger Teile davon mit dem Programm, aus dem sie stammt, neu exportieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no faces, and a frame needs some; export bodies or surfaces, not lines and points alone</source>
+        <translation>„%1“ enthält keine Flächen, und ein Gestell braucht welche; Körper oder Flächen exportieren, nicht nur Linien und Punkte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more than %2 triangles; export fewer parts of it, or coarser</source>
+        <translation>„%1“ hat mehr als %2 Dreiecke; weniger Teile davon exportieren, oder gröber</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more than %2 parts; export those that the cover touches</source>
+        <translation>„%1“ hat mehr als %2 Teile; die exportieren, die der Bezug berührt</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
+        <translation>%1: Das Teil „%2“ reicht über 10.000.000 hinaus; ohne dieses Teil exportieren, oder nahe am Ursprung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
+        <translation>„%1“ braucht die Datei „%2“ im selben Ordner; sie dorthin kopieren, oder als GLB exportieren, das ist eine einzige Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged or incomplete, or not what its ending says; export it again from the program that it comes from</source>
+        <translation>„%1“ ist beschädigt oder unvollständig, oder nicht das, was die Endung sagt; mit dem Programm, aus dem die Datei stammt, neu exportieren</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles are left out: their corners are no numbers</source>
+        <translation>%1: %2 Dreiecke sind weggelassen: Ihre Ecken sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: parts are left out that are scaled to nothing: %2, the first is &quot;%3&quot;</source>
+        <translation>%1: Teile sind weggelassen, die auf nichts verkleinert sind: %2, das erste ist „%3“</translation>
+    </message>
+    <message>
+        <source>%1: %2 faces could not be made triangles of, and leave holes</source>
+        <translation>%1: %2 Flächen ließen sich nicht in Dreiecke zerlegen und hinterlassen Löcher</translation>
+    </message>
+    <message>
+        <source>%1: %2 parts are left out that lie too deep in the tree</source>
+        <translation>%1: %2 Teile sind weggelassen, die zu tief im Baum liegen</translation>
+    </message>
+    <message>
+        <source>%1: the parts in the file &quot;%2&quot; are not read; export all in one file</source>
+        <translation>%1: Die Teile in der Datei „%2“ werden nicht gelesen; alles in eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no file that frames are written to; OBJ, PLY and STL are</source>
+        <translation>„%1“ ist keine Datei, in die Gestelle geschrieben werden; OBJ, PLY und STL sind es</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a scan that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Scan, der sich lesen lässt; lesbar sind: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a frame that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Gestell, das sich lesen lässt; lesbar sind: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a pattern that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Schnitt, der sich lesen lässt; lesbar sind: %2</translation>
     </message>
 </context>
 <context>
@@ -6911,10 +6975,6 @@
 <context>
     <name>bolster::FileFlow</name>
     <message>
-        <source>Meshes (%1)</source>
-        <translation>Netze (%1)</translation>
-    </message>
-    <message>
         <source>Bolster</source>
         <translation>Bolster</translation>
     </message>
@@ -7008,10 +7068,6 @@
     <message>
         <source>Choose another file</source>
         <translation>Eine andere Datei wählen</translation>
-    </message>
-    <message>
-        <source>Projects and designs (*.bolster *.json)</source>
-        <translation>Projekte und Entwürfe (*.bolster *.json)</translation>
     </message>
     <message>
         <source>Project with its history (*.bolster);;Design as text (*.json)</source>
@@ -7316,6 +7372,14 @@
         <source>-sewing</source>
         <translation>-naehplan</translation>
     </message>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Projekte und Entwürfe (%1)</translation>
+    </message>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Gestelle (%1)</translation>
+    </message>
 </context>
 <context>
     <name>bolster::FileImportDialog</name>
@@ -7418,6 +7482,26 @@
     <message>
         <source>Another unit or factor makes it as large as it is meant.</source>
         <translation>Mit einer anderen Einheit oder einem anderen Faktor wird es so groß wie gemeint.</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>x points up</source>
+        <translation>x zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The file says its unit.</source>
+        <translation>Die Einheit steht in der Datei.</translation>
+    </message>
+    <message>
+        <source>The file says its axes.</source>
+        <translation>Die Achsen stehen in der Datei.</translation>
+    </message>
+    <message>
+        <source>The file says its unit and its axes.</source>
+        <translation>Einheit und Achsen stehen in der Datei.</translation>
     </message>
 </context>
 <context>
@@ -7852,6 +7936,21 @@
     <message>
         <source>Not taken: %1 is too much, at most %2</source>
         <translation>Nicht übernommen: %1 ist zu viel, höchstens %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PartsTree</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>

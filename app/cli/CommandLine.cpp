@@ -16,6 +16,7 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster solve DESIGN ...     solve a design and write the cover
        bolster render DESIGN ...    draw pictures of the cover
        bolster export DESIGN ...    write the pattern for cutters, plotters and printers
+       bolster convert FILE OUT     make a plain mesh of a frame (STEP, glTF, FBX ...)
        bolster check DESIGN         report everything that is wrong with a design
        bolster dump FILE            write a project's design as text
        bolster import DESIGN FILE   make a project of a design
@@ -44,7 +45,7 @@ const Command commands[] = {
     {"import", cli::importHelp, cli::importDesign}, {"import-pattern", cli::importPatternHelp, cli::importPattern},
     {"history", cli::historyHelp, cli::history},    {"verify", cli::verifyHelp, cli::verify},
     {"salvage", cli::salvageHelp, cli::salvage},    {"export", cli::exportHelp, cli::exportPattern},
-    {"bench", cli::benchHelp, cli::bench}};
+    {"bench", cli::benchHelp, cli::bench},          {"convert", cli::convertHelp, cli::convert}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

@@ -128,7 +128,7 @@ private:
                     const PatternChoice& choice);
     template <class Result, class Read, class Done>
     void readInBackground(const QString& path, Read read, Done done);
-    void place(const QString& path, const FileContent& content, const Element& element,
+    void place(const QString& path, const ImportedFile& file, const Element& element,
                std::optional<ElementId> replaced);
     void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);

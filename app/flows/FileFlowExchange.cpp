@@ -17,26 +17,31 @@
 #include <QProgressBar>
 #include <QProgressDialog>
 
+#include <algorithm>
+
 namespace bolster {
 
 namespace {
 
-QString patternsOf(FileKind kind)
+/// Pieces of parts that were hidden before stay so; of whole parts the user has said it.
+std::vector<std::string> hiddenAfter(std::vector<std::string> before, const TriangleMesh& mesh,
+                                     std::vector<std::string> unwanted)
 {
-    QStringList patterns;
-    for (const QString& ending : fileEndings(kind))
-        patterns << QStringLiteral("*.") + ending;
-    return patterns.join(u' ');
+    std::erase_if(before, [&](const std::string& name) {
+        return std::ranges::any_of(mesh.parts, [&](const TriangleMesh::Part& part) { return part.name == name; });
+    });
+    unwanted.insert(unwanted.end(), before.begin(), before.end());
+    return unwanted;
 }
 
 QString meshFilter()
 {
-    return FileFlow::tr("Meshes (%1)").arg(patternsOf(FileKind::Mesh));
+    return FileFlow::tr("Frames (%1)").arg(patternsOf(FileUse::Frame));
 }
 
 QString scanFilter()
 {
-    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileKind::Cloud));
+    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileUse::Scan));
 }
 
 } // namespace
@@ -111,7 +116,7 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
         path, [kind = fileKind(element), path](const ImportWatch& watch) { return importFile(kind, path, watch); },
         [this, path, element, replaced](const ImportedFile& imported) {
             if (imported.content)
-                place(path, imported.content, element, replaced);
+                place(path, imported, element, replaced);
             else if (!imported.problem.empty())
                 failImport(path, imported.problem);
         });
@@ -120,10 +125,8 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
 void FileFlow::importPattern(const QString& path)
 {
     if (path.isEmpty()) {
-        QStringList endings;
-        for (const QString& ending : patternFileEndings())
-            endings << QStringLiteral("*.") + ending << QStringLiteral("*.") + ending.toUpper();
-        askForFile(m_window, tr("Import pattern"), startFolder(), tr("Patterns (%1)").arg(endings.join(u' ')),
+        askForFile(m_window, tr("Import pattern"), startFolder(),
+                   tr("Patterns (%1)").arg(patternsOf(FileUse::Pattern)),
                    [this](const QString& file) { importPattern(file); });
         return;
     }
@@ -178,16 +181,20 @@ void FileFlow::addPattern(const QString& path, const std::shared_ptr<const Found
         });
 }
 
-void FileFlow::place(const QString& path, const FileContent& content, const Element& element,
+void FileFlow::place(const QString& path, const ImportedFile& file, const Element& element,
                      std::optional<ElementId> replaced)
 {
     std::optional<Placement> before;
     if (replaced)
         before = *elementPlacement(element);
-    auto* dialog = new FileImportDialog(path, content, before, m_window);
+    auto* dialog = new FileImportDialog(path, file.content, before, file.said, m_window);
+    if (const Frame* const frame = std::get_if<Frame>(&element))
+        dialog->offerParts(file.tree, frame->hiddenParts);
     connect(dialog, &QDialog::accepted, this, [=, this] {
-        const Element placed = *withPlacement(element, dialog->placement());
-        if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty())
+        Element placed = *withPlacement(element, dialog->placement());
+        if (Frame* const frame = std::get_if<Frame>(&placed))
+            frame->hiddenParts = hiddenAfter(frame->hiddenParts, *file.content.mesh, dialog->unwantedParts());
+        if (const Message problem = m_session.addWithFile(path, file.content, placed, replaced); !problem.empty())
             failImport(path, problem);
         else
             emit imported(fileKind(element));
