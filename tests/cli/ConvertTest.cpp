@@ -95,7 +95,8 @@ TEST_F(Convert, BadInputIsNamed)
 {
     expectWrong({path("none.step"), path("a.obj")}, "there is no file");
     expectWrong({write("bad.step", "ISO"), path("a.obj")}, "\"bad.step\" is damaged or incomplete");
-    expectWrong({write("a.doc", "x"), path("a.obj")}, "these can: OBJ, PLY, STL, OFF, STEP, IGES, glTF, FBX, COLLADA, 3MF");
+    expectWrong({write("a.doc", "x"), path("a.obj")},
+                "these can: OBJ, PLY, STL, OFF, STEP, IGES, glTF, FBX, COLLADA, 3MF");
     expectWrong({stool()}, "OUT");
     expectWrong({stool(), path("a.doc")}, "OUT ends in .obj, .ply or .stl");
     expectWrong({stool(), stool()}, "OUT would overwrite FILE");
