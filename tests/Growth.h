@@ -3,12 +3,22 @@
 
 #include <algorithm>
 #include <ctime>
+#include <malloc.h>
 
 namespace bolster::test {
+
+/// Memory that was given back is kept: what a system takes to hand out pages anew, again and again, is not what
+/// grows.
+inline void keepMemory()
+{
+    static const bool kept = mallopt(M_TRIM_THRESHOLD, 1 << 30) && mallopt(M_MMAP_THRESHOLD, 1 << 30);
+    (void)kept;
+}
 
 /// Seconds that this thread has worked.
 inline double workedSeconds()
 {
+    keepMemory();
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);

@@ -56,7 +56,7 @@ TEST(Growth, CornersOfAPolygonAreFound)
             points.emplace_back(std::cos(k), std::sin(k));
         return BSpline2(1, true, points);
     };
-    EXPECT_LT(growth(1200, make,
+    EXPECT_LT(growth(6000, make,
                      [](const BSpline2& curve) {
                          for (int round = 0; round < 10; ++round)
                              EXPECT_EQ(std::ssize(curve.corners()), curve.pointCount());
