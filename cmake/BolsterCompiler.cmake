@@ -19,7 +19,7 @@ endif()
 add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 
 find_program(LLD_PROGRAM ld.lld)
-if(LLD_PROGRAM AND NOT BOLSTER_SANITIZE)
+if(LLD_PROGRAM AND (NOT BOLSTER_SANITIZE OR CMAKE_CXX_COMPILER_ID MATCHES Clang))
     add_link_options(-fuse-ld=lld)
 endif()
 
@@ -42,10 +42,10 @@ if(BOLSTER_SANITIZE)
     endif()
 endif()
 
-# For folders that wait more than they compute (windows, subcommands and their tests): with a sanitizer they are compiled in
-# half of the time.
+# For folders that wait more than they compute (everything but the solver): with a sanitizer they are compiled in half of the
+# time. Fuzzers count what they get through.
 macro(bolster_compiled_soon)
-    if(BOLSTER_SANITIZE)
+    if(BOLSTER_SANITIZE AND NOT BOLSTER_FUZZ)
         add_compile_options(-O0)
     endif()
 endmacro()

@@ -266,6 +266,24 @@
     </message>
 </context>
 <context>
+    <name>CutLabelWords</name>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1-mal schneiden</translation>
+    </message>
+    <message>
+        <source>Cut %1 and %1 mirrored</source>
+        <translation>%1-mal schneiden, %1-mal gespiegelt</translation>
+    </message>
+</context>
+<context>
+    <name>CuttingCommands</name>
+    <message>
+        <source>Chec&amp;k before cutting</source>
+        <translation>Vor dem Zuschneiden &amp;prüfen</translation>
+    </message>
+</context>
+<context>
     <name>DartCommands</name>
     <message>
         <source>Close da&amp;rt</source>
@@ -407,6 +425,10 @@
     <message>
         <source>Worst spots</source>
         <translation>Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>Check before cutting</source>
+        <translation>Prüfen vor dem Zuschneiden</translation>
     </message>
 </context>
 <context>
@@ -5383,6 +5405,10 @@
         <source>Size</source>
         <translation>Größe</translation>
     </message>
+    <message>
+        <source>Width and height as it lies in the pattern view; of a patch that is turned by another angle than 90°, along its own axes.</source>
+        <translation>Breite und Höhe, wie es in der Schnittansicht liegt; bei einem Schnittteil, das um einen anderen Winkel als 90° gedreht ist, entlang seiner eigenen Achsen.</translation>
+    </message>
 </context>
 <context>
     <name>PatternDrawTool</name>
@@ -5438,10 +5464,6 @@
 <context>
     <name>PatternPdf</name>
     <message>
-        <source>100 mm</source>
-        <translation>100 mm</translation>
-    </message>
-    <message>
         <source>1 inch</source>
         <translation>1 Zoll</translation>
     </message>
@@ -5468,6 +5490,10 @@
     <message>
         <source>%1: sheets %2 to %3</source>
         <translation>%1: Blätter %2 bis %3</translation>
+    </message>
+    <message>
+        <source>100 mm: to measure, no part of the pattern</source>
+        <translation>100 mm: zum Nachmessen, kein Schnittteil</translation>
     </message>
 </context>
 <context>
@@ -6161,10 +6187,6 @@
         <translation>Stoff</translation>
     </message>
     <message>
-        <source>Size as cut</source>
-        <translation>Zuschnittmaß</translation>
-    </message>
-    <message>
         <source>Area as cut</source>
         <translation>Zuschnittfläche</translation>
     </message>
@@ -6275,6 +6297,10 @@
     <message>
         <source>No.</source>
         <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Width × height as cut</source>
+        <translation>Breite × Höhe im Zuschnitt</translation>
     </message>
 </context>
 <context>
@@ -6835,6 +6861,32 @@
     </message>
 </context>
 <context>
+    <name>bolster::CutFindingsList</name>
+    <message>
+        <source>What to look at before cutting</source>
+        <translation>Was vor dem Zuschnitt anzusehen ist</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::CuttingPanel</name>
+    <message>
+        <source>A double click shows where it is.</source>
+        <translation>Ein Doppelklick zeigt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>Nothing to mend: the pattern can be cut.</source>
+        <translation>Nichts zu verbessern: Der Schnitt kann zugeschnitten werden.</translation>
+    </message>
+    <message>
+        <source>Looking the pattern over …</source>
+        <translation>Der Schnitt wird durchgesehen …</translation>
+    </message>
+</context>
+<context>
     <name>bolster::DesignSession</name>
     <message>
         <source>New design</source>
@@ -6891,14 +6943,6 @@
     <message>
         <source>Pieces</source>
         <translation>Teile</translation>
-    </message>
-    <message>
-        <source>What to look at before cutting</source>
-        <translation>Was vor dem Zuschnitt anzusehen ist</translation>
-    </message>
-    <message>
-        <source>A double click shows where it is.</source>
-        <translation>Ein Doppelklick zeigt, wo es ist.</translation>
     </message>
     <message>
         <source>&amp;Export …</source>
@@ -6992,18 +7036,6 @@
         <source>&amp;Drill holes</source>
         <translation>Bohrlö&amp;cher</translation>
     </message>
-    <message>
-        <source>Cut %1</source>
-        <translation>%1-mal schneiden</translation>
-    </message>
-    <message>
-        <source>Cut %1 and %1 mirrored</source>
-        <translation>%1-mal schneiden, %1-mal gespiegelt</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
     <message numerus="yes">
         <source>%n pieces on %1 x %2 mm</source>
         <translation>
@@ -7048,6 +7080,10 @@
     <message>
         <source>There is nothing to cut.</source>
         <translation>Es gibt nichts zu schneiden.</translation>
+    </message>
+    <message>
+        <source>A double click leaves this window and shows where it is; the whole list is in the panel &quot;Check before cutting&quot;.</source>
+        <translation>Ein Doppelklick verlässt dieses Fenster und zeigt, wo es ist; die ganze Liste steht im Bereich „Prüfen vor dem Zuschneiden“.</translation>
     </message>
 </context>
 <context>
@@ -8200,10 +8236,6 @@
         <translation>Klicken wählt es aus, ziehen verschiebt es – seine Eigenschaften sagen, wie es ist</translation>
     </message>
     <message>
-        <source>Click an edge to give it a seam allowance of its own, drag its handle – Esc ends the tool</source>
-        <translation>Eine Kante anklicken, um ihr eine eigene Nahtzugabe zu geben; am Griff ziehen – Esc beendet das Werkzeug</translation>
-    </message>
-    <message>
         <source>Click a corner of an outline to choose how its cut lines are joined – Esc ends the tool</source>
         <translation>Eine Ecke eines Umrisses anklicken, um die Form der Schnittlinie zu wählen – Esc beendet das Werkzeug</translation>
     </message>
@@ -8222,6 +8254,18 @@
     <message>
         <source>Click inside a patch to place a drill hole, or type where: 120, 40 – Esc ends the tool</source>
         <translation>Klick in ein Schnittteil setzt ein Bohrloch, oder tippen Sie, wo: 120; 40 – Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no width of an allowance: try 12</source>
+        <translation>„%1“ ist keine Breite einer Zugabe: zum Beispiel 12</translation>
+    </message>
+    <message>
+        <source>Drag its handle, or type its width – its properties say what it is like</source>
+        <translation>Am Griff ziehen oder die Breite eintippen – die Eigenschaften sagen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Click an edge to give it a seam allowance of its own, or type its width; drag its handle – Esc ends the tool</source>
+        <translation>Eine Kante anklicken, um ihr eine eigene Nahtzugabe zu geben, oder die Breite eintippen; am Griff ziehen – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -8912,14 +8956,6 @@
     <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
-    </message>
-    <message>
-        <source>Cut %1</source>
-        <translation>%1-mal schneiden</translation>
-    </message>
-    <message>
-        <source>Cut %1 and %1 mirrored</source>
-        <translation>%1-mal schneiden, %1-mal gespiegelt</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,9 @@
 #include "ExportPatternDialog.h"
 
 #include "AllowanceFields.h"
+#include "CutLabelWords.h"
 #include "DescribedField.h"
-#include "ElementText.h"
-#include "Icons.h"
 #include "NumberBox.h"
-#include "Translated.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,10 +15,22 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace bolster {
+
+namespace {
+
+const QString formatKey = QStringLiteral("export-pattern/format");
+const QString paperKey = QStringLiteral("export-pattern/paper");
+const QString landscapeKey = QStringLiteral("export-pattern/landscape");
+const QString unfoldKey = QStringLiteral("export-pattern/two-pieces");
+
+} // namespace
 
 ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, const QImage& cover, QWidget* parent)
     : QDialog(parent)
@@ -38,7 +48,8 @@ ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, co
           },
           [this](const Cut& cut) {
               m_pattern = cut.pattern;
-              showFindings(cut.findings);
+              m_findings->setVisible(!cut.findings.empty());
+              m_findings->setFindings(m_design, cut.findings);
               preview();
           })
 {
@@ -67,6 +78,28 @@ void ExportPatternDialog::build()
     auto* all = new QVBoxLayout(this);
     all->addLayout(top, 1);
     all->addWidget(buttons);
+    chooseAsBefore();
+}
+
+void ExportPatternDialog::chooseAsBefore()
+{
+    const QSettings settings;
+    const int format = settings.value(formatKey, 0).toInt();
+    m_format->setCurrentIndex(std::clamp(format, 0, m_format->count() - 1));
+    if (const int paper = m_paper->findData(settings.value(paperKey)); paper >= 0)
+        m_paper->setCurrentIndex(paper);
+    m_landscape->setChecked(settings.value(landscapeKey, false).toBool());
+    m_unfold->setChecked(settings.value(unfoldKey, false).toBool());
+}
+
+void ExportPatternDialog::done(int result)
+{
+    QSettings settings;
+    settings.setValue(formatKey, m_format->currentIndex());
+    settings.setValue(paperKey, m_paper->currentData());
+    settings.setValue(landscapeKey, m_landscape->isChecked());
+    settings.setValue(unfoldKey, m_unfold->isChecked());
+    QDialog::done(result);
 }
 
 QWidget* ExportPatternDialog::buildPreview()
@@ -81,12 +114,15 @@ QWidget* ExportPatternDialog::buildPreview()
     m_shown->addWidget(m_pages);
     m_summary = new QLabel(left);
     m_summary->setWordWrap(true);
-    m_findings = new QListWidget(left);
-    m_findings->setAccessibleName(tr("What to look at before cutting"));
-    m_findings->setToolTip(tr("A double click shows where it is."));
-    m_findings->setWordWrap(true);
+    m_findings = new CutFindingsList(left);
+    m_findings->setToolTip(tr("A double click leaves this window and shows where it is; the whole list is in the "
+                              "panel \"Check before cutting\"."));
     m_findings->setMaximumHeight(110);
     m_findings->hide();
+    connect(m_findings, &CutFindingsList::chosen, this, [this](const CutFinding& finding) {
+        reject(); // it lies over the place, and nothing could be mended there
+        emit placeWanted(finding.problem.element, finding.patch, finding.place);
+    });
     column->addWidget(m_shown, 1);
     column->addWidget(m_summary);
     column->addWidget(m_findings);
@@ -176,29 +212,13 @@ PatternOrder ExportPatternDialog::order() const
     order.cutting.allowance = m_allowance->value();
     order.cutting.unfold = m_unfold->isChecked();
     order.cutting.style = m_style;
-    order.cutting.words = {tr("Cut %1").toStdString(), tr("Cut %1 and %1 mirrored").toStdString()};
+    order.cutting.words = cutLabelWords();
     std::set<ElementId> chosen;
     for (int row = 0; row < m_pieces->count(); ++row)
         if (m_pieces->item(row)->checkState() == Qt::Checked)
             chosen.insert(static_cast<ElementId>(m_pieces->item(row)->data(Qt::UserRole).toLongLong()));
     order.cutting.only = std::move(chosen);
     return order;
-}
-
-void ExportPatternDialog::showFindings(const std::vector<CutFinding>& findings)
-{
-    m_findings->clear();
-    m_findings->disconnect(this);
-    m_findings->setVisible(!findings.empty());
-    for (const CutFinding& finding : findings)
-        new QListWidgetItem(
-            icon(QStringLiteral("warning")),
-            tr("%1: %2").arg(displayName(m_design, finding.problem.element), translated(finding.problem.message)),
-            m_findings);
-    connect(m_findings, &QListWidget::itemActivated, this, [this, findings](QListWidgetItem* item) {
-        const CutFinding& finding = findings[static_cast<std::size_t>(m_findings->row(item))];
-        emit placeWanted(finding.problem.element, finding.patch, finding.place);
-    });
 }
 
 /// Other pieces, not only other sheets.

@@ -1,7 +1,7 @@
 // Asks how a pattern shall be written, and shows what will be on its sheets.
 #pragma once
 
-#include "CutCheck.h"
+#include "CutFindingsList.h"
 #include "LatestJob.h"
 #include "PagesView.h"
 #include "PatternFile.h"
@@ -38,6 +38,8 @@ public:
     PatternOrder order() const;
     /// As it is shown; null while it is made.
     const std::shared_ptr<const CutPattern>& pattern() const { return m_pattern; }
+    /// Keeps what was chosen for the next time.
+    void done(int result) override;
 
 private:
     struct Cut {
@@ -62,11 +64,11 @@ private:
     QWidget* buildChoices();
     QWidget* buildLines();
     void buildPieces();
+    void chooseAsBefore();
     void changed();
     void preview();
     void show(const Layout& layout);
     QString summary(const Layout& layout) const;
-    void showFindings(const std::vector<CutFinding>& findings);
 
     Design m_design;
     std::string m_style;
@@ -83,7 +85,7 @@ private:
     SheetPreview* m_preview = nullptr;
     PagesView* m_pages = nullptr;
     QLabel* m_summary = nullptr;
-    QListWidget* m_findings = nullptr;
+    CutFindingsList* m_findings = nullptr;
     QPushButton* m_export = nullptr;
     LatestJob<LayoutOrder, Layout> m_layout; ///< after all that they use
     LatestJob<CutOptions, Cut> m_job;

@@ -39,6 +39,8 @@ Docks::Docks(QMainWindow& window, const Parts& parts)
                       parts.fabrics))
     , spots(newDock(window, QStringLiteral("spots"), QCoreApplication::translate("Docks", "Worst spots"),
                     parts.spots))
+    , cutting(newDock(window, QStringLiteral("cutting"),
+                      QCoreApplication::translate("Docks", "Check before cutting"), parts.cutting))
     , m_window(window)
     , m_sizes(new PaneSizes(window, all(), {pattern, cover}))
 {
@@ -63,8 +65,9 @@ void Docks::reset()
     m_window.tabifyDockWidget(history, seams);
     m_window.tabifyDockWidget(seams, fabrics);
     m_window.splitDockWidget(pattern, problems, Qt::Vertical);
+    m_window.tabifyDockWidget(problems, cutting);
     for (QDockWidget* dock : all())
-        dock->setVisible(dock != problems && dock != spots);
+        dock->setVisible(dock != problems && dock != spots && dock != cutting);
     elements->raise();
     m_window.resizeDocks({pattern, cover, elements}, {540, 560, 280}, Qt::Horizontal);
     m_window.resizeDocks({elements, inspector}, {460, 340}, Qt::Vertical);

@@ -25,6 +25,7 @@ public:
         QWidget* seams;
         QWidget* fabrics;
         QWidget* spots;
+        QWidget* cutting;
     };
 
     Docks(QMainWindow& window, const Parts& parts);
@@ -38,9 +39,10 @@ public:
     QDockWidget* seams;
     QDockWidget* fabrics;
     QDockWidget* spots;
+    QDockWidget* cutting;
     QList<QDockWidget*> all() const
     {
-        return {pattern, cover, elements, history, inspector, problems, seams, fabrics, spots};
+        return {pattern, cover, elements, history, inspector, problems, seams, fabrics, spots, cutting};
     }
 
     void reset();

@@ -90,7 +90,7 @@ private:
         m_painter->drawRect(QRectF(corner, QSizeF(testSquare, testSquare)));
         m_painter->drawRect(QRectF(corner, QSizeF(oneInch, oneInch)));
         text(QRectF(corner + QPointF(1, testSquare - 5), QSizeF(testSquare - 2, 4)), 2.5, Qt::AlignLeft,
-             tr("100 mm"));
+             tr("100 mm: to measure, no part of the pattern"));
         text(QRectF(corner + QPointF(1, oneInch - 5), QSizeF(oneInch - 2, 4)), 2.5, Qt::AlignLeft, tr("1 inch"));
     }
 

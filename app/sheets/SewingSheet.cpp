@@ -141,10 +141,10 @@ void SewingSheet::addPieces(HtmlPages& pages) const
                        cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right"),
                        cell(numbersOf(seams))});
     }
-    addTable(
-        pages, tr("Pieces, with the numbers of their seams"),
-        {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Size as cut"), tr("Area as cut"), tr("Seams")},
-        rows);
+    addTable(pages, tr("Pieces, with the numbers of their seams"),
+             {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Width \u00d7 height as cut"),
+              tr("Area as cut"), tr("Seams")},
+             rows);
 }
 
 /// By patch, with the numbers that the list of seams has.

@@ -1,10 +1,10 @@
 #include "SheetLayout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -17,29 +17,57 @@ constexpr double betweenPieces = 10;        // mm
 constexpr std::size_t placedTogether = 100; // pieces: the time grows with the square of this
 constexpr double uncountable = 20000;       // sheets of one piece: whoever has that mistook a unit
 
-/// As it lies with its grain upright, and turned by 90 degrees.
-struct Shape {
-    std::size_t piece = 0;
-    std::array<double, 2> angle{};
-    std::array<Box2, 2> box;
+struct Turn {
+    double angle = 0;
+    Box2 box; ///< of the piece, turned
 
-    QSizeF size(std::size_t turn) const
-    {
-        const Vec2 sizes = box[turn].sizes();
-        return {sizes.x(), sizes.y()};
-    }
+    QSizeF size() const { return {box.sizes().x(), box.sizes().y()}; }
 };
 
-std::vector<Shape> shapesOf(const CutPattern& pattern)
+/// As it lies with its grain upright, turned by 90 degrees, and askew where that saves sheets.
+struct Shape {
+    std::size_t piece = 0;
+    std::vector<Turn> turns;
+
+    QSizeF size() const { return turns.front().size(); }
+};
+
+double sheetsAlone(const SheetGrid& grid, const QSizeF& size)
+{
+    return grid.spanOf({QPointF(fromSheetBorder, fromSheetBorder), size}).count();
+}
+
+/// What would stand a few millimetres beyond a row of sheets is turned until it does not.
+void addAskew(Shape& shape, const CutPiece& piece, const SheetGrid& grid)
+{
+    constexpr int steps = 36; // of a half turn
+    double fewest = std::min(sheetsAlone(grid, shape.turns[0].size()), sheetsAlone(grid, shape.turns[1].size()));
+    std::optional<Turn> best;
+    for (int k = 1; k < steps && fewest > 1; ++k) {
+        const double angle = shape.turns.front().angle + std::numbers::pi * k / steps;
+        const Turn turn{angle, turnedBox(piece, angle)};
+        if (const double sheets = sheetsAlone(grid, turn.size()); sheets < fewest) {
+            fewest = sheets;
+            best = turn;
+        }
+    }
+    if (best)
+        shape.turns.push_back(*best);
+}
+
+std::vector<Shape> shapesOf(const CutPattern& pattern, const SheetGrid& grid, const std::stop_token& stop)
 {
     std::vector<Shape> shapes;
-    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+    for (std::size_t i = 0; i < pattern.pieces.size() && !stop.stop_requested(); ++i) {
         const double upright = uprightAngle(pattern.pieces[i]);
-        Shape shape{i, {upright, upright + std::numbers::pi / 2}, {}};
-        for (const std::size_t turn : {0u, 1u})
-            shape.box[turn] = turnedBox(pattern.pieces[i], shape.angle[turn]);
-        if (!shape.box[0].isEmpty())
-            shapes.push_back(shape);
+        Shape shape{i, {}};
+        for (const double angle : {upright, upright + std::numbers::pi / 2})
+            shape.turns.push_back({angle, turnedBox(pattern.pieces[i], angle)});
+        if (shape.turns.front().box.isEmpty())
+            continue;
+        if (sheetsAlone(grid, shape.size()) <= uncountable)
+            addAskew(shape, pattern.pieces[i], grid);
+        shapes.push_back(std::move(shape));
     }
     return shapes;
 }
@@ -60,11 +88,11 @@ public:
     void add(const Shape& shape)
     {
         m_best = {};
-        for (const std::size_t turn : {0u, 1u})
-            if (turn == 0 || shape.size(1).width() + 2 * fromSheetBorder <= m_width)
+        for (std::size_t turn = 0; turn < shape.turns.size(); ++turn)
+            if (turn == 0 || shape.turns[turn].size().width() + 2 * fromSheetBorder <= m_width)
                 tryAll(shape, turn);
         m_taken.push_back(m_best.box);
-        m_placed.push_back({shape.piece, shape.angle[m_best.turn], shape.box[m_best.turn].min()});
+        m_placed.push_back({shape.piece, shape.turns[m_best.turn].angle, shape.turns[m_best.turn].box.min()});
         use(m_grid.spanOf(m_best.box));
     }
 
@@ -112,7 +140,7 @@ private:
     /// Beside and below what is there, and at the beginnings of sheets.
     void tryAll(const Shape& shape, std::size_t turn)
     {
-        const auto look = [&](double x, double y) { tryAt({QPointF(x, y), shape.size(turn)}, turn); };
+        const auto look = [&](double x, double y) { tryAt({QPointF(x, y), shape.turns[turn].size()}, turn); };
         for (int row = m_firstRow; row <= m_lastRow; ++row)
             for (int column = 0; column < m_columns; ++column)
                 look(columnAt(column), rowAt(row));
@@ -207,18 +235,16 @@ CutTable arrangedOnSheets(const CutPattern& pattern, const PaperSize& paper, boo
     if (paper.roll)
         return inRows;
     const SheetGrid grid = sheetGrid(Vec2(1, 1), paper, landscape);
-    std::vector<Shape> shapes = shapesOf(pattern);
+    std::vector<Shape> shapes = shapesOf(pattern, grid, stop);
     double width = tableWidth(paper, landscape);
     for (const Shape& shape : shapes)
-        width = std::max(width, shape.size(0).width() + 2 * fromSheetBorder);
-    const auto alone = [&](const Shape& shape) {
-        return grid.spanOf({QPointF(fromSheetBorder, fromSheetBorder), shape.size(0)}).count();
-    };
+        width = std::max(width, shape.size().width() + 2 * fromSheetBorder);
+    const auto alone = [&](const Shape& shape) { return sheetsAlone(grid, shape.size()); };
     if (std::ranges::any_of(shapes, [&](const Shape& shape) { return alone(shape) > uncountable; }))
         return inRows;
     // Large ones first: small ones find room beside them.
     std::ranges::stable_sort(shapes, std::ranges::greater(),
-                             [&](const Shape& shape) { return std::pair(alone(shape), shape.size(0).height()); });
+                             [&](const Shape& shape) { return std::pair(alone(shape), shape.size().height()); });
     Packing packing(grid, width);
     for (std::size_t i = 0; i < shapes.size() && !stop.stop_requested(); ++i) {
         if (i % placedTogether == 0)

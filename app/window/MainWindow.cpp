@@ -4,6 +4,7 @@
 #include "CommandPalette.h"
 #include "Commands.h"
 #include "CoverLink.h"
+#include "CuttingPanel.h"
 #include "Docks.h"
 #include "ElementsView.h"
 #include "FabricCommands.h"
@@ -41,7 +42,7 @@ namespace {
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString sizesKey = QStringLiteral("window/panes");
-constexpr int layoutVersion = 4; // larger when docks are added or renamed
+constexpr int layoutVersion = 5; // larger when docks are added or renamed
 
 void fillToolBar(QToolBar& bar, Commands& commands)
 {
@@ -75,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
     , m_seams(new SeamsView(document(), m_selection))
     , m_fabricPanel(new FabricPanel(document(), m_selection, *m_fabricLink, *m_commands))
     , m_spots(new SpotsPanel(*m_maps, *m_commands))
+    , m_cutting(new CuttingPanel(document()))
     , m_status(new StatusLine(this))
     , m_banner(new Banner)
     , m_files(new FileFlow(*m_session, this, m_banner))
@@ -85,8 +87,9 @@ MainWindow::MainWindow(QWidget* parent)
     m_surface->setSoftwareRenderer(std::make_unique<RayRenderer>());
     auto* bar = addToolBar(tr("Tools"));
     addMessages();
-    m_docks = std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
-                                                          m_problemList, m_seams, m_fabricPanel, m_spots});
+    m_docks =
+        std::make_unique<Docks>(*this, Docks::Parts{m_pattern, m_surface, m_elements, m_history, m_inspector,
+                                                    m_problemList, m_seams, m_fabricPanel, m_spots, m_cutting});
     m_palette = new CommandPalette(*this);
     connectSession(); // before the areas: what they look at is up to date then
     connectDocument();

@@ -34,6 +34,7 @@ class MapLink;
 class PatternView;
 class ProblemsView;
 class CoverLink;
+class CuttingPanel;
 class ScanLink;
 class SeamsView;
 class SpotsPanel;
@@ -75,6 +76,7 @@ public:
     FabricCommands& fabricCommands() { return *m_fabricCommands; }
     FabricPanel& fabricPanel() { return *m_fabricPanel; }
     SpotsPanel& spotsPanel() { return *m_spots; }
+    CuttingPanel& cuttingPanel() { return *m_cutting; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -132,6 +134,7 @@ private:
     SeamsView* m_seams;
     FabricPanel* m_fabricPanel;
     SpotsPanel* m_spots;
+    CuttingPanel* m_cutting;
     StatusLine* m_status;
     Banner* m_banner;
     CommandPalette* m_palette = nullptr;

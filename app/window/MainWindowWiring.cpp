@@ -4,6 +4,7 @@
 #include "ContextMenus.h"
 #include "CoverAtRest.h"
 #include "CoverLink.h"
+#include "CuttingCommands.h"
 #include "DartCommands.h"
 #include "Docks.h"
 #include "DrawingCommands.h"
@@ -127,6 +128,8 @@ void MainWindow::addDesignCommands()
     });
     addArea<TwinCommands>(commands, document(), m_selection, *m_docks, *m_status);
     addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
+    addArea<CuttingCommands>(commands,
+                             CuttingCommands::Parts{*m_cutting, *m_files, m_selection, *m_pattern, *m_docks});
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
@@ -262,11 +265,6 @@ void MainWindow::connectFiles()
     });
     connect(m_files, &FileFlow::problemsWanted, this, [this] { Docks::reveal(m_docks->problems); });
     connect(m_files, &FileFlow::historyWanted, this, [this] { Docks::reveal(m_docks->history); });
-    connect(m_files, &FileFlow::placeWanted, this, [this](ElementId element, ElementId patch, const Vec2& place) {
-        m_selection.set({element});
-        m_pattern->reveal({patch, place});
-        m_pattern->showPlace(CoverPoint{patch, place});
-    });
     connect(m_files, &FileFlow::done, m_status, &StatusLine::flash);
     connect(m_fabricCommands, &FabricCommands::done, m_status, &StatusLine::flash);
     connect(m_files, &FileFlow::imported, this, [this](FileKind kind) { // what came in is to be seen

@@ -40,17 +40,31 @@ public:
             for (const CutPiece* piece : pieces)
                 if (!piece->mirrored && !stop.stop_requested())
                     look(*piece);
+        std::ranges::stable_sort(m_found, [](const CutFinding& a, const CutFinding& b) {
+            return a.harm != b.harm ? a.harm < b.harm : a.amount > b.amount;
+        });
         return std::move(m_found);
     }
 
 private:
-    void add(ElementId id, ElementId patch, const Vec2& place, Message message)
+    struct Weight {
+        CutHarm harm;
+        double amount = 0;
+    };
+
+    void add(ElementId id, ElementId patch, const Vec2& place, const Weight& weight, Message message)
     {
         const ElementPtr element = m_design.element(id);
         m_found.push_back(
             {{id, element ? labelOf(id, *element) : std::string(), "", std::move(message), Severity::Warning},
              patch,
-             place});
+             place,
+             weight.harm,
+             weight.amount});
+    }
+    void add(ElementId id, const CutPiece& piece, const Vec2& place, const Weight& weight, Message message)
+    {
+        add(id, piece.patch, piece.shrunk(place), weight, std::move(message));
     }
 
     /// Two widths at one seam: one side would be sewn beside its line.
@@ -63,6 +77,7 @@ private:
         const double b = allowanceAt(m_design, m_marks, {seam.b.patch, pair.onB(0.5)}, std::nullopt);
         if (std::abs(a - b) > sameAllowance)
             add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
+                {CutHarm::DoesNotFit, std::abs(a - b)},
                 {QT_TRANSLATE_NOOP("Message",
                                    "its sides have allowances of %1 mm and %2 mm: make them alike, or mind it "
                                    "when they are laid together"),
@@ -102,18 +117,19 @@ private:
                                          "its sides are %1 mm and %2 mm long, but the second one shall be longer "
                                          "by %3 mm: true the seam, or change the ease in its properties"),
                        {a, b, numberText(seam.ease)}};
-        add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))), std::move(message));
+        add(id, seam.a.patch, pair.outlineA().at(pair.outlineA().wrapped(pair.onA(0.5))),
+            {CutHarm::DoesNotFit, std::abs(difference - seam.ease)}, std::move(message));
     }
 
     void look(const CutPiece& piece)
     {
         notches(piece);
         if (!piece.label.fits)
-            add(piece.patch, piece.patch, piece.label.at,
+            add(piece.patch, piece, piece.label.at, {CutHarm::Inconvenient},
                 {QT_TRANSLATE_NOOP("Message",
                                    "its label finds no room: make the words shorter, or put it elsewhere")});
         for (const Vec2& gap : piece.gaps)
-            add(piece.patch, piece.patch, gap,
+            add(piece.patch, piece, gap, {CutHarm::CannotBeCut},
                 {QT_TRANSLATE_NOOP("Message", "its cut lines meet here: make the allowance smaller")});
         width(piece);
         corners(piece);
@@ -125,16 +141,16 @@ private:
             const ElementId id = notch.element == noElement ? piece.patch : notch.element;
             const double room = (notch.at - notch.sewn).norm();
             if (notch.shape.depth > room - leastBeyondNotch && room > 0)
-                add(id, piece.patch, notch.sewn,
+                add(id, piece, notch.sewn, {CutHarm::Weakened, notch.shape.depth - room},
                     {QT_TRANSLATE_NOOP("Message",
                                        "a notch of %1 mm reaches the sewing line, which is %2 mm away: make it "
                                        "shallower, or the allowance wider"),
                      {numberText(notch.shape.depth), numberText(std::round(10 * room) / 10)}});
             if (notch.element != noElement && notch.seam == noElement)
-                add(id, piece.patch, notch.sewn,
+                add(id, piece, notch.sewn, {CutHarm::Inconvenient},
                     {QT_TRANSLATE_NOOP("Message", "nothing is sewn where it is, so it has no partner")});
             else if (notch.seam != noElement && !hasPartner(piece, notch))
-                add(id, piece.patch, notch.sewn,
+                add(id, piece, notch.sewn, {CutHarm::Inconvenient},
                     {QT_TRANSLATE_NOOP("Message",
                                        "it has no partner on the other side of its seam: another notch is "
                                        "too near there")});
@@ -178,7 +194,7 @@ private:
         if (piece.nap == Nap::Any)
             least = std::min(least, across(along));
         if (least > fabric->cutting.width)
-            add(piece.patch, piece.patch, piece.box().center(),
+            add(piece.patch, piece, piece.box().center(), {CutHarm::CannotBeCut, least - fabric->cutting.width},
                 {QT_TRANSLATE_NOOP("Message",
                                    "it is %1 mm wide across the grain, but \"%2\" only %3 mm: split it, or turn "
                                    "its grain"),
@@ -196,7 +212,7 @@ private:
             const Vec2 out = piece.sew[(i + 1) % count].at - piece.sew[i].at;
             const double turn = std::atan2(cross(in, out), in.dot(out)) * 180 / std::numbers::pi;
             if (turn < sharpest - 180 && areaOf(piece.cut) > areaOf(piece.sew) + 1)
-                add(piece.patch, piece.patch, piece.sew[i].at,
+                add(piece.patch, piece, piece.sew[i].at, {CutHarm::Weakened, -turn},
                     {QT_TRANSLATE_NOOP("Message",
                                        "an inner corner of %1 degrees is too sharp for its seam allowances: "
                                        "make them smaller there, or the corner wider"),

@@ -52,6 +52,7 @@ public:
     {
         const PieceCutting& cutting = m_patch.cutting;
         m_piece.patch = m_id;
+        m_piece.grown = m_grown;
         m_piece.name = m_patch.name;
         m_piece.quantity = static_cast<int>(std::ceil(cutting.quantity));
         m_piece.pair = cutting.pair;

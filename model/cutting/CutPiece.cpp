@@ -104,6 +104,7 @@ double lengthOf(const std::vector<LinePoint>& line, bool closed)
 
 CutPiece mirroredPiece(CutPiece piece)
 {
+    piece.grown.row(0) = -piece.grown.row(0).eval();
     mirror(piece.outline);
     mirror(piece.sew, true);
     mirror(piece.cut, true);

@@ -67,6 +67,8 @@ struct CutPiece {
     double tolerance = 2; ///< degrees, of the grain
     ElementId fabric{};
     std::string fabricName;
+    /// From the coordinates of its patch's outline to these.
+    Eigen::Matrix2d grown = Eigen::Matrix2d::Identity();
     BSpline2 outline;           ///< the sewing line as it was drawn, either way round
     std::vector<LinePoint> sew; ///< counter-clockwise, closed
     std::vector<LinePoint> cut; ///< the same; where all allowances are 0, the sewing line
@@ -78,6 +80,8 @@ struct CutPiece {
     PieceLabel label;
 
     Box2 box() const; ///< of the cut line
+    /// In the coordinates of its patch's outline: where it will be when the fabric has shrunk.
+    Vec2 shrunk(const Vec2& at) const { return grown.inverse() * at; }
 };
 
 /// So many as it is, so many mirrored: "2,2" of a pair.

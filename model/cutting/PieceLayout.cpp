@@ -187,14 +187,14 @@ PieceLabel placeLabel(const CutPiece& piece, std::vector<std::string> lines, con
 {
     PieceLabel label;
     label.lines = std::move(lines);
-    label.at = place.position;
+    label.at = piece.grown * place.position;
     label.rotation = place.rotation;
     const Room room(piece, place.rotation);
     label.fits = false;
     for (const double height : lineHeights) {
         label.height = height;
         label.width = widthOf(label.lines, height);
-        if (room.fitsAt(place.position, {label.width, height * static_cast<double>(label.lines.size())})) {
+        if (room.fitsAt(label.at, {label.width, height * static_cast<double>(label.lines.size())})) {
             label.fits = true;
             break;
         }

@@ -34,9 +34,10 @@ public:
         relief.depth = shape.depth;
         relief.profile = shape.profile;
         const std::vector<OutlineSampling::Line>& lines = m_sampling.outlines[outline].lines;
-        const auto drawn = std::ranges::equal_range(lines, seam, {}, &OutlineSampling::Line::element);
-        std::vector<int> own(drawn.size());
-        std::iota(own.begin(), own.end(), static_cast<int>(drawn.begin() - lines.begin()));
+        const auto first = std::ranges::lower_bound(lines, seam, {}, &OutlineSampling::Line::element);
+        const auto last = std::ranges::upper_bound(lines, seam, {}, &OutlineSampling::Line::element);
+        std::vector<int> own(static_cast<std::size_t>(last - first));
+        std::iota(own.begin(), own.end(), static_cast<int>(first - lines.begin()));
         const bool fadesAtStart = !endsInTheOpen(outline, own, true),
                    fadesAtEnd = !endsInTheOpen(outline, own, false);
         for (int k : own) {

@@ -253,8 +253,7 @@ void SheetOptimizer::findCorrectable()
     for (const SewnMesh::Oriented& held : m_mesh.oriented)
         m_correctable.push_back(held.vertex);
     std::ranges::sort(m_correctable);
-    const auto repeated = std::ranges::unique(m_correctable);
-    m_correctable.erase(repeated.begin(), repeated.end());
+    m_correctable.erase(std::unique(m_correctable.begin(), m_correctable.end()), m_correctable.end());
     if (!m_correctable.empty())
         m_fitted.resize(4, m_mesh.vertexCount());
     m_results.fitted = m_correctable.empty() ? nullptr : m_fitted.data();

@@ -3,6 +3,7 @@
 
 #include "CornerWay.h"
 #include "CutPattern.h"
+#include "CuttingPanel.h"
 #include "Designer.h"
 #include "ExportPatternDialog.h"
 #include "PatchMark.h"
@@ -18,6 +19,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QSemaphore>
+#include <QSettings>
 
 #include <algorithm>
 
@@ -26,6 +28,12 @@ namespace {
 
 class CuttingTest : public WindowTest {
 protected:
+    void SetUp() override
+    {
+        QSettings().remove(QStringLiteral("export-pattern"));
+        WindowTest::SetUp();
+    }
+
     const Design& design() { return window.document().design(); }
 
     template <class T>
@@ -160,6 +168,56 @@ TEST_F(CuttingTest, NotchesAndHolesLieWhereIsTyped)
     EXPECT_TRUE(all<DrillHole>().front().second.place.position.isApprox(Vec2(120, 45), 1e-9));
 }
 
+TEST_F(CuttingTest, AllowancesOfEdgesAreTypedBeforeAndAfterTheClick)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const Patch patch = firstPatch().second;
+    PatternView& view = window.patternView();
+    const auto type = [&](const char* text) {
+        QTest::keyClicks(&view, QString::fromUtf8(text));
+        QTest::keyClick(&view, Qt::Key_Return);
+    };
+    begin("cutting.edge-allowance");
+    click(onOutline(patch, 0.12));
+    ASSERT_EQ(all<EdgeAllowance>().size(), 1u);
+    type("20");
+    ASSERT_EQ(all<EdgeAllowance>().size(), 1u);
+    EXPECT_EQ(all<EdgeAllowance>().front().second.width, 20) << "the key 2 means nothing else here";
+    EXPECT_TRUE(window.selection().contains(all<EdgeAllowance>().front().first));
+    move(view, onOutline(patch, 0.37), Qt::NoButton); // another edge
+    type("1.5 cm");
+    ASSERT_EQ(all<EdgeAllowance>().size(), 2u);
+    EXPECT_EQ(all<EdgeAllowance>().back().second.width, 15);
+    type("abc");
+    move(view, onOutline(patch, 0.37), Qt::NoButton);
+    type("100000");
+    EXPECT_EQ(all<EdgeAllowance>().back().second.width, 15) << "no such width";
+}
+
+TEST_F(CuttingTest, TheCheckStandsBesideThePatternWhileItIsMended)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const auto [id, patch] = firstPatch();
+    const CuttingPanel& panel = window.cuttingPanel();
+    EXPECT_FALSE(panel.isVisible());
+    window.command("cutting.check")->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.isVisible() && panel.known(); }, 30000));
+    const std::size_t before = panel.findings().size();
+    // A notch in the middle of nothing that is sewn, by the commands of the window.
+    Fabric fabric = *design().find<Fabric>(patch.fabric);
+    fabric.cutting.width = 100;
+    window.document().commit(
+        {{"narrow", {}}, {{patch.fabric, design().element(patch.fabric), makeElement(fabric)}}, {}});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel.known() && panel.findings().size() > before; }, 30000));
+    EXPECT_EQ(panel.findings().front().harm, CutHarm::CannotBeCut);
+    const ElementId wide = panel.findings().front().problem.element;
+    emit window.cuttingPanel().itemActivated(window.cuttingPanel().item(0));
+    EXPECT_TRUE(window.selection().contains(wide));
+    EXPECT_TRUE(window.command("layer.cutting")->isChecked()) << "what is wrong is to be seen";
+    window.command("edit.undo")->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.known() && panel.findings().size() == before; }, 30000));
+}
+
 TEST_F(CuttingTest, EdgesCornersAndHolesAreClickedToo)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -247,6 +305,29 @@ TEST_F(ExportWindowTest, TheSewingSheetShowsItsPages)
     EXPECT_FALSE(preview->isVisible());
     choose(dialog, PatternFormat::Pdf);
     EXPECT_TRUE(QTest::qWaitFor([&] { return preview->isVisible() && preview->isDrawn(); }, 30000));
+    dialog->reject();
+}
+
+TEST_F(ExportWindowTest, WhatIsWrongLeadsOutOfItAndTheChoicesAreKept)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    Fabric fabric = *design().find<Fabric>(firstPatch().second.fabric);
+    fabric.cutting.width = 100;
+    const ElementId id = firstPatch().second.fabric;
+    window.document().commit({{"narrow", {}}, {{id, design().element(id), makeElement(fabric)}}, {}});
+    ExportPatternDialog* dialog = chooser();
+    ASSERT_TRUE(dialog);
+    choose(dialog, PatternFormat::Hpgl);
+    auto* list = dialog->findChild<CutFindingsList*>();
+    ASSERT_TRUE(list && list->count() > 0);
+    emit list->itemActivated(list->item(0));
+    EXPECT_FALSE(dialog->isVisible());
+    EXPECT_TRUE(window.cuttingPanel().isVisible());
+    EXPECT_FALSE(window.selection().elements().empty());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChildren<ExportPatternDialog*>().isEmpty(); }));
+    dialog = chooser();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(dialog->order().format, PatternFormat::Hpgl);
     dialog->reject();
 }
 

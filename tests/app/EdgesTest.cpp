@@ -123,6 +123,13 @@ TEST_F(EdgesTest, TheSizeOfAPatchIsTyped)
     EXPECT_LT((place("Side").min() - corner).norm(), 1e-6) << "its corner stays";
     designer.key(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_NEAR(size("Side").y(), 200, 1e-6) << "one step each";
+
+    // As it lies: what is wide before is high when it is turned.
+    window.command("layout.turn-left")->trigger();
+    designer.setField(QStringLiteral("Size, mm"), QStringLiteral("340"), 1);
+    EXPECT_NEAR(place("Side").sizes().y(), 340, 1e-6);
+    EXPECT_NEAR(place("Side").sizes().x(), 200, 1e-6);
+    EXPECT_NEAR(size("Side").x(), 340, 1e-6) << "of its own outline";
 }
 
 TEST_F(EdgesTest, AClickSelectsAnEdgeAndItsLengthIsTyped)

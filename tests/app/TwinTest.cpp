@@ -43,6 +43,11 @@ TEST_F(TwinTest, MakesReleasesAndUnlinksTwins)
 
     window.command("twin.unlink")->trigger();
     EXPECT_EQ(twinOf(window.document().design(), patch), noElement);
+    const auto nameOf = [&](ElementId id) { return window.document().design().find<Patch>(id)->name; };
+    window.selection().set({patch});
+    window.command("twin.make")->trigger();
+    EXPECT_NE(nameOf(twinOf(window.document().design(), patch)), nameOf(twin)) << "that name is taken";
+    window.command("edit.undo")->trigger();
     window.selection().set({patch, twin});
     ASSERT_TRUE(window.command("twin.link")->isEnabled());
     window.command("twin.link")->trigger();

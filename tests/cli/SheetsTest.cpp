@@ -61,6 +61,17 @@ TEST(Sheets, HoldAPieceOnOneWhereItFits)
     }
 }
 
+TEST(Sheets, HaveAStripAskewThatIsAFewMillimetresTooLong)
+{
+    CutPattern pattern;
+    pattern.pieces.push_back(rectangle(20, 290)); // a sheet of A4 has room for 268 mm
+    const SheetPlan plan = planSheets(pattern, {});
+    ASSERT_EQ(plan.sheets.size(), 1u);
+    const QRectF box = boxOn(plan, pattern, plan.table.pieces[0]);
+    EXPECT_LE(box.width(), plan.grid.room.width());
+    EXPECT_LE(box.height(), plan.grid.room.height());
+}
+
 TEST(Sheets, AreNotMoreThanSideBySide)
 {
     std::mt19937 random(5);

@@ -75,6 +75,38 @@ TEST(CutCheck, FindsWhatDoesNotFit)
     EXPECT_TRUE(says(findings(with(design, left, strip)), "no room"));
 }
 
+TEST(CutCheck, BeginsWithWhatIsWorst)
+{
+    Design design = twoPanels();
+    Patch taller = *design.find<Patch>(right);
+    taller.outline = rectangle(200, 106);
+    Patch wide = *design.find<Patch>(left);
+    wide.outline = rectangle(1500, 100);
+    Notch alone;
+    alone.place = {left, 0.5};
+    const auto found = findings(with(with(with(design, left, wide), right, taller), ElementId{9}, alone));
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(found[0].harm, CutHarm::CannotBeCut);
+    EXPECT_EQ(found[0].problem.element, left);
+    EXPECT_EQ(found[1].problem.element, between) << "its sides have different lengths";
+    EXPECT_EQ(found[2].problem.element, ElementId{9});
+}
+
+TEST(CutCheck, SaysWhereOnTheOutlineItIsWhateverTheFabricShrinks)
+{
+    Design design = twoPanels();
+    Fabric fabric = *design.find<Fabric>(leather);
+    fabric.cutting.shrinkAlong = 20;
+    fabric.cutting.shrinkAcross = 50;
+    Notch alone;
+    alone.place = {left, 0.5};
+    const auto found = findings(with(with(design, leather, fabric), ElementId{9}, alone));
+    const auto notch =
+        std::ranges::find(found, ElementId{9}, [](const CutFinding& f) { return f.problem.element; });
+    ASSERT_NE(notch, found.end());
+    EXPECT_TRUE((notch->place - Vec2(100, 0)).isZero(1e-6)) << notch->place.transpose();
+}
+
 TEST(CutCheck, FindsCornersThatCannotBeSewnAndCutLinesThatMeet)
 {
     Design design = twoPanels();

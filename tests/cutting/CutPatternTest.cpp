@@ -90,6 +90,16 @@ TEST(CutPattern, IsLargerByWhatTheFabricShrinks)
         sewn.extend(point.at);
     EXPECT_TRUE(sewn.sizes().isApprox(Vec2(400, 125), 1e-9));
     EXPECT_TRUE(piece.box().sizes().isApprox(Vec2(420, 145), 1e-6)) << "the allowance is what is cut";
+    const BSpline2 outline = design.find<Patch>(left)->outline;
+    for (const LinePoint& point : piece.sew)
+        EXPECT_LT(outline.closest(piece.shrunk(point.at)).distance, 1e-9) << "it shrinks to what was drawn";
+    const CutPiece mirrored = mirroredPiece(piece);
+    EXPECT_TRUE(mirrored.shrunk(mirrored.sew.front().at)
+                    .isApprox(piece.shrunk({-mirrored.sew.front().at.x(), mirrored.sew.front().at.y()})));
+    Patch labelled = *design.find<Patch>(left);
+    labelled.cutting.label = PieceLabelPlace{{120, 40}, 0};
+    const CutPiece placed = pieceOf(cutPattern(with(with(design, leather, fabric), left, labelled), {}), left);
+    EXPECT_TRUE(placed.shrunk(placed.label.at).isApprox(Vec2(120, 40), 1e-9)) << "labels shrink with it";
 }
 
 TEST(CutPattern, UnfoldsPairs)

@@ -61,6 +61,20 @@ protected:
     Mouse mouse{view};
 };
 
+TEST_F(CoverShown, ThePictureOfTheCoverHasItsShapeNotThatOfTheView)
+{
+    view.resize(800, 300);
+    Camera camera = view.navigation().camera();
+    camera.fit(Box3(Vec3(-600, -200, 0), Vec3(1000, 400, 50))); // far away
+    view.navigation().setCamera(camera);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shownSurface() != nullptr; }));
+    const QSize whole = view.grabPicture().size(), cover = view.grabCover().size();
+    EXPECT_LT(cover.width(), whole.width() / 2);
+    EXPECT_GT(cover.width(), 20);
+    // Twice as long as wide, seen from above.
+    EXPECT_GT(cover.width(), cover.height());
+}
+
 TEST_F(CoverShown, HiddenPatchesAreNeitherDrawnNorHit)
 {
     QSignalSpy changes(&view.visibility(), &SceneVisibility::hiddenChanged);

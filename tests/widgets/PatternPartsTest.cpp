@@ -104,5 +104,26 @@ TEST_F(PatternParts, LabelsOfPiecesAreShownWhereTheirLettersCanBeRead)
     EXPECT_FALSE(readableLabel(nullptr, secondSquare, at(3)));
 }
 
+TEST_F(PatternParts, NamesStandWhereTheLabelIsThatCannotBeRead)
+{
+    const PatternPatch* patch = scene.patch(secondSquare);
+    ASSERT_TRUE(patch);
+    CutPiece piece;
+    piece.patch = secondSquare;
+    piece.label.lines = {"Second", "Cut 1"};
+    piece.label.height = 6;
+    piece.label.width = 30;
+    piece.label.at = patch->patch().outline.boundingBox().min() + Vec2(30, 20);
+    for (const double scale : {1.2, 4.0}) {
+        const auto transform = PatternTransform::fitting(
+            patch->box, QSizeF(patch->box.sizes().x(), patch->box.sizes().y()) * scale, 0);
+        const QPolygonF frame = labelFrame(piece, *patch, transform, QFont());
+        ASSERT_FALSE(frame.isEmpty()) << scale;
+        const QPointF at = transform.toPixels(toLayout(patch->patch(), piece.label.at));
+        EXPECT_LT(QLineF(frame.boundingRect().center(), at).length(), 1e-6) << scale;
+        EXPECT_GT(frame.boundingRect().height(), 8) << scale << ": large enough to be dragged";
+    }
+}
+
 } // namespace
 } // namespace bolster

@@ -370,7 +370,12 @@ void PropertyForm::addChoice(const QString& label, const QStringList& choices, c
 {
     auto* box = new QComboBox(this);
     box->addItems(choices);
-    box->setMinimumContentsLength(6);
+    // Long words get a row of their own, below the label, before they are cut off.
+    constexpr qsizetype leastLetters = 6, mostLetters = 22;
+    qsizetype longest = leastLetters;
+    for (const QString& choice : choices)
+        longest = std::max(longest, choice.size());
+    box->setMinimumContentsLength(static_cast<int>(std::min(longest, mostLetters)));
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setFocusPolicy(Qt::StrongFocus);
     box->setPlaceholderText(variesText());

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace bolster {
 
@@ -18,16 +19,26 @@ namespace {
 constexpr double leastLetters = 11; // pixels from line to line: smaller ones nobody reads
 constexpr double markRadius = 4;    // pixels
 
-/// From a piece's coordinates, which grow with what the fabric shrinks, to pixels.
+/// From a piece's coordinates to pixels: as it will be when the fabric has shrunk, so that all lies where the
+/// outline says.
 class PiecePlace {
 public:
-    PiecePlace(const PatternPatch& patch, const PatternTransform& transform)
-        : m_patch(patch.patch())
+    PiecePlace(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform)
+        : m_piece(piece)
+        , m_patch(patch.patch())
         , m_transform(transform)
     {}
 
-    QPointF operator()(const Vec2& point) const { return m_transform.toPixels(toLayout(m_patch, point)); }
-    double rotation() const { return m_patch.rotation; }
+    QPointF operator()(const Vec2& point) const
+    {
+        return m_transform.toPixels(toLayout(m_patch, m_piece.shrunk(point)));
+    }
+    /// Of words, degrees counter-clockwise: on the screen nobody reads upside down.
+    double upright(double rotation) const
+    {
+        const double turned = std::remainder(rotation + m_patch.rotation, 360);
+        return std::abs(turned) > 91 ? turned - 180 : turned;
+    }
 
     QPainterPath path(const std::vector<LinePoint>& line, bool closed) const
     {
@@ -40,6 +51,7 @@ public:
     }
 
 private:
+    const CutPiece& m_piece;
     const Patch& m_patch;
     const PatternTransform& m_transform;
 };
@@ -50,9 +62,7 @@ void paintLabel(QPainter& painter, const PieceLabel& label, const PiecePlace& pl
     const double step = label.height * scale;
     painter.save();
     painter.translate(place(label.at));
-    // On the screen nobody reads upside down.
-    const double turned = std::remainder(label.rotation + place.rotation(), 360);
-    painter.rotate(std::abs(turned) > 91 ? 180 - turned : -turned);
+    painter.rotate(-place.upright(label.rotation));
     QFont font = painter.font();
     font.setPixelSize(std::max(1, static_cast<int>(std::lround(0.72 * step))));
     painter.setFont(font);
@@ -96,14 +106,42 @@ void paintGrain(QPainter& painter, const GrainLine& grain, const PiecePlace& pla
 
 } // namespace
 
-const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const PatternTransform& transform)
+const CutPiece* labelledPiece(const CutPattern* cut, ElementId patch)
 {
     if (!cut)
         return nullptr;
     const auto piece = std::ranges::lower_bound(cut->pieces, patch, {}, &CutPiece::patch);
-    const bool readable = piece != cut->pieces.end() && piece->patch == patch && !piece->label.lines.empty() &&
-                          piece->label.height * transform.scale() >= leastLetters;
-    return readable ? &piece->label : nullptr;
+    const bool there = piece != cut->pieces.end() && piece->patch == patch && !piece->label.lines.empty();
+    return there ? &*piece : nullptr;
+}
+
+const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const PatternTransform& transform)
+{
+    const CutPiece* piece = labelledPiece(cut, patch);
+    return piece && piece->label.height * transform.scale() >= leastLetters ? &piece->label : nullptr;
+}
+
+PatternLabel nameOnPiece(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform,
+                         const QFont& font)
+{
+    const PiecePlace place(piece, patch, transform);
+    return {patch, transform, font, place(piece.label.at),
+            place.upright(piece.label.rotation) * std::numbers::pi / 180};
+}
+
+QPolygonF labelFrame(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform,
+                     const QFont& font)
+{
+    const PieceLabel& label = piece.label;
+    if (label.height * transform.scale() < leastLetters)
+        return nameOnPiece(piece, patch, transform, font).frame();
+    const PiecePlace place(piece, patch, transform);
+    const double height = label.height * static_cast<double>(label.lines.size());
+    const Eigen::Rotation2Dd turn(label.rotation * std::numbers::pi / 180);
+    QPolygonF frame;
+    for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+        frame << place(label.at + turn * Vec2(x * (label.width + label.height), y * (height + label.height)));
+    return frame;
 }
 
 void paintAllowances(QPainter& painter, const CutPattern& pattern, const PatternScene& scene,
@@ -113,7 +151,7 @@ void paintAllowances(QPainter& painter, const CutPattern& pattern, const Pattern
         const PatternPatch* patch = scene.patch(piece.patch);
         if (!patch)
             continue;
-        const QPainterPath path = PiecePlace(*patch, transform).path(piece.cut, true);
+        const QPainterPath path = PiecePlace(piece, *patch, transform).path(piece.cut, true);
         painter.fillPath(path, mixed(colors.canvas, patch->fabric, 0.12));
         painter.strokePath(path, QPen(mixed(colors.canvas, colors.outline, 0.55), 1));
     }
@@ -129,7 +167,7 @@ void paintCutMarks(QPainter& painter, const CutPattern& pattern, const PatternSc
         const PatternPatch* patch = scene.patch(piece.patch);
         if (!patch)
             continue;
-        const PiecePlace place(*patch, transform);
+        const PiecePlace place(piece, *patch, transform);
         painter.setBrush(Qt::NoBrush);
         for (const CutNotch& notch : piece.notches) {
             const bool marked = notch.element != noElement &&

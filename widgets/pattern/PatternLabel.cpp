@@ -1,5 +1,6 @@
 #include "PatternLabel.h"
 
+#include "PatchSize.h"
 #include "PatternMarks.h"
 #include "Units.h"
 
@@ -25,8 +26,6 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     : m_nameFont(font)
     , m_sizeFont(font)
 {
-    m_nameFont.setWeight(QFont::DemiBold);
-    const QFontMetricsF nameMetrics(m_nameFont);
     const QFontMetricsF sizeMetrics(m_sizeFont);
     const double scale = transform.scale();
     const auto place = [&](const QSizeF& pixels) {
@@ -34,18 +33,16 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
                                    scale);
     };
 
-    const QString name = QString::fromStdString(patch.patch().name);
-    const QSizeF nameSize(nameMetrics.horizontalAdvance(name), nameMetrics.height());
-    const bool hopeless = name.isEmpty() || nameSize.width() > patch.box.diagonal().norm() * scale;
-    const auto spot = hopeless ? std::nullopt : place(nameSize);
-    if (!spot)
+    const QSizeF nameSize = setName(patch, transform);
+    const auto spot = empty() ? std::nullopt : place(nameSize);
+    if (!spot) {
+        m_name.clear();
         return;
-    m_name = name;
-    m_extent = nameSize;
+    }
     m_angle = spot->angle;
     m_centre = transform.toPixels(spot->centre);
 
-    const Vec2 size = patch.patch().outline.boundingBox().sizes();
+    const Vec2 size = patchSize(patch.patch());
     const QString sizeLine = sizeText(size.x(), size.y());
     const QSizeF both(std::max(nameSize.width(), sizeMetrics.horizontalAdvance(sizeLine)),
                       nameSize.height() + sizeMetrics.height());
@@ -64,6 +61,28 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     // Degrees counter-clockwise in the layout; pixels run downwards.
     const double angle = -(patch.patch().grain + patch.patch().rotation) * M_PI / 180;
     m_grainHalf = QPointF(std::cos(angle), std::sin(angle)) * length / 2;
+}
+
+PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& transform, const QFont& font,
+                           const QPointF& centre, double angle)
+    : m_nameFont(font)
+    , m_sizeFont(font)
+    , m_centre(centre)
+    , m_angle(angle)
+{
+    setName(patch, transform);
+}
+
+/// Returns the size of the name, pixels; there is none where it is longer than the patch.
+QSizeF PatternLabel::setName(const PatternPatch& patch, const PatternTransform& transform)
+{
+    m_nameFont.setWeight(QFont::DemiBold);
+    const QFontMetricsF metrics(m_nameFont);
+    m_name = QString::fromStdString(patch.patch().name);
+    m_extent = {metrics.horizontalAdvance(m_name), metrics.height()};
+    if (m_extent.width() > patch.box.diagonal().norm() * transform.scale())
+        m_name.clear();
+    return m_extent;
 }
 
 QPolygonF PatternLabel::frame() const

@@ -19,6 +19,10 @@ class PatternLabel {
 public:
     /// An empty one where there is no room even for the name.
     PatternLabel(const PatternPatch& patch, const PatternTransform& transform, const QFont& font);
+    /// The name alone, at a place (pixels) and an angle (radians, counter-clockwise) that somebody chose; empty
+    /// where it is longer than the patch.
+    PatternLabel(const PatternPatch& patch, const PatternTransform& transform, const QFont& font,
+                 const QPointF& centre, double angle);
 
     bool empty() const { return m_name.isEmpty(); }
     /// Around the text, in pixels; empty when nothing is written.
@@ -35,6 +39,7 @@ public:
     void paint(QPainter& painter, const Colors& colors, bool grain) const;
 
 private:
+    QSizeF setName(const PatternPatch& patch, const PatternTransform& transform);
     static void write(QPainter& painter, const QFont& font, double top, const QString& text, const QColor& ink,
                       const QColor& rim);
 

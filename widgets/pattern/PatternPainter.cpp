@@ -255,9 +255,9 @@ void PatternPainter::paintTrims(const PatternPatch& patch)
         const double scale = m_in.transform.scale(), width = std::max(strong ? 2.4 : 1.6, trim.width * scale);
         const QColor color = bad(owner) ? m_in.colors.error : selected(owner) ? m_in.colors.accent : trim.color;
         const QPainterPath path = inPixels(trim.path);
-        const auto stroke = [&](const QColor& with, double wide) {
+        const auto stroke = [&, stitch = trim.stitch * scale](const QColor& with, double wide) {
             QPen pen(with, wide, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-            if (const double stitch = trim.stitch * scale; stitch >= leastStitch)
+            if (stitch >= leastStitch)
                 pen.setDashPattern({0.75 * stitch / wide, 0.25 * stitch / wide});
             m_painter.strokePath(path, pen);
         };
@@ -288,7 +288,9 @@ void PatternPainter::paintInside(const PatternPatch& patch)
     QRectF written;
     // Words that will be on the piece itself take the place of the view's own.
     if (m_in.layers.labels && !readableLabel(m_in.cut, patch.id, m_in.transform)) {
-        const PatternLabel label(patch, m_in.transform, m_in.font);
+        const CutPiece* piece = labelledPiece(m_in.cut, patch.id);
+        const PatternLabel label = piece ? nameOnPiece(*piece, patch, m_in.transform, m_in.font)
+                                         : PatternLabel(patch, m_in.transform, m_in.font);
         const bool faint = hidden(patch.id);
         const bool onMap = !faint && m_in.map.picture(patch.id);
         label.paint(m_painter,

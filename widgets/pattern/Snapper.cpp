@@ -164,7 +164,7 @@ void Snapper::addOutlines(const SnapQuery& query, std::vector<Rail>& rails) cons
     for (const auto& [id, patch] : m_scene.patches()) {
         const BSpline2& outline = patch.patch().outline;
         const bool moves = query.ignored.contains(id) ||
-                           std::ranges::any_of(query.ignoredPoints, [&](const auto& p) { return p.first == id; });
+                           std::ranges::any_of(query.ignoredPoints, [id = id](const auto& p) { return p.first == id; });
         if (moves || outline.empty() || patch.box.exteriorDistance(query.at) > m_lineReach)
             continue;
         const auto nearest = [&patch = patch.patch()](const Vec2& at) {
@@ -274,7 +274,7 @@ double Snapper::lengthNear(const SnapQuery& query, double length) const
         if (query.ignored.contains(id))
             continue;
         const BSpline2& outline = patch.patch().outline;
-        const auto moves = [&](double parameter) {
+        const auto moves = [&, id = id](double parameter) {
             return query.ignoredPoints.contains({id, outline.pointAt(outline.wrapped(parameter))});
         };
         for (const PatternEdge& edge : patch.edges)

@@ -2,6 +2,7 @@
 #include "TwinEdits.h"
 
 #include "ColourwayEdits.h"
+#include "EditBuilder.h"
 #include "EditHelpers.h"
 #include "PatchMark.h"
 #include "SewnMirror.h"
@@ -106,7 +107,7 @@ private:
     template <class T>
     ElementId putTwin(ElementId of, T copy)
     {
-        copy.name = m_mirroredName(copy.name);
+        copy.name = freeName<T>(m_now, m_mirroredName(copy.name));
         copy.twin = Twin{of, {}};
         return m_made[of] = put(makeElement(std::move(copy)));
     }

@@ -31,7 +31,7 @@ std::vector<int> sharpEdges(const LoopMesh& mesh)
                 edgeOf(static_cast<std::uint32_t>(first->low), static_cast<std::uint32_t>(first->high)));
     });
     std::ranges::sort(sharp);
-    sharp.erase(std::ranges::unique(sharp).begin(), sharp.end());
+    sharp.erase(std::unique(sharp.begin(), sharp.end()), sharp.end());
     std::vector<int> count(mesh.vertexCount, 0);
     for (const Edge& e : sharp) {
         ++count[e[0]];

@@ -122,7 +122,7 @@ void CoverRefiner::findSmoothSeams(const SurfaceTopology& topology)
     m_oneNormal.clear();
     for (auto& [merged, vertices] : meeting) {
         std::ranges::sort(vertices);
-        vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         m_oneNormal.push_back(std::move(vertices));
     }
 }

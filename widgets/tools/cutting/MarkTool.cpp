@@ -67,6 +67,12 @@ MarkTool::Target MarkTool::targetAt(const PatternPointer& pointer) const
     case MarkKind::EdgeAllowance:
         if (onOutline)
             target.stretch = stretchUnder(m_context, pointer.pixel);
+        m_context.document().design().each<EdgeAllowance>([&](ElementId id, const EdgeAllowance& edge) {
+            if (target.stretch == edge.stretch)
+                target.mark = id;
+        });
+        if (target.mark != noElement)
+            target.stretch.reset();
         break;
     case MarkKind::CutCorner:
         if (const auto corner = cornerNear(patch, pointer.layout, m_context.transform().millimetres(cornerReach))) {
@@ -94,6 +100,8 @@ Edit MarkTool::edit(const Target& target, Message& problem) const
                                    tr("Hole %1").arg(count).toStdString(), &problem);
     }
     case MarkKind::EdgeAllowance: {
+        if (m_typed.open())
+            return edits::setEdgeAllowance(design, *target.stretch, m_typedWidth, &problem);
         const Patch* patch = design.find<Patch>(target.stretch->patch);
         const CutAllowance usual = patch && patch->allowance
                                        ? *patch->allowance
@@ -110,12 +118,30 @@ void MarkTool::find()
 {
     m_typedGood = false;
     m_hover = m_pointer ? targetAt(*m_pointer) : Target{};
-    if (m_typed.open() && m_hover.patch != noElement)
+    if (m_typed.open() && takesTyped())
         readTyped();
+}
+
+bool MarkTool::takesTyped() const
+{
+    const Design& design = m_context.document().design();
+    if (const ElementId mark = m_hover.mark; mark != noElement)
+        return design.find<EdgeAllowance>(mark) || design.find<Notch>(mark) || design.find<DrillHole>(mark);
+    return m_hover.stretch || (m_hover.patch != noElement && m_kind != MarkKind::CutCorner);
 }
 
 void MarkTool::readTyped()
 {
+    if (m_hover.mark != noElement) {
+        m_typedGood = typedMark(m_context.document().design(), m_hover.mark, m_typed.text()).has_value();
+        return;
+    }
+    if (m_hover.stretch) {
+        const std::optional<double> width = typedAllowance(m_typed.text());
+        m_typedGood = width.has_value();
+        m_typedWidth = width.value_or(0);
+        return;
+    }
     const Patch& patch = m_context.scene().patch(m_hover.patch)->patch(); // it was found there
     if (m_kind == MarkKind::DrillHole) {
         if (const std::optional<Vec2> at = typedPosition(m_typed.text())) {
@@ -131,19 +157,21 @@ void MarkTool::readTyped()
 
 ElementId MarkTool::place()
 {
-    if (m_hover.mark != noElement)
+    Document& document = m_context.document();
+    if (m_typed.open() && takesTyped() && !m_typedGood) {
+        m_context.report(typedProblem());
+        return noElement;
+    }
+    if (m_hover.mark != noElement) {
+        if (m_typedGood)
+            document.commit(*typedMark(document.design(), m_hover.mark, m_typed.text()));
+        m_typed.clear();
         return m_hover.mark;
+    }
     if (m_hover.patch == noElement && !m_hover.stretch) {
         m_context.report(prompt());
         return noElement;
     }
-    if (m_typed.open() && !m_typedGood) {
-        m_context.report(m_kind == MarkKind::Notch
-                             ? tr("\"%1\" is no distance from the corner on this edge.").arg(m_typed.text())
-                             : tr("\"%1\" is no place: try 120, 40").arg(m_typed.text()));
-        return noElement;
-    }
-    Document& document = m_context.document();
     const ElementId mark = document.design().nextId();
     Message problem;
     const Edit added = edit(m_hover, problem);
@@ -154,6 +182,16 @@ ElementId MarkTool::place()
     m_typed.clear();
     document.commit(added);
     return mark;
+}
+
+QString MarkTool::typedProblem() const
+{
+    const Design& design = m_context.document().design();
+    if (m_hover.stretch || design.find<EdgeAllowance>(m_hover.mark))
+        return tr("\"%1\" is no width of an allowance: try 12").arg(m_typed.text());
+    if (m_kind == MarkKind::DrillHole || design.find<DrillHole>(m_hover.mark))
+        return tr("\"%1\" is no place: try 120, 40").arg(m_typed.text());
+    return tr("\"%1\" is no distance from the corner on this edge.").arg(m_typed.text());
 }
 
 void MarkTool::press(const PatternPointer& pointer)
@@ -209,7 +247,7 @@ bool MarkTool::keyPress(const QKeyEvent& event)
         if (const ElementId mark = place(); mark != noElement)
             m_context.selection().set({mark});
         find();
-    } else if (takesNumbers() && (m_typed.open() || m_hover.patch != noElement) && m_typed.keyPress(event)) {
+    } else if ((m_typed.open() || takesTyped()) && m_typed.keyPress(event)) {
         find();
     } else {
         return false;
@@ -222,7 +260,7 @@ bool MarkTool::wants(int key) const
 {
     if (m_drag)
         return m_drag->wants(key) || isEnterKey(key);
-    if (!takesNumbers() || !(m_typed.open() || m_hover.patch != noElement))
+    if (!m_typed.open() && !takesTyped())
         return false;
     return m_typed.wants(key) || (isEnterKey(key) && m_typed.open());
 }
@@ -258,7 +296,9 @@ QString MarkTool::prompt() const
     if (m_drag)
         return m_drag->prompt();
     if (m_hover.mark != noElement)
-        return tr("Click to select it, drag to move it \u2013 its properties say what it is like");
+        return m_context.document().design().find<EdgeAllowance>(m_hover.mark)
+                   ? tr("Drag its handle, or type its width \u2013 its properties say what it is like")
+                   : tr("Click to select it, drag to move it \u2013 its properties say what it is like");
     return hint();
 }
 
@@ -272,7 +312,9 @@ QString MarkTool::hint() const
     case MarkKind::DrillHole:
         return tr("Click inside a patch to place a drill hole, or type where: 120, 40 \u2013 Esc ends the tool");
     case MarkKind::EdgeAllowance:
-        return tr("Click an edge to give it a seam allowance of its own, drag its handle \u2013 Esc ends the tool");
+        return tr("Click an edge to give it a seam allowance of its own, or type its width; drag its handle \u2013 "
+                  "Esc ends "
+                  "the tool");
     case MarkKind::CutCorner:
         break;
     }

@@ -12,7 +12,8 @@ namespace bolster {
 enum class MarkKind { Notch, DrillHole, EdgeAllowance, CutCorner };
 
 /// A click places one; one that is there is selected instead, and can be dragged. Typed: how far a notch is from
-/// the nearer corner, where in its patch a hole lies; Enter places it. The properties say what it is like.
+/// the nearer corner, where in its patch a hole lies, how wide an allowance is, of a new one or of the one under
+/// the pointer; Enter takes it. The properties say what it is like.
 class MarkTool : public PatternTool {
     Q_DECLARE_TR_FUNCTIONS(bolster::MarkTool)
 
@@ -36,7 +37,7 @@ public:
 private:
     /// What a click would mean.
     struct Target {
-        ElementId mark = noElement;  ///< one that is there
+        ElementId mark = noElement;  ///< one that is there; then the others say nothing
         ElementId patch = noElement; ///< a new one on it
         double at = 0;               ///< of the outline
         Vec2 place = Vec2::Zero();   ///< in the layout
@@ -48,9 +49,11 @@ private:
     /// What the pointer is at, or what is typed.
     void find();
     void readTyped();
+    /// What is typed says something of what the pointer is at.
+    bool takesTyped() const;
+    QString typedProblem() const;
     /// What a click or Enter means now: the mark that is there then, or none.
     ElementId place();
-    bool takesNumbers() const { return m_kind == MarkKind::Notch || m_kind == MarkKind::DrillHole; }
     QString hint() const;
 
     MarkKind m_kind;
@@ -58,6 +61,7 @@ private:
     std::optional<PatternPointer> m_pointer; ///< while it is over the view
     TypedEntry m_typed;
     bool m_typedGood = false;
+    double m_typedWidth = 0;             ///< mm, of an allowance
     std::unique_ptr<PatternDrag> m_drag; ///< of what was pressed
     QPointF m_pressedAt;
     bool m_moved = false; ///< far enough to be a drag

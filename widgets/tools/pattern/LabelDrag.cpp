@@ -8,11 +8,10 @@
 #include "ViewColors.h"
 
 #include <QCoreApplication>
+#include <QFont>
 #include <QPainter>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bolster {
 
@@ -20,35 +19,27 @@ namespace {
 
 constexpr double labelReach = 7; // pixels, of the middle
 
-const PieceLabel* labelOf(const PatternToolContext& context, ElementId patch)
+/// Around the label of a patch's piece, in pixels; empty without one.
+QPolygonF frameOf(const PatternToolContext& context, ElementId id)
 {
-    return context.scene().patch(patch) ? readableLabel(context.cut(), patch, context.transform()) : nullptr;
-}
-
-/// Around its lines, in pixels.
-QPolygonF labelFrame(const PatternToolContext& context, const Patch& patch, const PieceLabel& label)
-{
-    const double height = label.height * static_cast<double>(label.lines.size());
-    const Eigen::Rotation2Dd turn(label.rotation * std::numbers::pi / 180);
-    QPolygonF frame;
-    for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
-        const Vec2 corner = label.at + turn * Vec2(x * (label.width + label.height), y * (height + label.height));
-        frame << context.transform().toPixels(toLayout(patch, corner));
-    }
-    return frame;
+    const PatternPatch* patch = context.scene().patch(id);
+    const CutPiece* piece = patch ? labelledPiece(context.cut(), id) : nullptr;
+    return piece ? labelFrame(*piece, *patch, context.transform(), QFont()) : QPolygonF();
 }
 
 class LabelDrag : public PatternDrag {
 public:
-    LabelDrag(PatternToolContext& context, const PatternPointer& from, const Patch& patch, ElementId id,
-              PieceLabel label)
+    LabelDrag(PatternToolContext& context, const PatternPointer& from, const PatternPatch& patch,
+              const CutPiece& piece)
         : PatternDrag(context, from)
         , m_gesture(context.document())
-        , m_patch(patch)
-        , m_id(id)
-        , m_label(std::move(label))
-        , m_start(toLayout(patch, m_label.at))
-        , m_middle(context.scene().patch(id)->box.center())
+        , m_patch(patch.patch())
+        , m_id(patch.id)
+        , m_rotation(piece.label.rotation)
+        , m_frame(frameOf(context, patch.id))
+        , m_start(toLayout(m_patch, piece.shrunk(piece.label.at)))
+        , m_at(m_start)
+        , m_middle(patch.box.center())
     {}
 
     void update(const PatternPointer& pointer) override
@@ -63,8 +54,9 @@ public:
                 }
         for (SnapHint& hint : m_hints)
             hint.to = at; // both ways
-        m_label.at = fromLayout(m_patch, at);
-        m_gesture.update(edits::setLabel(m_gesture.start(), m_id, PieceLabelPlace{m_label.at, m_label.rotation}));
+        m_at = at;
+        m_gesture.update(
+            edits::setLabel(m_gesture.start(), m_id, PieceLabelPlace{fromLayout(m_patch, at), m_rotation}));
     }
     void finish() override { m_gesture.commit(); }
     bool active() const override { return m_gesture.active(); }
@@ -82,16 +74,19 @@ public:
         paintSnapHints(painter, colors, m_context.transform(), m_hints);
         painter.setPen(QPen(colors.accent, 1.4));
         painter.setBrush(Qt::NoBrush);
-        painter.drawPolygon(labelFrame(m_context, m_patch, m_label));
+        const PatternTransform& transform = m_context.transform();
+        painter.drawPolygon(m_frame.translated(transform.toPixels(m_at) - transform.toPixels(m_start)));
     }
 
 private:
     Gesture m_gesture;
     Patch m_patch; ///< at the press
     ElementId m_id;
-    PieceLabel m_label;
-    Vec2 m_start;  ///< of its middle, in the layout
-    Vec2 m_middle; ///< of the patch, in the layout
+    double m_rotation;
+    QPolygonF m_frame; ///< at the press, pixels
+    Vec2 m_start;      ///< of its middle, in the layout
+    Vec2 m_at;         ///< the same, now
+    Vec2 m_middle;     ///< of the patch, in the layout
     std::vector<SnapHint> m_hints;
 };
 
@@ -100,8 +95,7 @@ private:
 ElementId labelAt(const PatternToolContext& context, QPointF pixel)
 {
     for (const auto& [id, patch] : context.scene().patches())
-        if (const PieceLabel* label = labelOf(context, id);
-            label && labelFrame(context, patch.patch(), *label).containsPoint(pixel, Qt::OddEvenFill))
+        if (frameOf(context, id).containsPoint(pixel, Qt::OddEvenFill))
             return id;
     return noElement;
 }
@@ -109,18 +103,16 @@ ElementId labelAt(const PatternToolContext& context, QPointF pixel)
 void paintLabelFrame(QPainter& painter, const ViewColors& colors, const PatternToolContext& context,
                      ElementId patch)
 {
-    if (const PieceLabel* label = labelOf(context, patch)) {
-        painter.setPen(QPen(colors.accent, 1, Qt::DashLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawPolygon(labelFrame(context, context.scene().patch(patch)->patch(), *label));
-    }
+    painter.setPen(QPen(colors.accent, 1, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(frameOf(context, patch));
 }
 
 std::unique_ptr<PatternDrag> dragLabel(PatternToolContext& context, const PatternPointer& from, ElementId patch)
 {
-    const PieceLabel* label = labelOf(context, patch);
-    return label ? std::make_unique<LabelDrag>(context, from, context.scene().patch(patch)->patch(), patch, *label)
-                 : nullptr;
+    const PatternPatch* shown = context.scene().patch(patch);
+    const CutPiece* piece = shown ? labelledPiece(context.cut(), patch) : nullptr;
+    return piece ? std::make_unique<LabelDrag>(context, from, *shown, *piece) : nullptr;
 }
 
 } // namespace bolster

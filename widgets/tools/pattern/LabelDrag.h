@@ -5,8 +5,8 @@
 
 namespace bolster {
 
-/// The patch whose piece has its label under the pixel, while cut lines are shown and labels can be read; else
-/// none.
+/// The patch whose piece has its label under the pixel, or its name where the label cannot be read, while cut lines
+/// are shown; else none.
 ElementId labelAt(const PatternToolContext& context, QPointF pixel);
 void paintLabelFrame(QPainter& painter, const ViewColors& colors, const PatternToolContext& context,
                      ElementId patch);

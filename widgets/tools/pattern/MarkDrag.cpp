@@ -69,19 +69,13 @@ private:
             return edits::moveDrillHoles(start, std::array{m_mark}, to - hole->place.position);
         }
         if (const auto* edge = start.find<EdgeAllowance>(m_mark)) {
-            const double width = typedOr(widthOutside(at, pointer.modifiers), typedWidth);
+            const double width = typedOr(widthOutside(at, pointer.modifiers), typedAllowance);
             return edits::setEdgeAllowance(start, edge->stretch, width);
         }
         const BSpline2& outline = m_patch.outline;
         const double dragged = outline.closest(at).parameter;
         m_at = typedOr(dragged, [&](const QString& text) { return typedAlongOutline(outline, dragged, text); });
         return edits::movePlace(start, m_mark, *m_at);
-    }
-
-    static std::optional<double> typedWidth(const QString& text)
-    {
-        const std::optional<double> width = parseLength(text);
-        return width && *width >= allowanceWidth.least && *width <= allowanceWidth.most ? width : std::nullopt;
     }
 
     /// How far outside of the sewing line the pointer is.
@@ -107,6 +101,29 @@ std::optional<Vec2> typedPosition(const QString& text)
 {
     const std::optional<Vec3> place = typedPlace(text, 0);
     return place && place->z() == 0 ? std::optional<Vec2>(place->head<2>()) : std::nullopt;
+}
+
+std::optional<double> typedAllowance(const QString& text)
+{
+    const std::optional<double> width = parseLength(text);
+    return width && *width >= allowanceWidth.least && *width <= allowanceWidth.most ? width : std::nullopt;
+}
+
+std::optional<Edit> typedMark(const Design& design, ElementId mark, const QString& text)
+{
+    if (const auto* edge = design.find<EdgeAllowance>(mark)) {
+        if (const auto width = typedAllowance(text))
+            return edits::setEdgeAllowance(design, edge->stretch, *width);
+    } else if (const auto* hole = design.find<DrillHole>(mark)) {
+        if (const auto at = typedPosition(text))
+            return edits::moveDrillHoles(design, std::array{mark}, *at - hole->place.position);
+    } else if (const auto* notch = design.find<Notch>(mark)) {
+        const Patch* patch = design.find<Patch>(notch->place.patch);
+        if (const auto at =
+                patch ? typedAlongOutline(patch->outline, notch->place.at, text) : std::optional<double>())
+            return edits::movePlace(design, mark, *at);
+    }
+    return std::nullopt;
 }
 
 std::unique_ptr<PatternDrag> dragMark(PatternToolContext& context, const PatternPointer& from, ElementId mark)

@@ -99,6 +99,25 @@ void CoverView::setMapReading(const QString& reading)
     m_legend->setReading(reading);
 }
 
+QImage CoverView::grabCover()
+{
+    constexpr double room = 0.05; // of the longer side
+    const QImage whole = grabPicture();
+    const SurfaceMeshPtr surface = shownSurface();
+    const Camera& camera = m_navigation.camera();
+    Box2 box;
+    if (surface)
+        for (const Vec3& position : surface->positions)
+            if (const std::optional<Vec2> pixel = camera.pixel(position))
+                box.extend(*pixel);
+    if (box.isEmpty() || whole.isNull())
+        return whole;
+    const double around = room * box.sizes().maxCoeff(), dots = whole.width() / camera.size.x();
+    const Vec2 low = dots * (box.min().array() - around), size = dots * (box.sizes().array() + 2 * around);
+    const QRect part = QRectF(low.x(), low.y(), size.x(), size.y()).toAlignedRect() & whole.rect();
+    return part.isEmpty() ? whole : whole.copy(part);
+}
+
 void CoverView::reveal(const CoverPoint& point)
 {
     if (const std::optional<Vec3> place = m_shown.onCover(point))

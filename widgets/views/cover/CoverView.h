@@ -53,6 +53,8 @@ public:
     bool pictures(const SurfaceMeshPtr& surface) const;
     /// What the view shows now, in device pixels, drawn finely.
     QImage grabPicture() { return m_canvas.grab(); }
+    /// The part of it that has the cover, with some room around; without a cover everything.
+    QImage grabCover();
 
     /// Colours on the cover; null for none.
     void setMap(const bolster::ShownMapPtr& map);

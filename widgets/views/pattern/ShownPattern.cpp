@@ -1,9 +1,11 @@
 #include "ShownPattern.h"
 
 #include "ArcLength.h"
+#include "CutLabelWords.h"
 #include "Document.h"
 #include "ElementText.h"
 #include "HitSelection.h"
+#include "PatchSize.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
@@ -33,7 +35,7 @@ ShownPattern::ShownPattern(const Document& document, const Selection& selection,
               CutOptions options;
               options.chord = 0.2; // finer than a pixel
               options.faceUp = false;
-              options.words = {tr("Cut %1").toStdString(), tr("Cut %1 and %1 mirrored").toStdString()};
+              options.words = cutLabelWords();
               return std::make_shared<const CutPattern>(cutPattern(design, options));
           },
           [this](std::shared_ptr<const CutPattern> cut) {
@@ -163,7 +165,7 @@ QString ShownPattern::toolTip(const PatternHit& found) const
     } else if (const auto line = m_scene.lines().find(id); line != m_scene.lines().end()) {
         lines << lengthText(ArcLength2(line->second.curve()).total());
     } else if (const Patch* patch = design.find<Patch>(id)) {
-        const Vec2 extent = patch->outline.boundingBox().sizes();
+        const Vec2 extent = patchSize(*patch);
         lines << sizeText(extent.x(), extent.y());
     }
     if (const auto edge = edgeAt(m_scene, found))

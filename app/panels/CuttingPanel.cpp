@@ -1,0 +1,59 @@
+#include "CuttingPanel.h"
+
+#include "CutLabelWords.h"
+#include "Document.h"
+
+#include <QPainter>
+
+namespace bolster {
+
+CuttingPanel::CuttingPanel(const Document& document, QWidget* parent)
+    : CutFindingsList(parent)
+    , m_document(document)
+    , m_job(
+          [](const Design& design, const std::stop_token& stop) {
+              CutOptions options;
+              options.words = cutLabelWords();
+              return Result{design, checkCutting(design, cutPattern(design, options, stop), stop)};
+          },
+          [this](Result result) {
+              setFindings(result.design, std::move(result.findings));
+              m_known = true;
+              viewport()->update();
+          })
+{
+    setFrameShape(NoFrame);
+    setSpacing(2);
+    setToolTip(tr("A double click shows where it is."));
+    connect(&document, &Document::changed, this, [this] {
+        m_known = false;
+        if (isVisible())
+            look();
+    });
+}
+
+void CuttingPanel::look()
+{
+    m_job.request(m_document.design());
+}
+
+void CuttingPanel::showEvent(QShowEvent* event)
+{
+    CutFindingsList::showEvent(event);
+    if (!m_known)
+        look();
+}
+
+void CuttingPanel::paintEvent(QPaintEvent* event)
+{
+    CutFindingsList::paintEvent(event);
+    if (count() > 0)
+        return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                     m_known ? tr("Nothing to mend: the pattern can be cut.")
+                             : tr("Looking the pattern over \u2026"));
+}
+
+} // namespace bolster
