@@ -106,20 +106,28 @@ TEST_F(PatternParts, LabelsOfPiecesAreShownWhereTheirLettersCanBeRead)
 
 TEST_F(PatternParts, NamesStandWhereTheLabelIsThatCannotBeRead)
 {
-    const PatternPatch* patch = scene.patch(secondSquare);
-    ASSERT_TRUE(patch);
+    ASSERT_TRUE(scene.patch(secondSquare));
+    PatternPatch patch = *scene.patch(secondSquare);
     CutPiece piece;
     piece.patch = secondSquare;
     piece.label.lines = {"Second", "Cut 1"};
     piece.label.height = 6;
     piece.label.width = 30;
-    piece.label.at = patch->patch().outline.boundingBox().min() + Vec2(30, 20);
+    piece.label.at = patch.patch().outline.boundingBox().min() + Vec2(30, 20);
+    const auto view = [&](double scale) {
+        return PatternTransform::fitting(patch.box, QSizeF(patch.box.sizes().x(), patch.box.sizes().y()) * scale,
+                                         0);
+    };
+    const auto lettering = [&] { return labelFrame(piece, patch, view(1.2), QFont()).boundingRect(); };
+    EXPECT_EQ(lettering(), PatternLabel(patch, view(1.2), QFont()).box()) << "where it finds room";
+    Patch placed = patch.patch();
+    placed.cutting.label = PieceLabelPlace{piece.label.at, 0};
+    patch.element = makeElement(placed);
     for (const double scale : {1.2, 4.0}) {
-        const auto transform = PatternTransform::fitting(
-            patch->box, QSizeF(patch->box.sizes().x(), patch->box.sizes().y()) * scale, 0);
-        const QPolygonF frame = labelFrame(piece, *patch, transform, QFont());
+        const auto transform = view(scale);
+        const QPolygonF frame = labelFrame(piece, patch, transform, QFont());
         ASSERT_FALSE(frame.isEmpty()) << scale;
-        const QPointF at = transform.toPixels(toLayout(patch->patch(), piece.label.at));
+        const QPointF at = transform.toPixels(toLayout(patch.patch(), piece.label.at));
         EXPECT_LT(QLineF(frame.boundingRect().center(), at).length(), 1e-6) << scale;
         EXPECT_GT(frame.boundingRect().height(), 8) << scale << ": large enough to be dragged";
     }

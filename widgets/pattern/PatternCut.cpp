@@ -124,9 +124,15 @@ const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const Pa
 PatternLabel nameOnPiece(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform,
                          const QFont& font)
 {
+    if (!patch.patch().cutting.label)
+        return {patch, transform, font};
     const PiecePlace place(piece, patch, transform);
-    return {patch, transform, font, place(piece.label.at),
-            place.upright(piece.label.rotation) * std::numbers::pi / 180};
+    const double angle = place.upright(piece.label.rotation) * std::numbers::pi / 180;
+    const PatternLabel level(patch, transform, font, place(piece.label.at), angle);
+    const Vec2 room = transform.scale() * patch.box.sizes();
+    const bool tooLong = level.box().width() > room.x() && level.box().width() < room.y(); // for a narrow piece
+    return tooLong ? PatternLabel(patch, transform, font, place(piece.label.at), angle + std::numbers::pi / 2)
+                   : level;
 }
 
 QPolygonF labelFrame(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform,

@@ -20,7 +20,8 @@ struct ViewColors;
 const PieceLabel* readableLabel(const CutPattern* cut, ElementId patch, const PatternTransform& transform);
 /// The piece of a patch if it has a label, readable or not; else null.
 const CutPiece* labelledPiece(const CutPattern* cut, ElementId patch);
-/// Where the label of a piece cannot be read its name stands there alone, as large as the view's own words.
+/// Where the label of a piece cannot be read its name stands there alone, as large as the view's own words; until
+/// somebody has put the label somewhere, where the name finds room.
 PatternLabel nameOnPiece(const CutPiece& piece, const PatternPatch& patch, const PatternTransform& transform,
                          const QFont& font);
 /// Around that which stands there, label or name, in pixels; empty when nothing does.

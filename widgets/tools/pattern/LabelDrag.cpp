@@ -37,7 +37,7 @@ public:
         , m_id(patch.id)
         , m_rotation(piece.label.rotation)
         , m_frame(frameOf(context, patch.id))
-        , m_start(toLayout(m_patch, piece.shrunk(piece.label.at)))
+        , m_start(context.transform().toLayout(m_frame.boundingRect().center()))
         , m_at(m_start)
         , m_middle(patch.box.center())
     {}
