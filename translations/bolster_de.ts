@@ -286,20 +286,20 @@
 <context>
     <name>DartCommands</name>
     <message>
-        <source>Close da&amp;rt</source>
-        <translation>Abnäher schlie&amp;ßen</translation>
+        <source>Remove da&amp;rt</source>
+        <translation>A&amp;bnäher entfernen</translation>
     </message>
     <message>
-        <source>A straight edge takes the place of the selected dart</source>
-        <translation>Eine gerade Kante tritt an die Stelle des ausgewählten Abnähers</translation>
+        <source>The edge goes on as if the selected dart had never been cut</source>
+        <translation>Die Kante läuft weiter, als wäre der ausgewählte Abnäher nie geschnitten worden</translation>
     </message>
     <message>
         <source>R&amp;otate dart to …</source>
         <translation>Abnäher ver&amp;legen …</translation>
     </message>
     <message>
-        <source>Closes the selected dart and opens the pattern where you click, by the same angle</source>
-        <translation>Schließt den ausgewählten Abnäher und öffnet den Schnitt dort, wo Sie klicken, um denselben Winkel</translation>
+        <source>Turns the selected dart shut and opens the pattern where you click, by the same angle</source>
+        <translation>Dreht den ausgewählten Abnäher zu und öffnet den Schnitt dort, wo Sie klicken, um denselben Winkel</translation>
     </message>
 </context>
 <context>
@@ -4976,8 +4976,8 @@
         <translation>%1 vorgeschlagene Nähte nähen</translation>
     </message>
     <message>
-        <source>Close a dart of %1</source>
-        <translation>Einen Abnäher von %1 schließen</translation>
+        <source>Remove a dart of %1</source>
+        <translation>Einen Abnäher von %1 entfernen</translation>
     </message>
     <message>
         <source>Move the tip of a dart of %1</source>

@@ -17,6 +17,7 @@ constexpr double sameShare = 0.005;    // of the length
 constexpr double sameAllowance = 0.05; // mm
 constexpr double sharpest = 30;        // degrees outside of an inner corner
 constexpr double leastBeyondNotch = 1; // mm from a notch to the sewing line
+constexpr double sameEnd = 1e-6;       // of an outline's parameter
 
 class Check {
 public:
@@ -158,7 +159,7 @@ private:
     }
 
     /// On another piece, or on another place of the same one.
-    bool hasPartner(const CutPiece& piece, const CutNotch& notch) const
+    bool hasPartner(const CutPiece& piece, const CutNotch& notch)
     {
         const auto meets = [&](const CutPiece& other) {
             return std::ranges::any_of(other.notches, [&](const CutNotch& there) {
@@ -171,8 +172,34 @@ private:
             return true;
         const ElementId other = seam->a.patch == piece.patch ? seam->b.patch : seam->a.patch;
         const auto there = m_pieces.find(other);
-        return there == m_pieces.end() ||
-               std::ranges::any_of(there->second, [&](const CutPiece* one) { return meets(*one); });
+        return there == m_pieces.end() || std::ranges::any_of(there->second, [&](const CutPiece* one) {
+                   return meets(*one) || meetsNext(notch, *one);
+               });
+    }
+
+    /// Where two seams end at one place, as beside a dart, one notch there is for both.
+    bool meetsNext(const CutNotch& notch, const CutPiece& other)
+    {
+        const auto placeOf = [&](const CutNotch& at) -> std::optional<double> {
+            const Seam* seam = isAtEnd(at) ? m_design.find<Seam>(at.seam) : nullptr;
+            if (!seam)
+                return std::nullopt;
+            const SewnPair& pair = m_pairs.try_emplace(at.seam, m_design, *seam).first->second;
+            if (!pair.usable())
+                return std::nullopt;
+            return seam->b.patch == other.patch ? pair.onB(at.fraction) : pair.onA(at.fraction);
+        };
+        const std::optional<double> mine = placeOf(notch);
+        const double period = m_design.find<Patch>(other.patch)->outline.period();
+        return mine && std::ranges::any_of(other.notches, [&](const CutNotch& there) {
+                   const std::optional<double> place = placeOf(there);
+                   return place && std::abs(std::remainder(*place - *mine, period)) < sameEnd * period;
+               });
+    }
+
+    static bool isAtEnd(const CutNotch& notch)
+    {
+        return notch.seam != noElement && (notch.fraction <= 0 || notch.fraction >= 1);
     }
 
     void width(const CutPiece& piece)
@@ -223,6 +250,7 @@ private:
     const Design& m_design;
     MarksByPatch m_marks;
     std::map<ElementId, std::vector<const CutPiece*>> m_pieces; // by patch
+    std::map<ElementId, SewnPair> m_pairs;                      // of seams whose ends have been asked for
     std::vector<CutFinding> m_found;
 };
 

@@ -2,6 +2,7 @@
 
 #include "AllowanceFields.h"
 #include "CutPattern.h"
+#include "FoldedSeam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,11 @@ MarksByPatch cutMarks(const Design& design)
                 marks[corner->place.patch].corners.push_back(*corner);
         } else if (const auto* hole = std::get_if<DrillHole>(element.get())) {
             marks[hole->place.patch].holes.emplace_back(id, hole);
+        } else if (const auto* seam = std::get_if<Seam>(element.get())) {
+            if (const std::optional<FoldedSides> dart = foldedSides(design, *seam)) {
+                marks[dart->patch].mouthEnds.push_back({dart->first.from, true});
+                marks[dart->patch].mouthEnds.push_back({dart->second.to, false});
+            }
         } else if (const PatchCurve* line = patchCurve(*element)) {
             marks[line->patch].lines.emplace_back(id, line);
         }

@@ -10,12 +10,19 @@
 
 namespace bolster {
 
+/// Where the mouth of a dart ends.
+struct MouthEnd {
+    double at = 0;     ///< parameter of the outline
+    bool ahead = true; ///< its leg begins there, else it ends there
+};
+
 /// Of one patch. Widths are within the limits of the fields, whatever the design says.
 struct CutMarks {
     std::vector<EdgeAllowance> edges;
     std::vector<CutCorner> corners;
     std::vector<std::pair<ElementId, const DrillHole*>> holes; ///< of the design
     std::vector<std::pair<ElementId, const PatchCurve*>> lines;
+    std::vector<MouthEnd> mouthEnds;
 
     /// Of the edge at a parameter of the patch's outline, mm; `usual` where it has none of its own.
     double widthAt(const BSpline2& outline, double t, double usual) const;

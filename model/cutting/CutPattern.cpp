@@ -14,7 +14,8 @@ namespace bolster {
 
 namespace {
 
-constexpr double samePlace = 0.1; // mm
+constexpr double samePlace = 0.1;      // mm
+constexpr double sameParameter = 1e-6; // of the period
 
 std::string counted(std::string words, int count)
 {
@@ -139,12 +140,17 @@ private:
         m_piece.notches.push_back(notch);
     }
 
-    /// At right angles to the sewing line; at corners between its two sides.
+    /// At right angles to the sewing line; at corners between its two sides, at the mouth of a dart along its leg,
+    /// so that both notches are where it is folded.
     Vec2 inwardsAt(double t) const
     {
         const BSpline2& outline = m_patch.outline;
         const double step = 1e-4 * outline.period();
         const auto at = [&](double s) { return Vec2(m_grown * outline.at(outline.wrapped(s))); };
+        for (const MouthEnd& end : m_marks.mouthEnds)
+            if (std::abs(std::remainder(end.at - t, outline.period())) < sameParameter * outline.period())
+                if (const Vec2 leg = at(t + (end.ahead ? step : -step)) - at(t); leg.norm() > 0)
+                    return leg.normalized();
         const Vec2 along = (at(t + step) - at(t)).normalized() + (at(t) - at(t - step)).normalized();
         const Vec2 left(-along.y(), along.x());
         const Vec2 inwards = outline.signedArea() < 0 ? Vec2(-left) : left;

@@ -1,5 +1,7 @@
 #include "CutCheck.h"
 
+#include "DartEdits.h"
+
 #include "Panels.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +47,13 @@ TEST(CutCheck, ComparesSidesOfSeamsWithTheEaseThatIsWanted)
     EXPECT_FALSE(says(findings(with(design, between, seam)), "its sides"));
     seam.ease = -6;
     EXPECT_TRUE(says(findings(with(design, between, seam)), "its sides"));
+}
+
+TEST(CutCheck, OneNotchIsForBothSeamsBesideADart)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, {left, 1.3, 1.5, {140, 40}}));
+    EXPECT_FALSE(says(findings(cut), "no partner"));
 }
 
 TEST(CutCheck, FindsNotchesThatNobodyMeetsOrThatCutTheSeam)

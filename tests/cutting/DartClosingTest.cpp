@@ -1,7 +1,11 @@
 #include "DartEdits.h"
+#include "DartRotation.h"
 #include "DesignCheck.h"
 #include "DesignJson.h"
+#include "FollowEdits.h"
 #include "StretchLength.h"
+#include "TwinEdits.h"
+#include "Twins.h"
 
 #include "Panels.h"
 
@@ -301,6 +305,127 @@ TEST(DartClosing, JoinsAnAllowanceThatWentOverTheMouth)
     now.each<EdgeAllowance>([&](ElementId, const EdgeAllowance&) { ++count; });
     EXPECT_EQ(count, 1);
     EXPECT_EQ(writeDesign(now), writeDesign(design)) << "nothing tells of the dart";
+}
+
+namespace {
+
+/// How far the tangents turn beyond those at both ends of a part (unwrapped), degrees.
+double mostBeyond(const BSpline2& outline, double from, double to)
+{
+    constexpr int count = 2000;
+    const auto along = [&](double share) {
+        const double t = from + share * (to - from), step = 1e-4 * (to - from);
+        return Vec2(outline.at(outline.wrapped(t + step)) - outline.at(outline.wrapped(t)));
+    };
+    const auto turn = [](const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); };
+    double angle = 0, least = 0, most = 0;
+    for (int k = 0; k < count; ++k) {
+        const double step = turn(along(static_cast<double>(k) / count), along((k + 1.0) / count));
+        EXPECT_LT(std::abs(step), 0.05) << "a corner at " << from + k * (to - from) / count;
+        angle += step;
+        least = std::min(least, angle);
+        most = std::max(most, angle);
+    }
+    const double beyond = std::max(std::min(0.0, angle) - least, most - std::max(0.0, angle));
+    return beyond * 180 / std::numbers::pi;
+}
+
+Design undarted(const Design& design, ElementId seam)
+{
+    Message problem;
+    const Edit edit = edits::removeDart(design, seam, &problem);
+    EXPECT_FALSE(edit.empty()) << problem.english();
+    const Design now = design.with(edits::withFollowers(design, edit));
+    expectNoErrors(now);
+    return now;
+}
+
+} // namespace
+
+TEST(DartClosing, LeavesNoStepWhereADartWasTurnedOpen)
+{
+    const Design design = twoPanels();
+    const Design cut = design.with(edits::addDart(design, {left, 0.4, 0.5, {90, 50}}));
+    const ElementId seam = theDart(cut);
+    // On the upper edge, beside the foot of the tip, and on the sides.
+    for (const double to : {2.4, 2.5, 2.55, 2.6, 2.7, 3.5, 1.5}) {
+        SCOPED_TRACE(to);
+        const Edit rotation = edits::rotateDart(cut, seam, to);
+        ASSERT_FALSE(rotation.empty());
+        const Design turned = cut.with(rotation), now = undarted(turned, seam);
+        const BSpline2 &open = turned.find<Patch>(left)->outline, &outline = now.find<Patch>(left)->outline;
+        EXPECT_EQ(outline.corners().size(), open.corners().size() - 3) << "none of the dart is left";
+        // From the corner before the mouth to that behind it.
+        const auto mouth = edits::dartOf(turned, seam);
+        double from = -1e9, end = 1e9;
+        for (const double corner : outline.corners())
+            for (int turn = -1; turn <= 2; ++turn) {
+                const double t = corner + turn * outline.period();
+                from = t < mouth->from ? std::max(from, t) : from;
+                end = t > mouth->from ? std::min(end, t) : end;
+            }
+        EXPECT_LT(mostBeyond(outline, from + 1e-3, end - 1e-3), 25);
+        EXPECT_GT(std::abs(outline.signedArea()), std::abs(open.signedArea())) << "the wedge is filled";
+    }
+}
+
+TEST(DartClosing, WhereADartWasTurnedOpenInCurvesIsSmooth)
+{
+    int closed = 0;
+    for (const BSpline2& outline : {egg(2), egg(3), egg(3).reversed(), cushion()})
+        for (const double share : {0.05, 0.22, 0.63})
+            for (const double to : {0.15, 0.35, 0.48, 0.8, 0.93}) {
+                Design design = twoPanels();
+                Patch patch = *design.find<Patch>(left);
+                patch.outline = outline;
+                design = with(design, left, patch).with({{}, {{between, nullptr, nullptr}}});
+                const auto shape = dartAt(design, share * outline.period(), 14, 60);
+                const Edit add = shape ? edits::addDart(design, *shape) : Edit{};
+                const Design cut = design.with(add);
+                const ElementId seam = theDart(cut);
+                const Edit rotation =
+                    seam == noElement ? Edit{} : edits::rotateDart(cut, seam, to * outline.period());
+                if (rotation.empty())
+                    continue;
+                const Design turned = cut.with(rotation);
+                SCOPED_TRACE(testing::Message() << outline.degree() << " " << share << " " << to);
+                const Design now = undarted(turned, seam);
+                // Legs at less than 30 degrees to the outline make a mouth that no curve leads over.
+                const auto mouth = *edits::dartOf(turned, seam);
+                const BSpline2& open = turned.find<Patch>(left)->outline;
+                const Vec2 way = open.at(mouth.to) - open.at(mouth.from),
+                           before = open.at(mouth.from) - open.at(open.wrapped(mouth.from - 1e-4));
+                if (before.normalized().dot(way.normalized()) < 0.5)
+                    continue;
+                ++closed;
+                EXPECT_EQ(now.find<Patch>(left)->outline.corners().size(), open.corners().size() - 3);
+            }
+    EXPECT_GT(closed, 10);
+}
+
+TEST(DartClosing, OfATwinThatWasTurnedOpenIsItsMirrorImage)
+{
+    Design design = twoPanels();
+    design = design.with(edits::makeTwins(design, std::array{left}, [](const std::string& n) { return n + "'"; }));
+    const auto make = [&](const Edit& edit) {
+        ASSERT_FALSE(edit.empty());
+        design = design.with(edits::withFollowers(design, edit));
+    };
+    make(edits::addDart(design, {left, 0.4, 0.5, {90, 50}}));
+    const auto dartOfLeft = [&] {
+        ElementId found = noElement;
+        design.each<Seam>([&](ElementId id, const Seam& seam) {
+            found = edits::dartOf(design, id) && seam.a.patch == left ? id : found;
+        });
+        return found;
+    };
+    make(edits::rotateDart(design, dartOfLeft(), 2.7));
+    make(edits::removeDart(design, dartOfLeft()));
+    expectNoErrors(design);
+    EXPECT_EQ(theDart(design), noElement);
+    const ElementId twin = twinOf(design, left);
+    ASSERT_NE(twin, noElement);
+    EXPECT_EQ(*mirroredCurve(design.find<Patch>(left)->outline), design.find<Patch>(twin)->outline);
 }
 
 } // namespace bolster

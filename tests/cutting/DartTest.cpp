@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 namespace bolster {
 
@@ -286,6 +287,38 @@ TEST(Darts, AreCutIntoTwinsToo)
     for (const auto& [id, seam] : seamsOf(design))
         darts += edits::dartOf(design, id).has_value();
     EXPECT_EQ(darts, 2);
+}
+
+TEST(Darts, KeepNotchesThatLieUnderTheirMouths)
+{
+    Design design = twoPanels();
+    const auto notch = [&](ElementId id, double at) { design = with(design, id, Notch{{left, at}, {}}); };
+    notch(ElementId(40), 0.43); // of the mouth's 0.4 to 0.5
+    notch(ElementId(41), 0.44);
+    notch(ElementId(42), 0.48);
+    notch(ElementId(43), 0.7);
+    for (const bool twins : {false, true}) {
+        if (twins)
+            design = design.with(
+                edits::makeTwins(design, std::array{left}, [](const std::string& n) { return n + "'"; }));
+        const Design cut = design.with(edits::withFollowers(design, edits::addDart(design, bottom)));
+        errorsIn(cut);
+        const BSpline2& outline = cut.find<Patch>(left)->outline;
+        const auto placeOf = [&](ElementId id) {
+            return outline.at(outline.wrapped(cut.find<Notch>(id)->place.at));
+        };
+        ASSERT_TRUE(cut.find<Notch>(ElementId(40)) && cut.find<Notch>(ElementId(42)));
+        EXPECT_TRUE(placeOf(ElementId(40)).isApprox(Vec2(80, 0), 1e-9)) << "at the nearer leg";
+        EXPECT_TRUE(placeOf(ElementId(42)).isApprox(Vec2(100, 0), 1e-9));
+        EXPECT_FALSE(cut.find<Notch>(ElementId(41))) << "there is one already";
+        EXPECT_TRUE(placeOf(ElementId(43)).isApprox(Vec2(140, 0), 1e-9));
+        std::map<ElementId, int> count;
+        cut.each<Notch>([&](ElementId, const Notch& each) { ++count[each.place.patch]; });
+        EXPECT_EQ(count[left], 3);
+        if (twins) {
+            EXPECT_EQ(count[twinOf(cut, left)], 3);
+        }
+    }
 }
 
 } // namespace bolster

@@ -1,15 +1,18 @@
 // What is written is read again: outlines, notches, holes, grain, names, quantities, allowances.
 #include "CutMarks.h"
 #include "CutPattern.h"
+#include "DartEdits.h"
 #include "DesignCheck.h"
 #include "DrawingReaders.h"
 #include "DxfWriter.h"
 #include "ImportedDesigns.h"
 #include "PatternDesign.h"
+#include "SeamEdits.h"
 #include "SvgWriter.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numbers>
 
 namespace bolster {
@@ -38,6 +41,9 @@ Design withMarks(const Design& start)
         Patch patch = *design.find<Patch>(patches[i]);
         patch.cutting.quantity = static_cast<double>(1 + i % 3);
         patch.cutting.pair = i % 2 == 1;
+        constexpr Nap naps[] = {Nap::OneWay, Nap::TwoWays, Nap::Any};
+        patch.cutting.nap = naps[i % 3];
+        patch.cutting.tolerance = i % 2 == 0 ? 2 : 7.5;
         patch.allowance = CutAllowance{8.0 + static_cast<double>(i % 4), joins[i % 3]};
         if (i == 1)
             patch.name = "R\u00fcckenk\u00f6rper";
@@ -142,6 +148,8 @@ TEST_P(RoundTrip, KeepsWhatACutterIsTold)
         const CutPiece& before = *original;
         EXPECT_EQ(after.quantity, before.quantity);
         EXPECT_EQ(after.pair, before.pair);
+        EXPECT_EQ(after.nap, before.nap);
+        EXPECT_NEAR(after.tolerance, before.tolerance, 1e-9);
         EXPECT_EQ(after.fabricName, before.fabricName);
         const Patch &old = *design.find<Patch>(before.patch), &now = *again.find<Patch>(after.patch);
         const Alignment2 place(now, old);
@@ -224,6 +232,50 @@ TEST(RoundTrips, KeepTheAllowanceOfEveryEdge)
                 }
             }
         }
+}
+
+/// A panel with a dart in an edge that is sewn to another one: notches mark its mouth, on both pieces.
+TEST(RoundTrips, KeepNotchesAtTheMouthOfADart)
+{
+    for (const double allowance : {6.0, 10.0, 25.0})
+        for (const double tip : {40.0, 55.0})
+            for (const Format format : {Format::Aama, Format::Astm, Format::Plain, Format::Svg}) {
+                SCOPED_TRACE(testing::Message() << allowance << " " << tip << " " << static_cast<int>(format));
+                Patch left, right;
+                left.name = "Left";
+                left.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 100}, {0, 100}});
+                right.name = "Right";
+                right.outline = BSpline2(1, true, {{0, 0}, {150, 0}, {150, 80}, {0, 80}});
+                left.allowance = right.allowance = CutAllowance{allowance, CornerJoin::Mitred};
+                Design design = Design().with(
+                    {{},
+                     {{ElementId(1), nullptr, makeElement(left)}, {ElementId(2), nullptr, makeElement(right)}}});
+                design = design.with(edits::addSeam(design, {ElementId(1), 1, 2}, {ElementId(2), 3, 4}, true));
+                Message problem;
+                const Edit dart = edits::addDart(design, {ElementId(1), 1.3, 1.5, {140, tip}}, &problem);
+                ASSERT_FALSE(dart.empty()) << problem.english();
+                design = design.with(dart);
+
+                const ImportedPattern imported =
+                    patternEdit(Design(), findPieces(written(cutPattern(design, {}), format), {1, "", 0}));
+                const Design again = Design().with(imported.edit);
+                std::map<std::string, std::vector<Vec2>> places;
+                again.each<Notch>([&](ElementId, const Notch& notch) {
+                    const Patch& patch = *again.find<Patch>(notch.place.patch);
+                    places[patch.name].push_back(patch.outline.at(notch.place.at));
+                });
+                const std::vector<Vec2>& notches = places["Left"];
+                EXPECT_FALSE(places["Right"].empty());
+                const Patch* now = nullptr;
+                again.each<Patch>(
+                    [&](ElementId, const Patch& patch) { now = patch.name == "Left" ? &patch : now; });
+                ASSERT_TRUE(now);
+                int atMouth = 0;
+                for (const double corner : now->outline.corners())
+                    for (const Vec2& notch : notches)
+                        atMouth += (notch - now->outline.at(corner)).norm() < 1e-6;
+                EXPECT_EQ(atMouth, 2) << "exactly at both of its ends";
+            }
 }
 
 std::string caseName(const testing::TestParamInfo<std::tuple<std::string, Format>>& tested)

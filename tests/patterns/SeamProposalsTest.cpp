@@ -1,5 +1,6 @@
 #include "SeamProposals.h"
 
+#include "DartEdits.h"
 #include "DesignJson.h"
 #include "ImportedDesigns.h"
 
@@ -157,5 +158,88 @@ TEST(SeamProposals, EndWhenAskedTo)
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Proposals, testing::Values("car-seat", "armchair", "pillow"));
+
+namespace {
+
+/// Two panels of which the edges at x = 200 and x = 0 belong together, the first one with a dart in it, 20 mm wide.
+Design dartedPanels(bool backwards = false)
+{
+    Patch darted = panel("Front", 200, 100, {0, 0});
+    const Patch plain = panel("Back", 150, 80, {300, 0});
+    darted.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 30}, {140, 40}, {200, 50}, {200, 100}, {0, 100}});
+    if (backwards)
+        darted.outline = darted.outline.reversed();
+    return Design().with(
+        {{}, {{ElementId(1), nullptr, makeElement(darted)}, {ElementId(2), nullptr, makeElement(plain)}}});
+}
+
+} // namespace
+
+TEST(SeamProposals, LegsOfDartsAreAmongTheMostCertain)
+{
+    for (const bool backwards : {false, true}) {
+        const Design design = dartedPanels(backwards);
+        const std::vector<SeamProposal> proposals = proposeSeams(design);
+        ASSERT_FALSE(proposals.empty());
+        const SeamProposal& first = proposals.front();
+        EXPECT_TRUE(first.dart);
+        EXPECT_GT(first.certainty, 0.9);
+        EXPECT_TRUE(first.reversed);
+        EXPECT_NEAR(first.lengthA, std::hypot(60, 10), 1e-6);
+        const Design sewn = design.with(sewProposals(design, {first}));
+        int darts = 0;
+        sewn.each<Seam>([&](ElementId id, const Seam& seam) {
+            const auto dart = edits::dartOf(sewn, id);
+            darts += dart && dart->tip.isApprox(Vec2(140, 40), 1e-9) && seam.continuity == Continuity::C1;
+        });
+        EXPECT_EQ(darts, 1) << "it is one as if it had been drawn";
+    }
+}
+
+TEST(SeamProposals, AnEdgeRunsPastADart)
+{
+    Design design = dartedPanels();
+    design = design.with({{}, {{ElementId(3), nullptr, makeElement(Notch{{ElementId(2), 3 + 50.0 / 80}, {}})}}});
+    std::vector<double> lengths;
+    for (const SeamProposal& proposal : proposeSeams(design))
+        if (proposal.a.patch != proposal.b.patch)
+            lengths.push_back(proposal.lengthA);
+    std::ranges::sort(lengths);
+    ASSERT_GE(lengths.size(), 2u);
+    EXPECT_NEAR(lengths[0], 30, 0.5) << "both parts beside the dart";
+    EXPECT_NEAR(lengths[1], 50, 0.5);
+}
+
+TEST(SeamProposals, WedgesThatAreNoDartsAreLeftAlone)
+{
+    const auto hasDart = [](const Design& design) {
+        return std::ranges::any_of(proposeSeams(design), &SeamProposal::dart);
+    };
+    // One leg is longer than the other one.
+    Design uneven = dartedPanels();
+    Patch patch = *uneven.find<Patch>(ElementId(1));
+    patch.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 30}, {140, 45}, {200, 50}, {200, 100}, {0, 100}});
+    uneven = uneven.with({{}, {{ElementId(1), nullptr, makeElement(patch)}}});
+    EXPECT_FALSE(hasDart(uneven));
+    // The inner corner of an L, both of whose edges are of one length.
+    patch.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 40}, {140, 40}, {140, 100}, {0, 100}});
+    const Design corner = uneven.with({{}, {{ElementId(1), nullptr, makeElement(patch)}}});
+    EXPECT_FALSE(hasDart(corner));
+}
+
+TEST(SeamProposals, DartsMayBeCurved)
+{
+    for (const bool mirrored : {true, false}) {
+        Patch patch = panel("Front", 200, 100, {0, 0});
+        const double bend = mirrored ? 44 : 37; // the other leg is its mirror image, or bends along with it
+        patch.outline = BSpline2::withCorners(
+            {{0, 0},    {66, 0},    {133, 0},   {200, 0},    {200, 10},   {200, 20}, {200, 30},
+             {180, 36}, {160, 36},  {140, 40},  {160, bend}, {180, bend}, {200, 50}, {200, 66},
+             {200, 83}, {200, 100}, {133, 100}, {66, 100},   {0, 100},    {0, 66},   {0, 33}},
+            {0, 3, 6, 9, 12, 15, 18});
+        const Design design = Design().with({{}, {{ElementId(1), nullptr, makeElement(patch)}}});
+        EXPECT_EQ(std::ranges::any_of(proposeSeams(design), &SeamProposal::dart), mirrored);
+    }
+}
 
 } // namespace bolster

@@ -19,18 +19,19 @@ DartCommands::DartCommands(Commands& commands, Document& document, Selection& se
     , m_pattern(pattern)
     , m_status(status)
 {
-    commands.add({{.id = "dart.close",
-                   .text = tr("Close da&rt"),
-                   .tip = tr("A straight edge takes the place of the selected dart"),
-                   .places = {"pattern.points/2", "seam/2"},
-                   .enabled = [this] { return isSelected(); },
-                   .does = [this] { close(); }},
-                  {.id = "dart.rotate",
-                   .text = tr("R&otate dart to \u2026"),
-                   .tip = tr("Closes the selected dart and opens the pattern where you click, by the same angle"),
-                   .places = {"pattern.points/2", "seam/2"},
-                   .enabled = [this] { return isSelected(); },
-                   .does = [this] { m_pattern.setTool(PatternToolKind::DartRotation); }}});
+    commands.add(
+        {{.id = "dart.close",
+          .text = tr("Remove da&rt"),
+          .tip = tr("The edge goes on as if the selected dart had never been cut"),
+          .places = {"pattern.points/2", "seam/2"},
+          .enabled = [this] { return isSelected(); },
+          .does = [this] { close(); }},
+         {.id = "dart.rotate",
+          .text = tr("R&otate dart to \u2026"),
+          .tip = tr("Turns the selected dart shut and opens the pattern where you click, by the same angle"),
+          .places = {"pattern.points/2", "seam/2"},
+          .enabled = [this] { return isSelected(); },
+          .does = [this] { m_pattern.setTool(PatternToolKind::DartRotation); }}});
 }
 
 bool DartCommands::isSelected() const

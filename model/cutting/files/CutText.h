@@ -1,6 +1,8 @@
 // Numbers and words as files for cutters have them. Private to the library.
 #pragma once
 
+#include "CutPiece.h"
+
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -21,6 +23,18 @@ inline std::string decimal(double value, int decimals = 4)
             result.pop_back();
     }
     return result == "-0" ? "0" : result;
+}
+
+/// Which ways round the piece may lie; empty for either end up, as it is without a word.
+inline std::string napText(const CutPiece& piece)
+{
+    return piece.nap == Nap::OneWay ? "ONE WAY" : piece.nap == Nap::Any ? "ANY WAY" : "";
+}
+
+/// How far its grain may be off, degrees; empty for as much as usual.
+inline std::string toleranceText(const CutPiece& piece)
+{
+    return piece.tolerance == PieceCutting{}.tolerance ? std::string() : decimal(piece.tolerance);
 }
 
 /// ASCII, for formats that know nothing else: letters of Western Europe lose their marks, others become "_".

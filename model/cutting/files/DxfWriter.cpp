@@ -47,6 +47,8 @@ std::vector<std::pair<std::string, std::string>> pieceWords(const CutPiece& piec
     return {{"Piece Name", piece.name},
             {"Quantity", quantityText(piece)},
             {"Fabric", piece.fabricName},
+            {"Nap", napText(piece)},
+            {"Grain Tolerance", toleranceText(piece)},
             {"Annotation", piece.mirrored ? "mirrored" : ""}};
 }
 

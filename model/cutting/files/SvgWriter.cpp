@@ -41,7 +41,9 @@ std::string aboutPiece(const CutPiece& piece)
     std::string about;
     for (const auto& [key, value] : {std::pair<const char*, std::string>("piece", piece.name),
                                      {"quantity", quantityText(piece)},
-                                     {"fabric", piece.fabricName}})
+                                     {"fabric", piece.fabricName},
+                                     {"nap", napText(piece)},
+                                     {"grain-tolerance", toleranceText(piece)}})
         if (!value.empty())
             about.append(" data-").append(key).append("=\"").append(escapedXml(value)).append("\"");
     return about;

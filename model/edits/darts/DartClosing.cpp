@@ -1,8 +1,10 @@
 #include "DartClosing.h"
 
-#include "BezierPieces.h"
+#include "ArcLength.h"
 #include "DesignCheck.h"
+#include "MouthSides.h"
 #include "PiecedSpline.h"
+#include "PlaneCurves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,172 +13,10 @@ namespace bolster::edits {
 
 namespace {
 
-constexpr double samePoint = 1e-5;  // mm: between what both sides say of one place
-constexpr double sameShare = 1e-6;  // of the mouth
-constexpr double onOneLine = 1e-6;  // radians
+constexpr double sameJoint = 1e-5;  // mm: between what both sides say of one place
+constexpr double atMouthEnd = 1e-6; // of the mouth
 constexpr double mostHandles = 1.5; // of the mouth's width: longer ones make a smooth piece bulge
 constexpr double leastAhead = 0.26; // cosine: a smooth piece sets out by at most 75 degrees off the mouth's line
-
-/// Of one side, c0 + c1 x + ..., x from 0 to 1 over the mouth.
-using Powers = std::array<Vec2, 4>;
-
-Vec2 valueAt(const Powers& powers, double x)
-{
-    return powers[0] + x * (powers[1] + x * (powers[2] + x * powers[3]));
-}
-
-Vec2 speedAt(const Powers& powers, double x)
-{
-    return powers[1] + x * (2 * powers[2] + 3 * x * powers[3]);
-}
-
-double choose(int n, int k)
-{
-    double result = 1;
-    for (int i = 0; i < k; ++i)
-        result = result * (n - i) / (i + 1);
-    return result;
-}
-
-/// About one end of a piece, in a unit of `scale` times its length.
-Powers powersAt(const BezierPiece<2>& piece, bool end, double scale)
-{
-    const int d = piece.degree;
-    Powers powers{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
-    for (int k = 0; k <= d; ++k) {
-        Vec2 difference = Vec2::Zero();
-        for (int i = 0; i <= k; ++i)
-            difference += ((k - i) % 2 == 0 ? 1 : -1) * choose(k, i) *
-                          piece.points[static_cast<std::size_t>(end ? d - k + i : i)];
-        powers[static_cast<std::size_t>(k)] = choose(d, k) * std::pow(scale, k) * difference;
-    }
-    return powers;
-}
-
-/// The same polynomial, in x + 1 where it was in x.
-Powers oneBefore(const Powers& powers)
-{
-    Powers moved{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
-    for (std::size_t k = 0; k < powers.size(); ++k)
-        for (std::size_t j = 0; j <= k; ++j)
-            moved[j] += choose(static_cast<int>(k), static_cast<int>(j)) * ((k - j) % 2 == 0 ? 1 : -1) * powers[k];
-    return moved;
-}
-
-double largest(const Powers& powers)
-{
-    double sum = 0;
-    for (const Vec2& power : powers)
-        sum += power.norm();
-    return sum;
-}
-
-/// Where two sides meet, and how many knots belong there.
-struct Meeting {
-    double at = 0; ///< of the mouth, 0 to 1
-    int knots = 0;
-};
-
-/// The outline on both sides of a mouth, as polynomials that go on over it.
-class MouthSides {
-public:
-    MouthSides(const BezierPiece<2>& before, const BezierPiece<2>& after, double span)
-        : m_degree(before.degree)
-        , m_before(powersAt(before, true, span / (before.end - before.start)))
-        , m_after(oneBefore(powersAt(after, false, span / (after.end - after.start))))
-    {
-        for (std::size_t k = 0; k < m_between.size(); ++k)
-            m_between[k] = m_after[k] - m_before[k];
-    }
-
-    std::optional<Meeting> meeting() const
-    {
-        if (largest(m_between) < samePoint)
-            return Meeting{0.5, 0};
-        const std::optional<Meeting> smooth = smoothMeeting(), found = smooth ? smooth : cornerMeeting();
-        return found && (found->knots < m_degree || isCornerAt(found->at)) ? found : std::nullopt;
-    }
-
-    /// From x0 to x1, as a piece of the curve's parameter.
-    BezierPiece<2> piece(bool after, double x0, double x1, double from, double span) const
-    {
-        const Powers& powers = after ? m_after : m_before;
-        BezierPiece<2> piece;
-        piece.degree = m_degree;
-        piece.start = from + x0 * span;
-        piece.end = from + x1 * span;
-        Powers moved{Vec2::Zero(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()}; // in u = (x - x0) / (x1 - x0)
-        for (std::size_t k = 0; k < powers.size(); ++k)
-            for (std::size_t j = 0; j <= k; ++j)
-                moved[j] += choose(static_cast<int>(k), static_cast<int>(j)) *
-                            std::pow(x0, static_cast<double>(k - j)) * std::pow(x1 - x0, static_cast<double>(j)) *
-                            powers[k];
-        for (int i = 0; i <= m_degree; ++i) {
-            Vec2& point = piece.points[static_cast<std::size_t>(i)];
-            point = Vec2::Zero();
-            for (int j = 0; j <= i; ++j)
-                point += choose(i, j) / choose(m_degree, j) * moved[static_cast<std::size_t>(j)];
-        }
-        return piece;
-    }
-
-    Vec2 start() const { return m_before[0]; }
-    Vec2 end() const { return valueAt(m_after, 1); }
-    Vec2 startSpeed() const { return m_before[1]; }
-    Vec2 endSpeed() const { return speedAt(m_after, 1); }
-
-private:
-    /// Both sides on one line make none, however fast they run.
-    bool isCornerAt(double x) const
-    {
-        const Vec2 a = speedAt(m_before, x), b = speedAt(m_after, x);
-        return std::abs(cross(a, b)) > onOneLine * a.norm() * b.norm() || a.dot(b) < 0;
-    }
-
-    /// One simple knot: what is between the sides is a power of the distance from it.
-    std::optional<Meeting> smoothMeeting() const
-    {
-        const auto d = static_cast<std::size_t>(m_degree);
-        const Vec2& c = m_between[d];
-        if (!(c.norm() > 0))
-            return std::nullopt;
-        const double at = -m_between[d - 1].dot(c) / (m_degree * c.squaredNorm());
-        Powers rest = m_between;
-        for (std::size_t k = 0; k <= d; ++k)
-            rest[k] -= choose(m_degree, static_cast<int>(k)) * std::pow(-at, static_cast<double>(d - k)) * c;
-        if (largest(rest) > samePoint || at < -sameShare || at > 1 + sameShare)
-            return std::nullopt;
-        return Meeting{std::clamp(at, 0.0, 1.0), 1};
-    }
-
-    /// They only cross.
-    std::optional<Meeting> cornerMeeting() const
-    {
-        for (const double end : {0.0, 1.0})
-            if (valueAt(m_between, end).norm() < samePoint)
-                return Meeting{end, m_degree};
-        constexpr int samples = 64;
-        const Vec2 along = valueAt(m_between, 1) - valueAt(m_between, 0);
-        const auto ahead = [&](double x) { return valueAt(m_between, x).dot(along); };
-        for (int k = 0; k < samples; ++k) {
-            double low = static_cast<double>(k) / samples, high = static_cast<double>(k + 1) / samples;
-            if ((ahead(low) < 0) == (ahead(high) < 0))
-                continue;
-            for (int step = 0; step < 50; ++step) {
-                const double middle = (low + high) / 2;
-                ((ahead(middle) < 0) == (ahead(low) < 0) ? low : high) = middle;
-            }
-            if (valueAt(m_between, low).norm() < samePoint)
-                return Meeting{low, m_degree};
-        }
-        return std::nullopt;
-    }
-
-    int m_degree;
-    Powers m_before;
-    Powers m_after;
-    Powers m_between; ///< from the one before to the one after
-};
 
 /// What fills a mouth: pieces of the outline, with the knots at its start, inside and at its end.
 struct Filling {
@@ -197,7 +37,7 @@ BezierPiece<2> bezier(std::initializer_list<Vec2> points, double from, double to
 Filling asBefore(const MouthSides& sides, const Meeting& meeting, double from, double span)
 {
     Filling filling;
-    const double x = meeting.at < sameShare ? 0 : meeting.at > 1 - sameShare ? 1 : meeting.at;
+    const double x = meeting.at < atMouthEnd ? 0 : meeting.at > 1 - atMouthEnd ? 1 : meeting.at;
     if (x > 0)
         filling.pieces.push_back(sides.piece(false, 0, x, from, span));
     if (x < 1)
@@ -245,29 +85,93 @@ bool canBeSmooth(const MouthSides& sides, int degree)
     return degree > 1 && ahead(a) && ahead(b) && (a.norm() + b.norm()) / 3 < mostHandles * way.norm();
 }
 
-Filling fillingOf(const MouthSides& sides, int degree, double from, double span)
+/// An outline with a part that something else takes the place of.
+class Gap {
+public:
+    Gap(const BSpline2& outline, double from, double to)
+        : m_outline(outline)
+        , m_kept(outline.part(outline.wrapped(to), outline.wrapped(from)))
+        , m_pieces(bezierPieces(m_kept))
+        , m_span(to - from)
+        , m_sides(m_pieces.back(), m_pieces.front(), m_span)
+    {}
+
+    const MouthSides& sides() const { return m_sides; }
+
+    /// `fill`: straight, smoothly ...
+    template <class Fill>
+    std::optional<BSpline2> filled(const Fill& fill) const
+    {
+        const Filling filling = fill(m_kept.domainEnd(), m_span);
+        std::vector<BezierPiece<2>> pieces = m_pieces;
+        std::vector<double> knots = innerKnots(m_kept);
+        knots.insert(knots.end(), filling.knots.begin(), filling.knots.end());
+        pieces.insert(pieces.end(), filling.pieces.begin(), filling.pieces.end());
+        if (knots.size() < 3)
+            return std::nullopt;
+        const BSpline2 closed = closedSpline(pieces, std::move(knots), m_outline);
+        return outlineProblem(closed) ? std::nullopt : std::optional(closed);
+    }
+
+    std::optional<BSpline2> smooth() const
+    {
+        const int degree = m_outline.degree();
+        if (!canBeSmooth(m_sides, degree))
+            return std::nullopt;
+        return filled([&](double from, double span) { return smoothly(m_sides, degree, from, span); });
+    }
+
+private:
+    const BSpline2& m_outline;
+    BSpline2 m_kept;
+    std::vector<BezierPiece<2>> m_pieces;
+    double m_span;
+    MouthSides m_sides;
+};
+
+/// A part that is longer on both sides by `more` (mm), but by no more than half of the way to the next corner.
+std::pair<double, double> widened(const BSpline2& outline, double from, double to, double more)
 {
-    if (const std::optional<Meeting> meeting = sides.meeting())
-        return asBefore(sides, *meeting, from, span);
-    return canBeSmooth(sides, degree) ? smoothly(sides, degree, from, span) : straight(sides, degree, from, span);
+    const ArcLength2 length(outline);
+    const double period = outline.period();
+    double before = from - period, after = to + period;
+    for (const double corner : outline.corners())
+        for (int turn = -1; turn <= 1; ++turn) {
+            const double t = corner + turn * period;
+            before = t < from - atMouthEnd ? std::max(before, t) : before;
+            after = t > to + atMouthEnd ? std::min(after, t) : after;
+        }
+    const double back = std::min(more, length.between(before, from) / 2),
+                 on = std::min(more, length.between(to, after) / 2);
+    return {length.parameterAt(length.at(from) - back), length.parameterAt(length.at(to) + on)};
+}
+
+/// Spread, as far as the mouth is wide on both sides, no step is seen.
+std::optional<BSpline2> smoothOver(const BSpline2& outline, double from, double to, bool spread)
+{
+    const Gap gap(outline, from, to);
+    const auto [start, end] = widened(outline, from, to, (gap.sides().end() - gap.sides().start()).norm());
+    const Gap wide(outline, start, end);
+    std::optional<BSpline2> closed = (spread ? wide : gap).smooth();
+    return closed ? closed : (spread ? gap : wide).smooth();
 }
 
 } // namespace
 
-std::optional<BSpline2> withoutLegs(const BSpline2& outline, double from, double to)
+std::optional<BSpline2> withoutLegs(const BSpline2& outline, double from, double to, const Vec2& tip)
 {
-    const BSpline2 kept = outline.part(outline.wrapped(to), outline.wrapped(from));
-    const double span = to - from, start = kept.domainEnd(); // of the mouth
-    std::vector<BezierPiece<2>> pieces = bezierPieces(kept);
-    const MouthSides sides(pieces.back(), pieces.front(), span);
-    const Filling filling = fillingOf(sides, outline.degree(), start, span);
-    std::vector<double> knots = innerKnots(kept);
-    knots.insert(knots.end(), filling.knots.begin(), filling.knots.end());
-    pieces.insert(pieces.end(), filling.pieces.begin(), filling.pieces.end());
-    if (knots.size() < 3)
-        return std::nullopt;
-    const BSpline2 closed = closedSpline(pieces, std::move(knots), outline);
-    return outlineProblem(closed) ? std::nullopt : std::optional(closed);
+    const int degree = outline.degree();
+    const Gap gap(outline, from, to);
+    const MouthSides& sides = gap.sides();
+    const std::optional<Meeting> meeting = sides.meeting();
+    const bool turnedOpen = sides.turnedOpen(tip);
+    if (meeting && (meeting->knots < degree || !turnedOpen))
+        return gap.filled([&](double start, double span) { return asBefore(sides, *meeting, start, span); });
+    const bool spread = turnedOpen || sides.isStep();
+    if (!sides.onOneLine() && (degree > 1 || spread))
+        if (auto closed = smoothOver(degree > 1 ? outline : raisedToCubic(outline), from, to, spread))
+            return closed;
+    return gap.filled([&](double start, double span) { return straight(sides, degree, start, span); });
 }
 
 BSpline2 withoutJoint(const BSpline2& outline, double t)
@@ -282,7 +186,7 @@ BSpline2 withoutJoint(const BSpline2& outline, double t)
     for (std::size_t k = 0; k < a.size(); ++k)
         apart += (b[k] - a[k]).norm();
     std::vector<double> knots = innerKnots(open);
-    if (apart > samePoint || knots.size() < 3)
+    if (apart > sameJoint || knots.size() < 3)
         return outline;
     return closedSpline(pieces, std::move(knots), outline);
 }

@@ -5,6 +5,7 @@
 #include "DartSewing.h"
 #include "DesignCheck.h"
 #include "EditBuilder.h"
+#include "FoldedSeam.h"
 #include "OutlineCrossings.h"
 #include "PlaneCurves.h"
 #include "StraightCorner.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr double narrowest = 1; // mm: of a mouth
 constexpr double shortest = 5;  // mm: of a leg
 constexpr double sameSpot = 1e-6;
+constexpr double nearlySameSpot = 1e-3; // mm
 
 Edit refused(Message* problem, Message why)
 {
@@ -154,7 +156,8 @@ Edit addOneDart(const Design& design, const DartShape& shape, Message* problem)
     changed.outline = *cut;
     builder.replace(shape.patch, std::move(changed));
 
-    const std::set<ElementId> divided = divideSeams(design, {shape.patch, mouth.from, mouth.to}, builder);
+    std::set<ElementId> divided = divideSeams(design, {shape.patch, mouth.from, mouth.to}, builder);
+    divided.merge(keepNotches(design, {shape.patch, mouth.from, mouth.to}, builder));
     keepPlaces(design, {mouth.to, mouth.from + outline.period()}, shape.patch, divided, builder);
     closeHeldGap({shape.patch, mouth.from, mouth.to}, builder);
     const double first = cut->wrapped(mouth.from), middle = cut->wrapped(tip.front()),
@@ -172,7 +175,8 @@ Edit withMirroredOutline(const Design& design, const Edit& both, ElementId patch
         return both;
     const std::optional<BSpline2> mirrored = mirroredCurve(now.find<Patch>(patch)->outline);
     Patch changed = *now.find<Patch>(twin);
-    if (!mirrored || mirrored->knots() != changed.outline.knots())
+    const auto same = [](double a, double b) { return std::abs(a - b) < sameSpot; };
+    if (!mirrored || !std::ranges::equal(mirrored->knots(), changed.outline.knots(), same))
         return both;
     changed.outline = *mirrored;
     EditBuilder builder(now);
@@ -208,23 +212,19 @@ Edit addDart(const Design& design, const DartShape& shape, Message* problem)
 std::optional<DartShape> dartOf(const Design& design, ElementId id)
 {
     const Seam* seam = design.find<Seam>(id);
-    const Patch* patch = seam ? design.find<Patch>(seam->a.patch) : nullptr;
-    if (!patch || seam->b.patch != seam->a.patch || patch->outline.empty() || !seam->reversed)
+    const std::optional<FoldedSides> legs = seam ? foldedSides(design, *seam) : std::nullopt;
+    if (!legs)
         return std::nullopt;
-    const BSpline2& outline = patch->outline;
+    const BSpline2& outline = design.find<Patch>(legs->patch)->outline;
     const auto at = [&](double t) { return outline.at(outline.wrapped(t)); };
-    const bool aFirst = (at(seam->a.to) - at(seam->b.from)).norm() < sameSpot;
-    const Stretch &one = aFirst ? seam->a : seam->b, &two = aFirst ? seam->b : seam->a;
-    if ((at(one.to) - at(two.from)).norm() >= sameSpot)
-        return std::nullopt;
     const auto isStraight = [&](const Stretch& leg) {
         const double end = unwrappedEnd(leg.from, leg.to, outline.domainStart(), outline.domainEnd());
         const double chord = (at(end) - at(leg.from)).norm();
         return ArcLength2(outline).between(leg.from, end) < chord * (1 + 1e-6) + sameSpot;
     };
-    if (!isStraight(one) || !isStraight(two))
+    if (!isStraight(legs->first) || !isStraight(legs->second))
         return std::nullopt;
-    return DartShape{seam->a.patch, one.from, two.to, at(one.to)};
+    return DartShape{legs->patch, legs->first.from, legs->second.to, legs->tip};
 }
 
 ElementId twinDart(const Design& design, const DartShape& dart)
@@ -250,7 +250,7 @@ Edit removeOneDart(const Design& design, ElementId id, Message* problem)
     const Patch& patch = *design.find<Patch>(dart->patch);
     const BSpline2& outline = patch.outline;
     const Mouth legs{dart->from, unwrappedEnd(dart->from, dart->to, outline.domainStart(), outline.domainEnd())};
-    const std::optional<BSpline2> closed = withoutLegs(outline, legs.from, legs.to);
+    const std::optional<BSpline2> closed = withoutLegs(outline, legs.from, legs.to, dart->tip);
     if (!closed)
         return refused(problem,
                        {QT_TRANSLATE_NOOP("Message", "Without this dart the outline of %1 would cross itself."),
@@ -265,7 +265,8 @@ Edit removeOneDart(const Design& design, ElementId id, Message* problem)
     keepPlaces(design, {legs.to, legs.from + outline.period()}, dart->patch, done, builder);
     for (const double corner : {dart->from, dart->to})
         dropStraightCorner(dart->patch, corner, builder);
-    return builder.result({QT_TRANSLATE_NOOP("Message", "Close a dart of %1"), {displayName(design, dart->patch)}});
+    return builder.result(
+        {QT_TRANSLATE_NOOP("Message", "Remove a dart of %1"), {displayName(design, dart->patch)}});
 }
 
 Edit moveOneTip(const Design& design, ElementId id, const Vec2& tip, Message* problem)
@@ -331,6 +332,33 @@ Edit moveDartTip(const Design& design, ElementId id, const Vec2& tip, Message* p
     });
 }
 
+namespace {
+
+/// The same dart with the middle of its mouth elsewhere on the outline without it; `cut` has it.
+DartShape shapeAt(const BSpline2& cut, const BSpline2& outline, const DartShape& dart, double at)
+{
+    const ArcLength2 length(outline);
+    const Mouth before{dart.from, unwrappedEnd(dart.from, dart.to, outline.domainStart(), outline.domainEnd())};
+    const Vec2 oldFrom = cut.at(cut.wrapped(dart.from)), oldTo = cut.at(cut.wrapped(dart.to));
+    const auto isOn = [&](double t, const Vec2& end) {
+        return (outline.at(outline.wrapped(t)) - end).norm() < nearlySameSpot;
+    };
+    // About a mouth that was turned open the outline has given way.
+    const bool asItWas = isOn(before.from, oldFrom) && isOn(before.to, oldTo);
+    const double half = (asItWas ? length.between(before.from, before.to) : (oldTo - oldFrom).norm()) / 2;
+    // The tip lies as before, seen from the mouth.
+    const Vec2 along = (oldTo - oldFrom).normalized(), left(-along.y(), along.x());
+    const Vec2 seen = dart.tip - (oldFrom + oldTo) / 2;
+    const double middle = length.at(outline.wrapped(at));
+    const double start = outline.wrapped(length.parameterAt(middle - half)),
+                 end = outline.wrapped(length.parameterAt(middle + half));
+    const Vec2 from = outline.at(start), to = outline.at(end);
+    const Vec2 newAlong = (to - from).normalized(), newLeft(-newAlong.y(), newAlong.x());
+    return {dart.patch, start, end, (from + to) / 2 + seen.dot(along) * newAlong + seen.dot(left) * newLeft};
+}
+
+} // namespace
+
 Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
 {
     const std::optional<DartShape> dart = dartOf(design, id);
@@ -338,21 +366,8 @@ Edit moveDart(const Design& design, ElementId id, double at, Message* problem)
     if (removed.empty())
         return dart ? Edit{} : refused(problem, {QT_TRANSLATE_NOOP("Message", "Select the seam of a dart."), {}});
     const Design without = design.with(removed);
-    const BSpline2& outline = without.find<Patch>(dart->patch)->outline;
-    const ArcLength2 length(outline);
-    const Mouth before{dart->from, unwrappedEnd(dart->from, dart->to, outline.domainStart(), outline.domainEnd())};
-    const double half = length.between(before.from, before.to) / 2;
-    const auto place = [&](double s) { return outline.at(outline.wrapped(length.parameterAt(s))); };
-    // The tip lies as before, seen from the mouth.
-    const Vec2 oldFrom = outline.at(outline.wrapped(before.from)), oldTo = outline.at(outline.wrapped(before.to));
-    const Vec2 along = (oldTo - oldFrom).normalized(), left(-along.y(), along.x());
-    const Vec2 seen = dart->tip - (oldFrom + oldTo) / 2;
-    const double middle = length.at(outline.wrapped(at));
-    const Vec2 from = place(middle - half), to = place(middle + half);
-    const Vec2 newAlong = (to - from).normalized(), newLeft(-newAlong.y(), newAlong.x());
-    const DartShape moved{dart->patch, outline.wrapped(length.parameterAt(middle - half)),
-                          outline.wrapped(length.parameterAt(middle + half)),
-                          (from + to) / 2 + seen.dot(along) * newAlong + seen.dot(left) * newLeft};
+    const auto outlineIn = [&](const Design& in) { return in.find<Patch>(dart->patch)->outline; };
+    const DartShape moved = shapeAt(outlineIn(design), outlineIn(without), *dart, at);
     const Edit added = addDart(without, moved, problem);
     if (added.empty())
         return {};

@@ -30,9 +30,10 @@ DartAxis dartAxis(const BSpline2& outline, const DartShape& dart);
 /// Cuts a dart: two straight legs take the place of the mouth, with a seam between them that is smooth. All other
 /// parameters of the outline keep their meaning. A seam over the mouth is divided, and its other side shared out
 /// between the two parts by their lengths, so that the edges meet when the dart is sewn; of one that reaches into
-/// the mouth the other side stays whole. What is held on a curve is divided likewise. Refused, with the reason in
-/// `problem`, where the legs would leave the patch, or the mouth is a whole edge. The twin of the patch, if it has
-/// one, gets the mirror image; so it is with all that follows.
+/// the mouth the other side stays whole. What is held on a curve is divided likewise. Notches that lie under the
+/// mouth move to its nearer end. Refused, with the reason in `problem`, where the legs would leave the patch, or
+/// the mouth is a whole edge. The twin of the patch, if it has one, gets the mirror image; so it is with all that
+/// follows.
 Edit addDart(const Design& design, const DartShape& shape, Message* problem = nullptr);
 
 /// The dart whose legs a seam joins: both are straight, on one patch, and have the tip in common.
@@ -41,8 +42,8 @@ std::optional<DartShape> dartOf(const Design& design, ElementId seam);
 /// The dart of the twin that lies at the same parameters; noElement when there is none.
 ElementId twinDart(const Design& design, const DartShape& dart);
 
-/// Closes the dart into an edge: a straight line takes the place of its legs. What it has divided of a seam is one
-/// again.
+/// The edge goes on as if the dart had never been cut; where it was turned open, smoothly. What it has divided of a
+/// seam is one again.
 Edit removeDart(const Design& design, ElementId seam, Message* problem = nullptr);
 /// Puts the tip elsewhere; the mouth stays, and what lies on the legs keeps its share of them.
 Edit moveDartTip(const Design& design, ElementId seam, const Vec2& tip, Message* problem = nullptr);

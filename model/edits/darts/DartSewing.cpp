@@ -226,6 +226,37 @@ std::set<ElementId> divideSeams(const Design& design, const DartShape& mouth, Ed
     return divided;
 }
 
+std::set<ElementId> keepNotches(const Design& design, const DartShape& mouth, EditBuilder& builder)
+{
+    const BSpline2 &outline = design.find<Patch>(mouth.patch)->outline,
+                   &cut = builder.now().find<Patch>(mouth.patch)->outline;
+    const ArcLength2 length(outline);
+    const auto turned = [&](double t) {
+        return t - outline.period() * std::floor((t - mouth.from) / outline.period());
+    };
+    std::set<double> taken; // ends that have a notch
+    design.each<Notch>([&](ElementId, const Notch& notch) {
+        for (const double end : {mouth.from, mouth.to})
+            if (notch.place.patch == mouth.patch && meets(outline, notch.place.at, end))
+                taken.insert(end);
+    });
+    std::set<ElementId> moved;
+    design.each<Notch>([&](ElementId id, Notch notch) {
+        if (notch.place.patch != mouth.patch || !std::isfinite(notch.place.at))
+            return;
+        const double at = turned(notch.place.at);
+        if (at < mouth.from + sameEnd || at > mouth.to - sameEnd)
+            return;
+        const bool first = length.between(mouth.from, at) <= length.between(at, mouth.to);
+        if (!taken.insert(first ? mouth.from : mouth.to).second)
+            return;
+        notch.place.at = cut.wrapped(first ? mouth.from : mouth.to);
+        builder.replace(id, notch);
+        moved.insert(id);
+    });
+    return moved;
+}
+
 void closeHeldGap(const DartShape& mouth, EditBuilder& builder)
 {
     const Design design = builder.now();

@@ -23,13 +23,15 @@ std::vector<int> pointsOfEdge(const Design& design, const Stretch& edge);
 double edgeLength(const Design& design, const Stretch& edge);
 
 /// Gives edges another length (mm): each keeps its direction, shape and, if its corners are free to move, its
-/// middle. `problem` says why nothing is done.
+/// middle. Edges beyond keep their shape, and darts there go along. `problem` says why nothing is done.
 Edit setEdgeLengths(const Design& design, std::span<const Stretch> edges, double length,
                     Message* problem = nullptr);
-/// Makes edges as long as the first one, which stays as it is. Edges that share corners give way to each other.
+/// Makes edges as long as the first one, which stays as it is, and what lies beside them keeps its shape: curves
+/// that are deep enough bulge, of the others one end moves, and the edges beyond turn with it; a dart beside them
+/// goes along as it is. Edges that share corners give way to each other.
 Edit makeEdgesEqual(const Design& design, std::span<const Stretch> edges, Message* problem = nullptr);
-/// Makes the second side of each seam as long as its first one; the first one as long as the second where only that
-/// ends at corners, with a note.
+/// Makes the second side of each seam as long as its first one, in the same way; the first one as long as the
+/// second where only that ends at corners, with a note.
 Edit makeSeamSidesEqual(const Design& design, std::span<const ElementId> seams, Message* problem = nullptr);
 
 } // namespace bolster::edits

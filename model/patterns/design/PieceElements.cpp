@@ -13,6 +13,10 @@ namespace {
 
 constexpr double largestPieceSize = 1e6; // mm: more than a kilometre is another unit
 constexpr double farFromOutline = 60;    // mm: notches that belong to nothing
+constexpr double onSewingLine = 0.05;    // mm
+constexpr double metByRay = 0.005;       // mm
+constexpr double farthestAlong = 6;      // times as far as the nearest place: a ray that leads somewhere else
+constexpr double nearCorner = 0.1;       // mm: nobody means a place beside it by that
 constexpr double usualHole = 3;          // mm
 constexpr double smallestHole = 0.1;     // mm: as the rules have it
 constexpr double largestHole = 100;      // mm
@@ -112,6 +116,8 @@ private:
         patch.cutting.quantity = quantity();
         patch.cutting.pair = m_piece.pair;
         patch.cutting.note = m_piece.note;
+        patch.cutting.nap = m_piece.nap.value_or(patch.cutting.nap);
+        patch.cutting.tolerance = m_piece.tolerance.value_or(patch.cutting.tolerance);
         FoundAllowance allowance;
         allowance.usual.width = 0;
         if (m_bySewing)
@@ -131,23 +137,36 @@ private:
         return id;
     }
 
-    /// Inwards from the cut line, or whatever is nearest.
+    /// Inwards from the cut line to where the outline is met first, or whatever is nearest.
     BSpline2::Closest sewnPlace(const FoundNotch& notch) const
     {
         const Vec2 at = notch.at - m_origin;
         BSpline2::Closest place = m_outline.closest(at);
-        if (!notch.inwards || place.distance < 0.05)
-            return place;
-        // Along the ray, as far as the nearest point is and a little more.
-        for (int k = 0; k < 3; ++k) {
-            const Vec2 onRay = at + notch.inwards->dot(place.point - at) * *notch.inwards;
-            const BSpline2::Closest next = m_outline.closest(onRay);
-            if (next.distance > place.distance)
-                break;
-            place = next;
+        if (notch.inwards && place.distance > onSewingLine) {
+            const bool away = notch.inwards->dot(place.point - at) < 0; // some programs have it so
+            place = firstMet(at, away ? Vec2(-*notch.inwards) : *notch.inwards, place);
         }
+        for (const double corner : m_outline.corners())
+            if (const Vec2 point = m_outline.at(corner); (point - place.point).norm() < nearCorner) {
+                place.parameter = corner;
+                place.point = point;
+            }
         place.distance = (place.point - at).norm();
         return place;
+    }
+
+    /// As far as the outline is from a place of the ray one may go on along it.
+    BSpline2::Closest firstMet(const Vec2& from, const Vec2& way, const BSpline2::Closest& nearest) const
+    {
+        constexpr int mostSteps = 60;
+        double along = nearest.distance;
+        for (int step = 0; step < mostSteps && along < farthestAlong * nearest.distance + 1; ++step) {
+            const BSpline2::Closest next = m_outline.closest(from + along * way);
+            if (next.distance < metByRay)
+                return next;
+            along += next.distance;
+        }
+        return nearest;
     }
 
     void addNotches()

@@ -137,6 +137,8 @@ private:
         for (const auto& [attribute, key] : {std::pair{"data-piece", "Piece Name: "},
                                              {"data-quantity", "Quantity: "},
                                              {"data-fabric", "Fabric: "},
+                                             {"data-nap", "Nap: "},
+                                             {"data-grain-tolerance", "Grain Tolerance: "},
                                              {"data-note", "Annotation: "}})
             if (const std::string& value = element.attribute(attribute); !value.empty())
                 state.about.push_back(key + drawnWords(value));

@@ -4,6 +4,7 @@
 #include "Contour.h"
 #include "Message.h"
 #include "NotchShape.h"
+#include "PieceCutting.h"
 
 #include <map>
 #include <optional>
@@ -40,6 +41,8 @@ struct FoundPiece {
     std::optional<Contour> sew;  ///< inside of it
     bool isCutLine = false;      ///< the file says that the only line is where fabric is cut
     std::optional<double> grain; ///< degrees
+    std::optional<Nap> nap{};
+    std::optional<double> tolerance{}; ///< of the grain, degrees
     std::vector<FoundNotch> notches;
     std::vector<FoundHole> holes;
     std::vector<FoundLine> inner;

@@ -3,6 +3,7 @@
 #include "DrawnWords.h"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 
 namespace bolster {
@@ -99,6 +100,29 @@ bool saysHowMany(const std::string& words)
     return words.size() > 1 && words.back() == 'x';
 }
 
+/// "ONE WAY", "any direction", "two ways".
+void readNap(const std::string& value, FoundPiece& piece)
+{
+    static constexpr std::pair<std::string_view, Nap> words[] = {
+        {"one", Nap::OneWay}, {"two", Nap::TwoWays}, {"both", Nap::TwoWays}, {"any", Nap::Any}, {"none", Nap::Any}};
+    const std::string said = lowered(value);
+    for (const auto& [word, nap] : words)
+        if (said.starts_with(word)) {
+            piece.nap = nap;
+            return;
+        }
+}
+
+/// Degrees, with or without their unit.
+void readTolerance(const std::string& value, FoundPiece& piece)
+{
+    constexpr double most = 180;
+    double degrees = 0;
+    const auto read = std::from_chars(value.data(), value.data() + value.size(), degrees);
+    if (read.ec == std::errc() && degrees >= 0 && degrees <= most)
+        piece.tolerance = degrees;
+}
+
 } // namespace
 
 bool readKey(const std::string& words, FoundPiece& piece)
@@ -114,6 +138,10 @@ bool readKey(const std::string& words, FoundPiece& piece)
         piece.fabric = value;
     else if (key == "annotation")
         piece.note = value;
+    else if (key == "nap")
+        readNap(value, piece);
+    else if (key == "grain tolerance")
+        readTolerance(value, piece);
     else
         return key == "category" || key == "sample size" || key == "style name";
     return true;

@@ -1,5 +1,6 @@
 #include "SeamProposals.h"
 
+#include "DartLegs.h"
 #include "FreeEdges.h"
 #include "SeamEdits.h"
 #include "StripBreaks.h"
@@ -21,6 +22,7 @@ constexpr std::size_t mostCandidates = 16; // of an edge
 constexpr double leastFit = 0.05;
 constexpr std::uint64_t searches = 12;
 constexpr double leastCertain = 0.2;
+constexpr double certainDart = 0.97;
 
 /// Words of which a piece has one or the other.
 constexpr std::pair<const char*, const char*> opposites[] = {{"left", "right"},    {"links", "rechts"},
@@ -350,13 +352,38 @@ private:
     std::vector<int> m_free;
 };
 
+SeamProposal proposalOf(const OutlineEdge& a, const OutlineEdge& b, double certainty, bool dart = false)
+{
+    return {a.stretch, b.stretch, a.backwards == b.backwards, a.length, b.length, certainty, dart};
+}
+
+/// Legs of darts are as good as sewn: the rest is looked at as if they were. Gives their seams.
+std::vector<SeamProposal> sewDarts(const Design& design, std::vector<OutlineEdge>& edges)
+{
+    std::vector<SeamProposal> found;
+    for (const DartLegs& dart : dartLegs(design, edges)) {
+        OutlineEdge &a = edges[static_cast<std::size_t>(dart.first)],
+                    &b = edges[static_cast<std::size_t>(dart.second)];
+        if (a.taken || b.taken)
+            continue;
+        found.push_back(proposalOf(a, b, certainDart * dart.fit, true));
+        a.taken = b.taken = true;
+        a.partner = dart.second;
+        b.partner = dart.first;
+    }
+    return found;
+}
+
 } // namespace
 
 std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop)
 {
     std::vector<OutlineEdge> edges = outlineEdges(design);
-    if (const EdgeBreaks breaks = stripBreaks(design, edges); !breaks.empty())
+    std::vector<SeamProposal> found = sewDarts(design, edges);
+    if (const EdgeBreaks breaks = stripBreaks(design, edges); !breaks.empty()) {
         edges = outlineEdges(design, breaks);
+        found = sewDarts(design, edges);
+    }
     const Candidates candidates(edges, stop);
     std::vector<Sewing> tries;
     for (std::uint64_t seed = 1; seed <= searches && !stop.stop_requested(); ++seed)
@@ -364,7 +391,6 @@ std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_tok
     if (stop.stop_requested())
         return {};
     const Sewing& best = *std::ranges::max_element(tries, {}, &Sewing::total);
-    std::vector<SeamProposal> found;
     for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
         const int k = best.partner(i);
         if (k < i || edges[static_cast<std::size_t>(i)].taken)
@@ -373,11 +399,22 @@ std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_tok
         const auto agree = std::ranges::count_if(tries, [&](const Sewing& other) { return other.partner(i) == k; });
         const double certainty = best.settled(i) * (0.2 + 0.8 * static_cast<double>(agree) / searches);
         if (certainty >= leastCertain)
-            found.push_back({a.stretch, b.stretch, a.backwards == b.backwards, a.length, b.length, certainty});
+            found.push_back(proposalOf(a, b, certainty));
     }
     std::ranges::stable_sort(found, std::greater(), &SeamProposal::certainty);
     return found;
 }
+
+namespace {
+
+Design withSmoothSeam(const Design& design, ElementId id)
+{
+    Seam seam = *design.find<Seam>(id);
+    seam.continuity = Continuity::C1;
+    return design.with({{}, {{id, nullptr, makeElement(std::move(seam))}}});
+}
+
+} // namespace
 
 Edit sewProposals(const Design& design, const std::vector<SeamProposal>& proposals)
 {
@@ -388,6 +425,8 @@ Edit sewProposals(const Design& design, const std::vector<SeamProposal>& proposa
         if (seam.empty())
             continue;
         sewn = sewn.with(seam);
+        if (proposal.dart)
+            sewn = withSmoothSeam(sewn, seam.changes.front().id);
         ++count;
     }
     return editBetween(design, sewn,

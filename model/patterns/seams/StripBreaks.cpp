@@ -97,7 +97,7 @@ private:
                 return std::nullopt;
             length += at(edge).length;
             ends.push_back(length);
-            edge = at(edge).next;
+            edge = afterDarts(at(edge).next);
         } while (edge != first && length < strip.length - tolerance(strip.length) &&
                  static_cast<int>(ends.size()) < mostInRow);
         if (ends.size() < 2 || std::abs(length - strip.length) > tolerance(strip.length))
@@ -109,6 +109,15 @@ private:
             row.shares.push_back(1 - ends[i] / length);
         judge(row, strip);
         return row;
+    }
+
+    /// A dart in an edge is folded where a strip runs past it.
+    int afterDarts(int edge) const
+    {
+        for (int count = 0; count < mostInRow && at(edge).partner >= 0 && at(edge).partner == at(edge).next;
+             ++count)
+            edge = at(at(edge).next).next;
+        return edge;
     }
 
     void judge(Row& row, const OutlineEdge& strip) const
