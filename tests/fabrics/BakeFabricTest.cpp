@@ -392,7 +392,8 @@ TEST(BakeFabric, SaysHowLongItTakes)
                   << std::lround(took.count()) << " ms\n";
         if (!folder)
             continue;
-        const auto write = [&, name = name](const std::string& what, int width, int height, int channels, const void* bytes) {
+        const auto write = [&, name = name](const std::string& what, int width, int height, int channels,
+                                            const void* bytes) {
             const std::string path = std::string(folder) + "/" + name + "-" + what + ".png";
             const auto output = OIIO::ImageOutput::create(path);
             ASSERT_TRUE(output &&

@@ -236,7 +236,8 @@ public:
     {
         bool written = true;
         for (const auto& [option, bytes] : m_made)
-            written &= m_files.write(option, [&content = bytes](const QString& file) { return replaceWholeFile(file, content); });
+            written &= m_files.write(
+                option, [&content = bytes](const QString& file) { return replaceWholeFile(file, content); });
         return written;
     }
 
