@@ -37,6 +37,25 @@ if(NOT BOLSTER_HEADLESS)
     find_package(embree 3 REQUIRED CONFIG)
     find_package(OpenImageIO 2.4 REQUIRED CONFIG)
 
+    # The config of OpenCASCADE wants all of its packages, the one for drawing included.
+    find_path(OCCT_INCLUDE_DIR STEPCAFControl_Reader.hxx PATH_SUFFIXES opencascade REQUIRED)
+    add_library(bolster_opencascade INTERFACE)
+    target_include_directories(bolster_opencascade SYSTEM INTERFACE "${OCCT_INCLUDE_DIR}")
+    foreach(toolkit IN ITEMS TKXDESTEP TKXDEIGES TKXCAF TKIGES TKSTEP TKXSBase TKLCAF TKCDF TKMesh TKTopAlgo TKGeomBase
+            TKBRep TKG3d TKMath TKernel)
+        find_library(OCCT_${toolkit} ${toolkit} REQUIRED)
+        target_link_libraries(bolster_opencascade INTERFACE "${OCCT_${toolkit}}")
+    endforeach()
+
+    # Assimp's own config wants what only its static library would need.
+    find_path(ASSIMP_INCLUDE_DIR assimp/Importer.hpp REQUIRED)
+    find_library(ASSIMP_LIBRARY assimp REQUIRED)
+    add_library(bolster_assimp INTERFACE)
+    target_include_directories(bolster_assimp SYSTEM INTERFACE "${ASSIMP_INCLUDE_DIR}")
+    target_link_libraries(bolster_assimp INTERFACE "${ASSIMP_LIBRARY}")
+
+    find_package(meshoptimizer REQUIRED CONFIG)
+
     # OpenSubdiv's own config wants a static library that Debian does not ship.
     find_path(OSD_INCLUDE_DIR opensubdiv/version.h REQUIRED)
     find_library(OSD_CPU_LIBRARY osdCPU REQUIRED)

@@ -1975,6 +1975,33 @@
     </message>
 </context>
 <context>
+    <name>FileFormats</name>
+    <message>
+        <source>Page for the customer</source>
+        <translation>Seite für den Kunden</translation>
+    </message>
+    <message>
+        <source>USDZ, for phones</source>
+        <translation>USDZ, für Telefone</translation>
+    </message>
+    <message>
+        <source>OBJ with materials</source>
+        <translation>OBJ mit Materialien</translation>
+    </message>
+    <message>
+        <source>STL, with a thickness</source>
+        <translation>STL, mit einer Dicke</translation>
+    </message>
+    <message>
+        <source>3MF, with a thickness</source>
+        <translation>3MF, mit einer Dicke</translation>
+    </message>
+    <message>
+        <source>STEP, curves alone</source>
+        <translation>STEP, nur Kurven</translation>
+    </message>
+</context>
+<context>
     <name>FixationCurveForm</name>
     <message>
         <source>Length</source>
@@ -2104,6 +2131,44 @@
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+</context>
+<context>
+    <name>FrameEdgeCommands</name>
+    <message>
+        <source>Fixation curve along an &amp;edge</source>
+        <translation>Fixierkurve an einer &amp;Kante</translation>
+    </message>
+    <message>
+        <source>Click an edge of a frame: of STEP and IGES the edges of its faces, exactly; of others where their triangles bend</source>
+        <translation>Auf eine Kante eines Gestells klicken: bei STEP und IGES die Kanten der Flächen, genau; bei anderen dort, wo sich die Dreiecke knicken</translation>
+    </message>
+    <message>
+        <source>Looking for the edges of the frames …</source>
+        <translation>Die Kanten der Gestelle werden gesucht …</translation>
+    </message>
+    <message>
+        <source>The frames have no edges: they are smooth everywhere, or are not read yet.</source>
+        <translation>Die Gestelle haben keine Kanten: Sie sind überall glatt oder noch nicht gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>FrameEdgeTool</name>
+    <message>
+        <source>There is no edge of a frame here.</source>
+        <translation>Hier ist keine Kante eines Gestells.</translation>
+    </message>
+    <message>
+        <source>Fixation %1</source>
+        <translation>Fixierung %1</translation>
+    </message>
+    <message>
+        <source>Click an edge of a frame to make a fixation curve of it – drag turns the view, Esc ends the tool</source>
+        <translation>Auf eine Kante eines Gestells klicken, um eine Fixierkurve daraus zu machen – Ziehen dreht die Ansicht, Esc beendet das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Click to make a fixation curve of this edge – Ctrl takes it alone, without those in which it goes on smoothly</source>
+        <translation>Klicken, um aus dieser Kante eine Fixierkurve zu machen – Strg nimmt sie allein, ohne die, in denen sie glatt weitergeht</translation>
     </message>
 </context>
 <context>
@@ -2966,10 +3031,6 @@
     <message>
         <source>%1 holds points only; a frame needs faces between them</source>
         <translation>%1 enthält nur Punkte; ein Gestell braucht Flächen dazwischen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a mesh that can be read; OBJ, PLY, STL and OFF can</source>
-        <translation>„%1“ ist kein lesbares Netz; gelesen werden OBJ, PLY, STL und OFF</translation>
     </message>
     <message>
         <source>%1: points are counted from 1, not from 0</source>
@@ -4968,10 +5029,6 @@
         <translation>%1: Das ist kein wohlgeformtes XML (%2)</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a pattern that can be read; DXF and SVG can</source>
-        <translation>„%1“ ist kein Schnitt, der gelesen werden kann; DXF und SVG können es</translation>
-    </message>
-    <message>
         <source>Sew %1 proposed seams</source>
         <translation>%1 vorgeschlagene Nähte nähen</translation>
     </message>
@@ -5164,10 +5221,6 @@
         <translation>Der Scan konnte nicht ausgerichtet werden: dort, wo er stünde, sind zu wenige seiner Punkte. Klicken Sie andere Stellen an, oder holen Sie zurück, was von ihm weggeschnitten ist.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a scan that can be read; E57, LAS, PTX, PTS, PLY, XYZ, PCD, OBJ, STL and OFF can</source>
-        <translation>„%1“ ist kein lesbarer Scan; lesbar sind E57, LAS, PTX, PTS, PLY, XYZ, PCD, OBJ, STL und OFF</translation>
-    </message>
-    <message>
         <source>%1: the numbers of &quot;%2&quot; are not described as they must be: &quot;%3&quot;</source>
         <translation>%1: die Zahlen von „%2“ sind nicht so beschrieben, wie es sein muss: „%3“</translation>
     </message>
@@ -5282,6 +5335,86 @@
     <message>
         <source>the stretch does not lie on its outline any more. Sew or fix it anew.</source>
         <translation>der Abschnitt liegt nicht mehr auf seinem Umriss. Nähen oder befestigen Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs the file &quot;%2&quot; beside it, and the frame of a design is one file; export it as GLB</source>
+        <translation>„%1“ braucht die Datei „%2“ neben sich, und das Gestell eines Entwurfs ist eine einzige Datei; als GLB exportieren</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot;, which reads such files for Bolster, cannot be started; install Bolster again</source>
+        <translation>das Programm „%1“, das für Bolster solche Dateien liest, lässt sich nicht starten; Bolster neu installieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes too long to read; export fewer parts of it, or triangles (OBJ, STL) instead</source>
+        <translation>„%1“ zu lesen dauert zu lange; weniger Teile davon exportieren, oder stattdessen Dreiecke (OBJ, STL)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read: it is damaged, or needs too much memory; export it again, or fewer parts of it, from the program that it comes from</source>
+        <translation>„%1“ ließ sich nicht lesen: Die Datei ist beschädigt oder braucht zu viel Speicher; sie oder weniger Teile davon mit dem Programm, aus dem sie stammt, neu exportieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; holds no faces, and a frame needs some; export bodies or surfaces, not lines and points alone</source>
+        <translation>„%1“ enthält keine Flächen, und ein Gestell braucht welche; Körper oder Flächen exportieren, nicht nur Linien und Punkte</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more than %2 triangles; export fewer parts of it, or coarser</source>
+        <translation>„%1“ hat mehr als %2 Dreiecke; weniger Teile davon exportieren, oder gröber</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has more than %2 parts; export those that the cover touches</source>
+        <translation>„%1“ hat mehr als %2 Teile; die exportieren, die der Bezug berührt</translation>
+    </message>
+    <message>
+        <source>%1: the part &quot;%2&quot; reaches beyond 10,000,000; export it without that part, or near the origin</source>
+        <translation>%1: Das Teil „%2“ reicht über 10.000.000 hinaus; ohne dieses Teil exportieren, oder nahe am Ursprung</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs the file &quot;%2&quot; in its own folder; copy it there, or export as GLB, which is one file</source>
+        <translation>„%1“ braucht die Datei „%2“ im selben Ordner; sie dorthin kopieren, oder als GLB exportieren, das ist eine einzige Datei</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is damaged or incomplete, or not what its ending says; export it again from the program that it comes from</source>
+        <translation>„%1“ ist beschädigt oder unvollständig, oder nicht das, was die Endung sagt; mit dem Programm, aus dem die Datei stammt, neu exportieren</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles are left out: their corners are no numbers</source>
+        <translation>%1: %2 Dreiecke sind weggelassen: Ihre Ecken sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: parts are left out that are scaled to nothing: %2, the first is &quot;%3&quot;</source>
+        <translation>%1: Teile sind weggelassen, die auf nichts verkleinert sind: %2, das erste ist „%3“</translation>
+    </message>
+    <message>
+        <source>%1: %2 faces could not be made triangles of, and leave holes</source>
+        <translation>%1: %2 Flächen ließen sich nicht in Dreiecke zerlegen und hinterlassen Löcher</translation>
+    </message>
+    <message>
+        <source>%1: %2 parts are left out that lie too deep in the tree</source>
+        <translation>%1: %2 Teile sind weggelassen, die zu tief im Baum liegen</translation>
+    </message>
+    <message>
+        <source>%1: the parts in the file &quot;%2&quot; are not read; export all in one file</source>
+        <translation>%1: Die Teile in der Datei „%2“ werden nicht gelesen; alles in eine Datei exportieren</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no file that frames are written to; OBJ, PLY and STL are</source>
+        <translation>„%1“ ist keine Datei, in die Gestelle geschrieben werden; OBJ, PLY und STL sind es</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a scan that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Scan, der sich lesen lässt; lesbar sind: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a frame that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Gestell, das sich lesen lässt; lesbar sind: %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a pattern that can be read; these can: %2</source>
+        <translation>„%1“ ist kein Schnitt, der sich lesen lässt; lesbar sind: %2</translation>
+    </message>
+    <message>
+        <source>nothing is left of the parts that are wanted</source>
+        <translation>von den gewünschten Teilen bleibt nichts übrig</translation>
     </message>
 </context>
 <context>
@@ -7310,10 +7443,6 @@
 <context>
     <name>bolster::FileFlow</name>
     <message>
-        <source>Meshes (%1)</source>
-        <translation>Netze (%1)</translation>
-    </message>
-    <message>
         <source>Bolster</source>
         <translation>Bolster</translation>
     </message>
@@ -7365,10 +7494,6 @@
         <translation>Oberfläche exportieren</translation>
     </message>
     <message>
-        <source>OBJ (*.obj);;PLY (*.ply)</source>
-        <translation>OBJ (*.obj);;PLY (*.ply)</translation>
-    </message>
-    <message>
         <source>Exported to %1</source>
         <translation>Exportiert nach %1</translation>
     </message>
@@ -7407,10 +7532,6 @@
     <message>
         <source>Choose another file</source>
         <translation>Eine andere Datei wählen</translation>
-    </message>
-    <message>
-        <source>Projects and designs (*.bolster *.json)</source>
-        <translation>Projekte und Entwürfe (*.bolster *.json)</translation>
     </message>
     <message>
         <source>Project with its history (*.bolster);;Design as text (*.json)</source>
@@ -7720,42 +7841,6 @@
         <translation>%1 wird geschrieben …</translation>
     </message>
     <message>
-        <source>Page for the customer (*.html)</source>
-        <translation>Seite für den Kunden (*.html)</translation>
-    </message>
-    <message>
-        <source>glTF (*.glb)</source>
-        <translation>glTF (*.glb)</translation>
-    </message>
-    <message>
-        <source>USDZ, for phones (*.usdz)</source>
-        <translation>USDZ, für Telefone (*.usdz)</translation>
-    </message>
-    <message>
-        <source>OBJ with materials (*.obj)</source>
-        <translation>OBJ mit Materialien (*.obj)</translation>
-    </message>
-    <message>
-        <source>STL, with a thickness (*.stl)</source>
-        <translation>STL, mit einer Dicke (*.stl)</translation>
-    </message>
-    <message>
-        <source>3MF, with a thickness (*.3mf)</source>
-        <translation>3MF, mit einer Dicke (*.3mf)</translation>
-    </message>
-    <message>
-        <source>STEP, curves alone (*.step)</source>
-        <translation>STEP, nur Kurven (*.step)</translation>
-    </message>
-    <message>
-        <source>STL (*.stl)</source>
-        <translation>STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>3MF (*.3mf)</source>
-        <translation>3MF (*.3mf)</translation>
-    </message>
-    <message>
         <source>Export cover</source>
         <translation>Bezug exportieren</translation>
     </message>
@@ -7774,6 +7859,18 @@
     <message>
         <source>The cover could not be exported.</source>
         <translation>Der Bezug konnte nicht exportiert werden.</translation>
+    </message>
+    <message>
+        <source>Projects and designs (%1)</source>
+        <translation>Projekte und Entwürfe (%1)</translation>
+    </message>
+    <message>
+        <source>Frames (%1)</source>
+        <translation>Gestelle (%1)</translation>
+    </message>
+    <message>
+        <source>Simplifying %1 …</source>
+        <translation>%1 wird vereinfacht …</translation>
     </message>
 </context>
 <context>
@@ -7877,6 +7974,26 @@
     <message>
         <source>Another unit or factor makes it as large as it is meant.</source>
         <translation>Mit einer anderen Einheit oder einem anderen Faktor wird es so groß wie gemeint.</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>x points up</source>
+        <translation>x zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The file says its unit.</source>
+        <translation>Die Einheit steht in der Datei.</translation>
+    </message>
+    <message>
+        <source>The file says its axes.</source>
+        <translation>Die Achsen stehen in der Datei.</translation>
+    </message>
+    <message>
+        <source>The file says its unit and its axes.</source>
+        <translation>Einheit und Achsen stehen in der Datei.</translation>
     </message>
 </context>
 <context>
@@ -8343,6 +8460,21 @@
     <message>
         <source>Pages</source>
         <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::PartsTree</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>
@@ -8956,6 +9088,25 @@
     <message>
         <source>Edge: %1</source>
         <translation>Kante: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SimplifyChoice</name>
+    <message>
+        <source>&amp;Simplify to about</source>
+        <translation>&amp;Vereinfachen auf etwa</translation>
+    </message>
+    <message>
+        <source> triangles</source>
+        <translation> Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Writes the parts that are wanted into an OBJ file of the design&apos;s own; the file that was chosen stays as it is</source>
+        <translation>Schreibt die gewünschten Teile in eine eigene OBJ-Datei des Entwurfs; die gewählte Datei bleibt, wie sie ist</translation>
     </message>
 </context>
 <context>

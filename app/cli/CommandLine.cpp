@@ -16,6 +16,7 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
        bolster solve DESIGN ...     solve a design and write the cover
        bolster render DESIGN ...    draw pictures of the cover
        bolster export DESIGN ...    write the pattern for cutting, the cover for others
+       bolster convert FILE OUT     make a plain mesh of a frame (STEP, glTF, FBX ...)
        bolster check DESIGN         report everything that is wrong with a design
        bolster dump FILE            write a project's design as text
        bolster import DESIGN FILE   make a project of a design
@@ -40,13 +41,19 @@ struct Command {
     int (*run)(std::span<const std::string> words);
 };
 
-const Command commands[] = {
-    {"solve", cli::solveHelp, cli::solve},           {"render", cli::renderHelp, cli::render},
-    {"check", cli::checkHelp, cli::check},           {"dump", cli::dumpHelp, cli::dump},
-    {"import", cli::importHelp, cli::importDesign},  {"import-pattern", cli::importPatternHelp, cli::importPattern},
-    {"history", cli::historyHelp, cli::history},     {"verify", cli::verifyHelp, cli::verify},
-    {"salvage", cli::salvageHelp, cli::salvage},     {"export", cli::exportHelp, cli::exportPattern},
-    {"flatten", cli::flattenHelp, cli::flattenForm}, {"bench", cli::benchHelp, cli::bench}};
+const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
+                            {"render", cli::renderHelp, cli::render},
+                            {"check", cli::checkHelp, cli::check},
+                            {"dump", cli::dumpHelp, cli::dump},
+                            {"import", cli::importHelp, cli::importDesign},
+                            {"import-pattern", cli::importPatternHelp, cli::importPattern},
+                            {"history", cli::historyHelp, cli::history},
+                            {"verify", cli::verifyHelp, cli::verify},
+                            {"salvage", cli::salvageHelp, cli::salvage},
+                            {"export", cli::exportHelp, cli::exportPattern},
+                            {"flatten", cli::flattenHelp, cli::flattenForm},
+                            {"convert", cli::convertHelp, cli::convert},
+                            {"bench", cli::benchHelp, cli::bench}};
 
 int run(const Command& command, std::span<const std::string> words)
 {

@@ -29,10 +29,22 @@ double millimetresPer(FileUnit unit)
         return 1000;
     case FileUnit::Inch:
         return 25.4;
+    case FileUnit::Foot:
+        return 304.8;
     case FileUnit::Custom:
         break;
     }
     return 0;
+}
+
+FileUnit unitOf(double millimetresPerUnit)
+{
+    constexpr double roundingOfFloats = 1e-6; // COLLADA and FBX are read with them
+    for (const FileUnit unit :
+         {FileUnit::Millimetre, FileUnit::Centimetre, FileUnit::Metre, FileUnit::Inch, FileUnit::Foot})
+        if (std::abs(millimetresPerUnit / millimetresPer(unit) - 1) < roundingOfFloats)
+            return unit;
+    return FileUnit::Custom;
 }
 
 FileUnit guessUnit(const Box3& fileBox, double largest)
@@ -81,11 +93,6 @@ UpAxis guessUpAxis(const QString& fileEnding)
 {
     // OBJ comes mostly from programs for pictures, where y points up; the others from CAD and scanners.
     return fileEnding.compare(QLatin1String("obj"), Qt::CaseInsensitive) == 0 ? UpAxis::Y : UpAxis::Z;
-}
-
-Quat rotationFor(UpAxis up)
-{
-    return up == UpAxis::Z ? Quat::Identity() : Quat(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
 }
 
 Box3 placedBox(const std::vector<Vec3>& points, const Placement& placement)

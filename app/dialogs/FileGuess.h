@@ -1,6 +1,7 @@
 // What a file from elsewhere probably means: most say neither unit nor axis.
 #pragma once
 
+#include "Assembly.h"
 #include "Placement.h"
 
 #include <QString>
@@ -10,11 +11,12 @@
 
 namespace bolster {
 
-enum class UpAxis { Z, Y };
-enum class FileUnit { Millimetre, Centimetre, Metre, Inch, Custom };
+enum class FileUnit { Millimetre, Centimetre, Metre, Inch, Foot, Custom };
 
 /// mm per unit; 0 for Custom.
 double millimetresPer(FileUnit unit);
+/// The unit with so many millimetres, or Custom.
+FileUnit unitOf(double millimetresPerUnit);
 /// The unit with which the content has a size from a stool to `largest` mm, or comes nearest to it; Custom when it
 /// would be smaller or larger than anything that is meant (isPlausible) with all of them.
 FileUnit guessUnit(const Box3& fileBox, double largest);
@@ -29,8 +31,6 @@ inline constexpr double largestFurniture = 3500; ///< mm: a long sofa
 inline constexpr double largestScan = 15000;     ///< mm: the room around it
 /// By the custom of the format.
 UpAxis guessUpAxis(const QString& fileEnding);
-/// Turns the file's axes to Bolster's: z up.
-Quat rotationFor(UpAxis up);
 /// Of the placed points, mm.
 Box3 placedBox(const std::vector<Vec3>& points, const Placement& placement);
 

@@ -1,7 +1,10 @@
 #include "FileImportDialog.h"
 
 #include "Ask.h"
+#include "FramePicture.h"
 #include "NumberBox.h"
+#include "PartsTree.h"
+#include "SimplifyChoice.h"
 #include "Units.h"
 #include "ViewColors.h"
 
@@ -10,6 +13,7 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -17,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace bolster {
 
@@ -35,22 +40,27 @@ QString figure(double millimetres)
 } // namespace
 
 FileImportDialog::FileImportDialog(const QString& file, FileContent content, std::optional<Placement> replaced,
-                                   QWidget* parent)
+                                   const FileFacts& said, QWidget* parent)
     : QDialog(parent)
     , m_content(std::move(content))
+    , m_shown(m_content.points())
+    , m_picture(new QLabel(this))
+    , m_besidePicture(new QHBoxLayout)
     , m_replaced(std::move(replaced))
     , m_keep(new QCheckBox(tr("&Keep scale, position and rotation"), this))
     , m_unit(new QComboBox(this))
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
     , m_up(new QComboBox(this))
     , m_onFloor(new QCheckBox(tr("&Place it on the floor, in the middle"), this))
+    , m_said(new QLabel(saidText(said), this))
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
     , m_thinned(new QLabel(this))
 {
     setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
-    m_unit->addItems({tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Another factor")});
-    m_up->addItems({tr("z points up"), tr("y points up")});
+    m_unit->addItems(
+        {tr("Millimetres"), tr("Centimetres"), tr("Metres"), tr("Inches"), tr("Feet"), tr("Another factor")});
+    m_up->addItems({tr("z points up"), tr("y points up"), tr("x points up")});
     QFont large = m_size->font();
     large.setPointSizeF(large.pointSizeF() * 1.25);
     large.setWeight(QFont::DemiBold);
@@ -61,8 +71,75 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
 
     layOut(file);
     connectFields();
-    guess(file);
+    choose(file, said);
     updateSize();
+    updatePicture();
+}
+
+void FileImportDialog::offerParts(std::vector<PartOutline> tree, const std::vector<std::string>& unwanted)
+{
+    constexpr int usualHeight = 180, usualWidth = 240; // pixels
+    if (!m_content.mesh || m_content.mesh->parts.size() < 2)
+        return;
+    if (tree.empty())
+        for (const TriangleMesh::Part& part : m_content.mesh->parts)
+            tree.push_back({part.name, {}, part.triangleCount});
+    m_parts = new PartsTree(tree, unwanted, this);
+    m_parts->setMinimumSize(usualWidth, usualHeight);
+    m_besidePicture->addWidget(m_parts, 1);
+    connect(m_parts, &PartsTree::changed, this, &FileImportDialog::updateShown);
+    updateShown();
+}
+
+std::vector<std::string> FileImportDialog::unwantedParts() const
+{
+    return m_parts ? m_parts->unwanted() : std::vector<std::string>();
+}
+
+std::optional<std::size_t> FileImportDialog::wantedTriangles() const
+{
+    return m_simplify ? m_simplify->wanted() : std::nullopt;
+}
+
+/// Of each part of the mesh.
+std::vector<bool> FileImportDialog::wantedParts() const
+{
+    const std::vector<std::string> names = unwantedParts();
+    const std::set<std::string> unwanted(names.begin(), names.end()); // there may be 100,000
+    std::vector<bool> wanted;
+    for (const TriangleMesh::Part& part : m_content.mesh->parts)
+        wanted.push_back(!unwanted.contains(part.name));
+    return wanted;
+}
+
+/// Parts that are not wanted are not measured, either.
+void FileImportDialog::updateShown()
+{
+    const TriangleMesh& mesh = *m_content.mesh;
+    const std::vector<bool> wanted = wantedParts();
+    std::vector<bool> used(mesh.points.size());
+    for (std::size_t part = 0; part < wanted.size(); ++part)
+        if (wanted[part])
+            for (std::uint32_t i = 0; i < mesh.parts[part].triangleCount; ++i)
+                for (const std::uint32_t corner : mesh.triangles[mesh.parts[part].firstTriangle + i])
+                    used[corner] = true;
+    m_shown.clear();
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i])
+            m_shown.push_back(mesh.points[i]);
+    updateSize();
+    updatePicture();
+}
+
+void FileImportDialog::updatePicture()
+{
+    constexpr QSize pictureSize(220, 180);
+    if (!m_content.mesh)
+        return;
+    const double fine = devicePixelRatioF();
+    QImage picture = framePicture(*m_content.mesh, wantedParts(), placement().rotation, fine * pictureSize);
+    picture.setDevicePixelRatio(fine);
+    m_picture->setPixmap(QPixmap::fromImage(picture));
 }
 
 QString FileImportDialog::aboutText(const QString& file) const
@@ -89,8 +166,15 @@ void FileImportDialog::layOut(const QString& file)
     form->addRow(tr("&Unit of the file"), m_unit);
     form->addRow(tr("&Factor"), m_factor);
     form->addRow(tr("A&xes"), m_up);
+    m_said->setVisible(!m_said->text().isEmpty());
+    if (!m_said->text().isEmpty())
+        form->addRow(QString(), m_said);
     form->addRow(QString(), m_onFloor);
     form->addRow(tr("Width, depth, height"), m_size);
+    if (m_content.mesh && m_content.mesh->triangles.size() >= SimplifyChoice::fewest) {
+        m_simplify = new SimplifyChoice(m_content.mesh->triangles.size(), this);
+        form->addRow(QString(), m_simplify);
+    }
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Import"));
@@ -102,6 +186,11 @@ void FileImportDialog::layOut(const QString& file)
     layout->setSpacing(14);
     layout->addWidget(about);
     layout->addWidget(m_thinned);
+    m_picture->setVisible(m_content.mesh != nullptr);
+    m_picture->setAlignment(Qt::AlignCenter);
+    m_besidePicture->setSpacing(14);
+    m_besidePicture->addWidget(m_picture);
+    layout->addLayout(m_besidePicture, 1);
     layout->addLayout(form);
     layout->addWidget(m_hint);
     layout->addStretch();
@@ -114,25 +203,39 @@ void FileImportDialog::connectFields()
     connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updateSize);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
     connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updateSize);
+    connect(m_up, &QComboBox::currentIndexChanged, this, &FileImportDialog::updatePicture);
+    connect(m_keep, &QCheckBox::toggled, this, &FileImportDialog::updatePicture);
     connect(m_factor, &QDoubleSpinBox::valueChanged, this, &FileImportDialog::updateSize);
     m_factor->setKeyboardTracking(true);
 }
 
-/// The unit by the kind of file if that has one, else by the size; the axes by the kind of file.
-void FileImportDialog::guess(const QString& file)
+/// What the file does not say: the unit by the kind of file if that has one, else by the size; the axes by the
+/// kind.
+void FileImportDialog::choose(const QString& file, const FileFacts& said)
 {
     const FileUnit unit =
-        unitOf(QFileInfo(file).suffix()).value_or(guessUnit(m_content.boundingBox(), largestSize()));
+        said.millimetresPerUnit
+            ? unitOf(*said.millimetresPerUnit)
+            : unitOf(QFileInfo(file).suffix()).value_or(guessUnit(m_content.boundingBox(), largestSize()));
     m_unit->setCurrentIndex(static_cast<int>(unit));
     if (unit == FileUnit::Custom)
-        m_factor->display(guessFactor(m_content.boundingBox()));
-    m_up->setCurrentIndex(static_cast<int>(guessUpAxis(QFileInfo(file).suffix())));
+        m_factor->display(said.millimetresPerUnit.value_or(guessFactor(m_content.boundingBox())));
+    m_up->setCurrentIndex(static_cast<int>(said.up.value_or(guessUpAxis(QFileInfo(file).suffix()))));
+}
+
+QString FileImportDialog::saidText(const FileFacts& said) const
+{
+    if (said.millimetresPerUnit && said.up)
+        return tr("The file says its unit and its axes.");
+    if (said.millimetresPerUnit)
+        return tr("The file says its unit.");
+    return said.up ? tr("The file says its axes.") : QString();
 }
 
 /// What nobody could see is imported only on purpose.
 void FileImportDialog::accept()
 {
-    const Box3 box = placedBox(m_content.points(), placement());
+    const Box3 box = placedBox(m_shown, placement());
     if (m_keep->isChecked() || isPlausible(box)) {
         QDialog::accept();
         return;
@@ -168,7 +271,7 @@ Placement FileImportDialog::placement() const
     placement.scale = m_factor->value();
     placement.rotation = rotationFor(static_cast<UpAxis>(m_up->currentIndex()));
     if (m_onFloor->isChecked()) {
-        const Box3 box = placedBox(m_content.points(), placement);
+        const Box3 box = placedBox(m_shown, placement);
         placement.position = -Vec3(box.center().x(), box.center().y(), box.min().z());
     }
     return placement;
@@ -199,7 +302,8 @@ void FileImportDialog::updateSize()
     m_factor->setEnabled(!keep && unit == FileUnit::Custom);
     if (unit != FileUnit::Custom)
         m_factor->display(millimetresPer(unit));
-    const Vec3 size = placedBox(m_content.points(), placement()).sizes();
+    const Box3 box = placedBox(m_shown, placement());
+    const Vec3 size = box.isEmpty() ? Vec3::Zero().eval() : box.sizes().eval();
     m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm").arg(figure(size.x()), figure(size.y()), figure(size.z())));
     showThinning();
     const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();

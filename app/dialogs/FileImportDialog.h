@@ -10,22 +10,34 @@
 
 class QCheckBox;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 
 namespace bolster {
 
 class NumberBox;
+class PartsTree;
+class SimplifyChoice;
 
 class FileImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `replaced`: where the element stands that gets this content; kept unless the user wants another place.
+    /// `replaced`: where the element stands that gets this content; kept unless the user wants another place. What
+    /// the file has `said` of its numbers is chosen, the rest is guessed.
     FileImportDialog(const QString& file, FileContent content, std::optional<Placement> replaced = {},
-                     QWidget* parent = nullptr);
+                     const FileFacts& said = {}, QWidget* parent = nullptr);
+
+    /// Parts of a mesh can be left out; those with an `unwanted` name are so from the start. `tree`: to what they
+    /// belong, if the file says it.
+    void offerParts(std::vector<PartOutline> tree, const std::vector<std::string>& unwanted);
 
     /// As chosen.
     Placement placement() const;
+    /// Names of parts that are not to be there.
+    std::vector<std::string> unwantedParts() const;
+    /// About how many triangles a large mesh is to have; nothing: as it is.
+    std::optional<std::size_t> wantedTriangles() const;
     void setUnit(FileUnit unit);
     void setUpAxis(UpAxis up);
 
@@ -35,18 +47,28 @@ private:
     QString aboutText(const QString& file) const;
     void layOut(const QString& file);
     void connectFields();
-    void guess(const QString& file);
+    void choose(const QString& file, const FileFacts& said);
+    QString saidText(const FileFacts& said) const;
     void updateSize();
+    std::vector<bool> wantedParts() const;
+    void updateShown();
+    void updatePicture();
     void showThinning();
     double largestSize() const; ///< mm: what is usual
 
     FileContent m_content;
+    std::vector<Vec3> m_shown; ///< file units: points of the parts that are wanted
+    QLabel* m_picture;
+    QHBoxLayout* m_besidePicture;
+    PartsTree* m_parts = nullptr;
+    SimplifyChoice* m_simplify = nullptr;
     std::optional<Placement> m_replaced;
     QCheckBox* m_keep;
     QComboBox* m_unit;
     NumberBox* m_factor;
     QComboBox* m_up;
     QCheckBox* m_onFloor;
+    QLabel* m_said;
     QLabel* m_size;
     QLabel* m_hint;
     QLabel* m_thinned; ///< why there are fewer points than in the file

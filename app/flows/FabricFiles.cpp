@@ -4,6 +4,7 @@
 #include "DesignFolder.h"
 #include "ElementEdits.h"
 #include "FabricCommands.h"
+#include "FileFormats.h"
 #include "ImageImport.h"
 #include "Project.h"
 #include "TemporaryFile.h"
@@ -54,10 +55,8 @@ void FabricCommands::choosePicture(ElementId fabric, const QString& path)
         readPicture(path, fabric);
         return;
     }
-    QStringList patterns;
-    for (const QString& ending : imageFileEndings())
-        patterns << QStringLiteral("*.") + ending;
-    askForFile(m_window, tr("Picture of a fabric"), startFolder(), tr("Pictures (%1)").arg(patterns.join(u' ')),
+    askForFile(m_window, tr("Picture of a fabric"), startFolder(),
+               tr("Pictures (%1)").arg(patternsOf(FileUse::Picture)),
                [this, fabric](const QString& file) { readPicture(file, fabric); });
 }
 

@@ -2,7 +2,7 @@
 
 #include "Ask.h"
 #include "Banner.h"
-#include "PatternImport.h"
+#include "FileFormats.h"
 #include "RecentFiles.h"
 #include "Samples.h"
 #include "Translated.h"
@@ -22,12 +22,7 @@ const QString folderKey = QStringLiteral("folder");
 
 QString openFilter()
 {
-    return FileFlow::tr("Projects and designs (*.bolster *.json)");
-}
-
-bool is(FileKind kind, const QString& file)
-{
-    return fileEndings(kind).contains(QFileInfo(file).suffix().toLower());
+    return FileFlow::tr("Projects and designs (%1)").arg(patternsOf(FileUse::Design));
 }
 
 } // namespace
@@ -213,17 +208,17 @@ void FileFlow::fillSamples(QMenu& menu)
 
 bool FileFlow::takes(const QString& file)
 {
-    return DesignSession::isDesign(file) || is(FileKind::Mesh, file) || is(FileKind::Cloud, file) ||
-           patternFileEndings().contains(QFileInfo(file).suffix().toLower());
+    return DesignSession::isDesign(file) || isFileOf(FileUse::Frame, file) || isFileOf(FileUse::Scan, file) ||
+           isFileOf(FileUse::Pattern, file);
 }
 
 void FileFlow::drop(const QString& file)
 {
-    if (is(FileKind::Mesh, file))
+    if (isFileOf(FileUse::Frame, file))
         importFrame(file); // a PLY too: a mesh is dropped more often than a scan
-    else if (is(FileKind::Cloud, file))
+    else if (isFileOf(FileUse::Scan, file))
         importScan(file);
-    else if (patternFileEndings().contains(QFileInfo(file).suffix().toLower()))
+    else if (isFileOf(FileUse::Pattern, file))
         importPattern(file);
     else
         open(file);

@@ -4,6 +4,7 @@
 #include "Ask.h"
 #include "DesignSession.h"
 #include "FileContent.h"
+#include "FixationsOff.h"
 #include "Scene.h"
 #include "SurfaceMesh.h"
 
@@ -90,6 +91,15 @@ signals:
     void historyWanted();
 
 private:
+    /// What comes to the design, and what it takes the place of.
+    struct PlacedFile {
+        QString path;
+        FileContent content;
+        Element element;
+        std::optional<ElementId> replaced;
+        PlacedMesh old;
+    };
+
     void restore(const WorkJournal::Left& left, int others = 0);
     void announceRestored(int others);
     void setAside(const WorkJournal::Left& left, const Message& problem);
@@ -136,8 +146,10 @@ private:
     void readInBackground(const QString& path, Read read, Done done);
     template <class Result, class Read, class Done>
     void withProgress(const QString& text, Read read, Done done);
-    void place(const QString& path, const FileContent& content, const Element& element,
+    void place(const QString& path, const ImportedFile& file, const Element& element,
                std::optional<ElementId> replaced);
+    void simplify(const PlacedFile& file, const std::vector<std::string>& unwanted, std::size_t triangles);
+    void addPlaced(const PlacedFile& file);
     void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);
     void exportCoverTo(const SurfaceMeshPtr& surface, const FabricBaker& bake, CoverFormat format,

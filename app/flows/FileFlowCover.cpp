@@ -1,84 +1,60 @@
-// Exporting covers for other programs and for customers.
+// Exporting covers for other programs and for customers, surfaces and pictures.
 #include "Background.h"
 #include "CoverFileWriting.h"
 #include "FileFlow.h"
+#include "FileFormats.h"
+#include "SurfaceExport.h"
 #include "Translated.h"
 #include "ViewerParts.h"
+#include "WholeFile.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
-
-#include <array>
 
 namespace bolster {
 
 namespace {
 
 struct CoverTarget {
+    FileUse use;
     const char* ending;
     CoverFormat format;
-    const char* filter;
 };
 
-constexpr std::array coverTargets = {
-    CoverTarget{"html", CoverFormat::Page,
-                QT_TRANSLATE_NOOP("bolster::FileFlow", "Page for the customer (*.html)")},
-    CoverTarget{"glb", CoverFormat::Glb, QT_TRANSLATE_NOOP("bolster::FileFlow", "glTF (*.glb)")},
-    CoverTarget{"usdz", CoverFormat::Usdz, QT_TRANSLATE_NOOP("bolster::FileFlow", "USDZ, for phones (*.usdz)")},
-    CoverTarget{"obj", CoverFormat::Obj, QT_TRANSLATE_NOOP("bolster::FileFlow", "OBJ with materials (*.obj)")},
-    CoverTarget{"stl", CoverFormat::Stl, QT_TRANSLATE_NOOP("bolster::FileFlow", "STL, with a thickness (*.stl)")},
-    CoverTarget{"3mf", CoverFormat::ThreeMf,
-                QT_TRANSLATE_NOOP("bolster::FileFlow", "3MF, with a thickness (*.3mf)")},
-    CoverTarget{"step", CoverFormat::Step, QT_TRANSLATE_NOOP("bolster::FileFlow", "STEP, curves alone (*.step)")},
+constexpr CoverTarget coverTargets[] = {
+    {FileUse::CoverOut, "html", CoverFormat::Page},      {FileUse::CoverOut, "glb", CoverFormat::Glb},
+    {FileUse::CoverOut, "usdz", CoverFormat::Usdz},      {FileUse::CoverOut, "obj", CoverFormat::Obj},
+    {FileUse::CoverOut, "stl", CoverFormat::Stl},        {FileUse::CoverOut, "3mf", CoverFormat::ThreeMf},
+    {FileUse::CoverOut, "step", CoverFormat::Step},      {FileUse::FoamOut, "stl", CoverFormat::FoamStl},
+    {FileUse::FoamOut, "3mf", CoverFormat::FoamThreeMf},
 };
 
-constexpr std::array foamTargets = {
-    CoverTarget{"stl", CoverFormat::FoamStl, QT_TRANSLATE_NOOP("bolster::FileFlow", "STL (*.stl)")},
-    CoverTarget{"3mf", CoverFormat::FoamThreeMf, QT_TRANSLATE_NOOP("bolster::FileFlow", "3MF (*.3mf)")},
-};
-
-template <class Targets>
-QString filtersOf(const Targets& targets)
+/// Without any ending that is known, the first one.
+CoverFormat formatFor(FileUse use, const QString& path)
 {
-    QStringList filters;
-    for (const CoverTarget& target : targets)
-        filters << FileFlow::tr(target.filter);
-    return filters.join(QStringLiteral(";;"));
-}
-
-template <class Targets>
-QStringList endingsOf(const Targets& targets)
-{
-    QStringList endings;
-    for (const CoverTarget& target : targets)
-        endings << QLatin1String(target.ending);
-    return endings;
-}
-
-template <class Targets>
-CoverFormat formatFor(const Targets& targets, const QString& path)
-{
-    for (const CoverTarget& target : targets)
-        if (path.endsWith(QStringLiteral(".") + QLatin1String(target.ending), Qt::CaseInsensitive))
+    const QString ending = isFileOf(use, path) ? endingOf(path) : endingsOf(use).front();
+    for (const CoverTarget& target : coverTargets)
+        if (target.use == use && ending == QLatin1String(target.ending))
             return target.format;
-    return targets.front().format;
+    return CoverFormat::Glb;
 }
 
 } // namespace
 
 void FileFlow::exportCover(const SurfaceMeshPtr& surface, const FabricBaker& bake)
 {
-    chooseTarget(tr("Export cover"), proposed(QStringLiteral("html"), tr("-cover")), filtersOf(coverTargets),
-                 endingsOf(coverTargets), [this, surface, bake](const QString& path) {
-                     exportCoverTo(surface, bake, formatFor(coverTargets, path), path);
+    chooseTarget(tr("Export cover"), proposed(QStringLiteral("html"), tr("-cover")), filtersOf(FileUse::CoverOut),
+                 endingsOf(FileUse::CoverOut), [this, surface, bake](const QString& path) {
+                     exportCoverTo(surface, bake, formatFor(FileUse::CoverOut, path), path);
                  });
 }
 
 void FileFlow::exportFoam(const SurfaceMeshPtr& surface)
 {
-    chooseTarget(tr("Export foam"), proposed(QStringLiteral("stl"), tr("-foam")), filtersOf(foamTargets),
-                 endingsOf(foamTargets), [this, surface](const QString& path) {
-                     exportCoverTo(surface, {}, formatFor(foamTargets, path), path);
+    chooseTarget(tr("Export foam"), proposed(QStringLiteral("stl"), tr("-foam")), filtersOf(FileUse::FoamOut),
+                 endingsOf(FileUse::FoamOut), [this, surface](const QString& path) {
+                     exportCoverTo(surface, {}, formatFor(FileUse::FoamOut, path), path);
                  });
 }
 
@@ -117,6 +93,54 @@ void FileFlow::finishCoverExport(const CoverFile& file, const QString& path)
     for (const Message& note : file.notes)
         said += QStringLiteral(": ") + translated(note);
     emit done(said);
+}
+
+void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
+{
+    if (!surface)
+        return;
+    chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
+                 filtersOf(FileUse::SurfaceOut), endingsOf(FileUse::SurfaceOut),
+                 [this, surface](const QString& path) { exportSurfaceTo(surface, path); });
+}
+
+void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path)
+{
+    const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
+    inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
+        return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
+    }).then(this, [this, path](const Message& problem) {
+        if (problem.empty())
+            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+        else
+            fail(tr("The surface could not be exported."), problem);
+    });
+}
+
+namespace {
+
+/// QImage does not tell when the disk is full.
+Message writePng(const QImage& picture, const QString& path)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture.save(&buffer, "PNG"))
+        return {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}};
+    return replaceWholeFile(path, {png.constData(), static_cast<std::size_t>(png.size())});
+}
+
+} // namespace
+
+void FileFlow::exportPicture(const QImage& picture)
+{
+    chooseTarget(tr("Export picture"), proposedPicture(), tr("PNG (*.png)"), {QStringLiteral("png")},
+                 [this, picture](const QString& path) {
+                     if (const Message problem = writePng(picture, path); problem.empty())
+                         emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+                     else
+                         fail(tr("The picture could not be exported."), problem);
+                 });
 }
 
 } // namespace bolster

@@ -1,44 +1,53 @@
-// Importing frames and scans, exporting surfaces and pictures.
+// Importing frames, scans and patterns, exporting patterns.
 #include "Ask.h"
 #include "Background.h"
 #include "ExportPatternDialog.h"
 #include "FileFlow.h"
+#include "FileFormats.h"
 #include "FileImportDialog.h"
 #include "FixationsLeft.h"
+#include "FrameSimplifying.h"
 #include "ImportPatternDialog.h"
 #include "PatternImport.h"
-#include "SurfaceExport.h"
 #include "TemporaryFile.h"
 #include "Translated.h"
 #include "WholeFile.h"
 
-#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
 #include <QProgressBar>
 #include <QProgressDialog>
 
+#include <set>
+
 namespace bolster {
 
 namespace {
 
-QString patternsOf(FileKind kind)
+/// A frame that shows all but these parts. Pieces of parts that were hidden before stay so; of whole parts the user
+/// has said it.
+Element withoutParts(Element element, const FileContent& content, const std::vector<std::string>& unwanted)
 {
-    QStringList patterns;
-    for (const QString& ending : fileEndings(kind))
-        patterns << QStringLiteral("*.") + ending;
-    return patterns.join(u' ');
+    Frame* const frame = std::get_if<Frame>(&element);
+    if (!frame)
+        return element;
+    std::set<std::string> there;
+    for (const TriangleMesh::Part& part : content.mesh->parts)
+        there.insert(part.name);
+    std::erase_if(frame->hiddenParts, [&](const std::string& name) { return there.contains(name); });
+    frame->hiddenParts.insert(frame->hiddenParts.begin(), unwanted.begin(), unwanted.end());
+    return element;
 }
 
 QString meshFilter()
 {
-    return FileFlow::tr("Meshes (%1)").arg(patternsOf(FileKind::Mesh));
+    return FileFlow::tr("Frames (%1)").arg(patternsOf(FileUse::Frame));
 }
 
 QString scanFilter()
 {
-    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileKind::Cloud));
+    return FileFlow::tr("Scans (%1)").arg(patternsOf(FileUse::Scan));
 }
 
 } // namespace
@@ -119,7 +128,7 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
         path, [kind = fileKind(element), path](const ImportWatch& watch) { return importFile(kind, path, watch); },
         [this, path, element, replaced](const ImportedFile& imported) {
             if (imported.content)
-                place(path, imported.content, element, replaced);
+                place(path, imported, element, replaced);
             else if (!imported.problem.empty())
                 failImport(path, imported.problem);
         });
@@ -128,10 +137,8 @@ void FileFlow::importNow(const QString& path, const Element& element, std::optio
 void FileFlow::importPattern(const QString& path)
 {
     if (path.isEmpty()) {
-        QStringList endings;
-        for (const QString& ending : patternFileEndings())
-            endings << QStringLiteral("*.") + ending << QStringLiteral("*.") + ending.toUpper();
-        askForFile(m_window, tr("Import pattern"), startFolder(), tr("Patterns (%1)").arg(endings.join(u' ')),
+        askForFile(m_window, tr("Import pattern"), startFolder(),
+                   tr("Patterns (%1)").arg(patternsOf(FileUse::Pattern)),
                    [this](const QString& file) { importPattern(file); });
         return;
     }
@@ -186,7 +193,7 @@ void FileFlow::addPattern(const QString& path, const std::shared_ptr<const Found
         });
 }
 
-void FileFlow::place(const QString& path, const FileContent& content, const Element& element,
+void FileFlow::place(const QString& path, const ImportedFile& file, const Element& element,
                      std::optional<ElementId> replaced)
 {
     std::optional<Placement> before;
@@ -197,44 +204,55 @@ void FileFlow::place(const QString& path, const FileContent& content, const Elem
         if (const auto there = meshes.find(*replaced); there != meshes.end())
             old = {there->second, *before};
     }
-    auto* dialog = new FileImportDialog(path, content, before, m_window);
+    auto* dialog = new FileImportDialog(path, file.content, before, file.said, m_window);
+    if (const Frame* const frame = std::get_if<Frame>(&element))
+        dialog->offerParts(file.tree, frame->hiddenParts);
     connect(dialog, &QDialog::accepted, this, [=, this] {
         const Element placed = *withPlacement(element, dialog->placement());
-        if (const Message problem = m_session.addWithFile(path, content, placed, replaced); !problem.empty()) {
-            failImport(path, problem);
-            return;
-        }
-        emit imported(fileKind(element));
-        tellFixationsOff(m_window, m_session.document().design(), old, {content.mesh, dialog->placement()});
+        const std::vector<std::string> unwanted = dialog->unwantedParts();
+        if (const auto most = dialog->wantedTriangles())
+            simplify({path, file.content, placed, replaced, old}, unwanted, *most);
+        else
+            addPlaced({path, file.content, withoutParts(placed, file.content, unwanted), replaced, old});
     });
     openDialog(dialog);
+}
+
+void FileFlow::simplify(const PlacedFile& file, const std::vector<std::string>& unwanted, std::size_t triangles)
+{
+    withProgress<SimplifiedFrame>(
+        tr("Simplifying %1 \u2026").arg(QFileInfo(file.path).fileName()),
+        [path = file.path, mesh = file.content.mesh, unwanted, triangles](const ImportWatch& watch) {
+            return simplifiedFrame(path, *mesh, unwanted, triangles, watch);
+        },
+        [this, file](const SimplifiedFrame& simplified) {
+            PlacedFile fewer = file;
+            fewer.path = simplified.path;
+            fewer.content = simplified.content;
+            std::get<Frame>(fewer.element).hiddenParts.clear(); // they are not in this file
+            if (simplified.content)
+                addPlaced(fewer);
+            else if (!simplified.problem.empty())
+                failImport(file.path, simplified.problem);
+        });
+}
+
+void FileFlow::addPlaced(const PlacedFile& file)
+{
+    if (const Message problem = m_session.addWithFile(file.path, file.content, file.element, file.replaced);
+        !problem.empty()) {
+        failImport(file.path, problem);
+        return;
+    }
+    emit imported(fileKind(file.element));
+    if (file.replaced && file.content.mesh)
+        tellFixationsOff(m_window, m_session.document().design(), file.old,
+                         {file.content.mesh, *elementPlacement(file.element)});
 }
 
 void FileFlow::failImport(const QString& path, const Message& why)
 {
     fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), why);
-}
-
-void FileFlow::exportSurface(const SurfaceMeshPtr& surface)
-{
-    if (!surface)
-        return;
-    chooseTarget(tr("Export surface"), proposed(QStringLiteral("obj"), tr("-cover")),
-                 tr("OBJ (*.obj);;PLY (*.ply)"), {QStringLiteral("obj"), QStringLiteral("ply")},
-                 [this, surface](const QString& path) { exportSurfaceTo(surface, path); });
-}
-
-void FileFlow::exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path)
-{
-    const bool ply = path.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
-    inBackground<Message>([surface, design = m_session.document().design(), path, ply] {
-        return ply ? exportPly(*surface, design, path) : exportObj(*surface, design, path);
-    }).then(this, [this, path](const Message& problem) {
-        if (problem.empty())
-            emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-        else
-            fail(tr("The surface could not be exported."), problem);
-    });
 }
 
 void FileFlow::exportPattern(const QImage& cover)
@@ -269,32 +287,6 @@ void FileFlow::exportPatternTo(const QString& path, const PatternOrder& order, c
             else
                 fail(tr("The pattern could not be exported."), problem);
         });
-}
-
-namespace {
-
-/// QImage does not tell when the disk is full.
-Message writePng(const QImage& picture, const QString& path)
-{
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    if (!picture.save(&buffer, "PNG"))
-        return {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}};
-    return replaceWholeFile(path, {png.constData(), static_cast<std::size_t>(png.size())});
-}
-
-} // namespace
-
-void FileFlow::exportPicture(const QImage& picture)
-{
-    chooseTarget(tr("Export picture"), proposedPicture(), tr("PNG (*.png)"), {QStringLiteral("png")},
-                 [this, picture](const QString& path) {
-                     if (const Message problem = writePng(picture, path); problem.empty())
-                         emit done(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-                     else
-                         fail(tr("The picture could not be exported."), problem);
-                 });
 }
 
 } // namespace bolster

@@ -205,11 +205,11 @@ Problems DesignSession::problems() const
             found.insert(found.end(), bad->problems.begin(), bad->problems.end());
         if (hasShapeFile(*element))
             if (const auto known = m_known.find(keyOf(*element)); known != m_known.end()) {
-                const auto& [content, problem, warning] = known->second;
-                if (!content)
-                    found.push_back({id, elementLabel(id, *element), "file", problem});
-                else if (!warning.empty())
-                    found.push_back({id, elementLabel(id, *element), "file", warning, Severity::Warning});
+                const ImportedFile& file = known->second;
+                if (!file.content)
+                    found.push_back({id, elementLabel(id, *element), "file", file.problem});
+                else if (!file.warning.empty())
+                    found.push_back({id, elementLabel(id, *element), "file", file.warning, Severity::Warning});
             }
     }
     return found;

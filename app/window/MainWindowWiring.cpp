@@ -18,6 +18,7 @@
 #include "FindingsLink.h"
 #include "FirstSteps.h"
 #include "FixingCommands.h"
+#include "FrameEdgeCommands.h"
 #include "HelpCommands.h"
 #include "InsertCommands.h"
 #include "Inspector.h"
@@ -134,6 +135,7 @@ void MainWindow::addDesignCommands()
     addArea<FabricMenu>(commands,
                         FabricMenu::Parts{*m_session, m_selection, *m_fabricCommands, *m_fabricLink, *m_fabricPanel,
                                           *m_solver, *m_pattern, *m_surface, *m_inspector, *m_docks, *this});
+    addArea<FrameEdgeCommands>(commands, *m_session, *m_surface, *m_status, *this);
     addArea<FixingCommands>(commands, document(), m_selection, *m_solver, *m_status);
     addArea<ScanCommands>(commands, document(), m_selection, *m_scans, *m_files, *m_surface, *m_inspector,
                           *m_status, *this);

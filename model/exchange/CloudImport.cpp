@@ -1,9 +1,8 @@
 #include "CloudImport.h"
 
 #include "CloudReaders.h"
+#include "FileFormats.h"
 #include "ReadGuarded.h"
-
-#include <QFileInfo>
 
 namespace bolster {
 namespace {
@@ -25,7 +24,7 @@ constexpr CloudFormat cloudFormats[] = {{"e57", readE57},     {"las", readLas}, 
 ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
 {
     for (const CloudFormat& format : cloudFormats) {
-        if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
+        if (endingOf(path) != QLatin1String(format.ending))
             continue;
         ImportedCloud imported;
         imported.problem = readGuarded(path, largestCloudFile, warning(watch, path, imported.warning),
@@ -35,18 +34,9 @@ ImportedCloud importCloud(const QString& path, const ImportWatch& watch)
         return imported;
     }
     return {nullptr,
-            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a scan that can be read; E57, LAS, PTX, PTS, PLY, XYZ, "
-                                          "PCD, OBJ, STL and OFF can"),
-             {path.toStdString()}},
+            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a scan that can be read; these can: %2"),
+             {path.toStdString(), namesOf(FileUse::Scan)}},
             {}};
-}
-
-QStringList cloudFileEndings()
-{
-    QStringList endings;
-    for (const CloudFormat& format : cloudFormats)
-        endings.append(QLatin1String(format.ending));
-    return endings;
 }
 
 } // namespace bolster

@@ -22,7 +22,4 @@ struct ImportedCloud {
 /// of a grid is kept (PointCloud::spacing).
 ImportedCloud importCloud(const QString& path, const ImportWatch& watch = {});
 
-/// Endings without the dot: "e57", "las", "ptx" ...; "laz" is refused with a remedy.
-QStringList cloudFileEndings();
-
 } // namespace bolster

@@ -3,6 +3,8 @@
 #include "CloudImport.h"
 #include "MeshImport.h"
 
+#include <QFileInfo>
+
 namespace bolster {
 
 FileKind fileKind(const Element& element)
@@ -10,9 +12,9 @@ FileKind fileKind(const Element& element)
     return std::holds_alternative<Scan>(element) ? FileKind::Cloud : FileKind::Mesh;
 }
 
-QStringList fileEndings(FileKind kind)
+FileUse fileUse(FileKind kind)
 {
-    return kind == FileKind::Mesh ? meshFileEndings() : cloudFileEndings();
+    return kind == FileKind::Mesh ? FileUse::Frame : FileUse::Scan;
 }
 
 const std::vector<Vec3>& FileContent::points() const
@@ -44,7 +46,17 @@ ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& w
         return {{nullptr, std::move(imported.cloud)}, std::move(imported.problem), std::move(imported.warning)};
     }
     ImportedMesh imported = importMesh(path, watch);
-    return {{std::move(imported.mesh), nullptr}, std::move(imported.problem), std::move(imported.warning)};
+    if (imported.mesh && !imported.beside.empty())
+        return {{},
+                {QT_TRANSLATE_NOOP("Message",
+                                   "\"%1\" needs the file \"%2\" beside it, and the frame of a design is one "
+                                   "file; export it as GLB"),
+                 {QFileInfo(path).fileName().toStdString(), imported.beside}}};
+    return {{std::move(imported.mesh), nullptr},
+            std::move(imported.problem),
+            std::move(imported.warning),
+            imported.said,
+            std::move(imported.tree)};
 }
 
 } // namespace bolster

@@ -1,12 +1,13 @@
 // What an element's file holds: a mesh, or the points of a scan.
 #pragma once
 
+#include "Assembly.h"
 #include "DesignFiles.h"
 #include "Element.h"
+#include "FileFormats.h"
 #include "ImportWatch.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace bolster {
 
@@ -14,8 +15,7 @@ enum class FileKind { Mesh, Cloud };
 
 /// What the element reads its file as; the element must be of a kind with one.
 FileKind fileKind(const Element& element);
-/// Of files that can be read as that, without the dot.
-QStringList fileEndings(FileKind kind);
+FileUse fileUse(FileKind kind);
 
 /// One of the two is there, or none when the file could not be read.
 struct FileContent {
@@ -30,9 +30,11 @@ struct FileContent {
 };
 
 struct ImportedFile {
-    FileContent content; ///< nothing when refused or stopped
-    Message problem;     ///< why, with file and line or offset; empty when stopped
-    Message warning{};   ///< what is odd about it, though it was read
+    FileContent content;             ///< nothing when refused or stopped
+    Message problem;                 ///< why, with file and line or offset; empty when stopped
+    Message warning{};               ///< what is odd about it, though it was read
+    FileFacts said{};                ///< what the file says of its numbers and axes
+    std::vector<PartOutline> tree{}; ///< of formats with one: to which groups the parts of the mesh belong
 };
 
 ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch = {});

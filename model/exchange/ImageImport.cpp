@@ -5,48 +5,30 @@
 #include "ImageStream.h"
 
 #include <QFileInfo>
-#include <QProcess>
 
 namespace bolster {
 namespace {
 
 constexpr std::int64_t largestImageFile = 1'000'000'000;
-constexpr int pollMilliseconds = 20;
 
-enum class Ended { Done, NotStarted, Stopped, TooLong, Died };
+constexpr HelperSentences imageSentences = {
+    QT_TRANSLATE_NOOP("Message", "the program \"%1\", which reads pictures for Bolster, cannot be started; install "
+                                 "Bolster again"),
+    QT_TRANSLATE_NOOP("Message", "\"%1\" takes too long to read; save it as PNG in a picture editor"),
+    QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be decoded: it is damaged or incomplete, or needs too much memory; "
+                                 "save it again as PNG in a picture editor")};
 
-/// Feeds the reader with what the decoder says, until it ends or has to be ended.
-Ended runDecoder(const QString& path, const std::stop_token& stop, const ImageDecoder& decoder,
-                 ImageStreamReader& reader)
+HelperSpeech takeWords(ImageStreamReader& reader, std::string_view words)
 {
-    QProcess process;
-    process.setProgram(decoder.program);
-    process.setStandardInputFile(path);
-    process.setStandardErrorFile(QProcess::nullDevice());
-    confine(process, {decoder.memory, decoder.processor, false});
-    process.start(QIODevice::ReadOnly);
-    const auto end = std::chrono::steady_clock::now() + decoder.time;
-    const auto endedBy = [&](Ended how) {
-        process.kill();
-        process.waitForFinished();
-        return how;
-    };
-    if (!process.waitForStarted())
-        return Ended::NotStarted;
-    for (;;) {
-        process.waitForReadyRead(pollMilliseconds);
-        const QByteArray bytes = process.readAllStandardOutput();
-        using State = ImageStreamReader::State;
-        const State state = reader.take({bytes.data(), static_cast<std::size_t>(bytes.size())});
-        if (state == State::Done)
-            return endedBy(Ended::Done);
-        if (stop.stop_requested())
-            return endedBy(Ended::Stopped);
-        if (state == State::Broken || (bytes.isEmpty() && process.state() == QProcess::NotRunning))
-            return endedBy(Ended::Died);
-        if (std::chrono::steady_clock::now() > end)
-            return endedBy(Ended::TooLong);
+    switch (reader.take(words)) {
+    case ImageStreamReader::State::Unfinished:
+        return HelperSpeech::Unfinished;
+    case ImageStreamReader::State::Done:
+        return HelperSpeech::Done;
+    case ImageStreamReader::State::Broken:
+        break;
     }
+    return HelperSpeech::Nonsense;
 }
 
 Message problemOf(const ImageHead& head, const std::string& name)
@@ -100,29 +82,8 @@ ImagePixels turned(ImagePixels image, std::uint32_t orientation)
     return upright;
 }
 
-ImageOutcome outcomeOf(Ended ended, ImageStreamReader& reader, const std::string& name, const ImageDecoder& decoder)
+ImageOutcome outcomeOf(ImageStreamReader& reader, const std::string& name)
 {
-    switch (ended) {
-    case Ended::Stopped:
-        return {};
-    case Ended::NotStarted:
-        return {nullptr,
-                {QT_TRANSLATE_NOOP("Message", "the program \"%1\", which reads pictures for Bolster, cannot be "
-                                              "started; install Bolster again"),
-                 {decoder.program.isEmpty() ? "bolster-image" : decoder.program.toStdString()}}};
-    case Ended::TooLong:
-        return {nullptr,
-                {QT_TRANSLATE_NOOP("Message", "\"%1\" takes too long to read; save it as PNG in a picture editor"),
-                 {name}}};
-    case Ended::Died:
-        return {nullptr,
-                {QT_TRANSLATE_NOOP("Message",
-                                   "\"%1\" cannot be decoded: it is damaged or incomplete, or needs too much "
-                                   "memory; save it again as PNG in a picture editor"),
-                 {name}}};
-    case Ended::Done:
-        break;
-    }
     const ImageHead& head = reader.head();
     if (head.verdict != ImageVerdict::Pixels)
         return {nullptr, problemOf(head, name)};
@@ -140,22 +101,22 @@ QString ImageDecoder::usualProgram()
 ImageOutcome importImage(const QString& path, const std::stop_token& stop, const ImageDecoder& decoder)
 {
     Message problem;
-    if (!DiskFile::open(path, largestImageFile, problem))
+    const auto file = DiskFile::open(path, largestImageFile, problem);
+    if (!file)
         return {nullptr, std::move(problem)};
     const std::string name = QFileInfo(path).fileName().toStdString();
     try {
         ImageStreamReader reader;
-        const Ended ended = runDecoder(path, stop, decoder, reader);
-        return outcomeOf(ended, reader, name, decoder);
+        const HelperEnd end =
+            runHelper({decoder.program, {}, {decoder.memory, decoder.processor, false}, decoder.time}, *file, {},
+                      stop, [&reader](std::string_view words) { return takeWords(reader, words); });
+        if (end == HelperEnd::Done)
+            return outcomeOf(reader, name);
+        const std::string program = decoder.program.isEmpty() ? "bolster-image" : decoder.program.toStdString();
+        return {nullptr, helperProblem(end, imageSentences, program, name)};
     } catch (const std::bad_alloc&) {
         return {nullptr, {QT_TRANSLATE_NOOP("Message", "%1: there is not enough memory for this picture"), {name}}};
     }
-}
-
-QStringList imageFileEndings()
-{
-    return {QStringLiteral("png"), QStringLiteral("jpg"),  QStringLiteral("jpeg"),
-            QStringLiteral("tif"), QStringLiteral("tiff"), QStringLiteral("exr")};
 }
 
 } // namespace bolster

@@ -35,7 +35,4 @@ struct ImageDecoder {
 /// (inBackground); `stop` ends it within 50 ms.
 ImageOutcome importImage(const QString& path, const std::stop_token& stop = {}, const ImageDecoder& decoder = {});
 
-/// Endings without the dot, for a file dialog: "png", "jpg" ...
-QStringList imageFileEndings();
-
 } // namespace bolster

@@ -1,10 +1,10 @@
 #include "MeshImport.h"
 
+#include "AssemblyImport.h"
+#include "FileFormats.h"
 #include "MeshReaders.h"
+#include "PartNames.h"
 #include "ReadGuarded.h"
-
-#include <QFileInfo>
-#include <QStringDecoder>
 
 namespace bolster {
 namespace {
@@ -18,21 +18,30 @@ constexpr std::int64_t largestMeshFile = 2'000'000'000;
 
 constexpr MeshFormat meshFormats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
 
-/// Names of groups come in any encoding; those that are not UTF-8 are taken for Latin-1.
-std::string cleanName(const std::string& name)
+ImportedMesh allOf(ImportedAssembly imported)
 {
-    QStringDecoder utf8(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
-    const QString decoded = utf8(QByteArrayView(name.data(), static_cast<qsizetype>(name.size())));
-    return (utf8.hasError() ? QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())) : decoded)
-        .toStdString();
+    ImportedMesh all{nullptr, std::move(imported.problem)};
+    if (!imported.warnings.empty())
+        all.warning = std::move(imported.warnings.front());
+    all.beside = std::move(imported.beside);
+    if (imported.assembly) {
+        all.said = imported.assembly->said;
+        all.tree = outlinesOf(*imported.assembly);
+        all.mesh =
+            std::make_shared<const TriangleMesh>(meshOf(*imported.assembly, [](std::uint32_t) { return true; }));
+    }
+    return all;
 }
 
 } // namespace
 
 ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
 {
+    const QString ending = endingOf(path);
+    if (isAssemblyEnding(ending))
+        return allOf(importAssembly(path, watch));
     for (const MeshFormat& format : meshFormats) {
-        if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) != 0)
+        if (ending != QLatin1String(format.ending))
             continue;
         ImportedMesh imported;
         imported.problem =
@@ -45,17 +54,8 @@ ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
         return imported;
     }
     return {nullptr,
-            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a mesh that can be read; OBJ, PLY, STL and OFF can"),
-             {path.toStdString()}},
-            {}};
-}
-
-QStringList meshFileEndings()
-{
-    QStringList endings;
-    for (const MeshFormat& format : meshFormats)
-        endings.append(QLatin1String(format.ending));
-    return endings;
+            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a frame that can be read; these can: %2"),
+             {path.toStdString(), namesOf(FileUse::Frame)}}};
 }
 
 } // namespace bolster

@@ -1,6 +1,8 @@
-// Frames from OBJ, PLY, STL and OFF files. Untrusted input: see the limits in the .cpp.
+// Frames from files, of any format that frames come in (FileFormats). Untrusted input: see the limits in the .cpp,
+// and AssemblyImport.
 #pragma once
 
+#include "Assembly.h"
 #include "ImportWatch.h"
 #include "Message.h"
 #include "TriangleMesh.h"
@@ -15,12 +17,13 @@ struct ImportedMesh {
     std::shared_ptr<const TriangleMesh> mesh; ///< null when refused or stopped
     Message problem;                          ///< why, with file and line or offset; empty when stopped
     Message warning{};                        ///< what is odd about it, though it was read
+    FileFacts said{};                         ///< what the file says of its numbers and axes
+    std::vector<PartOutline> tree{};          ///< of formats with one: to which groups the parts belong
+    std::string beside{};                     ///< a file of its own folder that belongs to it, if there is one
 };
 
-/// The format is that of the file's ending; polygons are split into triangles.
+/// The format is that of the file's ending; polygons are split into triangles. CAD faces are as fine as
+/// usualTolerance.
 ImportedMesh importMesh(const QString& path, const ImportWatch& watch = {});
-
-/// Endings without the dot: "obj", "ply", "stl", "off".
-QStringList meshFileEndings();
 
 } // namespace bolster

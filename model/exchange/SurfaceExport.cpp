@@ -1,51 +1,12 @@
 #include "SurfaceExport.h"
 
+#include "ExportBytes.h"
 #include "WholeFile.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cctype>
-#include <charconv>
-#include <cstring>
 #include <set>
 
 namespace bolster {
 namespace {
-
-/// The shortest text that reads back to the same number, whatever the locale: sewn vertices, whose positions are
-/// equal, are equal as text too.
-template <class Number>
-void appendNumber(std::string& text, Number value)
-{
-    std::array<char, 32> buffer;
-    if constexpr (std::is_floating_point_v<Number>)
-        value += 0; // "-0" would be another text than "0"
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    text.append(buffer.data(), end);
-}
-
-template <class Vector>
-void appendLine(std::string& text, const char* keyword, const Vector& numbers)
-{
-    text += keyword;
-    for (const auto number : numbers) {
-        text += ' ';
-        appendNumber(text, number);
-    }
-    text += '\n';
-}
-
-/// OBJ names end at blanks, and some programs stumble over more than that.
-std::string safeName(std::string name)
-{
-    for (char& c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80 && !std::isalnum(byte) && c != '-' && c != '.')
-            c = '_';
-    }
-    return name;
-}
 
 std::string groupName(const Design& design, ElementId id, std::set<std::string>& taken)
 {
@@ -67,15 +28,6 @@ void appendFace(std::string& text, const std::array<std::uint32_t, 3>& triangle)
         }
     }
     text += '\n';
-}
-
-template <class Number>
-void appendRaw(std::string& bytes, Number value)
-{
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::big)
-        std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
 }
 
 std::string plyHeader(std::size_t vertices, std::size_t triangles)

@@ -1,6 +1,7 @@
 // A process of its own that decodes one picture of unknown origin: the file on its standard input, an ImageHead and
 // the pixels on its standard output. It may crash, hang or run out of memory; importImage() limits it and cleans up
 // after it. Before it looks at the first byte it gives up all rights but these two.
+#include "GivenFiles.h"
 #include "ImageStream.h"
 #include "Sandbox.h"
 
@@ -10,12 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -37,40 +32,16 @@ struct Refused {
     throw Refused{{verdict}};
 }
 
-void write(const void* bytes, std::size_t size)
+const Answer& answer()
 {
-    if (std::fwrite(bytes, 1, size, stdout) != size)
-        ::_exit(1); // nobody listens any more
+    static const Answer only;
+    return only;
 }
 
-/// The file on the standard input.
-class Bytes {
-public:
-    Bytes()
-    {
-        struct stat info = {};
-        if (::fstat(STDIN_FILENO, &info) != 0 || info.st_size <= 0)
-            return;
-        m_size = static_cast<std::size_t>(info.st_size);
-        m_bytes = ::mmap(nullptr, m_size, PROT_READ, MAP_PRIVATE, STDIN_FILENO, 0);
-    }
-    ~Bytes()
-    {
-        if (m_bytes != MAP_FAILED)
-            ::munmap(m_bytes, m_size);
-    }
-    Bytes(const Bytes&) = delete;
-    Bytes& operator=(const Bytes&) = delete;
-
-    std::string_view view() const
-    {
-        return m_bytes == MAP_FAILED ? std::string_view() : std::string_view(static_cast<char*>(m_bytes), m_size);
-    }
-
-private:
-    void* m_bytes = MAP_FAILED;
-    std::size_t m_size = 0;
-};
+void write(const void* bytes, std::size_t size)
+{
+    answer().write({static_cast<const char*>(bytes), size});
+}
 
 ImageKind kindOf(std::string_view bytes)
 {
@@ -245,7 +216,7 @@ void sendPixels(OIIO::ImageInput& decoder, const OIIO::ImageSpec& spec, const Co
 
 void decode()
 {
-    const Bytes bytes;
+    const MappedFile bytes(STDIN_FILENO);
     OIIO::Filesystem::IOMemReader reader(bytes.view().data(), bytes.view().size());
     OIIO::ImageSpec spec;
     const auto decoder = opened(kindOf(bytes.view()), &reader, spec);
@@ -272,11 +243,11 @@ void decode()
 
 int main()
 {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would stop it any more
-    ::clearenv();
+    leaveEverything();
     try {
+        const int kept[] = {answer().descriptor()};
         prepareLibrary();
-        if (!enterSandbox())
+        if (!enterSandbox(kept))
             ::_exit(4);
         decode();
     } catch (const Refused& refused) {
@@ -284,6 +255,5 @@ int main()
     } catch (const std::exception&) {
         ::_exit(3);
     }
-    std::fflush(stdout);
     ::_exit(0); // no library tidies up
 }

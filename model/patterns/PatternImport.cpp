@@ -1,9 +1,8 @@
 #include "PatternImport.h"
 
 #include "DrawingReaders.h"
+#include "FileFormats.h"
 #include "ReadGuarded.h"
-
-#include <QFileInfo>
 
 namespace bolster {
 
@@ -23,23 +22,15 @@ constexpr PatternFormat patternFormats[] = {{"dxf", readDxf}, {"svg", readSvg}};
 ImportedDrawing importDrawing(const QString& path, const ImportWatch& watch)
 {
     for (const PatternFormat& format : patternFormats)
-        if (QFileInfo(path).suffix().compare(QLatin1String(format.ending), Qt::CaseInsensitive) == 0) {
+        if (endingOf(path) == QLatin1String(format.ending)) {
             ImportedDrawing imported;
             imported.problem = readGuarded(path, largestPatternFile, watch,
                                            [&](const FileBytes& bytes) { imported.drawing = format.read(bytes); });
             return imported;
         }
     return {std::nullopt,
-            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a pattern that can be read; DXF and SVG can"),
-             {path.toStdString()}}};
-}
-
-QStringList patternFileEndings()
-{
-    QStringList endings;
-    for (const PatternFormat& format : patternFormats)
-        endings.append(QLatin1String(format.ending));
-    return endings;
+            {QT_TRANSLATE_NOOP("Message", "\"%1\" is not a pattern that can be read; these can: %2"),
+             {path.toStdString(), namesOf(FileUse::Pattern)}}};
 }
 
 } // namespace bolster

@@ -5,7 +5,7 @@
 #include "ImportWatch.h"
 #include "Message.h"
 
-#include <QStringList>
+#include <QString>
 
 namespace bolster {
 
@@ -16,8 +16,5 @@ struct ImportedDrawing {
 
 /// The format is that of the file's ending.
 ImportedDrawing importDrawing(const QString& path, const ImportWatch& watch = {});
-
-/// Endings without the dot: "dxf", "svg".
-QStringList patternFileEndings();
 
 } // namespace bolster

@@ -1,4 +1,7 @@
 #include "FileImportDialog.h"
+#include "NumberBox.h"
+#include "PartsTree.h"
+#include "SimplifyChoice.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -69,6 +72,62 @@ TEST(FileImport, TurnsWhatPointsUp)
     dialog.setUnit(FileUnit::Inch);
     frame = dialog.placement();
     EXPECT_TRUE(frame.placed({0, 0, 1}).isApprox(Vec3(0, 0, 25.4)));
+}
+
+TEST(FileImport, BelievesWhatTheFileSays)
+{
+    FileImportDialog dialog(QStringLiteral("seat.step"), box(30, 40, 35), {}, {25.4, UpAxis::Y});
+    Placement frame = dialog.placement();
+    EXPECT_EQ(frame.scale, 25.4);
+    EXPECT_TRUE(frame.placed({0, 1, 0}).isApprox(Vec3(0, 0, 25.4)));
+    FileImportDialog odd(QStringLiteral("seat.fbx"), box(30, 40, 35), {}, {17, UpAxis::X});
+    frame = odd.placement();
+    EXPECT_EQ(frame.scale, 17);
+    EXPECT_TRUE(frame.placed({1, 0, 0}).isApprox(Vec3(0, 0, 17)));
+    FileImportDialog half(QStringLiteral("seat.step"), box(0.8, 1.0, 0.9), {}, {1000, std::nullopt});
+    EXPECT_EQ(half.placement().scale, 1000);
+    EXPECT_TRUE(half.placement().placed({0, 0, 1}).isApprox(Vec3(0, 0, 1000)));
+}
+
+TEST(FileImport, PartsThatAreNotWantedAreNotMeasured)
+{
+    TriangleMesh mesh;
+    mesh.points = {{0, 0, 0}, {500, 0, 0}, {0, 400, 0}, {0, 0, 0}, {900, 0, 0}, {0, 900, 800}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    mesh.parts = {{"Seat", 0, 1}, {"Plinth", 1, 1}};
+    FileImportDialog dialog(QStringLiteral("seat.step"), {std::make_shared<const TriangleMesh>(mesh), nullptr}, {},
+                            {1, UpAxis::Z});
+    EXPECT_EQ(dialog.placement().position, Vec3(0, 0, 0));
+    dialog.findChildren<QCheckBox*>().back()->setChecked(true); // on the floor, in the middle
+    EXPECT_EQ(dialog.placement().position, Vec3(-450, -450, 0));
+    dialog.offerParts({{"Chair", {}, 0}, {"Seat", 0, 1}, {"Plinth", 0, 1}, {"Empty", 0, 0}}, {"Plinth"});
+    EXPECT_EQ(dialog.unwantedParts(), std::vector<std::string>{"Plinth"});
+    EXPECT_EQ(dialog.placement().position, Vec3(-250, -200, 0));
+    auto* const tree = dialog.findChild<PartsTree*>();
+    ASSERT_TRUE(tree);
+    ASSERT_EQ(tree->topLevelItemCount(), 1);
+    QTreeWidgetItem* const chair = tree->topLevelItem(0);
+    EXPECT_EQ(chair->childCount(), 2) << "what has no triangles is not there";
+    EXPECT_EQ(chair->checkState(0), Qt::PartiallyChecked);
+    chair->setCheckState(0, Qt::Unchecked);
+    EXPECT_EQ(dialog.unwantedParts().size(), 2u);
+}
+
+TEST(FileImport, LargeMeshesCanBeSimplified)
+{
+    FileImportDialog small(QStringLiteral("seat.obj"), box(800, 900, 1000));
+    EXPECT_FALSE(small.findChild<SimplifyChoice*>());
+    EXPECT_FALSE(small.wantedTriangles());
+    TriangleMesh mesh = *box(800, 900, 1000).mesh;
+    mesh.triangles.resize(1'000'000, {0, 0, 0});
+    FileImportDialog dialog(QStringLiteral("seat.obj"), {std::make_shared<const TriangleMesh>(mesh), nullptr});
+    auto* const choice = dialog.findChild<SimplifyChoice*>();
+    ASSERT_TRUE(choice);
+    EXPECT_FALSE(dialog.wantedTriangles()) << "on wish";
+    choice->findChild<QCheckBox*>()->setChecked(true);
+    EXPECT_EQ(dialog.wantedTriangles(), 100'000u);
+    choice->findChild<NumberBox*>()->setValue(5000);
+    EXPECT_EQ(dialog.wantedTriangles(), 5000u);
 }
 
 TEST(FileImport, KeepsThePlacementOfAReplacedFrame)

@@ -71,6 +71,19 @@ TEST_F(FrameTest, TheCushionOfALargeFrameHasVoxelsThatFitAndSaysSo)
     EXPECT_FALSE(cushion()) << "one edit";
 }
 
+TEST_F(FrameTest, EdgesAreOfferedWhenThereAreAny)
+{
+    EXPECT_FALSE(window.commands()["tool.fix-edge"]->isEnabled());
+    addFrame(box(500, false), 1);
+    QAction* const command = window.commands()["tool.fix-edge"];
+    EXPECT_TRUE(command->isEnabled());
+    command->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window.coverView().tool() == CoverToolKind::FixEdge; }, 30000));
+    EXPECT_TRUE(command->isChecked());
+    command->trigger();
+    EXPECT_EQ(window.coverView().tool(), CoverToolKind::Select);
+}
+
 TEST_F(FrameTest, TheCushionOfAChairHasTheUsualVoxels)
 {
     addFrame(box(0.9, false), 1000);

@@ -26,8 +26,12 @@ std::string readElf(const QString& program)
 QStringList shippedPrograms()
 {
     const QDir build(QFileInfo(QString::fromStdString(program())).absolutePath() + "/..");
-    return {QString::fromStdString(program()), build.filePath("model/image/bolster-image"),
-            build.filePath("model/project/bolster-salvage"), build.filePath("app/cli/bolster-bench")};
+    return {QString::fromStdString(program()),
+            build.filePath("model/image/bolster-image"),
+            build.filePath("model/assembly/bolster-cad"),
+            build.filePath("model/assembly/bolster-scene"),
+            build.filePath("model/project/bolster-salvage"),
+            build.filePath("app/cli/bolster-bench")};
 }
 
 TEST(Hardening, ShippedProgramsAreHardened)
@@ -57,10 +61,12 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
     for (const auto& entry : nlohmann::json::parse(file.readAll().toStdString())) {
         const std::string command = entry["command"];
         for (const char* part :
-             {"bolster_document", "bolster_readers", "bolster_exchange", "bolster_storage", "bolster_project",
-              "bolster_image", "bolster_image_decoder", "bolster_salvager", "bolster_cli", "bolster_terminal",
-              "bolster_bench_program", "bolster_kinds", "bolster_schema", "bolster_edits", "bolster_live",
-              "bolster_widgets_views", "bolster_app", "bolster"}) {
+             {"bolster_document",     "bolster_readers",  "bolster_exchange",      "bolster_storage",
+              "bolster_project",      "bolster_image",    "bolster_image_decoder", "bolster_cad_reader",
+              "bolster_scene_reader", "bolster_confined", "bolster_assembly",      "bolster_salvager",
+              "bolster_cli",          "bolster_terminal", "bolster_bench_program", "bolster_kinds",
+              "bolster_schema",       "bolster_edits",    "bolster_live",          "bolster_widgets_views",
+              "bolster_app",          "bolster"}) {
             if (command.find(std::string("/").append(part).append(".dir/")) == std::string::npos)
                 continue;
             ++seen[part];
@@ -68,7 +74,7 @@ TEST(Hardening, EverythingShippedIsCompiledWithChecks)
             EXPECT_NE(command.find("-D_FORTIFY_SOURCE=2"), std::string::npos) << part;
         }
     }
-    EXPECT_EQ(seen.size(), 18u);
+    EXPECT_EQ(seen.size(), 22u);
 }
 #endif
 

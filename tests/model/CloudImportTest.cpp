@@ -39,7 +39,7 @@ TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
     expectRefused("a.xyz", "1 2 x\n", "a.xyz:1: \"x\" is not a number");
     expectRefused("a.xyz", "# nothing\n", "no points");
     expectRefused("a.xyz", "1 2 3e8\n", "beyond 10,000,000");
-    expectRefused("a.abc", "1 2 3\n", "PCD, OBJ, STL and OFF");
+    expectRefused("a.abc", "1 2 3\n", "PCD, OBJ, STL, OFF");
 }
 
 TEST_F(CloudImportTest, KeepsTheColoursOfPoints)

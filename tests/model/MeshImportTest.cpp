@@ -129,7 +129,7 @@ TEST_F(MeshImportTest, RefusesBrokenObjWithTheLine)
     expectRefused("a.obj", "v 0 0 0\nf 1 99999999999999999999 1\n", "whole number");
     expectRefused("a.obj", "v 0 0 0\n", "points only");
     expectRefused("a.obj", "", "holds no mesh");
-    expectRefused("a.xyz", "0 0 0", "is not a mesh that can be read");
+    expectRefused("a.xyz", "0 0 0", "is not a frame that can be read");
     EXPECT_NE(importMesh(path("none.obj")).problem.english().find("there is no file"), std::string::npos);
 }
 

@@ -132,6 +132,50 @@ TEST_F(FixationDrawing, FollowsTheFrameBetweenClicks)
     EXPECT_EQ(curvesOf(document).size(), 1u) << "one edit";
 }
 
+OfferedEdgesPtr rims()
+{
+    OfferedEdges offered;
+    FrameEdge left, right;
+    for (int angle = -90; angle <= 90; angle += 2) {
+        left.points.push_back(onTube(angle, 0));
+        right.points.push_back(onTube(angle, 200));
+    }
+    offered.single = {left, right};
+    offered.joined = offered.single;
+    offered.single[0].points.resize(60);
+    return std::make_shared<const OfferedEdges>(std::move(offered));
+}
+
+TEST_F(FixationDrawing, AClickOnAnEdgeMakesACurveOfIt)
+{
+    showFrame();
+    QSignalSpy failed(&view, &CoverView::failed);
+    view.startFrameEdges(rims());
+    mouse.move(pixel(onTube(20, 0)));
+    mouse.click(pixel(onTube(20, 0)) + QPointF(0, 3));
+    std::vector<FixationCurve> curves = curvesOf(document);
+    ASSERT_EQ(curves.size(), 2u);
+    const BSpline3 made = curves.back().curve;
+    for (int k = 0; k <= 50; ++k) {
+        const Vec3 at = made.at(made.domainStart() + made.period() * k / 50);
+        EXPECT_NEAR(fromAxis(at), radius, 0.3);
+        EXPECT_NEAR(at.y(), 0, 1e-6);
+    }
+    EXPECT_EQ(selection.elements().size(), 1u);
+    mouse.click(pixel(onTube(20, 0)));
+    EXPECT_EQ(curvesOf(document).size(), 2u) << "it is there already";
+    mouse.click(pixel(onTube(20, 0)), Qt::ControlModifier);
+    curves = curvesOf(document);
+    ASSERT_EQ(curves.size(), 3u) << "the edge alone is another one";
+    EXPECT_LT(curves.back().curve.at(curves.back().curve.domainEnd()).x(), onTube(60, 0).x());
+    mouse.click(pixel(onTube(20, 100)));
+    EXPECT_EQ(curvesOf(document).size(), 3u);
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(view.tool(), CoverToolKind::FixEdge) << "it stays for the next edge";
+    QTest::keyClick(&view, Qt::Key_Escape);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
+}
+
 TEST_F(FixationDrawing, StraightIsStraightWhateverLiesBetween)
 {
     showFrame();

@@ -46,6 +46,7 @@ public:
     QString onlyFile(const std::string& what) const;
     /// As many as there are names for them; throws UsageError when there is another number.
     std::vector<QString> files(std::initializer_list<std::string> what) const;
+    std::size_t fileCount() const { return m_positional.size(); } ///< positional arguments
     /// Throws UsageError when there are positional arguments.
     void expectNoFile() const;
 

@@ -71,13 +71,14 @@ struct Description<Frame> {
     static void of(V& v, S&... s)
     {
         v.field(nameField, Text{}, s.name...);
-        v.field({.key = "file",
-                 .label = QT_TRANSLATE_NOOP("Field", "File"),
-                 .meaning =
-                     "OBJ, PLY, STL or OFF, relative to the design, with `/` between folders, never outside the "
-                     "design's folder; a face has at most 10,000 corners",
-                 .presence = Presence::Required},
-                FileName{}, s.file...);
+        v.field(
+            {.key = "file",
+             .label = QT_TRANSLATE_NOOP("Field", "File"),
+             .meaning =
+                 "of a format that frames are read from, relative to the design, with `/` between folders, never "
+                 "outside the design's folder; a face has at most 10,000 corners",
+             .presence = Presence::Required},
+            FileName{}, s.file...);
         v.part({.cost = SolveCost::Retarget}, asBase<Placement>(s)...);
         v.field({.key = "contact",
                  .label = QT_TRANSLATE_NOOP("Field", "Keeps the cover outside"),

@@ -33,6 +33,12 @@ void CoverToolHost::startScanAlign(ElementId scan, ScanAlignTool::Done done)
     replaceTool(std::make_unique<ScanAlignTool>(static_cast<CoverToolContext&>(*this), scan, std::move(done)));
 }
 
+void CoverToolHost::startFrameEdges(OfferedEdgesPtr edges)
+{
+    setTool(CoverToolKind::FixEdge);
+    replaceTool(std::make_unique<FrameEdgeTool>(static_cast<CoverToolContext&>(*this), std::move(edges)));
+}
+
 QString CoverToolHost::prompt() const
 {
     return m_section.hovering() ? m_section.prompt() : tool().prompt();

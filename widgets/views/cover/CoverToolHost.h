@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CoverTools.h"
+#include "FrameEdgeTool.h"
 #include "ScanAlignTool.h"
 #include "ToolHost.h"
 
@@ -23,6 +24,8 @@ public:
     void startScanCut(ElementId scan, bool keep);
     /// The next clicks say where three places of the scan belong.
     void startScanAlign(ElementId scan, ScanAlignTool::Done done);
+    /// Clicks make fixation curves of these.
+    void startFrameEdges(OfferedEdgesPtr edges);
     /// Of the tool, or of the section's handle when the pointer is on it.
     QString prompt() const override;
     QCursor cursor() const;

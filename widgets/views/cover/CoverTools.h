@@ -1,4 +1,4 @@
-// The tools of the 3D view. Those for a scan need to know which one: CoverView::startScanCut, startScanAlign.
+// The tools of the 3D view. Some need to know for what: CoverView::startScanCut, startScanAlign, startFrameEdges.
 #pragma once
 
 #include "CoverTool.h"
@@ -7,7 +7,7 @@
 
 namespace bolster {
 
-enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation };
+enum class CoverToolKind { Select, CutScan, AlignScan, DrawFixation, FixEdge };
 
 std::unique_ptr<CoverTool> makeSurfaceTool(CoverToolKind kind, CoverToolContext& context);
 

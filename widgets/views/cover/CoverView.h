@@ -76,6 +76,8 @@ public:
     {
         m_tools.startScanAlign(scan, std::move(done));
     }
+    /// Clicks make fixation curves of these edges.
+    void startFrameEdges(OfferedEdgesPtr edges) { m_tools.startFrameEdges(std::move(edges)); }
     /// What can be done now, for the status bar.
     QString prompt() const { return m_tools.prompt(); }
     CoverHit hit(QPointF pixel) const { return m_tools.hit(pixel); }

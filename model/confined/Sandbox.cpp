@@ -1,5 +1,6 @@
 #include "Sandbox.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <initializer_list>
 #include <seccomp.h>
@@ -7,6 +8,7 @@
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+#include <vector>
 
 namespace bolster {
 namespace {
@@ -22,7 +24,7 @@ bool allowWith(scmp_filter_ctx filter, int call, scmp_arg_cmp argument)
 }
 
 /// Memory, but none that could be run as a program; the clock; reading; ending.
-bool addRules(scmp_filter_ctx filter)
+bool addRules(scmp_filter_ctx filter, std::span<const int> kept)
 {
     bool good = true;
     for (const int call : {SCMP_SYS(read),
@@ -52,9 +54,11 @@ bool addRules(scmp_filter_ctx filter)
         good = allow(filter, call) && good;
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)})
         good = allowWith(filter, call, SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0)) && good;
+    std::vector<int> written = {STDOUT_FILENO, STDERR_FILENO};
+    written.insert(written.end(), kept.begin(), kept.end());
     for (const int call : {SCMP_SYS(write), SCMP_SYS(writev)})
-        for (const scmp_datum_t file : {STDOUT_FILENO, STDERR_FILENO})
-            good = allowWith(filter, call, SCMP_A0(SCMP_CMP_EQ, file)) && good;
+        for (const int file : written)
+            good = allowWith(filter, call, SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(file))) && good;
     // How the C library asks for the size of an open file: by an empty path.
     good = allowWith(filter, SCMP_SYS(newfstatat), SCMP_A3(SCMP_CMP_EQ, 0x1000 /* AT_EMPTY_PATH */)) && good;
     // What abort() needs to end this process.
@@ -62,17 +66,32 @@ bool addRules(scmp_filter_ctx filter)
     return good;
 }
 
+/// Systems that do not know the call keep all open.
+void closeAllBut(std::span<const int> kept)
+{
+    std::vector<int> sorted(kept.begin(), kept.end());
+    std::ranges::sort(sorted);
+    unsigned from = STDERR_FILENO + 1;
+    for (const int file : sorted) {
+        const auto next = static_cast<unsigned>(file);
+        if (next > from)
+            ::syscall(SYS_close_range, from, next - 1, 0U);
+        from = std::max(from, next + 1);
+    }
+    ::syscall(SYS_close_range, from, ~0U, 0U);
+}
+
 } // namespace
 
-bool enterSandbox()
+bool enterSandbox(std::span<const int> kept)
 {
-    ::syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0U); // not known to old systems
+    closeAllBut(kept);
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
     const scmp_filter_ctx filter = ::seccomp_init(SCMP_ACT_ERRNO(EPERM));
     if (!filter)
         return false;
-    const bool good = addRules(filter) && ::seccomp_load(filter) == 0;
+    const bool good = addRules(filter, kept) && ::seccomp_load(filter) == 0;
     ::seccomp_release(filter);
     return good;
 }
