@@ -5416,6 +5416,10 @@
         <source>nothing is left of the parts that are wanted</source>
         <translation>von den gewünschten Teilen bleibt nichts übrig</translation>
     </message>
+    <message>
+        <source>nothing is sewn where %1 of its notches are, so they have no partners</source>
+        <translation>wo %1 seiner Knipse sind, ist nichts genäht, also haben sie keine Gegenstücke</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5539,8 +5543,8 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Width and height as it lies in the pattern view; of a patch that is turned by another angle than 90°, along its own axes.</source>
-        <translation>Breite und Höhe, wie es in der Schnittansicht liegt; bei einem Schnittteil, das um einen anderen Winkel als 90° gedreht ist, entlang seiner eigenen Achsen.</translation>
+        <source>Width and height as it lies in the pattern view.</source>
+        <translation>Breite und Höhe, wie es in der Schnittansicht liegt.</translation>
     </message>
 </context>
 <context>
@@ -7017,6 +7021,10 @@
     <message>
         <source>Looking the pattern over …</source>
         <translation>Der Schnitt wird durchgesehen …</translation>
+    </message>
+    <message>
+        <source>There is no pattern yet.</source>
+        <translation>Es gibt noch keinen Schnitt.</translation>
     </message>
 </context>
 <context>

@@ -14,11 +14,13 @@ CuttingPanel::CuttingPanel(const Document& document, QWidget* parent)
           [](const Design& design, const std::stop_token& stop) {
               CutOptions options;
               options.words = cutLabelWords();
-              return Result{design, checkCutting(design, cutPattern(design, options, stop), stop)};
+              const CutPattern pattern = cutPattern(design, options, stop);
+              return Result{design, checkCutting(design, pattern, stop), pattern.pieces.empty()};
           },
           [this](Result result) {
               setFindings(result.design, std::move(result.findings));
               m_known = true;
+              m_nothing = result.nothing;
               viewport()->update();
           })
 {
@@ -52,8 +54,9 @@ void CuttingPanel::paintEvent(QPaintEvent* event)
     QPainter painter(viewport());
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(viewport()->rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                     m_known ? tr("Nothing to mend: the pattern can be cut.")
-                             : tr("Looking the pattern over \u2026"));
+                     !m_known    ? tr("Looking the pattern over \u2026")
+                     : m_nothing ? tr("There is no pattern yet.")
+                                 : tr("Nothing to mend: the pattern can be cut."));
 }
 
 } // namespace bolster

@@ -26,12 +26,14 @@ private:
     struct Result {
         Design design;
         std::vector<CutFinding> findings;
+        bool nothing = true; ///< there are no pieces
     };
 
     void look();
 
     const Document& m_document;
     bool m_known = false;
+    bool m_nothing = false;
     LatestJob<Design, Result> m_job; ///< last: it uses the others
 };
 

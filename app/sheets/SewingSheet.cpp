@@ -1,5 +1,7 @@
 #include "SewingSheet.h"
 
+#include "CutTable.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -127,7 +129,8 @@ void SewingSheet::addPieces(HtmlPages& pages) const
     static const std::vector<NumberedSide> none;
     QStringList rows;
     for (const CutPiece& piece : m_plan.pattern.pieces) {
-        const Vec2 size = piece.box().isEmpty() ? Vec2(0, 0) : Vec2(piece.box().sizes());
+        const Box2 box = turnedBox(piece, uprightAngle(piece)); // as it is drawn
+        const Vec2 size = box.isEmpty() ? Vec2(0, 0) : Vec2(box.sizes());
         const QString count =
             piece.pair ? tr("%1 and %1 mirrored").arg(piece.quantity) : QString::number(piece.quantity);
         const auto sewn = sides.find(piece.patch);

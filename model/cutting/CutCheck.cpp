@@ -2,6 +2,7 @@
 
 #include "CutMarks.h"
 #include "DesignCheck.h"
+#include "FoldedSeam.h"
 #include "SewnPair.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ constexpr double sameLength = 1;       // mm
 constexpr double sameShare = 0.005;    // of the length
 constexpr double sameAllowance = 0.05; // mm
 constexpr double sharpest = 30;        // degrees outside of an inner corner
+constexpr double sameTip = 0.5;        // mm
 constexpr double leastBeyondNotch = 1; // mm from a notch to the sewing line
 constexpr double sameEnd = 1e-6;       // of an outline's parameter
 
@@ -36,6 +38,8 @@ public:
                 return;
             lengths(id, seam);
             allowances(id, seam);
+            if (const std::optional<FoldedSides> dart = foldedSides(m_design, seam))
+                m_tips[dart->patch].push_back(dart->tip);
         });
         for (const auto& [patch, pieces] : m_pieces)
             for (const CutPiece* piece : pieces)
@@ -136,8 +140,26 @@ private:
         corners(piece);
     }
 
+    static bool isAlone(const CutNotch& notch) { return notch.element != noElement && notch.seam == noElement; }
+
+    /// One row for all of a piece: of a pattern that is not sewn yet there are many.
+    void lonelyNotches(const CutPiece& piece)
+    {
+        const auto count = std::ranges::count_if(piece.notches, isAlone);
+        const auto first = std::ranges::find_if(piece.notches, isAlone);
+        if (count == 1)
+            add(first->element, piece, first->sewn, {CutHarm::Inconvenient},
+                {QT_TRANSLATE_NOOP("Message", "nothing is sewn where it is, so it has no partner")});
+        else if (count > 1)
+            add(piece.patch, piece, first->sewn, {CutHarm::Inconvenient},
+                {QT_TRANSLATE_NOOP("Message",
+                                   "nothing is sewn where %1 of its notches are, so they have no partners"),
+                 {std::to_string(count)}});
+    }
+
     void notches(const CutPiece& piece)
     {
+        lonelyNotches(piece);
         for (const CutNotch& notch : piece.notches) {
             const ElementId id = notch.element == noElement ? piece.patch : notch.element;
             const double room = (notch.at - notch.sewn).norm();
@@ -147,10 +169,7 @@ private:
                                        "a notch of %1 mm reaches the sewing line, which is %2 mm away: make it "
                                        "shallower, or the allowance wider"),
                      {numberText(notch.shape.depth), numberText(std::round(10 * room) / 10)}});
-            if (notch.element != noElement && notch.seam == noElement)
-                add(id, piece, notch.sewn, {CutHarm::Inconvenient},
-                    {QT_TRANSLATE_NOOP("Message", "nothing is sewn where it is, so it has no partner")});
-            else if (notch.seam != noElement && !hasPartner(piece, notch))
+            if (notch.seam != noElement && !hasPartner(piece, notch))
                 add(id, piece, notch.sewn, {CutHarm::Inconvenient},
                     {QT_TRANSLATE_NOOP("Message",
                                        "it has no partner on the other side of its seam: another notch is "
@@ -228,12 +247,21 @@ private:
                  {numberText(std::ceil(least)), fabric->name, numberText(fabric->cutting.width)}});
     }
 
+    /// Of a dart, which is folded, not spread.
+    bool isTip(const CutPiece& piece, const Vec2& at) const
+    {
+        const auto tips = m_tips.find(piece.patch);
+        return tips != m_tips.end() && std::ranges::any_of(tips->second, [&](const Vec2& tip) {
+                   return (piece.shrunk(at) - tip).norm() < sameTip;
+               });
+    }
+
     /// At an inner corner the allowances must be spread when it is sewn.
     void corners(const CutPiece& piece)
     {
         const std::size_t count = piece.sew.size();
         for (std::size_t i = 0; i < count; ++i) {
-            if (!piece.sew[i].corner)
+            if (!piece.sew[i].corner || isTip(piece, piece.sew[i].at))
                 continue;
             const Vec2 in = piece.sew[i].at - piece.sew[(i + count - 1) % count].at;
             const Vec2 out = piece.sew[(i + 1) % count].at - piece.sew[i].at;
@@ -250,6 +278,7 @@ private:
     const Design& m_design;
     MarksByPatch m_marks;
     std::map<ElementId, std::vector<const CutPiece*>> m_pieces; // by patch
+    std::map<ElementId, std::vector<Vec2>> m_tips;              // of darts, by patch
     std::map<ElementId, SewnPair> m_pairs;                      // of seams whose ends have been asked for
     std::vector<CutFinding> m_found;
 };

@@ -116,6 +116,29 @@ TEST(CutCheck, SaysWhereOnTheOutlineItIsWhateverTheFabricShrinks)
     EXPECT_TRUE((notch->place - Vec2(100, 0)).isZero(1e-6)) << notch->place.transpose();
 }
 
+TEST(CutCheck, LeavesTipsOfDartsAloneAndCountsNotches)
+{
+    Design design = twoPanels();
+    Patch dart = *design.find<Patch>(left);
+    dart.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 100}, {110, 100}, {100, 20}, {90, 100}, {0, 100}});
+    design = with(design, left, dart);
+    EXPECT_TRUE(says(findings(design), "too sharp")) << "a slit that nobody sews";
+    Seam legs;
+    legs.a = {left, 3, 4};
+    legs.b = {left, 4, 5};
+    legs.reversed = true;
+    design = with(design, ElementId{10}, legs);
+    EXPECT_FALSE(says(findings(design), "too sharp"));
+    Notch notch;
+    for (const int k : {0, 1, 2}) {
+        notch.place = {right, 2.25 + 0.2 * k};
+        design = with(design, static_cast<ElementId>(20 + k), notch);
+    }
+    const auto found = findings(design);
+    EXPECT_TRUE(says(found, "of its notches are")) << "one row";
+    EXPECT_EQ(std::ranges::count(found, right, [](const CutFinding& f) { return f.patch; }), 1);
+}
+
 TEST(CutCheck, FindsCornersThatCannotBeSewnAndCutLinesThatMeet)
 {
     Design design = twoPanels();

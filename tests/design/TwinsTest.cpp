@@ -1,6 +1,7 @@
 // Mirror twins: whichever of two is edited, the other follows.
 #include "Twins.h"
 #include "CurveEdits.h"
+#include "CuttingEdits.h"
 #include "DesignCheck.h"
 #include "ElementEdits.h"
 #include "PatchEdits.h"
@@ -274,6 +275,23 @@ constexpr const char* drawnDesign = R"({"format": "bolster-design", "version": 1
   {"id": 7, "kind": "fixation_curve", "name": "Q", "curve": {"degree": 1, "closed": false,
    "points": [[101,301,0],[101,0,0]]}},
   {"id": 8, "kind": "fixation_seam", "patch": 2, "from": 0, "to": 1, "curve": 7}]})";
+
+TEST_F(TwinsTest, WhatLiesOnOneOfThemAloneComesToBothWhenTheyAreLinked)
+{
+    design = test::soundDesign(drawnDesign);
+    constexpr ElementId a{2}, b{3};
+    const auto widths = [&] {
+        std::map<ElementId, double> found;
+        design.each<EdgeAllowance>(
+            [&](ElementId, const EdgeAllowance& edge) { found[edge.stretch.patch] = edge.width; });
+        return found;
+    };
+    apply(setEdgeAllowance(design, {a, 1, 2}, 25));
+    apply(linkTwins(design, a, b));
+    EXPECT_EQ(widths(), (std::map<ElementId, double>{{a, 25}, {b, 25}}));
+    apply(setEdgeAllowance(design, {a, 1, 2}, 30));
+    EXPECT_EQ(widths(), (std::map<ElementId, double>{{a, 30}, {b, 30}})) << "they follow each other";
+}
 
 TEST_F(TwinsTest, LinksWhatWasDrawnSeparately)
 {

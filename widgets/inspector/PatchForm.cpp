@@ -6,32 +6,9 @@
 #include "InspectorSubject.h"
 #include "PatchShapeEdits.h"
 #include "PatchSize.h"
-#include "SelectionEdits.h"
 #include "Units.h"
 
 namespace bolster {
-
-namespace {
-
-/// Each in the direction in which it has its width or height as it lies.
-Edit resized(const Design& design, const std::vector<ElementId>& ids, int axis, double size)
-{
-    std::vector<ElementId> byAxis[2];
-    for (const ElementId id : ids)
-        if (const Patch* patch = design.find<Patch>(id))
-            byAxis[widthAxis(*patch) == 0 ? axis : 1 - axis].push_back(id);
-    EditChain chain(design);
-    Message verb;
-    for (const int own : {0, 1})
-        if (!byAxis[own].empty()) {
-            Edit edit = edits::resizePatches(chain.design(), byAxis[own], own, size);
-            verb = edit.verb;
-            chain.add(edit);
-        }
-    return chain.result(verb);
-}
-
-} // namespace
 
 void PatchForm::add(PropertyForm& form, const Ids& ids) const
 {
@@ -61,11 +38,10 @@ void PatchForm::addSize(PropertyForm& form, const Ids& ids) const
             });
         },
         [this, ids](int axis, double size) {
-            commitChecked(m_document, [&](const Design& now) { return resized(now, ids, axis, size); });
+            commitChecked(m_document,
+                          [&](const Design& now) { return edits::resizePatches(now, ids, axis, size); });
         });
-    form.explain(
-        tr("Width and height as it lies in the pattern view; of a patch that is turned by another angle than "
-           "90\u00b0, along its own axes."));
+    form.explain(tr("Width and height as it lies in the pattern view."));
 }
 
 } // namespace bolster

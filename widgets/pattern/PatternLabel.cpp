@@ -1,6 +1,5 @@
 #include "PatternLabel.h"
 
-#include "PatchSize.h"
 #include "PatternMarks.h"
 #include "Units.h"
 
@@ -42,7 +41,7 @@ PatternLabel::PatternLabel(const PatternPatch& patch, const PatternTransform& tr
     m_angle = spot->angle;
     m_centre = transform.toPixels(spot->centre);
 
-    const Vec2 size = patchSize(patch.patch());
+    const Vec2 size = patch.box.sizes();
     const QString sizeLine = sizeText(size.x(), size.y());
     const QSizeF both(std::max(nameSize.width(), sizeMetrics.horizontalAdvance(sizeLine)),
                       nameSize.height() + sizeMetrics.height());

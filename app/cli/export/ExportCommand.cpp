@@ -73,7 +73,8 @@ Options of the pattern:
 
 Exit code:
   0  done
-  1  an output cannot be written, or interrupted; then nothing is written
+  1  an output cannot be written (the others are), or interrupted; then
+     nothing is written
   2  the design is bad (see "bolster check"), or wrong usage; nothing is written
   3  the cover has not converged; its outputs are written nevertheless
 )";

@@ -235,6 +235,8 @@ void writePlain(DxfText& dxf, const CutPattern& pattern, const DxfOrder& order)
     dxf.begin("HEADER");
     dxf.pair(9, "$ACADVER");
     dxf.pair(1, "AC1009");
+    dxf.pair(9, "$INSUNITS"); // nobody knew it then, and everybody asks for it now
+    dxf.pair(70, "4");
     dxf.pair(9, "$EXTMIN");
     dxf.point(10, Vec2::Zero());
     dxf.pair(9, "$EXTMAX");

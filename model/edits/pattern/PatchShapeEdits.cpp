@@ -1,6 +1,7 @@
 #include "PatchShapeEdits.h"
 
 #include "EditBuilder.h"
+#include "LayoutEdits.h"
 #include "PlaneCurves.h"
 
 #include <map>
@@ -94,20 +95,24 @@ Edit scalePatches(const Design& design, std::span<const ElementId> patches, cons
 
 Edit resizePatches(const Design& design, std::span<const ElementId> patches, int axis, double size)
 {
-    EditBuilder builder(design);
-    for (const auto& [id, patchId] : withDrawnCurves(design, patches)) {
-        const Box2 box = design.find<Patch>(patchId)->outline.boundingBox();
+    Design now = design;
+    for (const ElementId id : patches) {
+        const Patch* patch = now.find<Patch>(id);
+        if (!patch || patch->outline.empty())
+            continue;
+        const Box2 box = layoutBox(*patch);
         Vec2 factors(1, 1);
         factors[axis] = size / box.sizes()[axis];
         if (!sensible(factors))
             return {};
-        auto curve = checkedMap(*planeCurve(*design.element(id)), scaling(box.min(), factors));
-        if (!curve)
+        const Edit scaled = scalePatches(now, {&id, 1}, box.min(), factors);
+        if (scaled.empty() && factors != Vec2(1, 1))
             return {};
-        builder.set(id, withPlaneCurve(*design.element(id), std::move(*curve)));
+        now = now.with(scaled);
     }
-    return builder.result(patchesVerb(design, patches, QT_TRANSLATE_NOOP("Message", "Change the size of %1"),
-                                      QT_TRANSLATE_NOOP("Message", "Change the size of %1 patches")));
+    return editBetween(design, now,
+                       patchesVerb(design, patches, QT_TRANSLATE_NOOP("Message", "Change the size of %1"),
+                                   QT_TRANSLATE_NOOP("Message", "Change the size of %1 patches")));
 }
 
 Edit mirrorPatches(const Design& design, std::span<const ElementId> patches, MirrorAxis axis, double at)

@@ -12,8 +12,8 @@ namespace bolster::edits {
 /// targets of handle curves stay.
 Edit scalePatches(const Design& design, std::span<const ElementId> patches, const Vec2& centre,
                   const Vec2& factors);
-/// Gives the outline's box in outline coordinates another width (axis 0) or height (1), mm; that corner of it which
-/// is its lower left one stays where it is in the layout. Limits as for scalePatches.
+/// Gives each patch another width (axis 0) or height (1), mm, as it lies in the layout; the lower left corner of
+/// its box stays. Limits as for scalePatches.
 Edit resizePatches(const Design& design, std::span<const ElementId> patches, int axis, double size);
 
 /// Across which line a patch is mirrored: Vertical makes a left side of a right side.

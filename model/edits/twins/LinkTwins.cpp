@@ -3,8 +3,10 @@
 
 #include "ArcLength.h"
 #include "EditHelpers.h"
+#include "ElementRules.h"
 #include "OutlinePlaces.h"
 #include "PatchMark.h"
+#include "SewnMirror.h"
 #include "Twins.h"
 
 #include <algorithm>
@@ -144,10 +146,52 @@ public:
         Edit edit = m_edit;
         edit.verb = {QT_TRANSLATE_NOOP("Message", "Make %1 and %2 twins"),
                      {displayName(m_design, m_original), displayName(m_design, m_follower)}};
-        return editBetween(m_design, m_design.with(edit), edit.verb);
+        return editBetween(m_design, withMarksOfBoth(m_design.with(edit)), edit.verb);
     }
 
 private:
+    /// What lies on one of them alone - an allowance, a notch - comes to lie on the other one, too, where there is
+    /// nothing of its kind.
+    Design withMarksOfBoth(const Design& linked) const
+    {
+        const SewnMirror mirror(linked, twinPairs(linked));
+        Design result = linked;
+        eachMarkKind([&]<class T>() {
+            linked.each<T>([&](ElementId, const T& mark) {
+                const ElementId patch = whereOf(mark).patch;
+                if ((patch != m_original && patch != m_follower) || mirror.counterpart(mark).id != noElement)
+                    return;
+                if (const auto image = mirror.of(mark); image && !isTaken(result, *image))
+                    result = result.with({{}, {{result.nextId(), nullptr, makeElement(*image)}}});
+            });
+        });
+        return result;
+    }
+
+    template <class T>
+    static bool isTaken(const Design& design, const T& image)
+    {
+        const BSpline2& outline = design.find<Patch>(whereOf(image).patch)->outline;
+        bool taken = false;
+        design.each<T>([&](ElementId, const T& other) {
+            taken = taken ||
+                    (whereOf(other).patch == whereOf(image).patch && meet(outline, whereOf(other), whereOf(image)));
+        });
+        return taken;
+    }
+    static bool meet(const BSpline2& outline, const Stretch& a, const Stretch& b)
+    {
+        return stretchesOverlap(outline, a, b);
+    }
+    static bool meet(const BSpline2& outline, const OutlinePlace& a, const OutlinePlace& b)
+    {
+        return (outline.at(outline.wrapped(a.at)) - outline.at(outline.wrapped(b.at))).norm() < snapDistance;
+    }
+    static bool meet(const BSpline2&, const PatchPoint& a, const PatchPoint& b)
+    {
+        return (a.position - b.position).norm() < snapDistance;
+    }
+
     template <class T>
     void put(ElementId id, T value)
     {

@@ -89,6 +89,15 @@ private:
                     addPart(name, [&](DrawnPart& part) { addBlock(part, name, DxfMap::Identity(), "0", 0); });
     }
 
+    /// AAMA and ASTM say "metric", which is millimetres for some; of our own files we know.
+    bool isOurs() const
+    {
+        return std::ranges::any_of(m_drawing.texts, [](const std::string& words) {
+            const auto [key, value] = keyAndValue(words);
+            return key == "author" && value == "Bolster";
+        });
+    }
+
     std::optional<double> unit() const
     {
         switch (m_file.units) {
@@ -103,7 +112,7 @@ private:
         case 6:
             return 1000;
         default:
-            return std::nullopt;
+            return isOurs() ? std::optional(1.0) : std::nullopt;
         }
     }
 
