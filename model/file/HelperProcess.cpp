@@ -1,5 +1,7 @@
 #include "HelperProcess.h"
 
+#include "Sanitizer.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -23,7 +25,7 @@ void limitTo(int resource, rlim_t most)
 /// Runs in the new process before the program does, so that no program can leave them out.
 void setLimits(const HelperLimits& limits)
 {
-#ifndef __SANITIZE_ADDRESS__ // which reserves 16 TB
+#ifndef BOLSTER_ADDRESS_SANITIZER // which reserves 16 TB
     limitTo(RLIMIT_AS, limits.memory);
 #endif
     limitTo(RLIMIT_CPU, static_cast<rlim_t>(limits.processor.count()));

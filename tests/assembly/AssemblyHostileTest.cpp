@@ -4,6 +4,7 @@
 #include "AssemblyImport.h"
 #include "CadFiles.h"
 #include "MadeScenes.h"
+#include "Sanitizer.h"
 #include "TestPaths.h"
 
 #include <QProcess>
@@ -150,7 +151,7 @@ TEST_F(AssemblyHostileTest, AReaderThatEndsOrTalksNonsenseIsAMessage)
     expectProblem(importAssembly(file, {}, {}, none), "which reads such files for Bolster, cannot be started");
 }
 
-#ifndef __SANITIZE_ADDRESS__ // which has no limit on memory
+#ifndef BOLSTER_ADDRESS_SANITIZER // which has no limit on memory
 /// 2 to the power of 30 cubes in a file of a few KB.
 TEST_F(AssemblyHostileTest, PartsThatMultiplyAreTooMany)
 {

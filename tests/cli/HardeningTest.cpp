@@ -1,4 +1,5 @@
 // The programs that are shipped are built so that a mistake in them is hard to use: read from the files themselves.
+#include "Sanitizer.h"
 #include "TestPaths.h"
 
 #include <gtest/gtest.h>
@@ -45,13 +46,13 @@ TEST(Hardening, ShippedProgramsAreHardened)
         EXPECT_TRUE(has("GNU_RELRO")) << name;
         EXPECT_TRUE(has("BIND_NOW") && has("Flags: NOW")) << name;
         EXPECT_FALSE(has("RWE")) << name << " has memory that can be written and run";
-#if !defined(__SANITIZE_ADDRESS__) && defined(NDEBUG)
+#if !defined(BOLSTER_ADDRESS_SANITIZER) && defined(NDEBUG)
         EXPECT_TRUE(has("__stack_chk_fail")) << name;
 #endif
     }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && defined(NDEBUG)
+#if !defined(BOLSTER_ADDRESS_SANITIZER) && defined(NDEBUG)
 /// Few of our calls need a check, so it does not show in the programs: the commands that compiled them tell.
 TEST(Hardening, EverythingShippedIsCompiledWithChecks)
 {

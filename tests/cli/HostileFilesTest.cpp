@@ -7,6 +7,7 @@
 #include "ElementEdits.h"
 #include "Journal.h"
 #include "ProgramRun.h"
+#include "Sanitizer.h"
 #include "TestPaths.h"
 
 #include <nlohmann/json.hpp>
@@ -100,7 +101,7 @@ protected:
             const Cost cost = costOf(command);
             const std::string what = command.join(' ').toStdString();
             EXPECT_TRUE(cost.exitCode >= 0 && cost.exitCode <= 3) << what;
-#ifndef __SANITIZE_ADDRESS__
+#ifndef BOLSTER_ADDRESS_SANITIZER
             EXPECT_LE(cost.megabytes, 512 + 20 * size) << what;
 #endif
 #ifdef NDEBUG

@@ -2,6 +2,7 @@
 #include "../model/TestFiles.h"
 
 #include "ImageImport.h"
+#include "Sanitizer.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -294,7 +295,7 @@ TEST_F(ImageImportTest, ADecoderThatDiesOrTalksNonsenseDoesNoHarm)
 
 TEST_F(ImageImportTest, ADecoderThatEatsMemoryIsRefusedIt)
 {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef BOLSTER_ADDRESS_SANITIZER
     GTEST_SKIP() << "the sanitizer needs more address space than any limit";
 #else
     const QString file = paintSmall("a.png");

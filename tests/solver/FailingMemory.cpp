@@ -1,5 +1,7 @@
 #include "FailingMemory.h"
 
+#include "Sanitizer.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -60,7 +62,7 @@ std::int64_t FailingMemory::allocations() const
 
 } // namespace bolster::test
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(BOLSTER_ADDRESS_SANITIZER)
 // CGAL's Compact_container loses a block when there is no memory to note it down with.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions()

@@ -5,6 +5,7 @@
 #include "PatchEdits.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
+#include "Sanitizer.h"
 #include "SolverThread.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 namespace bolster::test {
 namespace {
 
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_THREAD__) || defined(BOLSTER_ADDRESS_SANITIZER)
 constexpr int rounds = 100;
 #else
 constexpr int rounds = 1000;
