@@ -163,8 +163,9 @@ void Snapper::addOutlines(const SnapQuery& query, std::vector<Rail>& rails) cons
 {
     for (const auto& [id, patch] : m_scene.patches()) {
         const BSpline2& outline = patch.patch().outline;
-        const bool moves = query.ignored.contains(id) ||
-                           std::ranges::any_of(query.ignoredPoints, [id = id](const auto& p) { return p.first == id; });
+        const bool moves =
+            query.ignored.contains(id) ||
+            std::ranges::any_of(query.ignoredPoints, [id = id](const auto& p) { return p.first == id; });
         if (moves || outline.empty() || patch.box.exteriorDistance(query.at) > m_lineReach)
             continue;
         const auto nearest = [&patch = patch.patch()](const Vec2& at) {
