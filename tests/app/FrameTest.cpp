@@ -73,9 +73,9 @@ TEST_F(FrameTest, TheCushionOfALargeFrameHasVoxelsThatFitAndSaysSo)
 
 TEST_F(FrameTest, EdgesAreOfferedWhenThereAreAny)
 {
-    EXPECT_FALSE(window.commands()["tool.fix-edge"]->isEnabled());
+    EXPECT_FALSE(window.commands()["frame.fix-edge"]->isEnabled());
     addFrame(box(500, false), 1);
-    QAction* const command = window.commands()["tool.fix-edge"];
+    QAction* const command = window.commands()["frame.fix-edge"];
     EXPECT_TRUE(command->isEnabled());
     command->trigger();
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.coverView().tool() == CoverToolKind::FixEdge; }, 30000));

@@ -23,7 +23,7 @@ FrameEdgeCommands::FrameEdgeCommands(Commands& commands, DesignSession& session,
     , m_status(status)
     , m_window(window)
 {
-    commands.add({.id = "tool.fix-edge",
+    commands.add({.id = "frame.fix-edge",
                   .text = tr("Fixation curve along an &edge"),
                   .keys = {Qt::CTRL | Qt::ALT | Qt::Key_F},
                   .tip = tr("Click an edge of a frame: of STEP and IGES the edges of its faces, exactly; of others "
