@@ -4,8 +4,8 @@
 #include "CheckedNumber.h"
 #include "CuttingForms.h"
 #include "InspectorSubject.h"
+#include "LayoutEdits.h"
 #include "PatchShapeEdits.h"
-#include "PatchSize.h"
 #include "Units.h"
 
 namespace bolster {
@@ -34,7 +34,7 @@ void PatchForm::addSize(PropertyForm& form, const Ids& ids) const
         [this, ids](int axis) {
             return sharedNumber(ids.size(), [&](std::size_t i) {
                 const Patch* patch = m_document.design().find<Patch>(ids[i]);
-                return patch && !patch->outline.empty() ? patchSize(*patch)[axis] : 0.0;
+                return patch && !patch->outline.empty() ? edits::layoutBox(*patch).sizes()[axis] : 0.0;
             });
         },
         [this, ids](int axis, double size) {

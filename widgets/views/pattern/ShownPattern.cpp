@@ -5,7 +5,7 @@
 #include "Document.h"
 #include "ElementText.h"
 #include "HitSelection.h"
-#include "PatchSize.h"
+#include "LayoutEdits.h"
 #include "ProblemSet.h"
 #include "SeamColors.h"
 #include "Selection.h"
@@ -165,7 +165,7 @@ QString ShownPattern::toolTip(const PatternHit& found) const
     } else if (const auto line = m_scene.lines().find(id); line != m_scene.lines().end()) {
         lines << lengthText(ArcLength2(line->second.curve()).total());
     } else if (const Patch* patch = design.find<Patch>(id)) {
-        const Vec2 extent = patchSize(*patch);
+        const Vec2 extent = edits::layoutBox(*patch).sizes();
         lines << sizeText(extent.x(), extent.y());
     }
     if (const auto edge = edgeAt(m_scene, found))
