@@ -19,7 +19,7 @@
 namespace bolster::test {
 namespace {
 
-#if defined(__SANITIZE_THREAD__) || defined(BOLSTER_ADDRESS_SANITIZER)
+#if defined(BOLSTER_THREAD_SANITIZER) || defined(BOLSTER_ADDRESS_SANITIZER)
 constexpr int rounds = 100;
 #else
 constexpr int rounds = 1000;
