@@ -5420,6 +5420,30 @@
         <source>nothing is sewn where %1 of its notches are, so they have no partners</source>
         <translation>wo %1 seiner Knipse sind, ist nichts genäht, also haben sie keine Gegenstücke</translation>
     </message>
+    <message>
+        <source>notches at edges without an allowance cut into the piece: there are %1; give these edges an allowance</source>
+        <translation>Knipse an Kanten ohne Nahtzugabe schneiden in das Teil, es sind %1: geben Sie diesen Kanten eine Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>There is a dart already: put this one beside it, or remove that one first.</source>
+        <translation>Dort ist schon ein Abnäher: legen Sie diesen daneben, oder entfernen Sie erst jenen.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: with its holes, notches and lines the design would have more than %2 elements</source>
+        <translation>%1 wird weggelassen: mit seinen Löchern, Knipsen und Linien hätte der Entwurf mehr als %2 Elemente</translation>
+    </message>
+    <message>
+        <source>%1: its nap &quot;%2&quot; is neither one way, two ways nor any; it is taken for two ways</source>
+        <translation>%1: der Strich „%2“ heißt weder eine Richtung noch zwei Richtungen noch beliebig; angenommen werden zwei Richtungen</translation>
+    </message>
+    <message>
+        <source>%1 is drawn larger by what its fabric shrinks (%2), and taken as it is drawn: a shrinkage of the fabric here would come on top</source>
+        <translation>%1 ist um den Einlauf des Stoffes (%2) größer gezeichnet und wird so genommen: ein Einlauf des Stoffes hier käme noch dazu</translation>
+    </message>
+    <message>
+        <source>the viewBox &quot;%1&quot; is no four numbers and is left out: check the size of the pieces</source>
+        <translation>die viewBox „%1“ besteht nicht aus vier Zahlen und wird übergangen: prüfen Sie die Größe der Teile</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -6420,10 +6444,6 @@
         <translation>Reißverschluss</translation>
     </message>
     <message>
-        <source>Second side longer, %</source>
-        <translation>Zweite Seite länger, %</translation>
-    </message>
-    <message>
         <source>Pieces, with the numbers of their seams</source>
         <translation>Teile, mit den Nummern ihrer Nähte</translation>
     </message>
@@ -6438,6 +6458,10 @@
     <message>
         <source>Width × height as cut</source>
         <translation>Breite × Höhe im Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Ease, %</source>
+        <translation>Mehrweite, %</translation>
     </message>
 </context>
 <context>
@@ -8943,14 +8967,6 @@
         <translation>Die Schnittteile und ihre Kanten</translation>
     </message>
     <message>
-        <source>First side minus second side</source>
-        <translation>Erste Seite minus zweite Seite</translation>
-    </message>
-    <message>
-        <source>The difference over the shorter side; more than 5 % puckers</source>
-        <translation>Der Unterschied, geteilt durch die kürzere Seite; mehr als 5 % wirft Falten</translation>
-    </message>
-    <message>
         <source>C0: an edge, C1: smooth with the texture, G1: rounded</source>
         <translation>C0: eine Kante, C1: glatt samt Muster, G1: gerundet</translation>
     </message>
@@ -8973,6 +8989,14 @@
     <message>
         <source>The place in the order of sewing; Seam &gt; Sew earlier and Sew later change it</source>
         <translation>Der Platz in der Nähfolge; Naht &gt; Früher nähen und Später nähen ändern ihn</translation>
+    </message>
+    <message>
+        <source>How much longer the second side is than the first one</source>
+        <translation>Wie viel länger die zweite Seite ist als die erste</translation>
+    </message>
+    <message>
+        <source>The ease over the shorter side; more than 5 % puckers</source>
+        <translation>Die Mehrweite durch die kürzere Seite; mehr als 5 % kräuseln</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "FileFormats.h"
 #include "FrameImport.h"
 #include "Interrupt.h"
+#include "LengthUnits.h"
 #include "MeshExport.h"
 #include "Output.h"
 #include "ProgressLine.h"
@@ -46,17 +47,6 @@ constexpr std::array convertRules = {OptionRule{"--list", false},       OptionRu
                                      OptionRule{"--up", true},          OptionRule{"--tolerance", true},
                                      OptionRule{"--parts", true, true}, OptionRule{"--triangles", true}};
 
-struct UnitWord {
-    const char* word;
-    double millimetres;
-    const char* meaning;
-};
-constexpr UnitWord unitWords[] = {{"mm", 1, "millimetres"},
-                                  {"cm", 10, "centimetres"},
-                                  {"m", 1000, "metres"},
-                                  {"in", 25.4, "inches"},
-                                  {"ft", 304.8, "feet"}};
-
 /// How the numbers of the file become millimetres, and who says so.
 struct FrameReading {
     double unit = 1; ///< mm
@@ -69,20 +59,9 @@ struct FrameReading {
 FileFacts askedFor(const Arguments& arguments)
 {
     FileFacts asked;
-    if (arguments.has("--unit")) {
-        const QString word = arguments.path("--unit");
-        for (const UnitWord& unit : unitWords)
-            if (word == QLatin1String(unit.word))
-                asked.millimetresPerUnit = unit.millimetres;
-        if (!asked.millimetresPerUnit)
-            throw UsageError("--unit is mm, cm, m, in or ft, not \"" + word.toStdString() + "\"");
-    }
-    if (arguments.has("--up")) {
-        const QString word = arguments.path("--up");
-        if (word != QLatin1String("y") && word != QLatin1String("z"))
-            throw UsageError("--up is y or z, not \"" + word.toStdString() + "\"");
-        asked.up = word == QLatin1String("y") ? UpAxis::Y : UpAxis::Z;
-    }
+    asked.millimetresPerUnit = saidUnit(arguments);
+    if (const std::optional<bool> y = saysUpIsY(arguments))
+        asked.up = *y ? UpAxis::Y : UpAxis::Z;
     return asked;
 }
 
@@ -143,10 +122,8 @@ std::string lengthFigure(double value)
 
 std::string unitLine(const FrameReading& reading)
 {
-    std::string unit = QString::number(reading.unit, 'g', 10).toStdString() + " mm";
-    for (const UnitWord& word : unitWords)
-        if (std::abs(word.millimetres / reading.unit - 1) < 1e-6)
-            unit = word.meaning;
+    const std::string unit =
+        unitName(reading.unit).value_or(QString::number(reading.unit, 'g', 10).toStdString() + " mm");
     return "unit: " + unit + (reading.unitIsSaid ? "" : " (the file does not say it; see --unit)");
 }
 

@@ -1,6 +1,7 @@
 #include "DesignJson.h"
 #include "FormPattern.h"
 #include "Interrupt.h"
+#include "LengthUnits.h"
 #include "MeshImport.h"
 #include "Output.h"
 #include "Subcommands.h"
@@ -85,26 +86,13 @@ Fabric fabricOf(const Arguments& arguments)
     return fabric;
 }
 
-double unitOfForm(const Arguments& arguments)
-{
-    const std::string word = arguments.path("--unit").toStdString();
-    for (const auto& [name, mm] : {std::pair("mm", 1.0), {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"ft", 304.8}})
-        if (word == name)
-            return mm;
-    if (word.empty())
-        return 1;
-    throw UsageError("--unit is mm, cm, m, in or ft, not \"" + word + "\"");
-}
-
 TriangleMesh upright(TriangleMesh mesh, const Arguments& arguments)
 {
-    const double unit = unitOfForm(arguments);
-    const std::string up = arguments.path("--up").toStdString();
-    if (!up.empty() && up != "y" && up != "z")
-        throw UsageError("--up is y or z, not \"" + up + "\"");
+    const double unit = saidUnit(arguments).value_or(1);
+    const bool upIsY = saysUpIsY(arguments).value_or(false);
     for (Vec3& point : mesh.points) {
         point *= unit;
-        if (up == "y")
+        if (upIsY)
             point = {point.x(), -point.z(), point.y()};
     }
     return mesh;

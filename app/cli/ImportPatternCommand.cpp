@@ -1,5 +1,6 @@
 #include "DesignJson.h"
 #include "Interrupt.h"
+#include "LengthUnits.h"
 #include "Output.h"
 #include "PatternDesign.h"
 #include "PatternImport.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace bolster::cli {
 
@@ -46,37 +48,12 @@ std::string figure(double value, int digits = 1)
     return QString::number(value, 'f', value < 100 ? digits : 0).toStdString();
 }
 
-struct NamedUnit {
-    const char* word;
-    const char* many;
-    double size; // mm
-};
-
-constexpr std::array<NamedUnit, 6> namedUnits{{{"mm", "mm", 1},
-                                               {"cm", "cm", 10},
-                                               {"in", "inches", 25.4},
-                                               {"m", "metres", 1000},
-                                               {"px", "pixels of 1/96 inch", 25.4 / 96},
-                                               {"pt", "points of 1/72 inch", 25.4 / 72}}};
-
-double unitOf(const Arguments& arguments, const Drawing& drawing)
-{
-    const std::string word = arguments.path("--unit").toStdString();
-    if (word.empty())
-        return guessedUnit(drawing);
-    for (const NamedUnit& unit : namedUnits)
-        if (word == unit.word)
-            return unit.size;
-    throw UsageError("--unit is mm, cm, in, m, px or pt, not \"" + word + "\"");
-}
-
-std::string unitText(double size)
-{
-    for (const NamedUnit& unit : namedUnits)
-        if (std::abs(size - unit.size) < 1e-6 * unit.size)
-            return unit.many;
-    return figure(size, 4) + " mm each";
-}
+constexpr std::array<LengthUnit, 6> drawingUnits{{{"mm", "mm", 1},
+                                                  {"cm", "cm", 10},
+                                                  {"in", "inches", 25.4},
+                                                  {"m", "metres", 1000},
+                                                  {"px", "pixels of 1/96 inch", 25.4 / 96},
+                                                  {"pt", "points of 1/72 inch", 25.4 / 72}}};
 
 PatternLines linesOf(const Arguments& arguments)
 {
@@ -95,11 +72,24 @@ void printByLayer(const std::map<std::string, int>& counts, const char* level, c
                    (layer.empty() ? " without a layer" : " on layer \"" + layer + "\"") + what);
 }
 
+/// What is said several times is said once, with the count.
+void printNotes(const std::vector<Message>& notes)
+{
+    std::map<std::string, int> counts;
+    for (const Message& note : notes)
+        ++counts[note.english()];
+    for (const Message& note : notes)
+        if (const auto found = counts.find(note.english()); found != counts.end()) {
+            printError("warning: " + found->first +
+                       (found->second > 1 ? " (" + std::to_string(found->second) + " times)" : std::string()));
+            counts.erase(found);
+        }
+}
+
 /// Nothing is left out silently.
 void printUnread(const Drawing& drawing, const FoundPattern& pattern)
 {
-    for (const Message& note : drawing.notes)
-        printError("warning: " + note.english());
+    printNotes(drawing.notes);
     for (const auto& [what, count] : drawing.unknown)
         printError("warning: not read: " + std::to_string(count) + " x " + what);
     for (const Contour& line : pattern.open)
@@ -121,7 +111,9 @@ void printMeasures(const Drawing& drawing, const FoundPattern& pattern, const Im
     std::string line("largest piece: ");
     line.append(figure(size.x())).append(" x ").append(figure(size.y())).append(" mm");
     if (!asked && !drawing.unit)
-        line.append(" (the file does not say its unit; taken for ").append(unitText(unit)).append(", see --unit)");
+        line.append(" (the file does not say its unit; taken for ")
+            .append(unitName(unit, drawingUnits).value_or(figure(unit, 4) + " mm each"))
+            .append(", see --unit)");
     printResult(line);
 }
 
@@ -142,7 +134,8 @@ int importPattern(std::span<const std::string> words)
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));
         return imported.problem.empty() ? otherFailure : badInput;
     }
-    const double unit = unitOf(arguments, *imported.drawing);
+    const std::optional<double> said = saidUnit(arguments, drawingUnits);
+    const double unit = said ? *said : guessedUnit(*imported.drawing);
     const PieceOrder order{unit, arguments.path("--size").toStdString(), arguments.number("--close", 0, 0, 1000)};
     const FoundPattern pattern = findPieces(*imported.drawing, order);
     if (!order.size.empty() && std::ranges::find(pattern.sizes, order.size) == pattern.sizes.end()) {
@@ -153,8 +146,7 @@ int importPattern(std::span<const std::string> words)
     }
     printUnread(*imported.drawing, pattern);
     const ImportedPattern made = patternEdit(Design(), pattern, choice);
-    for (const Message& note : made.notes)
-        printError("warning: " + note.english());
+    printNotes(made.notes);
     if (made.patches.empty()) {
         printError("error: there is no piece that can be taken in \"" + files[0].toStdString() + "\"");
         return badInput;

@@ -75,6 +75,25 @@ void OutputFiles::protectInputs(const QString& designPath, const Design& design)
             throw UsageError(option + " would overwrite " + input->second);
 }
 
+bool OutputFiles::canBeWritten() const
+{
+    bool all = true;
+    for (const auto& [option, path] : m_paths) {
+        const QFileInfo file(resolved(path)), folder(file.absolutePath());
+        const char* why = nullptr;
+        if (file.isDir())
+            why = "is a folder";
+        else if (!folder.isDir())
+            why = "lies in a folder that is not there";
+        else if (isDevice(path) ? !file.isWritable() : !folder.isWritable())
+            why = "cannot be written: you may not write into that folder";
+        if (why)
+            printError("error: " + option + ": \"" + path.toStdString() + "\" " + why);
+        all = all && !why;
+    }
+    return all;
+}
+
 bool OutputFiles::write(const std::string& option, const std::function<Message(const QString&)>& writer) const
 {
     const auto found = m_paths.find(option);

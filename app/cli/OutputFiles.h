@@ -25,6 +25,10 @@ public:
     /// chair.obj" beside a frame chair.obj is typed soon.
     void protectInputs(const QString& designPath, const Design& design) const;
 
+    /// False when one of them cannot be written, as far as that is known before: prints why. What is written then
+    /// is all of them, or none.
+    bool canBeWritten() const;
+
     /// Calls the writer with the option's file if there is one, and prints a line about what came of it. False when
     /// it could not be written.
     bool write(const std::string& option, const std::function<Message(const QString&)>& writer) const;

@@ -188,6 +188,12 @@ void StatusLine::flashWithReason(const QString& message, const QString& why)
     showPrompt();
 }
 
+void StatusLine::flashIfQuiet(const QString& message, const QString& why)
+{
+    if (m_flash.isEmpty() || !m_reasons.isEmpty())
+        flashWithReason(message, why);
+}
+
 void StatusLine::forgetReason()
 {
     if (!m_reasons.isEmpty())

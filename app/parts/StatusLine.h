@@ -27,6 +27,8 @@ public:
     void flash(const QString& message) { flashWithReason(message, {}); }
     /// The same with a button beside it that tells `why`.
     void flashWithReason(const QString& message, const QString& why);
+    /// The same, unless something else was said a moment ago: what somebody did comes first.
+    void flashIfQuiet(const QString& message, const QString& why);
     /// It is not so any more.
     void forgetReason();
     void setCoordinates(const QString& text);

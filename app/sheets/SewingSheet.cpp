@@ -21,6 +21,12 @@ QString number(double value, int decimals)
     return QLocale().toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals); // never "-0"
 }
 
+QString withSign(double value)
+{
+    const QString text = number(value, 1);
+    return value >= 0.05 ? QStringLiteral("+") + text : text;
+}
+
 QString cell(const QString& text, const char* align = "left")
 {
     return QStringLiteral("<td align=\"%1\" valign=\"middle\">%2</td>").arg(QLatin1String(align), text);
@@ -195,13 +201,13 @@ void SewingSheet::addSeams(HtmlPages& pages) const
                                                         : tr("%1 to %2").arg(name(seam.patchA), name(seam.patchB));
         rows += rowOf({cell(QString::number(rows.size() + 1), "right"), cell(both),
                        cell(tr("%1 and %2").arg(number(seam.lengthA, 0), number(seam.lengthB, 0)), "right"),
-                       cell(number(seam.ease, 1), "right"), cell(allowance, "right"),
+                       cell(withSign(seam.ease), "right"), cell(allowance, "right"),
                        cell(QString::number(seam.notches), "right"), cell(stitchOf(seam))});
     }
-    addTable(pages, tr("Seams in the order of sewing"),
-             {tr("No."), tr("Seam"), tr("Lengths, mm"), tr("Second side longer, %"), tr("Allowance, mm"),
-              tr("Notches"), tr("Stitch")},
-             rows);
+    addTable(
+        pages, tr("Seams in the order of sewing"),
+        {tr("No."), tr("Seam"), tr("Lengths, mm"), tr("Ease, %"), tr("Allowance, mm"), tr("Notches"), tr("Stitch")},
+        rows);
 }
 
 void SewingSheet::addNeeds(HtmlPages& pages) const

@@ -157,13 +157,29 @@ private:
                  {std::to_string(count)}});
     }
 
+    /// Where there is no allowance they go into the piece itself.
+    void bareNotches(const CutPiece& piece)
+    {
+        const auto isBare = [](const CutNotch& notch) { return (notch.at - notch.sewn).norm() < 1e-6; };
+        const auto count = std::ranges::count_if(piece.notches, isBare);
+        if (count == 0)
+            return;
+        const CutNotch& first = *std::ranges::find_if(piece.notches, isBare);
+        add(count > 1 || first.element == noElement ? piece.patch : first.element, piece, first.sewn,
+            {CutHarm::Weakened, first.shape.depth},
+            {QT_TRANSLATE_NOOP("Message", "notches at edges without an allowance cut into the piece: there are %1; "
+                                          "give these edges an allowance"),
+             {std::to_string(count)}});
+    }
+
     void notches(const CutPiece& piece)
     {
         lonelyNotches(piece);
+        bareNotches(piece);
         for (const CutNotch& notch : piece.notches) {
             const ElementId id = notch.element == noElement ? piece.patch : notch.element;
             const double room = (notch.at - notch.sewn).norm();
-            if (notch.shape.depth > room - leastBeyondNotch && room > 0)
+            if (notch.shape.depth > room - leastBeyondNotch && room >= 1e-6)
                 add(id, piece, notch.sewn, {CutHarm::Weakened, notch.shape.depth - room},
                     {QT_TRANSLATE_NOOP("Message",
                                        "a notch of %1 mm reaches the sewing line, which is %2 mm away: make it "

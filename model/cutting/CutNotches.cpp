@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace bolster {
@@ -16,16 +17,26 @@ constexpr double sameNotch = 1;     // mm
 constexpr double alikeSeams = 0.03; // of the length: seams that could be taken for one another
 constexpr double shortestTold = 40; // mm: on shorter ones nobody goes wrong
 constexpr double atCorner = 0.5;    // mm
+constexpr double seenCorner = 25;   // degrees that the outline turns by: of less nobody sees where the seam begins
 
 double lengthAlong(const BSpline2& outline, double a, double b)
 {
     return (outline.at(outline.wrapped(a)) - outline.at(outline.wrapped(b))).norm();
 }
 
+bool turnsAt(const BSpline2& outline, double corner)
+{
+    const double step = 1e-4 * outline.period();
+    const auto at = [&](double t) { return Vec2(outline.at(outline.wrapped(t))); };
+    const Vec2 before = at(corner) - at(corner - step), after = at(corner + step) - at(corner);
+    return std::abs(std::atan2(cross(before, after), before.dot(after))) > seenCorner * std::numbers::pi / 180;
+}
+
 bool isCorner(const BSpline2& outline, double t)
 {
-    return std::ranges::any_of(outline.corners(),
-                               [&](double corner) { return lengthAlong(outline, corner, t) < atCorner; });
+    return std::ranges::any_of(outline.corners(), [&](double corner) {
+        return lengthAlong(outline, corner, t) < atCorner && turnsAt(outline, corner);
+    });
 }
 
 /// Places in squares as large as they must be apart: those that are too near lie in one or beside it.
@@ -138,7 +149,7 @@ private:
 
     NotchPlace usual() const { return {0, m_order.shape}; }
 
-    /// Where a side ends inside an edge.
+    /// Where a side ends inside an edge, or at a corner that nobody sees.
     void ends(ElementId id, const SewnPair& pair)
     {
         for (const double fraction : {0.0, 1.0}) {

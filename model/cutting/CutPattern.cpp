@@ -54,6 +54,10 @@ public:
         const PieceCutting& cutting = m_patch.cutting;
         m_piece.patch = m_id;
         m_piece.grown = m_grown;
+        if (m_fabric) {
+            m_piece.shrinkAlong = m_fabric->cutting.shrinkAlong;
+            m_piece.shrinkAcross = m_fabric->cutting.shrinkAcross;
+        }
         m_piece.name = m_patch.name;
         m_piece.quantity = static_cast<int>(std::ceil(cutting.quantity));
         m_piece.pair = cutting.pair;

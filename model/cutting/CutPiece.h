@@ -64,7 +64,9 @@ struct CutPiece {
     bool pair = false;     ///< as many again, mirrored
     bool mirrored = false; ///< of a pair as two pieces, the second one
     Nap nap = Nap::TwoWays;
-    double tolerance = 2; ///< degrees, of the grain
+    double tolerance = 2;   ///< degrees, of the grain
+    double shrinkAlong = 0; ///< %, along the grain: by so much it is larger here than it will be worn
+    double shrinkAcross = 0;
     ElementId fabric{};
     std::string fabricName;
     /// From the coordinates of its patch's outline to these.

@@ -9,7 +9,6 @@ namespace bolster {
 namespace {
 
 constexpr int formatVersion = 1;
-constexpr std::size_t mostElements = 100'000;
 
 Problem designProblem(std::string field, Message message)
 {

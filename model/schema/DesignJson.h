@@ -17,6 +17,9 @@ struct ReadDesign {
 /// Never throws on bad text; deep nesting, huge numbers and duplicate keys are problems, not accidents.
 ReadDesign readDesign(std::string_view text);
 
+/// That a design may have.
+inline constexpr std::size_t mostElements = 100'000;
+
 /// Canonical: the same design gives the same bytes; elements by id, keys in the documented order, shortest
 /// numbers that read back to the same double, optional keys left out where they have their default.
 std::string writeDesign(const Design& design);

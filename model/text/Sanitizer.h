@@ -1,5 +1,5 @@
-// What the compiler watches. With AddressSanitizer limits on memory, and counting it, have no sense; with either, code is many
-// times slower.
+// What the compiler watches. With AddressSanitizer limits on memory, and counting it, have no sense; with either,
+// code is many times slower.
 #pragma once
 
 // GCC says so by a macro, clang by a feature.

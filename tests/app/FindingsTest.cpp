@@ -13,6 +13,17 @@
 namespace bolster {
 namespace {
 
+TEST(StatusLineTest, WhatACommandSaysStays)
+{
+    StatusLine line;
+    const auto* prompt = line.findChild<ElidedLabel*>();
+    line.flashIfQuiet(QStringLiteral("The cover sprang"), QStringLiteral("Folds"));
+    EXPECT_EQ(prompt->fullText(), "The cover sprang.");
+    line.flash(QStringLiteral("The first side was changed"));
+    line.flashIfQuiet(QStringLiteral("The cover sprang"), QStringLiteral("Folds"));
+    EXPECT_EQ(prompt->fullText(), "The first side was changed.");
+}
+
 class FindingsTest : public WindowTest {
 protected:
     StatusLine::Mood mood() { return window.statusLine().mood(); }

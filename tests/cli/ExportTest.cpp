@@ -486,6 +486,9 @@ TEST_F(Export, LeavesTheOldFileWhenItCannotWrite)
     const ProgramRun refused = run({"--svg", path("nowhere/p.svg")});
     EXPECT_EQ(refused.exitCode, 1);
     EXPECT_FALSE(refused.err.empty());
+    const ProgramRun both = run({"--dxf", path("p.dxf"), "--svg", path("nowhere/p.svg")});
+    EXPECT_EQ(both.exitCode, 1);
+    EXPECT_FALSE(QFile::exists(path("p.dxf"))) << "all of them, or none";
 }
 
 TEST_F(Export, TheSewingSheetSaysWhatIsSewn)

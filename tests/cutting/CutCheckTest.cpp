@@ -71,6 +71,14 @@ TEST(CutCheck, FindsNotchesThatNobodyMeetsOrThatCutTheSeam)
     EXPECT_TRUE(says(findings(with(twoPanels(), ElementId{9}, notch)), "reaches the sewing line"));
 }
 
+TEST(CutCheck, FindsNotchesThatCutIntoThePiece)
+{
+    Design design = with(twoPanels(), ElementId{9}, Notch{{left, 0.5}, {}});
+    EXPECT_FALSE(says(findings(design), "cut into the piece"));
+    design = with(design, ElementId{10}, EdgeAllowance{{left, 0, 1}, 0});
+    EXPECT_TRUE(says(findings(design), "cut into the piece"));
+}
+
 TEST(CutCheck, FindsWhatDoesNotFit)
 {
     Design design = twoPanels();

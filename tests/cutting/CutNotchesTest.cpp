@@ -81,6 +81,20 @@ TEST(CutNotches, StandWhereASeamStopsInsideAnEdge)
     EXPECT_EQ(at(places, right), (std::vector{3.5}));
 }
 
+TEST(CutNotches, StandAtCornersThatNobodySees)
+{
+    AutomaticNotches order = none();
+    order.ends = true;
+    for (const double outwards : {10.0, 90.0}) {
+        Design design = twoPanels();
+        Patch patch = *design.find<Patch>(left);
+        // The seam ends at its third corner, where the outline hardly turns, or by much.
+        patch.outline = BSpline2(1, true, {{0, 0}, {200, 0}, {200, 100}, {200 - outwards, 200}, {0, 200}});
+        design = with(design, left, patch);
+        EXPECT_EQ(at(notchPlaces(design, order), left).size(), outwards < 50 ? 1u : 0u) << outwards;
+    }
+}
+
 TEST(CutNotches, OfFancySeamsStandWhereTheyMeetTheOutline)
 {
     FancySeam fancy;

@@ -234,6 +234,10 @@ TEST(Darts, AreRefusedWhereTheyCannotBe)
     EXPECT_FALSE(problem.empty());
     EXPECT_TRUE(edits::addDart(design, {left, 0.4, 0.4001, {90, 50}}, &problem).empty());
     EXPECT_TRUE(edits::removeDart(design, between, &problem).empty());
+    const Design darted = design.with(edits::addDart(design, {left, 0.4, 0.5, {90, 50}}));
+    EXPECT_TRUE(edits::addDart(darted, {left, 0.35, 0.55, {90, 70}}, &problem).empty());
+    EXPECT_NE(problem.english().find("a dart already"), std::string::npos);
+    EXPECT_FALSE(edits::addDart(darted, {left, 0.6, 0.7, {130, 50}}, &problem).empty()) << "beside it";
 }
 
 TEST(Darts, InSewnEdgesOfTwinsDivideTheSeamsOfBoth)

@@ -1,10 +1,13 @@
 #include "SeamProposals.h"
 
+#include "ArcLength.h"
 #include "DartEdits.h"
 #include "DesignJson.h"
 #include "ImportedDesigns.h"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace bolster {
 
@@ -148,6 +151,49 @@ TEST(SeamProposals, DivideAStripAtItsNotches)
     const auto [count, length] = alongStrip(proposeSeams(Design().with(edit)), ElementId(1));
     EXPECT_EQ(count, 3);
     EXPECT_NEAR(length, 1320, 1);
+}
+
+TEST(SeamProposals, DivideEdgesAtNotchesWhereNothingFitsThemWhole)
+{
+    // A disc without any corner, and two strips around it, each along a half.
+    Patch disc;
+    disc.name = "Disc";
+    std::vector<Vec2> around;
+    for (int i = 0; i < 24; ++i)
+        around.emplace_back(100 * std::cos(i * std::numbers::pi / 12), 100 * std::sin(i * std::numbers::pi / 12));
+    disc.outline = BSpline2(3, true, around);
+    const ArcLength2 length(disc.outline);
+    const double half = length.total() / 2, start = 0.6 * length.total();
+    const auto place = [&](double along) {
+        return disc.outline.wrapped(length.parameterAt(std::fmod(start + along, length.total())));
+    };
+    const auto strip = [&](const char* name, double above) { // with a hem
+        Patch patch = panel(name, half, 57, {300, 0});
+        patch.outline = BSpline2(1, true, {{0, 0}, {half, 0}, {half, 57}, {half / 2, above}, {0, 57}});
+        return patch;
+    };
+    Edit edit;
+    edit.changes = {{ElementId(1), nullptr, makeElement(disc)},
+                    {ElementId(2), nullptr, makeElement(strip("Front strip", 80))},
+                    {ElementId(3), nullptr, makeElement(strip("Rear strip", 140))}};
+    int id = 3;
+    const auto notch = [&](int patch, double at) {
+        edit.changes.push_back({ElementId(++id), nullptr, makeElement(Notch{{ElementId(patch), at}, {}})});
+    };
+    for (const double share : {0.0, 0.3, 1.0, 1.6})
+        notch(1, place(share * half));
+    notch(2, 0.7);
+    notch(3, 0.4);
+    double sewn = 0;
+    for (const SeamProposal& proposal : proposeSeams(Design().with(edit))) {
+        if (proposal.a.patch != ElementId(1) && proposal.b.patch != ElementId(1))
+            continue;
+        EXPECT_NEAR(proposal.lengthA, half, 0.1);
+        EXPECT_NEAR((proposal.a.patch == ElementId(1) ? proposal.b : proposal.a).from, 0, 1e-9)
+            << "the strip's edge that has the notch";
+        sewn += proposal.lengthA;
+    }
+    EXPECT_NEAR(sewn, 2 * half, 0.2);
 }
 
 TEST(SeamProposals, EndWhenAskedTo)

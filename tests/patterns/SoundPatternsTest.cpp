@@ -156,6 +156,27 @@ TEST(SoundPatterns, QuantitiesThatCannotAreToldAndDontBecomeOthers)
     EXPECT_TRUE(Imported(labelled("", "Cut 2.5 of it")).tells("2.5"));
 }
 
+TEST(SoundPatterns, WordsThatDoNotBecomePartOfThePatchAreTold)
+{
+    EXPECT_TRUE(Imported(labelled("Nap: ", "sideways")).tells("sideways"));
+    EXPECT_TRUE(Imported(labelled("Nap: ", "one way")).made.notes.empty());
+    EXPECT_TRUE(Imported(labelled("Shrinkage: ", "3 % along, 2 % across")).tells("3 % along, 2 % across"));
+    EXPECT_EQ(drawnSvg("", "width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200\"").notes.size(), 1u);
+    EXPECT_TRUE(drawnSvg("").notes.empty());
+}
+
+TEST(SoundPatterns, NotMoreElementsThanADesignMayHave)
+{
+    std::vector<DrawnDot> holes;
+    for (int i = 0; i < 100'100; ++i)
+        holes.push_back({"13", {1 + 0.9 * (i % 320), 1 + 0.9 * (i / 320)}, 3, 0, {}});
+    const Imported imported(
+        drawingWith({rectangleOf("1", {0, 0}, {300, 300}), rectangleOf("1", {400, 0}, {300, 300})}, holes));
+    EXPECT_TRUE(imported.tells("100000 elements"));
+    EXPECT_EQ(imported.made.patches.size(), 1u) << "the other one";
+    EXPECT_LE(imported.design.elements().size(), 100'000u);
+}
+
 TEST(SoundPatterns, HolesAsWideAsPossible)
 {
     DrawnDot hole{"13", {50, 50}, 500, 0, {}};

@@ -75,6 +75,18 @@ TEST_F(CoverShown, ThePictureOfTheCoverHasItsShapeNotThatOfTheView)
     EXPECT_GT(cover.width(), cover.height());
 }
 
+TEST_F(CoverShown, ThePictureOfTheCoverHasNothingMarked)
+{
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.shownSurface() != nullptr; }));
+    selection.set({rightPatch});
+    EXPECT_FALSE(view.shown().scene().tints.empty()) << "it is marked";
+    bool marked = false;
+    QObject::connect(&selection, &Selection::changed, [&] { marked = !selection.elements().empty(); });
+    view.grabCover();
+    EXPECT_TRUE(marked) << "again, after the picture";
+    EXPECT_EQ(selection.elements(), Selection::Elements{rightPatch}) << "it stays selected";
+}
+
 TEST_F(CoverShown, HiddenPatchesAreNeitherDrawnNorHit)
 {
     QSignalSpy changes(&view.visibility(), &SceneVisibility::hiddenChanged);

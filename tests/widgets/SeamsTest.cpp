@@ -59,12 +59,12 @@ TEST_F(SeamsTest, ShowsLengthsAndEaseWithTheirSign)
     EXPECT_EQ(text(model, 0, Column::Difference), "0 mm");
     EXPECT_EQ(text(model, 1, Column::LengthA), "100 mm");
     EXPECT_EQ(text(model, 1, Column::LengthB), "90 mm");
-    EXPECT_EQ(text(model, 1, Column::Difference), "+10 mm");
-    EXPECT_EQ(text(model, 1, Column::Ratio), "+11.1 %");
+    EXPECT_EQ(text(model, 1, Column::Difference), "-10 mm") << "the second side is shorter";
+    EXPECT_EQ(text(model, 1, Column::Ratio), "-11.1 %");
     EXPECT_FALSE(model.index(0, 0).data(SeamsModel::PuckersRole).toBool());
     EXPECT_TRUE(model.index(1, 0).data(SeamsModel::PuckersRole).toBool());
     document.commit(edits::swapSeamSides(document.design(), std::array{added}));
-    EXPECT_EQ(text(model, 1, Column::Difference), "-10 mm");
+    EXPECT_EQ(text(model, 1, Column::Difference), "+10 mm");
 }
 
 TEST_F(SeamsTest, FollowsADragRowByRow)

@@ -241,8 +241,8 @@ QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int ro
                             tr("Length 1"), tr("Length 2"), tr("Match"), tr("Step")};
     const QStringList tips{tr("The letter on both stretches in the pattern"),
                            tr("The patches and their edges"),
-                           tr("First side minus second side"),
-                           tr("The difference over the shorter side; more than 5 % puckers"),
+                           tr("How much longer the second side is than the first one"),
+                           tr("The ease over the shorter side; more than 5 % puckers"),
                            tr("C0: an edge, C1: smooth with the texture, G1: rounded"),
                            tr("Of the first side"),
                            tr("Of the second side"),

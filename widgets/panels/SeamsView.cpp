@@ -191,6 +191,7 @@ void SeamsView::buildTable()
           std::pair(SeamsModel::LengthA, 11), std::pair(SeamsModel::LengthB, 11),
           std::pair(SeamsModel::MatchColumn, 11), std::pair(SeamsModel::Step, 6)})
         header->resizeSection(column, digits * digit + 8);
+    header->moveSection(SeamsModel::Step, 2); // the order of sewing is looked for, lengths are looked up
 
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &SeamsView::selectFromTable);
     connect(m_table, &QTreeView::entered, this,

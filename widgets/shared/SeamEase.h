@@ -12,8 +12,8 @@ struct SeamEase {
     double b = 0; ///< of the second side
 
     bool known() const { return a > 0 && b > 0; }
-    /// mm; positive when the first side is longer.
-    double difference() const { return a - b; }
+    /// mm; positive when the second side is longer, as Seam::ease.
+    double difference() const { return b - a; }
     /// The difference over the shorter side, with its sign.
     double ratio() const;
     /// More than cloth can take up without folds.

@@ -20,6 +20,7 @@ public:
 
     bool empty() const { return m_wanted.empty(); }
     void protectInputs(const QString& designPath, const Design& design) const;
+    bool canBeWritten() const { return m_files.canBeWritten(); }
     /// Solves, and writes all that is wanted, with a line about each. Returns the exit code.
     int write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt) const;
 

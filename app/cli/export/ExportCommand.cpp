@@ -73,8 +73,8 @@ Options of the pattern:
 
 Exit code:
   0  done
-  1  an output cannot be written (the others are), or interrupted; then
-     nothing is written
+  1  an output cannot be written, or interrupted; then nothing is written
+     (of a disk that becomes full meanwhile, what was finished before)
   2  the design is bad (see "bolster check"), or wrong usage; nothing is written
   3  the cover has not converged; its outputs are written nevertheless
 )";
@@ -296,6 +296,9 @@ int exportPattern(std::span<const std::string> words)
     const OpenedDesign opened = openedShown(path);
     files.protectInputs(path, opened.design);
     covers.protectInputs(path, opened.design);
+    const bool writable = files.canBeWritten();
+    if (!covers.canBeWritten() || !writable)
+        return otherFailure;
     if (files.empty())
         return covers.write(path, opened, interrupt);
     const std::optional<Design> design = exportedDesign(opened, order.lenient);

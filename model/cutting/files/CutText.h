@@ -37,6 +37,14 @@ inline std::string toleranceText(const CutPiece& piece)
     return piece.tolerance == PieceCutting{}.tolerance ? std::string() : decimal(piece.tolerance);
 }
 
+/// What the fabric shrinks by, along and across the grain; empty for not at all.
+inline std::string shrinkageText(const CutPiece& piece)
+{
+    if (piece.shrinkAlong == 0 && piece.shrinkAcross == 0)
+        return {};
+    return decimal(piece.shrinkAlong) + " % along, " + decimal(piece.shrinkAcross) + " % across";
+}
+
 /// ASCII, for formats that know nothing else: letters of Western Europe lose their marks, others become "_".
 inline std::string ascii(std::string_view text)
 {

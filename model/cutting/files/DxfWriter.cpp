@@ -49,6 +49,7 @@ std::vector<std::pair<std::string, std::string>> pieceWords(const CutPiece& piec
             {"Fabric", piece.fabricName},
             {"Nap", napText(piece)},
             {"Grain Tolerance", toleranceText(piece)},
+            {"Shrinkage", shrinkageText(piece)},
             {"Annotation", piece.mirrored ? "mirrored" : ""}};
 }
 

@@ -43,7 +43,8 @@ std::string aboutPiece(const CutPiece& piece)
                                      {"quantity", quantityText(piece)},
                                      {"fabric", piece.fabricName},
                                      {"nap", napText(piece)},
-                                     {"grain-tolerance", toleranceText(piece)}})
+                                     {"grain-tolerance", toleranceText(piece)},
+                                     {"shrinkage", shrinkageText(piece)}})
         if (!value.empty())
             about.append(" data-").append(key).append("=\"").append(escapedXml(value)).append("\"");
     return about;

@@ -36,7 +36,8 @@ std::vector<PlannedSeam> plannedSeams(const Design& design, const CutPattern& pa
         planned.patchB = seam.b.patch;
         planned.lengthA = pair.lengthA();
         planned.lengthB = pair.lengthB();
-        planned.ease = pair.lengthA() > 0 ? 100 * (pair.lengthB() / pair.lengthA() - 1) : 0;
+        const double shorter = std::min(planned.lengthA, planned.lengthB);
+        planned.ease = shorter > 0 ? 100 * (planned.lengthB - planned.lengthA) / shorter : 0;
         planned.allowanceA = allowance(seam.a, pair.onA(0.5));
         planned.allowanceB = allowance(seam.b, pair.onB(0.5));
         planned.notches = notchesAt(*pieces[seam.a.patch], step.seam);

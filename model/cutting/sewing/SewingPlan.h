@@ -14,7 +14,7 @@ struct PlannedSeam {
     ElementId patchB{};
     double lengthA = 0; ///< mm
     double lengthB = 0;
-    double ease = 0;       ///< how much longer B is than A, %
+    double ease = 0;       ///< how much longer B is than A, % of the shorter one
     double allowanceA = 0; ///< mm, in the middle of the side
     double allowanceB = 0;
     int notches = 0; ///< on its first side

@@ -134,6 +134,26 @@ DartAxis dartAxis(const BSpline2& outline, const DartShape& dart)
 
 namespace {
 
+/// A dart of which something lies within the mouth of another one.
+bool hasDartWithin(const Design& design, ElementId patch, const Mouth& mouth)
+{
+    const BSpline2& outline = design.find<Patch>(patch)->outline;
+    const double slack = 1e-9 * outline.period();
+    const auto within = [&](double t) {
+        const double turns = std::floor((t - mouth.from) / outline.period());
+        const double at = t - turns * outline.period();
+        return at > mouth.from + slack && at < mouth.to - slack;
+    };
+    bool found = false;
+    design.each<Seam>([&](ElementId id, const Seam& seam) {
+        if (seam.a.patch != patch || seam.b.patch != patch || found)
+            return;
+        if (const std::optional<DartShape> dart = dartOf(design, id))
+            found = within(dart->from) || within(dart->to);
+    });
+    return found;
+}
+
 Edit addOneDart(const Design& design, const DartShape& shape, Message* problem)
 {
     const Patch* patch = design.find<Patch>(shape.patch);
@@ -145,6 +165,10 @@ Edit addOneDart(const Design& design, const DartShape& shape, Message* problem)
     if ((b - a).norm() < narrowest)
         return refused(problem,
                        {QT_TRANSLATE_NOOP("Message", "The mouth of a dart must be at least 1 mm wide."), {}});
+    if (hasDartWithin(design, shape.patch, mouth))
+        return refused(problem, {QT_TRANSLATE_NOOP("Message", "There is a dart already: put this one beside it, or "
+                                                              "remove that one first."),
+                                 {}});
     if (!isInside(outline, shape.tip) || std::min((shape.tip - a).norm(), (shape.tip - b).norm()) < shortest)
         return refused(problem, tipProblem());
     std::vector<double> tip;

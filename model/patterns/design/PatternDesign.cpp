@@ -2,6 +2,7 @@
 
 #include "BoxLevels.h"
 #include "DesignCheck.h"
+#include "DesignJson.h"
 #include "ElementEdits.h"
 #include "LayoutEdits.h"
 #include "PieceElements.h"
@@ -88,7 +89,7 @@ private:
         const Change fabric = fabricOf(piece);
         PieceElements made = pieceElements(piece, m_choice.lines, fabric, m_fresh);
         m_result.notes.insert(m_result.notes.end(), made.notes.begin(), made.notes.end());
-        if (made.patch == noElement)
+        if (made.patch == noElement || !hasRoomFor(piece.name, made.changes.size() + 1))
             return;
         if (!m_start.element(fabric.id) && m_fabrics.try_emplace(nameOf(fabric), fabric).second) {
             m_added.changes.push_back(fabric);
@@ -100,6 +101,18 @@ private:
         m_added.changes.insert(m_added.changes.end(), made.changes.begin(), made.changes.end());
         m_result.patches.push_back(made.patch);
         m_result.taken.push_back(place);
+    }
+
+    /// A design with more could not be opened again.
+    bool hasRoomFor(const std::string& name, std::size_t more)
+    {
+        if (m_start.elements().size() + m_added.changes.size() + more <= mostElements)
+            return true;
+        m_result.notes.push_back(
+            {QT_TRANSLATE_NOOP("Message", "%1 is left out: with its holes, notches and lines the "
+                                          "design would have more than %2 elements"),
+             {name, std::to_string(mostElements)}});
+        return false;
     }
 
     static const std::string& nameOf(const Change& fabric) { return std::get<Fabric>(*fabric.after).name; }

@@ -21,6 +21,7 @@ constexpr double usualHole = 3;          // mm
 constexpr double smallestHole = 0.1;     // mm: as the rules have it
 constexpr double largestHole = 100;      // mm
 constexpr double mostPieces = 1000;      // as the rules have it
+constexpr std::size_t longestWord = 60;  // of what a file says, in a note
 
 Contour moved(Contour line, const Vec2& by)
 {
@@ -104,8 +105,24 @@ private:
         return std::clamp(m_piece.quantity, 1.0, mostPieces);
     }
 
+    /// What the file says that does not become part of the patch.
+    void tellWords()
+    {
+        if (!m_piece.oddNap.empty())
+            note(QT_TRANSLATE_NOOP("Message",
+                                   "%1: its nap \"%2\" is neither one way, two ways nor any; it is taken for "
+                                   "two ways"),
+                 {m_piece.oddNap.substr(0, longestWord)});
+        if (!m_piece.shrinkage.empty())
+            note(QT_TRANSLATE_NOOP("Message",
+                                   "%1 is drawn larger by what its fabric shrinks (%2), and taken as it is "
+                                   "drawn: a shrinkage of the fabric here would come on top"),
+                 {m_piece.shrinkage.substr(0, longestWord)});
+    }
+
     void addPatch(ElementId fabric)
     {
+        tellWords();
         Patch patch;
         patch.name = m_piece.name;
         patch.fabric = fabric;

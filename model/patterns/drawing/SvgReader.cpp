@@ -80,6 +80,12 @@ private:
         const auto width = svgLength(m_root.attribute("width"), &absolute);
         const auto height = svgLength(m_root.attribute("height"), &absolute);
         const auto box = svgViewBox(m_root.attribute("viewBox"));
+        if (!box && !trimmed(m_root.attribute("viewBox")).empty())
+            m_drawing.notes.push_back(
+                {QT_TRANSLATE_NOOP("Message",
+                                   "the viewBox \"%1\" is no four numbers and is left out: check the size of "
+                                   "the pieces"),
+                 {m_root.attribute("viewBox").substr(0, 60)}});
         SvgState state;
         state.viewport = {width.value_or(0), height.value_or(0)};
         Vec2 pixels(1, 1); // of one user unit
@@ -139,6 +145,7 @@ private:
                                              {"data-fabric", "Fabric: "},
                                              {"data-nap", "Nap: "},
                                              {"data-grain-tolerance", "Grain Tolerance: "},
+                                             {"data-shrinkage", "Shrinkage: "},
                                              {"data-note", "Annotation: "}})
             if (const std::string& value = element.attribute(attribute); !value.empty())
                 state.about.push_back(key + drawnWords(value));

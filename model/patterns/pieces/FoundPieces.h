@@ -42,7 +42,9 @@ struct FoundPiece {
     bool isCutLine = false;      ///< the file says that the only line is where fabric is cut
     std::optional<double> grain; ///< degrees
     std::optional<Nap> nap{};
+    std::string oddNap;                ///< what the file says of the nap that nobody understands
     std::optional<double> tolerance{}; ///< of the grain, degrees
+    std::string shrinkage;             ///< what it is drawn larger for, in the file's words; "" for nothing
     std::vector<FoundNotch> notches;
     std::vector<FoundHole> holes;
     std::vector<FoundLine> inner;

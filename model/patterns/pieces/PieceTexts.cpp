@@ -111,6 +111,7 @@ void readNap(const std::string& value, FoundPiece& piece)
             piece.nap = nap;
             return;
         }
+    piece.oddNap = said.empty() ? std::string() : value;
 }
 
 /// Degrees, with or without their unit.
@@ -140,6 +141,8 @@ bool readKey(const std::string& words, FoundPiece& piece)
         piece.note = value;
     else if (key == "nap")
         readNap(value, piece);
+    else if (key == "shrinkage")
+        piece.shrinkage = value;
     else if (key == "grain tolerance")
         readTolerance(value, piece);
     else

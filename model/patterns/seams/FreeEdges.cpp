@@ -14,6 +14,11 @@ namespace {
 
 constexpr double samePlaceOnEdge = 0.5; // mm
 
+/// Words of which a piece has one or the other.
+constexpr std::pair<const char*, const char*> opposites[] = {{"left", "right"},    {"links", "rechts"},
+                                                             {"linke", "rechte"},  {"linker", "rechter"},
+                                                             {"gauche", "droite"}, {"l", "r"}};
+
 std::set<std::string> wordsOf(const std::string& name)
 {
     std::set<std::string> words;
@@ -38,12 +43,15 @@ struct UsedStretch {
 
 class PatchEdges {
 public:
-    PatchEdges(ElementId id, const Patch& patch, const std::vector<UsedStretch>& used, std::vector<double> more)
+    /// `start` is where the edge of an outline without any corner begins.
+    PatchEdges(ElementId id, const Patch& patch, const std::vector<UsedStretch>& used, std::vector<double> more,
+               double start)
         : m_id(id)
         , m_outline(patch.outline)
         , m_length(patch.outline)
         , m_used(used)
         , m_more(std::move(more))
+        , m_start(start)
         , m_grain(patch.grain)
         , m_rotation(patch.rotation)
         , m_position(patch.position)
@@ -93,7 +101,7 @@ private:
                m_length.between(kept.back(), kept.front() + m_outline.period()) < samePlaceOnEdge)
             kept.pop_back();
         if (kept.empty())
-            kept.push_back(m_outline.domainStart());
+            kept.push_back(m_start);
         return kept;
     }
 
@@ -147,6 +155,7 @@ private:
     ArcLength2 m_length;
     const std::vector<UsedStretch>& m_used;
     std::vector<double> m_more;
+    double m_start;
     double m_grain, m_rotation; // degrees
     Vec2 m_position;
     bool m_backwards;
@@ -168,7 +177,8 @@ void addNotches(const Design& design, std::vector<OutlineEdge>& edges)
             const double end =
                 unwrappedEnd(edge.stretch.from, edge.stretch.to, outline.domainStart(), outline.domainEnd());
             const double t = notch.place.at - period * std::floor((notch.place.at - edge.stretch.from) / period);
-            if (t >= end || edge.length < 1)
+            const bool round = end - edge.stretch.from < 1e-9 * period; // an outline without any corner
+            if ((t >= end && !round) || edge.length < 1)
                 continue;
             const double share = ArcLength2(outline).between(edge.stretch.from, t) / edge.length;
             if (share > 0.01 && share < 0.99)
@@ -180,6 +190,23 @@ void addNotches(const Design& design, std::vector<OutlineEdge>& edges)
 }
 
 } // namespace
+
+bool onOppositeSides(const OutlineEdge& a, const OutlineEdge& b)
+{
+    return std::ranges::any_of(opposites, [&](const auto& words) {
+        const auto& [one, other] = words;
+        return (a.words.contains(one) && b.words.contains(other)) ||
+               (a.words.contains(other) && b.words.contains(one));
+    });
+}
+
+double placeOn(const Design& design, const OutlineEdge& edge, double share)
+{
+    const BSpline2& outline = design.find<Patch>(edge.stretch.patch)->outline;
+    const ArcLength2 length(outline);
+    const double along = length.at(edge.stretch.from) + edge.length * (edge.backwards ? 1 - share : share);
+    return outline.wrapped(length.parameterAt(along > length.total() ? along - length.total() : along));
+}
 
 std::vector<OutlineEdge> outlineEdges(const Design& design, const EdgeBreaks& more)
 {
@@ -193,6 +220,12 @@ std::vector<OutlineEdge> outlineEdges(const Design& design, const EdgeBreaks& mo
         use(seam.b, id, false);
     });
     design.each<FixationSeam>([&](ElementId, const FixationSeam& fixed) { use(fixed.stretch, noElement, false); });
+    std::map<ElementId, double> notches; // the first one of each patch
+    design.each<Notch>([&](ElementId, const Notch& notch) {
+        if (const Patch* patch = design.find<Patch>(notch.place.patch);
+            patch && !patch->outline.empty() && std::isfinite(notch.place.at))
+            notches.emplace(notch.place.patch, patch->outline.wrapped(notch.place.at));
+    });
     std::vector<OutlineEdge> edges;
     std::map<std::pair<ElementId, bool>, int> sides;
     design.each<Patch>([&](ElementId id, const Patch& patch) {
@@ -200,7 +233,9 @@ std::vector<OutlineEdge> outlineEdges(const Design& design, const EdgeBreaks& mo
             return;
         const std::set<std::string> words = wordsOf(patch.name);
         const auto extra = more.find(id);
-        const PatchEdges cut(id, patch, used[id], extra == more.end() ? std::vector<double>() : extra->second);
+        const auto notch = notches.find(id);
+        const PatchEdges cut(id, patch, used[id], extra == more.end() ? std::vector<double>() : extra->second,
+                             notch == notches.end() ? patch.outline.domainStart() : notch->second);
         for (OutlineEdge& edge : cut.make(static_cast<int>(edges.size()), sides)) {
             edge.words = words;
             edges.push_back(std::move(edge));

@@ -25,6 +25,12 @@ struct OutlineEdge {
     std::vector<double> notches{}; ///< shares of its length, counter-clockwise
 };
 
+/// By the names alone: one piece is called left and the other one right.
+bool onOppositeSides(const OutlineEdge& a, const OutlineEdge& b);
+
+/// The outline's parameter at this share of an edge's length, counter-clockwise.
+double placeOn(const Design& design, const OutlineEdge& edge, double share);
+
 /// Parameters of outlines, by patch.
 using EdgeBreaks = std::map<ElementId, std::vector<double>>;
 

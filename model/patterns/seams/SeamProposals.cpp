@@ -2,12 +2,14 @@
 
 #include "DartLegs.h"
 #include "FreeEdges.h"
+#include "NotchBreaks.h"
 #include "SeamEdits.h"
 #include "StripBreaks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace bolster {
@@ -22,20 +24,14 @@ constexpr std::size_t mostCandidates = 16; // of an edge
 constexpr double leastFit = 0.05;
 constexpr std::uint64_t searches = 12;
 constexpr double leastCertain = 0.2;
+constexpr double surelySewn = 0.5;
 constexpr double certainDart = 0.97;
-
-/// Words of which a piece has one or the other.
-constexpr std::pair<const char*, const char*> opposites[] = {{"left", "right"},    {"links", "rechts"},
-                                                             {"linke", "rechte"},  {"linker", "rechter"},
-                                                             {"gauche", "droite"}, {"l", "r"}};
 
 /// By the names alone: pieces of different sides are seldom sewn to each other.
 double byWords(const OutlineEdge& a, const OutlineEdge& b)
 {
-    for (const auto& [one, other] : opposites)
-        if ((a.words.contains(one) && b.words.contains(other)) ||
-            (a.words.contains(other) && b.words.contains(one)))
-            return 0.35;
+    if (onOppositeSides(a, b))
+        return 0.35;
     int common = 0;
     for (const std::string& word : a.words)
         common += b.words.contains(word);
@@ -374,35 +370,78 @@ std::vector<SeamProposal> sewDarts(const Design& design, std::vector<OutlineEdge
     return found;
 }
 
-} // namespace
+/// What the edges are sewn to, and how certain that is, 0 to 1.
+struct Search {
+    std::vector<int> partner; ///< -1: none
+    std::vector<double> certainty;
+};
 
-std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop)
+std::optional<Search> search(const std::vector<OutlineEdge>& edges, const std::stop_token& stop)
 {
-    std::vector<OutlineEdge> edges = outlineEdges(design);
-    std::vector<SeamProposal> found = sewDarts(design, edges);
-    if (const EdgeBreaks breaks = stripBreaks(design, edges); !breaks.empty()) {
-        edges = outlineEdges(design, breaks);
-        found = sewDarts(design, edges);
-    }
     const Candidates candidates(edges, stop);
     std::vector<Sewing> tries;
     for (std::uint64_t seed = 1; seed <= searches && !stop.stop_requested(); ++seed)
         tries.push_back(SewingSearch(edges, candidates, seed).run(stop));
     if (stop.stop_requested())
-        return {};
+        return std::nullopt;
     const Sewing& best = *std::ranges::max_element(tries, {}, &Sewing::total);
+    Search found{{}, std::vector<double>(edges.size())};
     for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
         const int k = best.partner(i);
-        if (k < i || edges[static_cast<std::size_t>(i)].taken)
+        found.partner.push_back(k);
+        if (k < 0)
             continue;
-        const OutlineEdge &a = edges[static_cast<std::size_t>(i)], &b = edges[static_cast<std::size_t>(k)];
         const auto agree = std::ranges::count_if(tries, [&](const Sewing& other) { return other.partner(i) == k; });
-        const double certainty = best.settled(i) * (0.2 + 0.8 * static_cast<double>(agree) / searches);
-        if (certainty >= leastCertain)
-            found.push_back(proposalOf(a, b, certainty));
+        found.certainty[static_cast<std::size_t>(i)] =
+            best.settled(i) * (0.2 + 0.8 * static_cast<double>(agree) / searches);
     }
-    std::ranges::stable_sort(found, std::greater(), &SeamProposal::certainty);
     return found;
+}
+
+/// Where edges that found nothing are divided by their notches.
+EdgeBreaks leftBreaks(const Design& design, const std::vector<OutlineEdge>& edges, const Search& found,
+                      const std::stop_token& stop)
+{
+    std::vector<int> left;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!edges[i].taken && found.certainty[i] < surelySewn)
+            left.push_back(static_cast<int>(i));
+    return notchBreaks(design, edges, left, stop);
+}
+
+} // namespace
+
+std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop)
+{
+    std::vector<OutlineEdge> edges = outlineEdges(design);
+    std::vector<SeamProposal> proposals = sewDarts(design, edges);
+    const auto divide = [&](const EdgeBreaks& breaks) {
+        edges = outlineEdges(design, breaks);
+        proposals = sewDarts(design, edges);
+    };
+    EdgeBreaks breaks = stripBreaks(design, edges);
+    if (!breaks.empty())
+        divide(breaks);
+    std::optional<Search> found = search(edges, stop);
+    if (!found)
+        return {};
+    if (const EdgeBreaks more = leftBreaks(design, edges, *found, stop); !more.empty()) {
+        for (const auto& [patch, places] : more)
+            breaks[patch].insert(breaks[patch].end(), places.begin(), places.end());
+        divide(breaks);
+        found = search(edges, stop);
+    }
+    if (!found)
+        return {};
+    for (int i = 0; i < static_cast<int>(edges.size()); ++i) {
+        const int k = found->partner[static_cast<std::size_t>(i)];
+        if (const OutlineEdge& edge = edges[static_cast<std::size_t>(i)];
+            k > i && !edge.taken && found->certainty[static_cast<std::size_t>(i)] >= leastCertain)
+            proposals.push_back(proposalOf(edge, edges[static_cast<std::size_t>(k)],
+                                           found->certainty[static_cast<std::size_t>(i)]));
+    }
+    std::ranges::stable_sort(proposals, std::greater(), &SeamProposal::certainty);
+    return proposals;
 }
 
 namespace {

@@ -21,9 +21,9 @@ struct SeamProposal {
 /// The most certain first; no edge is in two of them. Edges that are sewn or fixed already are left alone, and tell
 /// where their neighbours belong. What speaks for a pair: lengths, corners that close when all of their edges are
 /// sewn, notches at the same places, words like "left" in the names, bends that follow each other. A strip that
-/// runs past several edges of a piece is divided where their corners come. Two edges that lead into a wedge of one
-/// piece and are mirror images of each other are the legs of a dart, whatever else they would fit. Nothing when
-/// asked to stop.
+/// runs past several edges of a piece is divided where their corners come, and an edge that fits nothing as a whole
+/// at its notches, where what lies between them does. Two edges that lead into a wedge of one piece and are mirror
+/// images of each other are the legs of a dart, whatever else they would fit. Nothing when asked to stop.
 std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop = {});
 
 /// All of these seams as one edit; those of darts are smooth.

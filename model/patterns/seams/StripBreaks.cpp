@@ -1,7 +1,5 @@
 #include "StripBreaks.h"
 
-#include "ArcLength.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -139,14 +137,8 @@ private:
 
     void divide(const OutlineEdge& strip, const Row& row)
     {
-        const BSpline2& outline = m_design.find<Patch>(strip.stretch.patch)->outline;
-        const ArcLength2 length(outline);
-        const double start = length.at(strip.stretch.from);
-        for (const double share : row.shares) {
-            const double along = start + strip.length * (strip.backwards ? 1 - share : share);
-            m_breaks[strip.stretch.patch].push_back(
-                outline.wrapped(length.parameterAt(along > length.total() ? along - length.total() : along)));
-        }
+        for (const double share : row.shares)
+            m_breaks[strip.stretch.patch].push_back(placeOn(m_design, strip, share));
         m_rows.emplace_back(strip.stretch.patch, row);
     }
 

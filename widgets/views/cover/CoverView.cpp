@@ -1,6 +1,7 @@
 #include "CoverView.h"
 
 #include "MapLegend.h"
+#include "Selection.h"
 #include "ViewCube.h"
 
 #include <QEvent>
@@ -15,6 +16,7 @@ constexpr int cubeMargin = 8; ///< pixels
 
 CoverView::CoverView(Document& document, Selection& selection, QWidget* parent)
     : QWidget(parent)
+    , m_selection(selection)
     , m_shown(document, selection, m_visibility)
     , m_navigation(m_shown, *this)
     , m_drag(m_navigation, m_shown)
@@ -99,10 +101,22 @@ void CoverView::setMapReading(const QString& reading)
     m_legend->setReading(reading);
 }
 
+QImage CoverView::withoutMarks(const std::function<QImage()>& picture)
+{
+    const Selection::Elements elements = m_selection.elements();
+    const Selection::Points points = m_selection.points();
+    const Selection::Edges edges = m_selection.edges();
+    m_selection.clear();
+    m_selection.hover(noElement);
+    const QImage result = picture();
+    m_selection.set(elements, points, edges);
+    return result;
+}
+
 QImage CoverView::grabCover()
 {
     constexpr double room = 0.05; // of the longer side
-    const QImage whole = grabPicture();
+    const QImage whole = withoutMarks([this] { return grabPicture(); });
     const SurfaceMeshPtr surface = shownSurface();
     const Camera& camera = m_navigation.camera();
     Box2 box;

@@ -14,6 +14,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -53,7 +54,7 @@ public:
     bool pictures(const SurfaceMeshPtr& surface) const;
     /// What the view shows now, in device pixels, drawn finely.
     QImage grabPicture() { return m_canvas.grab(); }
-    /// The part of it that has the cover, with some room around; without a cover everything.
+    /// The part of it that has the cover, with some room around and nothing marked; without a cover everything.
     QImage grabCover();
 
     /// Colours on the cover; null for none.
@@ -121,6 +122,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    QImage withoutMarks(const std::function<QImage()>& picture);
     void wireScene();
     void wireTools();
     void cameraMoved();
@@ -129,6 +131,7 @@ private:
     void startDrag(const QMouseEvent& event, Qt::MouseButton button);
 
     bool m_whole = false; ///< else what is in it comes or goes, and there are no tools to handle events
+    Selection& m_selection;
     SceneVisibility m_visibility;
     ShownScene m_shown;
     CoverNavigation m_navigation;

@@ -1,7 +1,7 @@
 // After the Khronos specifications glTF 2.0, KHR_materials_variants, KHR_texture_transform, KHR_materials_sheen.
 #include "GlbFile.h"
 
-#include "RawBytes.h"
+#include "RawNumbers.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "ObjFile.h"
 
-#include "RawBytes.h"
+#include "RawNumbers.h"
 #include "Srgb.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void appendNumbers(std::string& text, const char* keyword, const Numbers& number
     text += keyword;
     for (const float number : numbers) {
         text += ' ';
-        appendText(text, number);
+        appendNumber(text, number);
     }
     text += '\n';
 }
@@ -79,12 +79,12 @@ void appendFaces(const ModelMesh& mesh, bool textured, std::size_t firstPoint, s
         obj += 'f';
         for (const std::uint32_t corner : triangle) {
             obj += ' ';
-            appendText(obj, firstPoint + corner);
+            appendNumber(obj, firstPoint + corner);
             obj += '/';
             if (textured)
-                appendText(obj, firstPlace + corner);
+                appendNumber(obj, firstPlace + corner);
             obj += '/';
-            appendText(obj, firstPoint + corner);
+            appendNumber(obj, firstPoint + corner);
         }
         obj += '\n';
     }

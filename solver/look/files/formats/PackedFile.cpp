@@ -1,7 +1,7 @@
 // After PKWARE's APPNOTE.TXT 6.3, 4.3.7 (local headers), 4.3.12 (the directory), 4.3.16 (its end).
 #include "PackedFile.h"
 
-#include "RawBytes.h"
+#include "RawNumbers.h"
 
 #include <stdexcept>
 #include <zlib.h>

@@ -1,7 +1,7 @@
 #include "SolidFile.h"
 
 #include "PackedFile.h"
-#include "RawBytes.h"
+#include "RawNumbers.h"
 
 #include <map>
 
@@ -38,7 +38,7 @@ void appendObject(const TriangleMesh& solid, const TriangleMesh::Part& part, std
             points += "<vertex";
             for (Eigen::Index axis = 0; axis < 3; ++axis) {
                 points += std::string(" ") + "xyz"[axis] + "=\"";
-                appendText(points, static_cast<float>(solid.points[solid.triangles[t][i]][axis]));
+                appendNumber(points, static_cast<float>(solid.points[solid.triangles[t][i]][axis]));
                 points += '"';
             }
             points += "/>\n";

@@ -2,7 +2,7 @@
 // B-splines.
 #include "StepFile.h"
 
-#include "RawBytes.h"
+#include "RawNumbers.h"
 
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace {
 std::string real(double value)
 {
     std::string text;
-    appendText(text, value);
+    appendNumber(text, value);
     if (const std::size_t exponent = text.find('e'); exponent != std::string::npos)
         return text.substr(0, exponent) + (text.find('.') == std::string::npos ? "." : "") + "E" +
                text.substr(exponent + 1);

@@ -3,7 +3,7 @@
 
 #include "GlbFile.h"
 #include "PackedFile.h"
-#include "RawBytes.h"
+#include "RawNumbers.h"
 
 #include <algorithm>
 #include <cctype>
@@ -23,7 +23,7 @@ void appendTuple(std::string& text, const Vector& vector)
     const char* before = "(";
     for (const float number : vector) {
         text += before;
-        appendText(text, number);
+        appendNumber(text, number);
         before = ", ";
     }
     text += ')';
@@ -56,7 +56,7 @@ std::string tuple(const auto& vector)
 std::string numberOf(float value)
 {
     std::string text;
-    appendText(text, value);
+    appendNumber(text, value);
     return text;
 }
 
