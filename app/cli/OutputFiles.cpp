@@ -79,13 +79,15 @@ bool OutputFiles::canBeWritten() const
 {
     bool all = true;
     for (const auto& [option, path] : m_paths) {
+        if (isDevice(path) && !QFileInfo(path).isDir())
+            continue; // what is there takes what it takes
         const QFileInfo file(resolved(path)), folder(file.absolutePath());
         const char* why = nullptr;
         if (file.isDir())
             why = "is a folder";
         else if (!folder.isDir())
             why = "lies in a folder that is not there";
-        else if (isDevice(path) ? !file.isWritable() : !folder.isWritable())
+        else if (!folder.isWritable())
             why = "cannot be written: you may not write into that folder";
         if (why)
             printError("error: " + option + ": \"" + path.toStdString() + "\" " + why);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace bolster {
 
@@ -167,9 +168,13 @@ void StatusLine::connectButtons()
         m_flashTime.start(longFlash); // there is something to read
         QWhatsThis::showText(m_why->mapToGlobal(QPoint()), m_reasons, m_why);
     });
+    m_flashTime.setParent(this);
+    m_flashTime.setObjectName(QStringLiteral("flash-time"));
     m_flashTime.setSingleShot(true);
     connect(&m_flashTime, &QTimer::timeout, this, [this] {
         m_flash.clear();
+        if (const auto next = std::exchange(m_next, std::nullopt))
+            return flashWithReason(next->first, next->second);
         showPrompt();
     });
 }
@@ -182,20 +187,24 @@ void StatusLine::setPrompt(const QString& prompt)
 
 void StatusLine::flashWithReason(const QString& message, const QString& why)
 {
+    m_next.reset();
     m_flash = asSentence(message);
     m_reasons = why;
     m_flashTime.start(why.isEmpty() ? shortFlash : longFlash);
     showPrompt();
 }
 
-void StatusLine::flashIfQuiet(const QString& message, const QString& why)
+void StatusLine::flashNext(const QString& message, const QString& why)
 {
     if (m_flash.isEmpty() || !m_reasons.isEmpty())
         flashWithReason(message, why);
+    else
+        m_next = {message, why};
 }
 
 void StatusLine::forgetReason()
 {
+    m_next.reset();
     if (!m_reasons.isEmpty())
         flash({});
 }

@@ -7,6 +7,8 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include <optional>
+
 class QLabel;
 class QToolButton;
 
@@ -27,8 +29,8 @@ public:
     void flash(const QString& message) { flashWithReason(message, {}); }
     /// The same with a button beside it that tells `why`.
     void flashWithReason(const QString& message, const QString& why);
-    /// The same, unless something else was said a moment ago: what somebody did comes first.
-    void flashIfQuiet(const QString& message, const QString& why);
+    /// The same after what is being said: what came of a command comes first.
+    void flashNext(const QString& message, const QString& why);
     /// It is not so any more.
     void forgetReason();
     void setCoordinates(const QString& text);
@@ -87,6 +89,7 @@ private:
     QString m_flash;
     QString m_reasons; ///< of the flash
     QTimer m_flashTime;
+    std::optional<std::pair<QString, QString>> m_next; ///< what is flashed then, and why
 };
 
 } // namespace bolster

@@ -196,7 +196,7 @@ void MainWindow::connectSolver()
     connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
     connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
-        m_status->flashIfQuiet(
+        m_status->flashNext(
             tr("The cover sprang by %1.").arg(lengthText(distance)),
             tr("Folded cloth can lie in several ways, and where a drag leaves it depends on the way of "
                "the pointer. What you see now follows from the design alone: whoever opens it sees "

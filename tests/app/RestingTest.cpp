@@ -184,6 +184,7 @@ TEST_F(RestingTest, WhatSprangIsSaidOnceWithItsReason)
     QWhatsThis::hideText();
     line.flash(QStringLiteral("Something else"));
     EXPECT_FALSE(why->isVisible());
+    line.flash({});
     emit window.solver().sprang(217);
     ASSERT_TRUE(why->isVisible());
     emit window.document().changed({});

@@ -250,7 +250,7 @@ TEST_F(InvalidDragTest, TheEndOfASeamIsDraggedAlongTheOutline)
     move({104, 82});
     move({104, 57});
     EXPECT_NEAR(seamNow().a.to, 1.6, 0.02);
-    EXPECT_TRUE(view.prompt().contains(QStringLiteral(" mm long, the other side 100 mm: ease -40")))
+    EXPECT_TRUE(view.prompt().contains(QStringLiteral(" mm long, the other side 100 mm: ease +40")))
         << view.prompt().toStdString();
     keepPicture(view, QStringLiteral("seam-end-drag"));
     release({104, 57});
