@@ -54,6 +54,7 @@ QString dxfOf(const Design& design, const QDir& folder)
 
 void pictureOfPattern(MainWindow& window, Photographer& camera)
 {
+    window.command("layer.cutting")->setChecked(true);
     window.patternView().navigation().fitAll();
     waitFor([] { return false; }, 2500);
     QWidget& view = window.patternView();
@@ -92,7 +93,7 @@ void pictureOfProposals(MainWindow& window, Photographer& camera)
         auto* list = shown.template findChild<QTreeWidget*>();
         return list && list->topLevelItemCount() > 0;
     });
-    proposals->move(window.geometry().topLeft() + QPoint(590, 150));
+    proposals->move(window.geometry().topRight() + QPoint(-proposals->width() - 10, 60));
     for (int row = 0; row < 6; ++row)
         QTest::keyClick(proposals->findChild<QTreeWidget*>(), Qt::Key_Down);
     camera.take(QStringLiteral("proposals"));
