@@ -1,5 +1,6 @@
 #include "CutNotches.h"
 
+#include "CornerWay.h"
 #include "MatchedRange.h"
 #include "OutlineSamples.h"
 #include "SewnPair.h"
@@ -17,25 +18,18 @@ constexpr double sameNotch = 1;     // mm
 constexpr double alikeSeams = 0.03; // of the length: seams that could be taken for one another
 constexpr double shortestTold = 40; // mm: on shorter ones nobody goes wrong
 constexpr double atCorner = 0.5;    // mm
-constexpr double seenCorner = 25;   // degrees that the outline turns by: of less nobody sees where the seam begins
+/// That the outline turns by: of less nobody sees where the seam begins.
+constexpr double seenCorner = 25 * std::numbers::pi / 180;
 
 double lengthAlong(const BSpline2& outline, double a, double b)
 {
     return (outline.at(outline.wrapped(a)) - outline.at(outline.wrapped(b))).norm();
 }
 
-bool turnsAt(const BSpline2& outline, double corner)
-{
-    const double step = 1e-4 * outline.period();
-    const auto at = [&](double t) { return Vec2(outline.at(outline.wrapped(t))); };
-    const Vec2 before = at(corner) - at(corner - step), after = at(corner + step) - at(corner);
-    return std::abs(std::atan2(cross(before, after), before.dot(after))) > seenCorner * std::numbers::pi / 180;
-}
-
 bool isCorner(const BSpline2& outline, double t)
 {
     return std::ranges::any_of(outline.corners(), [&](double corner) {
-        return lengthAlong(outline, corner, t) < atCorner && turnsAt(outline, corner);
+        return lengthAlong(outline, corner, t) < atCorner && std::abs(turnAt(outline, corner)) > seenCorner;
     });
 }
 

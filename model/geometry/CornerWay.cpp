@@ -53,4 +53,12 @@ std::optional<double> endOfWay(const BSpline2& outline, const CornerWay& way)
     return outline.wrapped(length.parameterAt(start + (way.forwards ? way.length : -way.length)));
 }
 
+double turnAt(const BSpline2& outline, double t)
+{
+    const double step = 1e-5 * outline.period();
+    const auto at = [&](double parameter) { return Vec2(outline.at(outline.wrapped(parameter))); };
+    const Vec2 before = at(t) - at(t - step), after = at(t + step) - at(t);
+    return std::atan2(cross(before, after), before.dot(after));
+}
+
 } // namespace bolster

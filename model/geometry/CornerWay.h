@@ -1,4 +1,4 @@
-// Places on an outline as one measures them: so far along it from a corner.
+// Places on an outline as one measures them: so far along it from a corner; and what corners turn by.
 #pragma once
 
 #include "BSpline.h"
@@ -18,5 +18,7 @@ struct CornerWay {
 std::optional<CornerWay> wayFromCorner(const BSpline2& outline, double t);
 /// The parameter, in the domain, at the end of the way; nothing when it leads past the next corner.
 std::optional<double> endOfWay(const BSpline2& outline, const CornerWay& way);
+/// What a closed curve turns by at a place, radians, positive to the left; 0 where it is smooth.
+double turnAt(const BSpline2& outline, double t);
 
 } // namespace bolster

@@ -10,15 +10,10 @@
 #include "Photographer.h"
 #include "SeamProposalsWindow.h"
 #include "SheetPreview.h"
-#include "Theme.h"
-#include "Translations.h"
 
-#include <QApplication>
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -131,18 +126,7 @@ int run(const QDir& samples, const QDir& folder)
 
 int main(int argc, char* argv[])
 {
-    QStandardPaths::setTestModeEnabled(true); // the user's own settings and unsaved work are none of ours
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName("BolsterScreenshots");
-    QCoreApplication::setApplicationName("Bolster");
-    bolster::installTranslations(application, QLocale(QLocale::English)); // "1 warning"
-    if (application.arguments().size() != 3) {
-        std::fputs("usage: bolster_cutting_pictures SAMPLES FOLDER\n", stderr);
-        return 2;
-    }
-    QSettings().clear();
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    QLocale::setDefault(QLocale::c());
-    bolster::applyTheme(application, bolster::Theme::Light);
-    return bolster::run(QDir(application.arguments().at(1)), QDir(application.arguments().at(2)));
+    return bolster::photograph(argc, argv, "SAMPLES FOLDER", [](const QStringList& given) {
+        return bolster::run(QDir(given.at(0)), QDir(given.at(1)));
+    });
 }

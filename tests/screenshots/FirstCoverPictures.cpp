@@ -3,13 +3,8 @@
 #include "FirstCover.h"
 #include "MainWindow.h"
 #include "Photographer.h"
-#include "Theme.h"
-#include "Translations.h"
 
-#include <QApplication>
 #include <QDir>
-#include <QSettings>
-#include <QStandardPaths>
 
 #include <cstdio>
 
@@ -36,17 +31,6 @@ int run(const QDir& folder)
 
 int main(int argc, char* argv[])
 {
-    QStandardPaths::setTestModeEnabled(true); // the user's own settings and unsaved work are none of ours
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName("BolsterScreenshots");
-    QCoreApplication::setApplicationName("Bolster");
-    bolster::installTranslations(application, QLocale(QLocale::English)); // "1 warning"
-    if (application.arguments().size() != 2) {
-        std::fputs("usage: bolster_first_cover FOLDER\n", stderr);
-        return 2;
-    }
-    QSettings().clear(); // a newcomer has none
-    QLocale::setDefault(QLocale::c());
-    bolster::applyTheme(application, bolster::Theme::Light);
-    return bolster::run(QDir(application.arguments().at(1)));
+    return bolster::photograph(argc, argv, "FOLDER",
+                               [](const QStringList& given) { return bolster::run(QDir(given.at(0))); });
 }

@@ -1,8 +1,16 @@
 #include "Photographer.h"
 
+#include "Theme.h"
+#include "Translations.h"
+
+#include <QApplication>
 #include <QImage>
 #include <QPixmap>
 #include <QScreen>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include <cstdio>
 
 namespace bolster {
 namespace {
@@ -33,6 +41,25 @@ void Photographer::take(const QString& name, const QRect& place)
 {
     const QPixmap picture = m_window.screen()->grabWindow(0, place.x(), place.y(), place.width(), place.height());
     m_good = plain(picture.toImage()).save(m_folder.filePath(m_group + "-" + name + ".png")) && m_good;
+}
+
+int photograph(int argc, char* argv[], const char* words, const std::function<int(const QStringList&)>& play)
+{
+    QStandardPaths::setTestModeEnabled(true); // the user's own settings and unsaved work are none of ours
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName("BolsterScreenshots");
+    QCoreApplication::setApplicationName("Bolster");
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    installTranslations(application, QLocale(QLocale::English)); // "1 warning"
+    const QStringList given = application.arguments().mid(1);
+    if (given.size() != QString(words).split(u' ').size()) {
+        std::fprintf(stderr, "usage: %s %s\n", argv[0], words);
+        return 2;
+    }
+    QSettings().clear(); // a newcomer has none
+    QLocale::setDefault(QLocale::c());
+    applyTheme(application, Theme::Light);
+    return play(given);
 }
 
 } // namespace bolster

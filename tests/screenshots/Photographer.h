@@ -6,15 +6,19 @@
 #include <QDir>
 #include <QElapsedTimer>
 
+#include <functional>
+
 namespace bolster {
 
+/// False when it took too long.
 template <class Condition>
-void waitFor(Condition condition, int mostMs)
+bool waitFor(Condition condition, int mostMs)
 {
     QElapsedTimer time;
     time.start();
     while (!condition() && time.elapsed() < mostMs)
         QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    return condition();
 }
 
 class Photographer {
@@ -39,5 +43,9 @@ private:
     QString m_group;
     bool m_good = true;
 };
+
+/// The program of one that plays a path: with the settings of a newcomer in English, in the light theme. `words`
+/// are what it takes: "FOLDER". Returns the exit code.
+int photograph(int argc, char* argv[], const char* words, const std::function<int(const QStringList&)>& play);
 
 } // namespace bolster

@@ -5,12 +5,12 @@
 #include "MainWindow.h"
 #include "PatchEdits.h"
 #include "PatternView.h"
+#include "Photographer.h"
 #include "Theme.h"
 #include "Translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QElapsedTimer>
 #include <QScreen>
 #include <QStandardPaths>
 
@@ -18,16 +18,6 @@
 
 namespace bolster {
 namespace {
-
-template <class Condition>
-bool waitFor(Condition condition, int mostMs)
-{
-    QElapsedTimer time;
-    time.start();
-    while (!condition() && time.elapsed() < mostMs)
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-    return condition();
-}
 
 struct Options {
     QCommandLineOption size{"size", "Of the window.", "WxH", "1400x900"};

@@ -1,6 +1,7 @@
 #include "FreeEdges.h"
 
 #include "ArcLength.h"
+#include "CornerWay.h"
 #include "DesignCheck.h"
 #include "DrawnWords.h"
 
@@ -126,10 +127,7 @@ private:
     /// Inside the piece.
     double angleAt(double parameter) const
     {
-        const double step = 1e-5 * m_outline.period();
-        const auto at = [&](double t) { return Vec2(m_outline.at(m_outline.wrapped(t))); };
-        const Vec2 before = at(parameter) - at(parameter - step), after = at(parameter + step) - at(parameter);
-        const double turn = std::atan2(cross(before, after), before.dot(after));
+        const double turn = turnAt(m_outline, parameter);
         return 180 - (m_outline.signedArea() < 0 ? -turn : turn) * 180 / std::numbers::pi;
     }
 

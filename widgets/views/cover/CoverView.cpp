@@ -101,22 +101,17 @@ void CoverView::setMapReading(const QString& reading)
     m_legend->setReading(reading);
 }
 
-QImage CoverView::withoutMarks(const std::function<QImage()>& picture)
+QImage CoverView::grabCover()
 {
+    constexpr double room = 0.05; // of the longer side
     const Selection::Elements elements = m_selection.elements();
     const Selection::Points points = m_selection.points();
     const Selection::Edges edges = m_selection.edges();
     m_selection.clear();
     m_selection.hover(noElement);
-    const QImage result = picture();
+    const QImage whole = grabPicture();
     m_selection.set(elements, points, edges);
-    return result;
-}
 
-QImage CoverView::grabCover()
-{
-    constexpr double room = 0.05; // of the longer side
-    const QImage whole = withoutMarks([this] { return grabPicture(); });
     const SurfaceMeshPtr surface = shownSurface();
     const Camera& camera = m_navigation.camera();
     Box2 box;

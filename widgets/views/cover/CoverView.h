@@ -14,7 +14,6 @@
 #include <QImage>
 #include <QWidget>
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -122,7 +121,6 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    QImage withoutMarks(const std::function<QImage()>& picture);
     void wireScene();
     void wireTools();
     void cameraMoved();
