@@ -148,7 +148,9 @@ private:
     void withProgress(const QString& text, Read read, Done done);
     void place(const QString& path, const ImportedFile& file, const Element& element,
                std::optional<ElementId> replaced);
-    void simplify(const PlacedFile& file, const std::vector<std::string>& unwanted, std::size_t triangles);
+    /// As an OBJ file without the unwanted parts, with about so many triangles; nothing: with all.
+    void writeAnew(const PlacedFile& file, const std::vector<std::string>& unwanted,
+                   std::optional<std::size_t> triangles);
     void addPlaced(const PlacedFile& file);
     void exportPatternTo(const QString& path, const PatternOrder& order, const QImage& cover);
     void exportSurfaceTo(const SurfaceMeshPtr& surface, const QString& path);

@@ -125,7 +125,10 @@ void FileFlow::withProgress(const QString& text, Read read, Done done)
 void FileFlow::importNow(const QString& path, const Element& element, std::optional<ElementId> replaced)
 {
     readInBackground<ImportedFile>(
-        path, [kind = fileKind(element), path](const ImportWatch& watch) { return importFile(kind, path, watch); },
+        path,
+        [kind = fileKind(element), path](const ImportWatch& watch) {
+            return importFromElsewhere(kind, path, watch);
+        },
         [this, path, element, replaced](const ImportedFile& imported) {
             if (imported.content)
                 place(path, imported, element, replaced);
@@ -210,20 +213,23 @@ void FileFlow::place(const QString& path, const ImportedFile& file, const Elemen
     connect(dialog, &QDialog::accepted, this, [=, this] {
         const Element placed = *withPlacement(element, dialog->placement());
         const std::vector<std::string> unwanted = dialog->unwantedParts();
-        if (const auto most = dialog->wantedTriangles())
-            simplify({path, file.content, placed, replaced, old}, unwanted, *most);
+        const auto most = dialog->wantedTriangles();
+        if (most || !file.beside.empty()) // a design's frame is one file
+            writeAnew({path, file.content, placed, replaced, old}, unwanted, most);
         else
             addPlaced({path, file.content, withoutParts(placed, file.content, unwanted), replaced, old});
     });
     openDialog(dialog);
 }
 
-void FileFlow::simplify(const PlacedFile& file, const std::vector<std::string>& unwanted, std::size_t triangles)
+void FileFlow::writeAnew(const PlacedFile& file, const std::vector<std::string>& unwanted,
+                         std::optional<std::size_t> triangles)
 {
+    const QString title = triangles ? tr("Simplifying %1 \u2026") : tr("Writing %1 \u2026");
     withProgress<SimplifiedFrame>(
-        tr("Simplifying %1 \u2026").arg(QFileInfo(file.path).fileName()),
+        title.arg(QFileInfo(file.path).fileName()),
         [path = file.path, mesh = file.content.mesh, unwanted, triangles](const ImportWatch& watch) {
-            return simplifiedFrame(path, *mesh, unwanted, triangles, watch);
+            return simplifiedFrame(path, *mesh, unwanted, triangles.value_or(mesh->triangles.size()), watch);
         },
         [this, file](const SimplifiedFrame& simplified) {
             PlacedFile fewer = file;

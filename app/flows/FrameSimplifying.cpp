@@ -28,7 +28,7 @@ SimplifiedFrame simplifiedFrame(const QString& path, const TriangleMesh& mesh,
     }
     frame.folder = std::make_shared<QTemporaryDir>();
     frame.path = frame.folder->filePath(QFileInfo(path).completeBaseName() + QStringLiteral(".obj"));
-    frame.problem = writeMesh(fewer.mesh, frame.path, "simplified, unit and axes as in the file that it is from");
+    frame.problem = writeMesh(fewer.mesh, frame.path, "unit and axes as in the file that it is from");
     if (!frame.problem.empty())
         return frame;
     ImportedFile read = importFile(FileKind::Mesh, frame.path, watch); // as the design will read it

@@ -41,22 +41,29 @@ void FileContent::addTo(DesignFiles& files, ElementId element) const
 
 ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch)
 {
+    ImportedFile imported = importFromElsewhere(kind, path, watch);
+    if (imported.content && !imported.beside.empty())
+        return {{},
+                {QT_TRANSLATE_NOOP("Message",
+                                   "\"%1\" needs the file \"%2\" beside it, and the frame of a design is one "
+                                   "file; import it again, or export it as GLB"),
+                 {QFileInfo(path).fileName().toStdString(), imported.beside}}};
+    return imported;
+}
+
+ImportedFile importFromElsewhere(FileKind kind, const QString& path, const ImportWatch& watch)
+{
     if (kind == FileKind::Cloud) {
         ImportedCloud imported = importCloud(path, watch);
         return {{nullptr, std::move(imported.cloud)}, std::move(imported.problem), std::move(imported.warning)};
     }
     ImportedMesh imported = importMesh(path, watch);
-    if (imported.mesh && !imported.beside.empty())
-        return {{},
-                {QT_TRANSLATE_NOOP("Message",
-                                   "\"%1\" needs the file \"%2\" beside it, and the frame of a design is one "
-                                   "file; export it as GLB"),
-                 {QFileInfo(path).fileName().toStdString(), imported.beside}}};
     return {{std::move(imported.mesh), nullptr},
             std::move(imported.problem),
             std::move(imported.warning),
             imported.said,
-            std::move(imported.tree)};
+            std::move(imported.tree),
+            std::move(imported.beside)};
 }
 
 } // namespace bolster

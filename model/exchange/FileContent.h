@@ -35,8 +35,12 @@ struct ImportedFile {
     Message warning{};               ///< what is odd about it, though it was read
     FileFacts said{};                ///< what the file says of its numbers and axes
     std::vector<PartOutline> tree{}; ///< of formats with one: to which groups the parts of the mesh belong
+    std::string beside{}; ///< a file of its own folder that it cannot be read without (importFromElsewhere)
 };
 
+/// As a design reads its files: one that needs another one beside it is refused.
 ImportedFile importFile(FileKind kind, const QString& path, const ImportWatch& watch = {});
+/// Where it may need one: what becomes of it in a design has to be written as one file.
+ImportedFile importFromElsewhere(FileKind kind, const QString& path, const ImportWatch& watch = {});
 
 } // namespace bolster

@@ -132,6 +132,20 @@ TEST_F(DartsTest, EscapeTakesBackAClickAndThenTheTool)
     EXPECT_EQ(design(), before);
 }
 
+TEST_F(DartsTest, AreSelectedWhereTheyWereCutAndNotInTheTwin)
+{
+    window.selection().set({top});
+    window.command("twin.make")->trigger();
+    window.selection().clear();
+    window.command("tool.dart")->trigger();
+    click(at(230, 0));
+    click(at(262, 0));
+    click(at(248, 90));
+    ASSERT_EQ(darts().size(), 2u);
+    for (const auto& [id, dart] : darts())
+        EXPECT_EQ(window.selection().contains(id), dart.patch == top);
+}
+
 TEST_F(DartsTest, AreDraggedByTipAndMouth)
 {
     cutOne();

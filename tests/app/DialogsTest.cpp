@@ -120,6 +120,39 @@ TEST_F(DialogsTest, WhatNobodyCouldSeeIsNotImportedWithoutAsking)
     EXPECT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }));
 }
 
+/// A project would keep half of it.
+TEST_F(DialogsTest, AFrameWithAFileBesideItBecomesOneFile)
+{
+    const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    QFile buffer(m_folder.filePath(QStringLiteral("leg.bin")));
+    ASSERT_TRUE(buffer.open(QIODevice::WriteOnly));
+    buffer.write(reinterpret_cast<const char*>(corners), sizeof corners);
+    buffer.close();
+    QFile file(m_folder.filePath(QStringLiteral("leg.gltf")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": "Leg", "mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "buffers": [{"uri": "leg.bin", "byteLength": 36}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+            "min": [0, 0, 0], "max": [1, 1, 0]}]})");
+    file.close();
+
+    window.files().importFrame(file.fileName());
+    auto* import = opened<FileImportDialog>();
+    ASSERT_TRUE(import);
+    QTest::keyClick(import, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return frames() == 1; }, 20000));
+    window.document().design().each<Frame>([&](ElementId id, const Frame& frame) {
+        EXPECT_TRUE(QString::fromStdString(frame.file).endsWith(QLatin1String("leg.obj"))) << frame.file;
+        ASSERT_TRUE(window.session().files().meshes.contains(id));
+        const TriangleMesh& mesh = *window.session().files().meshes.at(id);
+        EXPECT_EQ(mesh.triangles.size(), 1u);
+        EXPECT_EQ(mesh.parts.at(0).name, "Leg");
+        EXPECT_EQ(frame.scale, 1000) << "as the file said: metres";
+    });
+}
+
 TEST_F(DialogsTest, AFrameThatIsReplacedKeepsItsPlaceAndSaysWhichFixationsItLeavesBehind)
 {
     window.files().importFrame(writeBox(800));

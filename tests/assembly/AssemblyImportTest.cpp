@@ -101,6 +101,9 @@ TEST_F(AssemblyImportTest, BuffersOfGltfLieInItsOwnFolder)
     const ImportedFile frame = importFile(FileKind::Mesh, file);
     EXPECT_FALSE(frame.content) << "a project would keep half of it";
     EXPECT_NE(frame.problem.english().find("export it as GLB"), std::string::npos) << frame.problem.english();
+    const ImportedFile elsewhere = importFromElsewhere(FileKind::Mesh, file);
+    EXPECT_TRUE(elsewhere.content.mesh);
+    EXPECT_EQ(elsewhere.beside, "leg frame.bin");
 
     ASSERT_TRUE(QDir(m_folder.path()).mkdir("inner"));
     for (const char* outside : {"../leg frame.bin", "/etc/hostname", "inner/leg frame.bin"}) {

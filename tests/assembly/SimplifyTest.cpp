@@ -81,6 +81,29 @@ TEST(Simplify, KeepsShapeAndPartsAndStaysClosed)
         EXPECT_NEAR(point.norm(), 100, 1e-9) << "points of the mesh";
 }
 
+/// Piece by piece: the borders between pieces are not to be seen in the result.
+TEST(Simplify, VeryLargeMeshesToo)
+{
+    TriangleMesh before = ball(900);
+    before.parts = {{"Ball", 0, static_cast<std::uint32_t>(before.triangles.size())}};
+    ASSERT_GT(before.triangles.size(), 3'000'000u);
+    const SimplifiedMesh fewer = simplified(before, {}, 20'000);
+    EXPECT_LE(fewer.mesh.triangles.size(), 20'000u);
+    EXPECT_GT(fewer.mesh.triangles.size(), 15'000u);
+    EXPECT_TRUE(isClosed(fewer.mesh));
+    EXPECT_NEAR(volume(fewer.mesh), volume(before), 0.002 * volume(before));
+    EXPECT_LT(fewer.off, 1);
+    double longest = 0; // of the edges: pieces that were left alone would have the shortest ones beside long ones
+    for (const auto& [a, b, c] : fewer.mesh.triangles)
+        longest = std::max({longest, (fewer.mesh.points[a] - fewer.mesh.points[b]).norm(),
+                            (fewer.mesh.points[b] - fewer.mesh.points[c]).norm()});
+    EXPECT_LT(longest, 15);
+
+    const SimplifiedMesh half = simplified(before, {}, before.triangles.size() / 2);
+    EXPECT_LE(half.mesh.triangles.size(), before.triangles.size() / 2 + 20'000);
+    EXPECT_TRUE(isClosed(half.mesh));
+}
+
 TEST(Simplify, LeavesOutWhatIsNotWanted)
 {
     const SimplifiedMesh south = simplified(ball(40), {false, true}, 500);

@@ -151,9 +151,11 @@ void DartTool::add()
     m_ends.clear();
     m_typed.clear();
     document.commit(added);
-    for (const Change& change : added.changes)
-        if (!change.before && edits::dartOf(document.design(), change.id))
+    for (const Change& change : added.changes) {
+        const auto made = change.before ? std::nullopt : edits::dartOf(document.design(), change.id);
+        if (made && made->patch == m_patch) // its twin has one, too
             m_context.selection().set({change.id});
+    }
     m_context.endTool();
 }
 
