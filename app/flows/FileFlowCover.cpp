@@ -27,7 +27,7 @@ constexpr CoverTarget coverTargets[] = {
     {FileUse::CoverOut, "usdz", CoverFormat::Usdz},      {FileUse::CoverOut, "obj", CoverFormat::Obj},
     {FileUse::CoverOut, "stl", CoverFormat::Stl},        {FileUse::CoverOut, "3mf", CoverFormat::ThreeMf},
     {FileUse::CoverOut, "step", CoverFormat::Step},      {FileUse::FoamOut, "stl", CoverFormat::FoamStl},
-    {FileUse::FoamOut, "3mf", CoverFormat::FoamThreeMf},
+    {FileUse::FoamOut, "3mf", CoverFormat::FoamThreeMf}, {FileUse::FoamOut, "step", CoverFormat::FoamStep},
 };
 
 /// Without any ending that is known, the first one.

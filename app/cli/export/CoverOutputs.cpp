@@ -40,7 +40,9 @@ CoverFormat formatOf(const std::string& option, const QString& path)
         return CoverFormat::FoamStl;
     if (endsWith(path, ".3mf"))
         return CoverFormat::FoamThreeMf;
-    throw UsageError(option + " must end in .stl or .3mf, and \"" + path.toStdString() + "\" does not");
+    if (endsWith(path, ".step"))
+        return CoverFormat::FoamStep;
+    throw UsageError(option + " must end in .stl, .3mf or .step, and \"" + path.toStdString() + "\" does not");
 }
 
 CoverFileOptions optionsOf(const Arguments& arguments)

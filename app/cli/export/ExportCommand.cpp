@@ -48,7 +48,7 @@ Outputs of the cover, which is solved for them:
   --html FILE           a page that turns, zooms, switches colourways, measures
   --stl FILE            the cover as thick as its material, closed
   --3mf FILE            the same as 3MF
-  --foam FILE           the body between frame and cover, .stl or .3mf
+  --foam FILE           the body between frame and cover, .stl, .3mf or .step
   --step FILE           fixation curves and seams as curves
 
 Options of the cover:

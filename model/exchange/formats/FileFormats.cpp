@@ -56,6 +56,7 @@ constexpr FileFormat knownFormats[] = {
 
     {FileUse::FoamOut, "STL", "stl"},
     {FileUse::FoamOut, "3MF", "3mf"},
+    {FileUse::FoamOut, QT_TRANSLATE_NOOP("FileFormats", "STEP, of flat faces"), "step"},
 
     {FileUse::SurfaceOut, "OBJ", "obj"},
     {FileUse::SurfaceOut, "PLY", "ply"},

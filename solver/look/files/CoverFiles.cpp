@@ -6,9 +6,12 @@
 #include "FoamSolid.h"
 #include "GlbFile.h"
 #include "PageFactsOf.h"
+#include "SimplifyMesh.h"
 #include "SolidFile.h"
+#include "StepBody.h"
 #include "UsdzFile.h"
 
+#include <cmath>
 #include <new>
 #include <stdexcept>
 
@@ -18,6 +21,9 @@ namespace {
 
 /// Thrown by what has nobody to tell.
 struct Stopped {};
+
+/// Of a body for CAD, where each face is heavy.
+constexpr std::size_t mostFaces = 20'000;
 
 const Message interruptedMessage{QT_TRANSLATE_NOOP("Message", "interrupted"), {}};
 
@@ -78,6 +84,7 @@ CoverFile CoverFiles::made(CoverFormat format, const std::stop_token& stop)
         return curves();
     case CoverFormat::FoamStl:
     case CoverFormat::FoamThreeMf:
+    case CoverFormat::FoamStep:
         return foam(format, stop);
     case CoverFormat::Stl:
     case CoverFormat::ThreeMf:
@@ -119,11 +126,19 @@ CoverFile CoverFiles::foam(CoverFormat format, const std::stop_token& stop) cons
                         {}};
         return file;
     }
-    file.bytes = format == CoverFormat::FoamStl ? stlFile(body) : threeMfFile(body);
     const double litres = enclosedVolume(body) / 1e6;
     file.notes.push_back({QT_TRANSLATE_NOOP("Message", "the foam has %1 l and weighs %2 kg at %3 kg/m\u00b3"),
                           {numberText(litres), numberText(litres * m_options.foamDensity / 1000),
                            numberText(m_options.foamDensity)}});
+    if (format == CoverFormat::FoamStep) {
+        const SimplifiedMesh fewer = simplified(body, {}, mostFaces, stop);
+        file.bytes = stepBody(m_options.title, fewer.mesh);
+        if (fewer.off > 0)
+            file.notes.push_back({QT_TRANSLATE_NOOP("Message", "its faces are within about %1 mm"),
+                                  {numberText(std::ceil(100 * fewer.off) / 100)}});
+    } else {
+        file.bytes = format == CoverFormat::FoamStl ? stlFile(body) : threeMfFile(body);
+    }
     return file;
 }
 

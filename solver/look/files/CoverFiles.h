@@ -19,7 +19,8 @@ enum class CoverFormat {
     ThreeMf, ///< the same
     FoamStl, ///< the body between frame and cover
     FoamThreeMf,
-    Step ///< fixation curves and seams
+    FoamStep, ///< with fewer triangles
+    Step      ///< fixation curves and seams
 };
 
 struct CoverFileOptions {

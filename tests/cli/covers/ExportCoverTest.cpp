@@ -199,6 +199,13 @@ TEST_F(ExportCover, WritesTheFoamBetweenFrameAndCover)
     ASSERT_EQ(run({"--foam", path("f.3mf")}).exitCode, 0);
     checked("check_solid.py", "f.3mf");
 
+    const ProgramRun step = run({"--foam", path("f.step"), "--density", "40"});
+    ASSERT_EQ(step.exitCode, 0) << step.err;
+    const Json body = checked("check_step.py", "f.step");
+    EXPECT_NEAR(body["volume"].get<double>(), volume, 0.002 * volume);
+    EXPECT_LE(body["faces"].get<int>(), 20'000);
+    EXPECT_NE(step.out.find("its faces are within about"), std::string::npos) << step.out;
+
     Json alone = cushion();
     alone["elements"].erase(alone["elements"].size() - 1);
     save(alone);

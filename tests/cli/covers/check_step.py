@@ -1,7 +1,9 @@
-"""Reads a STEP file of curves: every reference leads somewhere, every B-spline has the knots that it needs.
+"""Reads a STEP file of curves or of flat faces: every reference leads somewhere, every B-spline has the knots that it
+needs, and bodies are closed.
 
     check_step.py FILE
 """
+import collections
 import json
 import re
 import sys
@@ -44,6 +46,36 @@ def references(value):
         yield value
 
 
+def volume_of(entities, kinds, errors):
+    """Of all closed shells together; those of voids, which are turned around when they are used, count against it."""
+    def place(point):
+        return [float(n) for n in entities[point][0][1][1]]
+
+    turned = {shell for _, _, shell, way in kinds("ORIENTED_CLOSED_SHELL") if way == ".F."}
+    six = 0
+    for shell, value in entities.items():
+        if not isinstance(value[0], tuple) or value[0][0] != "CLOSED_SHELL":
+            continue
+        edges = collections.Counter()
+        for face in value[0][1][1]:
+            _, bounds, plane, _ = entities[face][0][1]
+            loop = entities[entities[bounds[0]][0][1][1]][0][1][1]
+            a, b, c = (place(point) for point in loop)
+            axis = [float(n) for n in entities[entities[entities[plane][0][1][1]][0][1][2]][0][1][1]]
+            u, v = [b[k] - a[k] for k in range(3)], [c[k] - a[k] for k in range(3)]
+            normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+            if sum(normal[k] * axis[k] for k in range(3)) < 0:
+                errors.append(f"{face} lies on a plane that faces the other way")
+            for k in range(3):
+                edges[(loop[k], loop[(k + 1) % 3])] += 1
+            six += (-1 if shell in turned else 1) * (
+                a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                + a[2] * (b[0] * c[1] - b[1] * c[0]))
+        if any(n != edges[(b, a)] for (a, b), n in edges.items()):
+            errors.append(f"{shell} is not closed")
+    return six / 6
+
+
 def main(path):
     errors = []
     with open(path, encoding="ascii") as file:
@@ -73,13 +105,17 @@ def main(path):
         places = [[float(n) for n in entities[p][0][1][1]] for p in points]
         curves.append({"name": name[1:-1], "degree": degree, "closed": closed == ".T.", "points": places})
     sets = {s[0][1:-1]: len(s[1]) for s in kinds("GEOMETRIC_CURVE_SET")}
+    bodies = kinds("FACETED_BREP_SHAPE_REPRESENTATION")
     for needed in ("PRODUCT", "PRODUCT_DEFINITION_SHAPE", "SHAPE_DEFINITION_REPRESENTATION",
+                   "FACETED_BREP_SHAPE_REPRESENTATION" if bodies else
                    "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"):
         if len(kinds(needed)) != 1:
             errors.append(needed)
     if "SI_UNIT(.MILLI.,.METRE.)" not in text:
         errors.append("no millimetres")
-    print(json.dumps({"errors": errors[:20], "sets": sets, "curves": curves}))
+    volume = volume_of(entities, kinds, errors)
+    print(json.dumps({"errors": errors[:20], "sets": sets, "curves": curves,
+                      "faces": len(kinds("FACE_SURFACE")), "volume": volume}))
 
 
 main(sys.argv[1])

@@ -1,0 +1,56 @@
+// Bodies for CAD, as OpenCASCADE reads them.
+#include "StepBody.h"
+#include "../../model/TestFiles.h"
+#include "MeshImport.h"
+
+#include <gtest/gtest.h>
+
+namespace bolster {
+namespace {
+
+/// A cube around `middle`, its faces outwards or inwards.
+void addCube(TriangleMesh& mesh, const Vec3& middle, double half, bool outwards)
+{
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    for (const double z : {-half, half})
+        for (const double y : {-half, half})
+            for (const double x : {-half, half})
+                mesh.points.push_back(middle + Vec3(x, y, z));
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> faces = {
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    for (const auto& [a, b, c, d] : faces)
+        for (std::array<std::uint32_t, 3> corners :
+             {std::array<std::uint32_t, 3>{a, b, c}, std::array<std::uint32_t, 3>{a, c, d}}) {
+            if (!outwards)
+                std::swap(corners[1], corners[2]);
+            mesh.triangles.push_back({first + corners[0], first + corners[1], first + corners[2]});
+        }
+}
+
+double volume(const TriangleMesh& mesh)
+{
+    double six = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        six += mesh.points[a].dot(mesh.points[b].cross(mesh.points[c]));
+    return six / 6;
+}
+
+using StepBody = TestFiles;
+
+TEST_F(StepBody, HasVoidsAndSeveralBodies)
+{
+    TriangleMesh solid;
+    addCube(solid, Vec3::Zero(), 50, true);
+    addCube(solid, Vec3(10, 0, 0), 20, false);
+    addCube(solid, Vec3(200, 0, 0), 10, true);
+    ASSERT_NEAR(volume(solid), 1e6 - 64'000 + 8000, 1e-6);
+    const ImportedMesh read = importMesh(write(QStringLiteral("body.step"), stepBody("two \u00e4 bodies", solid)));
+    ASSERT_TRUE(read.mesh) << read.problem.english();
+    EXPECT_NEAR(volume(*read.mesh), volume(solid), 1e-3);
+    EXPECT_EQ(read.said.millimetresPerUnit, 1);
+    EXPECT_EQ(read.mesh->triangles.size(), 36u);
+    EXPECT_TRUE(read.mesh->boundingBox().isApprox(solid.boundingBox(), 1e-9));
+}
+
+} // namespace
+} // namespace bolster
