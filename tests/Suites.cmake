@@ -1,0 +1,22 @@
+# Each suite of a GoogleTest program as one test of CTest: a window, or an application, takes longer to start than most tests
+# take. Runs when CTest reads the tests, as gtest_discover_tests does in its PRE_TEST mode.
+#   bolster_suites(PROGRAM [ctest property value...])
+function(bolster_suites program)
+    if(NOT EXISTS "${program}")
+        add_test("${program}_NOT_BUILT" "${program}")
+        return()
+    endif()
+    execute_process(COMMAND "${program}" --gtest_list_tests
+        OUTPUT_VARIABLE listed RESULT_VARIABLE status TIMEOUT 60)
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "${program} does not list its tests: ${status}")
+    endif()
+    string(REGEX MATCHALL "[^\n]+" lines "${listed}")
+    foreach(line IN LISTS lines)
+        if(line MATCHES "^([A-Za-z0-9_/]+)\\.")
+            set(suite "${CMAKE_MATCH_1}")
+            add_test("${suite}" "${program}" "--gtest_filter=${suite}.*")
+            set_tests_properties("${suite}" PROPERTIES ${ARGN})
+        endif()
+    endforeach()
+endfunction()
