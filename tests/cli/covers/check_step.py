@@ -105,8 +105,9 @@ def main(path):
         places = [[float(n) for n in entities[p][0][1][1]] for p in points]
         curves.append({"name": name[1:-1], "degree": degree, "closed": closed == ".T.", "points": places})
     sets = {s[0][1:-1]: len(s[1]) for s in kinds("GEOMETRIC_CURVE_SET")}
-    bodies = kinds("FACETED_BREP_SHAPE_REPRESENTATION")
+    bodies = kinds("CLOSED_SHELL")
     for needed in ("PRODUCT", "PRODUCT_DEFINITION_SHAPE", "SHAPE_DEFINITION_REPRESENTATION",
+                   "SHAPE_REPRESENTATION" if kinds("BREP_WITH_VOIDS") else
                    "FACETED_BREP_SHAPE_REPRESENTATION" if bodies else
                    "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION"):
         if len(kinds(needed)) != 1:

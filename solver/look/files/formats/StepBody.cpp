@@ -91,6 +91,7 @@ public:
         return m_writer.add("CLOSED_SHELL(''," + StepWriter::list(faces, StepWriter::ref) + ")");
     }
 
+    /// With voids it is no FACETED_BREP: one that is both OpenCASCADE 7.6 reads without its voids.
     int addBody(int shell, const std::vector<int>& voids)
     {
         if (voids.empty())
@@ -98,17 +99,17 @@ public:
         std::vector<int> oriented;
         for (const int each : voids)
             oriented.push_back(m_writer.add("ORIENTED_CLOSED_SHELL('',*," + StepWriter::ref(each) + ",.F.)"));
-        return m_writer.add("(BREP_WITH_VOIDS(" + StepWriter::list(oriented, StepWriter::ref) +
-                            ")FACETED_BREP()GEOMETRIC_REPRESENTATION_ITEM()MANIFOLD_SOLID_BREP(" +
-                            StepWriter::ref(shell) + ")REPRESENTATION_ITEM('')SOLID_MODEL())");
+        m_faceted = false;
+        return m_writer.add("BREP_WITH_VOIDS(''," + StepWriter::ref(shell) + "," +
+                            StepWriter::list(oriented, StepWriter::ref) + ")");
     }
 
     std::string file(const std::string& product, std::vector<int> bodies)
     {
         const int context = m_writer.addContext();
         bodies.insert(bodies.begin(), m_writer.addAxes());
-        m_writer.addProduct(product, m_writer.add("FACETED_BREP_SHAPE_REPRESENTATION(''," +
-                                                  StepWriter::list(bodies, StepWriter::ref) + "," +
+        const std::string kind = m_faceted ? "FACETED_BREP_SHAPE_REPRESENTATION" : "SHAPE_REPRESENTATION";
+        m_writer.addProduct(product, m_writer.add(kind + "(''," + StepWriter::list(bodies, StepWriter::ref) + "," +
                                                   StepWriter::ref(context) + ")"));
         return m_writer.file("a body", product);
     }
@@ -140,6 +141,7 @@ private:
     const TriangleMesh& m_solid;
     StepWriter m_writer;
     std::vector<int> m_points; ///< 0: not written yet
+    bool m_faceted = true;     ///< all bodies
 };
 
 } // namespace
