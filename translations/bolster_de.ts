@@ -2000,6 +2000,10 @@
         <source>STEP, curves alone</source>
         <translation>STEP, nur Kurven</translation>
     </message>
+    <message>
+        <source>STEP, of flat faces</source>
+        <translation>STEP, aus ebenen Flächen</translation>
+    </message>
 </context>
 <context>
     <name>FixationCurveForm</name>
@@ -5337,10 +5341,6 @@
         <translation>der Abschnitt liegt nicht mehr auf seinem Umriss. Nähen oder befestigen Sie ihn neu.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; needs the file &quot;%2&quot; beside it, and the frame of a design is one file; export it as GLB</source>
-        <translation>„%1“ braucht die Datei „%2“ neben sich, und das Gestell eines Entwurfs ist eine einzige Datei; als GLB exportieren</translation>
-    </message>
-    <message>
         <source>the program &quot;%1&quot;, which reads such files for Bolster, cannot be started; install Bolster again</source>
         <translation>das Programm „%1“, das für Bolster solche Dateien liest, lässt sich nicht starten; Bolster neu installieren</translation>
     </message>
@@ -5443,6 +5443,14 @@
     <message>
         <source>the viewBox &quot;%1&quot; is no four numbers and is left out: check the size of the pieces</source>
         <translation>die viewBox „%1“ besteht nicht aus vier Zahlen und wird übergangen: prüfen Sie die Größe der Teile</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs the file &quot;%2&quot; beside it, and the frame of a design is one file; import it again, or export it as GLB</source>
+        <translation>„%1“ braucht die Datei „%2“ daneben, und das Gestell eines Entwurfs ist eine einzige Datei; importieren Sie es noch einmal, oder exportieren Sie es als GLB</translation>
+    </message>
+    <message>
+        <source>its faces are within about %1 mm</source>
+        <translation>seine Flächen liegen auf etwa %1 mm genau</translation>
     </message>
 </context>
 <context>
