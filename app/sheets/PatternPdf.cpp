@@ -84,14 +84,29 @@ private:
         return QString::fromStdString(m_pdf.m_pattern.style + " " + m_pdf.m_pattern.version).trimmed();
     }
 
-    void squares(const QPointF& corner)
+    /// Over a piece only their corners, so that nobody takes them for its lines.
+    void squares(const SquarePlace& place)
     {
+        const QPointF corner = place.corner;
         pen(faint, 0.1);
-        m_painter->drawRect(QRectF(corner, QSizeF(testSquare, testSquare)));
-        m_painter->drawRect(QRectF(corner, QSizeF(oneInch, oneInch)));
+        for (const double size : {testSquare, oneInch}) {
+            const QRectF square(corner, QSizeF(size, size));
+            place.free ? m_painter->drawRect(square) : cornersOf(square);
+        }
         text(QRectF(corner + QPointF(1, testSquare - 5), QSizeF(testSquare - 2, 4)), 2.5, Qt::AlignLeft,
              tr("100 mm: to measure, no part of the pattern"));
         text(QRectF(corner + QPointF(1, oneInch - 5), QSizeF(oneInch - 2, 4)), 2.5, Qt::AlignLeft, tr("1 inch"));
+    }
+
+    void cornersOf(const QRectF& square)
+    {
+        constexpr double arm = 4;
+        for (const double x : {square.left(), square.right()})
+            for (const double y : {square.top(), square.bottom()}) {
+                const QPointF at(x, y);
+                m_painter->drawLine(at, at + QPointF(x == square.left() ? arm : -arm, 0));
+                m_painter->drawLine(at, at + QPointF(0, y == square.top() ? arm : -arm));
+            }
     }
 
     void words(const QString& place)
@@ -106,10 +121,11 @@ private:
 
     QString placeName(const Sheet& sheet) const
     {
-        return tr("Row %1, column %2 of %3 x %4")
+        return tr("Sheet %1 (row %2 of %3, column %4 of %5)")
+            .arg(shortName(sheet.row, sheet.column))
             .arg(sheet.row + 1)
-            .arg(sheet.column + 1)
             .arg(m_grid.rows)
+            .arg(sheet.column + 1)
             .arg(m_grid.columns);
     }
     static QString shortName(int row, int column) { return QStringLiteral("%1/%2").arg(row + 1).arg(column + 1); }
@@ -119,23 +135,27 @@ private:
     {
         const QRectF& room = m_grid.room;
         const double half = sheetOverlap / 2;
-        const auto cross = [&](const QPointF& at, const QString& name) {
+        // Not like a drill hole, which has a circle. The same two sheets are named on both.
+        const auto cross = [&](const QPointF& at, int row, int column, bool atRight) {
             pen(Qt::black, 0.2);
             m_painter->drawLine(at - QPointF(4, 0), at + QPointF(4, 0));
             m_painter->drawLine(at - QPointF(0, 4), at + QPointF(0, 4));
-            m_painter->drawEllipse(at, 2, 2);
-            text(QRectF(at + QPointF(1.5, -5), QSizeF(20, 3)), 2.5, Qt::AlignLeft, name);
+            m_painter->drawPolygon(QPolygonF(
+                {at - QPointF(2.5, 0), at - QPointF(0, 2.5), at + QPointF(2.5, 0), at + QPointF(0, 2.5)}));
+            const QString here = shortName(sheet.row, sheet.column), there = shortName(row, column);
+            const bool first = std::pair(sheet.row, sheet.column) < std::pair(row, column);
+            text(QRectF(at + QPointF(atRight ? -42 : 2, -5.5), QSizeF(40, 3)), 2.5,
+                 atRight ? Qt::AlignRight : Qt::AlignLeft,
+                 QStringLiteral("%1 + %2").arg(first ? here : there, first ? there : here));
         };
-        // Names of the edges between sheets are the same on both.
-        const auto beside = [&](int row, int left) { return QStringLiteral("%1-%2").arg(row + 1).arg(left + 1); };
         if (sheet.left)
-            cross({room.left() + half, room.center().y()}, beside(sheet.row, sheet.column - 1));
+            cross({room.left() + half, room.center().y()}, sheet.row, sheet.column - 1, false);
         if (sheet.right)
-            cross({room.right() - half, room.center().y()}, beside(sheet.row, sheet.column));
+            cross({room.right() - half, room.center().y()}, sheet.row, sheet.column + 1, true);
         if (sheet.above)
-            cross({room.center().x(), room.top() + half}, shortName(sheet.row - 1, sheet.column));
+            cross({room.center().x(), room.top() + half}, sheet.row - 1, sheet.column, false);
         if (sheet.below)
-            cross({room.center().x(), room.bottom() - half}, shortName(sheet.row, sheet.column));
+            cross({room.center().x(), room.bottom() - half}, sheet.row + 1, sheet.column, false);
         pen(faint, 0.15, Qt::DotLine);
         m_painter->drawRect(room);
     }
@@ -149,7 +169,7 @@ private:
     void sheet(const Sheet& sheet)
     {
         const Box2 part = m_grid.part(sheet.row, sheet.column);
-        squares(squarePlace(m_pdf.m_pattern, m_pdf.m_plan, sheet, m_pdf.m_order.layers).corner);
+        squares(squarePlace(m_pdf.m_pattern, m_pdf.m_plan, sheet, m_pdf.m_order.layers));
         marks(sheet);
         words(m_pdf.m_plan.hasOverview() ? placeName(sheet) : QString());
         m_painter->save();
@@ -170,7 +190,7 @@ private:
         const QRectF all = wide ? room.adjusted(0, 0, -kept, 0) : room.adjusted(0, 0, 0, -kept);
         const QPointF corner = wide ? QPointF(room.right() - testSquare, room.bottom() - testSquare)
                                     : QPointF(room.left(), room.bottom() - testSquare);
-        squares(corner);
+        squares({corner, true});
         words(tr("Overview of %1 x %2 sheets").arg(m_grid.rows).arg(m_grid.columns));
         const QSizeF whole = m_grid.whole();
         const double scale = std::min(all.width() / whole.width(), all.height() / whole.height());

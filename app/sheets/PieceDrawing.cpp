@@ -47,21 +47,6 @@ public:
     }
     void circle(const Vec2& at, double radius) { m_painter.drawEllipse(toPoint(m_place.at(at)), radius, radius); }
 
-    /// A double arrow where either end may be up.
-    void grain(const GrainLine& grain)
-    {
-        if (grain.from == grain.to)
-            return;
-        line(std::vector{grain.from, grain.to}, false);
-        const Vec2 way = (grain.to - grain.from).normalized(), side(-way.y(), way.x());
-        const auto head = [&](const Vec2& tip, const Vec2& back) {
-            line(std::vector<Vec2>{tip + 6 * back + 2 * side, tip, tip + 6 * back - 2 * side}, false);
-        };
-        head(grain.to, -way);
-        if (grain.nap != Nap::OneWay)
-            head(grain.from, way);
-    }
-
     void label(const PieceLabel& label)
     {
         m_painter.save();
@@ -111,7 +96,8 @@ void drawPiece(QPainter& painter, const CutPiece& piece, const TablePiece& place
             drawing.line(std::vector<Vec2>{hole.at - Vec2(0, arm), hole.at + Vec2(0, arm)}, false);
         }
     if (layers.grain)
-        drawing.grain(piece.grain);
+        for (const std::vector<Vec2>& line : grainLines(piece.grain))
+            drawing.line(line, false);
     if (layers.labels)
         drawing.label(piece.label);
     if (layers.sew) {

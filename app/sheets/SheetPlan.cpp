@@ -118,12 +118,10 @@ public:
         if (m_plan.wanted > bounded)
             return;
         for (std::size_t i = 0; i < m_plan.table.pieces.size() && !stop.stop_requested(); ++i)
-            need(m_plan.table.pieces[i], m_plan.spans[i]);
+            need(i, m_plan.spans[i]);
         m_plan.wanted = static_cast<double>(m_sheets.size());
         if (m_plan.tooMany())
             return;
-        for (std::size_t i = 0; i < m_plan.table.pieces.size() && !stop.stop_requested(); ++i)
-            show(i);
         for (auto& [cell, sheet] : m_sheets)
             m_plan.sheets.push_back(std::move(sheet));
     }
@@ -136,8 +134,9 @@ private:
         return {low.x(), m_plan.table.size.y() - low.y() - size.y(), size.x(), size.y()};
     }
 
-    void need(const TablePiece& place, const SheetSpan& span)
+    void need(std::size_t index, const SheetSpan& span)
     {
+        const TablePiece& place = m_plan.table.pieces[index];
         const CutPiece& piece = m_pattern.pieces[place.piece];
         NeededSheets needed(m_plan.grid, span);
         needed.add(onTable(piece.cut, place, m_plan.table));
@@ -146,27 +145,12 @@ private:
             Sheet& sheet = m_sheets[{row, column}];
             sheet.row = row;
             sheet.column = column;
+            sheet.pieces.push_back(index);
             sheet.left |= needed.cells().contains({row, column - 1});
             sheet.right |= needed.cells().contains({row, column + 1});
             sheet.above |= needed.cells().contains({row - 1, column});
             sheet.below |= needed.cells().contains({row + 1, column});
         }
-    }
-
-    /// On all sheets that are printed and have a part of its box.
-    void show(std::size_t index)
-    {
-        const QRectF box = boxOf(m_plan.table.pieces[index]);
-        const SheetGrid& grid = m_plan.grid;
-        const auto first = [](double at, double room, double step) {
-            return std::max(0, static_cast<int>(std::ceil((at - room) / step)));
-        };
-        for (int row = first(box.top(), grid.room.height(), grid.step.height());
-             row * grid.step.height() <= box.bottom(); ++row)
-            for (int column = first(box.left(), grid.room.width(), grid.step.width());
-                 column * grid.step.width() <= box.right(); ++column)
-                if (const auto sheet = m_sheets.find({row, column}); sheet != m_sheets.end())
-                    sheet->second.pieces.push_back(index);
     }
 
     const CutPattern& m_pattern;

@@ -141,7 +141,7 @@ public:
             cutOff(c, c.widest());
             break;
         case CornerJoin::Rounded:
-            round(c);
+            c.w1 == c.w2 ? round(c) : roundOff(c);
             break;
         case CornerJoin::Folded:
             fold(c, true);
@@ -181,6 +181,30 @@ private:
             return Vec2(from + std::clamp(t, 0.0, length) * along);
         };
         m_parts.add({c.p, c.end1(), stop(c.end1(), c.d1, ahead), stop(c.end2(), -c.d2, behind), c.end2()});
+    }
+
+    /// From one cut line to the other, tangent to both: of different allowances part of an ellipse.
+    void roundOff(const Corner& c)
+    {
+        const double ahead = c.ahead(), behind = c.behind();
+        if (ahead < 0 || behind < 0) // one of the bands reaches over the other's end
+            return;
+        const Vec2 tip = c.end1() + ahead * c.d1;
+        const double turn = std::atan2(c.sine(), c.cosine()), weight = std::cos(turn / 2);
+        const int steps = std::max(2, static_cast<int>(std::ceil(turn / arcStep)));
+        std::vector<Vec2> fan{c.p, c.end1()};
+        for (int k = 1; k < steps; ++k) { // a conic as a rational Bezier curve of degree 2
+            const double t = static_cast<double>(k) / steps;
+            const double a = (1 - t) * (1 - t), b = 2 * weight * t * (1 - t), d = t * t;
+            fan.emplace_back((a * c.end1() + b * tip + d * c.end2()) / (a + b + d));
+            m_smooth.add(fan.back());
+        }
+        fan.push_back(c.end2());
+        if (ahead > 0)
+            m_smooth.add(c.end1());
+        if (behind > 0)
+            m_smooth.add(c.end2());
+        m_parts.add(fan);
     }
 
     void round(const Corner& c)

@@ -96,6 +96,8 @@ double lengthOf(const std::vector<LinePoint>& line, bool closed);
 /// The other one of a pair: everything mirrored at x = 0.
 CutPiece mirroredPiece(CutPiece piece);
 
+/// The line and the heads of its arrow, one at each end that may be up; nothing where it has no length.
+std::vector<std::vector<Vec2>> grainLines(const GrainLine& grain);
 /// Where it is cut; two places for one that is double.
 std::vector<Vec2> notchPoints(const CutNotch& notch);
 /// The outline of a notch, from one end at the cut line to the other; two of them for one that is double.

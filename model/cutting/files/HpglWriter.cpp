@@ -10,6 +10,7 @@ namespace bolster {
 namespace {
 
 constexpr double stepsPerMm = 40;
+constexpr int cuttingPen = 1, drawingPen = 2;
 
 class Plot {
 public:
@@ -35,6 +36,8 @@ public:
             points.push_back(point.at);
         this->line(points, closed);
     }
+    void pen(int number) { m_text += "SP" + std::to_string(number) + ";\n"; }
+    void dashed(bool on) { m_text += on ? "LT2,2;\n" : "LT;\n"; }
     void circle(const Vec2& at, double radius)
     {
         m_text += "PU" + steps(at) + ";CI" + std::to_string(std::lround(radius * stepsPerMm)) + ";\n";
@@ -70,22 +73,32 @@ private:
 
 std::string hpglText(const CutPattern& pattern, const CutLayers& layers, double width)
 {
-    std::string text = "IN;SP1;\n";
+    std::string text = "IN;\n";
     for (const TablePiece& place : arranged(pattern, width).pieces) {
         const CutPiece& piece = pattern.pieces[place.piece];
         Plot plot(place);
+        plot.pen(drawingPen);
         if (layers.labels)
             plot.label(piece.label);
         if (layers.grain)
-            plot.line(std::vector{piece.grain.from, piece.grain.to}, false);
+            for (const std::vector<Vec2>& line : grainLines(piece.grain))
+                plot.line(line, false);
         if (layers.holes)
             for (const CutHole& hole : piece.holes)
                 plot.circle(hole.at, hole.diameter / 2);
+        plot.dashed(true);
         if (layers.internal)
             for (const PieceLine& line : piece.inner)
-                plot.line(line.points, line.closed);
+                if (!line.cut)
+                    plot.line(line.points, line.closed);
         if (layers.sew)
             plot.line(piece.sew, true);
+        plot.dashed(false);
+        plot.pen(cuttingPen);
+        if (layers.internal)
+            for (const PieceLine& line : piece.inner)
+                if (line.cut)
+                    plot.line(line.points, line.closed);
         if (layers.notches)
             for (const CutNotch& notch : piece.notches)
                 for (const std::vector<Vec2>& line : notchLines(notch))
