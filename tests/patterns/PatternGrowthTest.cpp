@@ -3,6 +3,7 @@
 
 #include "Drawn.h"
 #include "PatternDesign.h"
+#include "StripBreaks.h"
 
 #include <numbers>
 
@@ -58,6 +59,25 @@ Drawing manyFromOnePoint(int count)
     return drawing;
 }
 
+struct DesignWithEdges {
+    Design design;
+    std::vector<OutlineEdge> edges;
+};
+
+/// Each edge is as long as all others.
+DesignWithEdges manySquares(int count)
+{
+    Patch square;
+    square.outline = BSpline2(1, true, {{0, 0}, {100, 0}, {100, 100}, {0, 100}});
+    Edit edit;
+    for (int i = 0; i < count; ++i) {
+        square.position = {120.0 * i, 0};
+        edit.changes.push_back({ElementId(i + 1), nullptr, makeElement(square)});
+    }
+    const Design design = Design().with(edit);
+    return {design, outlineEdges(design)};
+}
+
 std::string manyAttributes(int count)
 {
     std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect";
@@ -95,6 +115,13 @@ TEST(PatternGrowth, LinesFromOnePoint)
 TEST(PatternGrowth, AttributesOfAnElement)
 {
     EXPECT_LT(growth(5000, manyAttributes, [](const std::string& text) { refusalOf(text, readSvg); }),
+              nearlyLinear);
+}
+
+TEST(PatternGrowth, StripsAlongSquares)
+{
+    EXPECT_LT(growth(150, manySquares,
+                     [](const DesignWithEdges& squares) { stripBreaks(squares.design, squares.edges); }),
               nearlyLinear);
 }
 

@@ -166,10 +166,15 @@ bool isSound(const Stretch& stretch)
 
 void addNotches(const Design& design, std::vector<OutlineEdge>& edges)
 {
+    std::map<ElementId, std::pair<std::size_t, std::size_t>> ofPatch; // they follow one another
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        ofPatch.try_emplace(edges[i].stretch.patch, i, i).first->second.second = i + 1;
     design.each<Notch>([&](ElementId, const Notch& notch) {
-        for (OutlineEdge& edge : edges) {
-            if (edge.stretch.patch != notch.place.patch || !std::isfinite(notch.place.at))
-                continue;
+        const auto range = ofPatch.find(notch.place.patch);
+        if (range == ofPatch.end() || !std::isfinite(notch.place.at))
+            return;
+        for (std::size_t i = range->second.first; i < range->second.second; ++i) {
+            OutlineEdge& edge = edges[i];
             const BSpline2& outline = design.find<Patch>(edge.stretch.patch)->outline;
             const double period = outline.period();
             const double end =

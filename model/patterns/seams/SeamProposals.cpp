@@ -21,6 +21,7 @@ constexpr double usualDifference = 0.018;
 constexpr double roundedLength = 1;        // mm
 constexpr double shortestEdge = 8;         // mm
 constexpr std::size_t mostCandidates = 16; // of an edge
+constexpr std::size_t mostCompared = 600;  // that an edge is compared with, of those that are as long or longer
 constexpr double leastFit = 0.05;
 constexpr std::uint64_t searches = 12;
 constexpr double leastCertain = 0.2;
@@ -108,7 +109,7 @@ public:
                 byLength.emplace_back(edges[i].length, static_cast<int>(i));
         std::ranges::sort(byLength);
         for (std::size_t k = 0; k < byLength.size() && !stop.stop_requested(); ++k)
-            for (std::size_t l = k + 1; l < byLength.size(); ++l) {
+            for (std::size_t l = k + 1; l < byLength.size() && l - k <= mostCompared; ++l) {
                 const auto [length, i] = byLength[k];
                 const auto [longer, j] = byLength[l];
                 if (longer - length > mostDifference * longer + roundedLength)
@@ -419,7 +420,7 @@ std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_tok
         edges = outlineEdges(design, breaks);
         proposals = sewDarts(design, edges);
     };
-    EdgeBreaks breaks = stripBreaks(design, edges);
+    EdgeBreaks breaks = stripBreaks(design, edges, stop);
     if (!breaks.empty())
         divide(breaks);
     std::optional<Search> found = search(edges, stop);

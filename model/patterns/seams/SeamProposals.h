@@ -23,7 +23,8 @@ struct SeamProposal {
 /// sewn, notches at the same places, words like "left" in the names, bends that follow each other. A strip that
 /// runs past several edges of a piece is divided where their corners come, and an edge that fits nothing as a whole
 /// at its notches, where what lies between them does. Two edges that lead into a wedge of one piece and are mirror
-/// images of each other are the legs of a dart, whatever else they would fit. Nothing when asked to stop.
+/// images of each other are the legs of a dart, whatever else they would fit. Where hundreds of edges are of one
+/// length each is compared with some of them only, those of neighbouring patches first. Nothing when asked to stop.
 std::vector<SeamProposal> proposeSeams(const Design& design, const std::stop_token& stop = {});
 
 /// All of these seams as one edit; those of darts are smooth.

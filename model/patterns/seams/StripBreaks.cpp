@@ -12,7 +12,8 @@ constexpr double rowDifference = 0.01; // of the strip's length
 constexpr double stripRounding = 1;    // mm
 constexpr double shortestPart = 8;     // mm
 constexpr int mostInRow = 12;
-constexpr double narrow = 3; // times as long as wide
+constexpr std::ptrdiff_t mostRows = 2'000; // that one strip is compared with
+constexpr double narrow = 3;               // times as long as wide
 
 /// A row of edges that a strip could be sewn to.
 struct Row {
@@ -36,18 +37,25 @@ public:
     StripSearch(const Design& design, const std::vector<OutlineEdge>& edges)
         : m_design(design)
         , m_edges(edges)
-    {}
+    {
+        for (int first = 0; first < static_cast<int>(edges.size()); ++first)
+            addLengths(first);
+        std::ranges::sort(m_lengths);
+    }
 
-    EdgeBreaks run()
+    EdgeBreaks run(const std::stop_token& stop)
     {
         std::vector<const OutlineEdge*> strips;
         for (const OutlineEdge& edge : m_edges)
             if (!edge.taken && edge.length > 2 * shortestPart)
                 strips.push_back(&edge);
         std::ranges::stable_sort(strips, std::greater(), &OutlineEdge::length);
-        for (const OutlineEdge* strip : strips)
-            if (const std::optional<Row> row = bestRow(*strip, isLone(*strip) && isNarrow(*strip)))
+        for (const OutlineEdge* strip : strips) {
+            if (stop.stop_requested())
+                break;
+            if (const std::optional<Row> row = bestRow(*strip, isNarrow(*strip) && isLone(*strip)))
                 divide(*strip, *row);
+        }
         return std::move(m_breaks);
     }
 
@@ -67,10 +75,40 @@ private:
         return strip.length > narrow * std::max(at(strip.next).length, at(strip.before).length);
     }
 
+    /// Of all rows that begin with this edge and have more than one.
+    void addLengths(int first)
+    {
+        double length = 0;
+        int edge = first, count = 0;
+        while (count < mostInRow && !at(edge).taken && at(edge).length >= shortestPart) {
+            length += at(edge).length;
+            if (++count > 1)
+                m_lengths.emplace_back(length, first);
+            edge = afterDarts(at(edge).next);
+            if (edge == first)
+                break;
+        }
+    }
+
+    /// Their first edges, each once, in the order of all edges; not too many, however many are alike.
+    std::vector<int> rowsAsLongAs(const OutlineEdge& strip) const
+    {
+        constexpr double rounding = 1e-6; // mm
+        const double within = tolerance(strip.length) + rounding;
+        const auto from = std::ranges::lower_bound(m_lengths, strip.length - within, {}, &RowLength::first);
+        const auto to = std::ranges::upper_bound(m_lengths, strip.length + within, {}, &RowLength::first);
+        std::vector<int> found;
+        for (auto row = from; row != to && row - from < mostRows; ++row)
+            found.push_back(row->second);
+        std::ranges::sort(found);
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+        return found;
+    }
+
     std::optional<Row> bestRow(const OutlineEdge& strip, bool lone) const
     {
         std::optional<Row> best;
-        for (int first = 0; first < static_cast<int>(m_edges.size()); ++first) {
+        for (const int first : rowsAsLongAs(strip)) {
             std::optional<Row> row = rowFrom(first, strip);
             if (!row || !(row->notched || (lone && row->whole)))
                 continue;
@@ -142,19 +180,22 @@ private:
         m_rows.emplace_back(strip.stretch.patch, row);
     }
 
+    using RowLength = std::pair<double, int>; // mm, the row's first edge
+
     const OutlineEdge& at(int edge) const { return m_edges[static_cast<std::size_t>(edge)]; }
 
     const Design& m_design;
     const std::vector<OutlineEdge>& m_edges;
+    std::vector<RowLength> m_lengths;              ///< sorted
     std::vector<std::pair<ElementId, Row>> m_rows; ///< of the strips that are divided already, by their patches
     EdgeBreaks m_breaks;
 };
 
 } // namespace
 
-EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges)
+EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges, const std::stop_token& stop)
 {
-    return StripSearch(design, edges).run();
+    return StripSearch(design, edges).run(stop);
 }
 
 } // namespace bolster

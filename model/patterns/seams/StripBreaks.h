@@ -4,10 +4,13 @@
 
 #include "FreeEdges.h"
 
+#include <stop_token>
+
 namespace bolster {
 
 /// Parameters that divide edges, by patch: where the edges around another piece are together as long as that of a
 /// strip, which fits no single one; or some of them in a row, where the strip has notches at their corners.
-EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges);
+EdgeBreaks stripBreaks(const Design& design, const std::vector<OutlineEdge>& edges,
+                       const std::stop_token& stop = {});
 
 } // namespace bolster
