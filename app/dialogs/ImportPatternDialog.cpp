@@ -23,12 +23,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace bolster {
 
 namespace {
 
 constexpr int unitName = Qt::UserRole + 1; // without its measures
+constexpr int mostAtOnce = 2000;           // pieces: the window would stand still with more
 
 /// Of the chosen ones; of all where none is chosen.
 Vec2 largestPiece(const FoundPattern& pattern, const std::set<std::size_t>& chosen)
@@ -58,6 +60,7 @@ QString listed(const std::map<std::string, int>& counts)
 
 ImportPatternDialog::ImportPatternDialog(Drawing drawing, const QString& file, QWidget* parent)
     : QDialog(parent)
+    , m_file(QFileInfo(file).fileName())
     , m_drawing(std::make_shared<const Drawing>(std::move(drawing)))
     , m_job(
           [drawing = m_drawing](PieceOrder order, const std::stop_token&) -> std::shared_ptr<const FoundPattern> {
@@ -68,12 +71,12 @@ ImportPatternDialog::ImportPatternDialog(Drawing drawing, const QString& file, Q
           [this](std::shared_ptr<const FoundPattern> pattern) { showPattern(std::move(pattern)); })
 {
     setWindowTitle(tr("Import pattern"));
-    build(file);
+    build();
     rememberUnit();
     changed();
 }
 
-void ImportPatternDialog::build(const QString& file)
+void ImportPatternDialog::build()
 {
     m_view = new FoundPiecesView(this);
     m_odd = new QLabel(this);
@@ -89,7 +92,7 @@ void ImportPatternDialog::build(const QString& file)
     auto* pieces = new QGroupBox(tr("Pieces"), this);
     (new QVBoxLayout(pieces))->addWidget(m_pieces);
     auto* right = new QVBoxLayout;
-    auto* about = new QLabel(QStringLiteral("<b>%1</b>").arg(QFileInfo(file).fileName().toHtmlEscaped()), this);
+    auto* about = new QLabel(QStringLiteral("<b>%1</b>").arg(m_file.toHtmlEscaped()), this);
     about->setTextFormat(Qt::RichText);
     right->addWidget(about);
     right->addWidget(buildChoices());
@@ -246,10 +249,19 @@ void ImportPatternDialog::showUnits()
 void ImportPatternDialog::showPieces()
 {
     const QSignalBlocker quiet(m_pieces);
+    const bool tooMany = std::ssize(m_pattern->pieces) > mostAtOnce;
     std::set<QString> unchecked;
-    for (int row = 0; row < m_pieces->count(); ++row)
-        if (m_pieces->item(row)->checkState() == Qt::Unchecked)
+    std::vector<bool> byRow; // of so many, names tell nothing
+    for (int row = 0; row < m_pieces->count(); ++row) {
+        byRow.push_back(m_pieces->item(row)->checkState() == Qt::Unchecked);
+        if (byRow.back())
             unchecked.insert(m_pieces->item(row)->data(Qt::UserRole).toString());
+    }
+    const auto isUnchecked = [&](std::size_t row, const QString& name) {
+        if (!tooMany)
+            return unchecked.contains(name);
+        return byRow.size() == m_pattern->pieces.size() ? byRow[row] : row >= mostAtOnce;
+    };
     m_pieces->clear();
     for (const FoundPiece& piece : m_pattern->pieces) {
         const QString name = QString::fromStdString(piece.name);
@@ -262,7 +274,8 @@ void ImportPatternDialog::showPieces()
             text += tr(", %n times", nullptr, static_cast<int>(piece.quantity));
         auto* item = new QListWidgetItem(text, m_pieces);
         item->setData(Qt::UserRole, name);
-        item->setCheckState(unchecked.contains(name) ? Qt::Unchecked : Qt::Checked);
+        item->setCheckState(isUnchecked(static_cast<std::size_t>(m_pieces->count() - 1), name) ? Qt::Unchecked
+                                                                                               : Qt::Checked);
     }
 }
 
@@ -270,6 +283,9 @@ void ImportPatternDialog::showPieces()
 void ImportPatternDialog::tellWhatIsOdd()
 {
     QStringList lines;
+    if (std::ssize(m_pattern->pieces) > mostAtOnce)
+        lines << tr("%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.")
+                     .arg(m_file, QLocale().toString(m_pattern->pieces.size()), QLocale().toString(mostAtOnce));
     if (!m_pattern->open.empty()) {
         double gap = 0;
         for (const Contour& line : m_pattern->open)
@@ -314,7 +330,8 @@ void ImportPatternDialog::choose()
                           return piece.sew.has_value();
                       });
     m_lines->setEnabled(sews);
-    m_import->setEnabled(m_pattern && !chosen().empty());
+    const std::set<std::size_t> taken = chosen();
+    m_import->setEnabled(m_pattern && !taken.empty() && std::ssize(taken) <= mostAtOnce);
 }
 
 PatternChoice ImportPatternDialog::choice() const

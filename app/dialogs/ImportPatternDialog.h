@@ -30,7 +30,7 @@ public:
     void accept() override;
 
 private:
-    void build(const QString& file);
+    void build();
     QWidget* buildChoices();
     void rememberUnit();
     void chooseUnit(double unit);
@@ -46,6 +46,7 @@ private:
     void addUnit(const QString& name, double size);
     PieceOrder order() const;
 
+    QString m_file; ///< its name
     std::shared_ptr<const Drawing> m_drawing;
     std::shared_ptr<const FoundPattern> m_pattern;
     double m_unitShown = 1; ///< mm: of the pattern that is there

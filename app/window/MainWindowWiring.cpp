@@ -52,6 +52,8 @@ namespace bolster {
 
 namespace {
 
+constexpr std::size_t mostSelectedAtOnce = 500; // patches that were imported
+
 /// None where the frame is of one piece.
 std::optional<PieceOfFrame> pieceAt(const CoverView& view, const QPoint& global, const Design& design,
                                     const DesignFiles& files)
@@ -273,7 +275,11 @@ void MainWindow::connectFiles()
         command(kind == FileKind::Cloud ? "layer.scans" : "layer.frames")->setChecked(true);
     });
     connect(m_files, &FileFlow::patternImported, this, [this](const std::vector<ElementId>& patches) {
-        m_selection.set({patches.begin(), patches.end()});
+        // So many are looked at one by one.
+        if (patches.size() <= mostSelectedAtOnce)
+            m_selection.set({patches.begin(), patches.end()});
+        else
+            m_selection.set({});
         command("view.fit-all")->trigger();
         m_status->flash(tr("%n pieces are in the pattern. Seam > Propose seams finds what belongs together.",
                            nullptr, static_cast<int>(patches.size())));

@@ -70,6 +70,19 @@ protected:
         return dialog;
     }
 
+    /// So many squares beside each other.
+    QString squaresSvg(int count)
+    {
+        std::string text =
+            R"(<svg xmlns="http://www.w3.org/2000/svg" width="9000mm" height="9000mm" viewBox="0 0 9000 9000">)";
+        for (int i = 0; i < count; ++i)
+            text += "<rect x='" + std::to_string(150 * (i % 50)) + "' y='" + std::to_string(150 * (i / 50)) +
+                    "' width='120' height='120'/>";
+        const QString path = folder.filePath(QStringLiteral("squares.svg"));
+        write(path, text + "</svg>");
+        return path;
+    }
+
     const QTemporaryDir folder;
     int m_seams = 0;
     int m_patches = 0;
@@ -156,6 +169,36 @@ TEST_F(ImportPatternTest, OpenOutlinesAreToldAndClosed)
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->pattern()->pieces.size() == 1; }, 30000));
     dialog->reject();
     EXPECT_EQ(count<Patch>(), 0);
+}
+
+TEST_F(ImportPatternTest, OfManyPiecesNoneIsSelected)
+{
+    ImportPatternDialog* dialog = import(squaresSvg(501));
+    ASSERT_TRUE(dialog);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return count<Patch>() == 501; }, 60000));
+    EXPECT_TRUE(window.selection().elements().empty());
+}
+
+TEST_F(ImportPatternTest, NotMorePiecesAreTakenThanTheWindowCanShow)
+{
+    ImportPatternDialog* dialog = import(squaresSvg(2002));
+    ASSERT_TRUE(dialog);
+    auto* pieces = dialog->findChild<QListWidget*>(QStringLiteral("pieces"));
+    ASSERT_EQ(pieces->count(), 2002);
+    EXPECT_EQ(dialog->choice().only->size(), 2000u) << "the first ones";
+    const QString told = dialog->findChild<QLabel*>(QStringLiteral("odd"))->text();
+    EXPECT_TRUE(told.contains(QStringLiteral("squares.svg has"))) << told.toStdString();
+    QPushButton* take = nullptr;
+    for (QPushButton* button : dialog->findChildren<QPushButton*>())
+        take = button->text() == QStringLiteral("&Import") ? button : take;
+    ASSERT_TRUE(take);
+    EXPECT_TRUE(take->isEnabled());
+    pieces->item(2001)->setCheckState(Qt::Checked);
+    EXPECT_FALSE(take->isEnabled());
+    pieces->item(0)->setCheckState(Qt::Unchecked);
+    EXPECT_TRUE(take->isEnabled());
+    dialog->reject();
 }
 
 } // namespace

@@ -174,6 +174,14 @@ TEST_F(ListsTest, ElementsSelectAndAreSelected)
     EXPECT_EQ(selection.elements(), Selection::Elements{firstSquare});
 }
 
+TEST_F(ListsTest, ElementsThatFollowOneAnotherAreSelectedAsOneRange)
+{
+    ElementsView view(document, selection, problems);
+    selection.set({firstSquare, secondSquare, squareSeam});
+    EXPECT_EQ(view.tree().selectionModel()->selectedIndexes().size(), 3);
+    EXPECT_EQ(view.tree().selectionModel()->selection().size(), 2) << "both patches are one, the seam another one";
+}
+
 TEST_F(ListsTest, AProblemIsMarked)
 {
     ElementsModel model(document, problems);

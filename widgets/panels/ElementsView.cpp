@@ -92,6 +92,20 @@ private:
     const Selection& m_selection;
 };
 
+/// Rows that follow one another are one range: a selection compares each of its ranges with all others.
+QItemSelection rangesOf(std::vector<QModelIndex> rows)
+{
+    std::ranges::sort(rows, {}, [](const QModelIndex& row) { return std::pair(row.parent().row(), row.row()); });
+    QItemSelection ranges;
+    for (std::size_t from = 0, to = 0; from < rows.size(); from = to) {
+        while (++to < rows.size() && rows[to].parent() == rows[from].parent() &&
+               rows[to].row() == rows[to - 1].row() + 1) {
+        }
+        ranges.select(rows[from], rows[to - 1]);
+    }
+    return ranges;
+}
+
 } // namespace
 
 ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet& problems, QWidget* parent)
@@ -209,13 +223,13 @@ void ElementsView::selectInTree()
     if (m_syncing)
         return;
     m_syncing = true;
-    QItemSelection rows;
+    std::vector<QModelIndex> rows;
     for (const ElementId id : m_selection.elements())
         if (const QModelIndex index = indexOf(id); index.isValid())
-            rows.select(index, index);
-    m_tree->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
-    if (!rows.isEmpty()) {
-        const QModelIndex first = rows.indexes().front();
+            rows.push_back(index);
+    m_tree->selectionModel()->select(rangesOf(rows), QItemSelectionModel::ClearAndSelect);
+    if (!rows.empty()) {
+        const QModelIndex first = rows.front();
         m_tree->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
         if (m_tree->isExpanded(first.parent()))
             m_tree->scrollTo(first);
