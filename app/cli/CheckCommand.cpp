@@ -17,7 +17,7 @@ const char* const checkHelp = R"(Usage: bolster check DESIGN
 Reads a design (JSON or a project), the frames and the pictures it names, and reports
 everything that is wrong with it: one line for each problem on stderr, with element and field, and
 the number of errors and warnings on stdout. A design without a patch is an error,
-too: there is nothing to solve.
+too: there is nothing to solve. What there is to mend before it is cut "bolster export" says.
 
 Exit code:
   0  no errors (warnings do not count)

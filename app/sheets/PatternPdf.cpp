@@ -1,6 +1,7 @@
 #include "PatternPdf.h"
 
 #include "PieceDrawing.h"
+#include "PieceLayout.h"
 #include "SquarePlace.h"
 
 #include <QBuffer>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
 namespace bolster {
 
@@ -251,7 +254,40 @@ PatternPdf::PatternPdf(const CutPattern& pattern, const PdfOrder& order, const s
     : m_pattern(pattern)
     , m_order(order)
     , m_plan(planSheets(pattern, order, stop))
-{}
+{
+    if (order.layers.labels && !stop.stop_requested())
+        keepLabelsOnSheets();
+}
+
+/// Who cuts along the border of a sheet, or lays two sheets side by side, still reads them.
+void PatternPdf::keepLabelsOnSheets()
+{
+    std::map<std::size_t, std::vector<const Sheet*>> sheetsOf;
+    for (const Sheet& sheet : m_plan.sheets)
+        for (const std::size_t index : sheet.pieces)
+            sheetsOf[index].push_back(&sheet);
+    for (const auto& [index, sheets] : sheetsOf) {
+        const TablePiece& place = m_plan.table.pieces[index];
+        CutPiece& piece = m_pattern.pieces[place.piece];
+        if (sheets.size() < 2 || piece.label.byHand || !piece.label.fits || piece.label.lines.empty())
+            continue;
+        std::vector<std::pair<Vec2, Vec2>> borders;
+        for (const Sheet* const sheet : sheets) {
+            const Box2 part = m_plan.grid.part(sheet->row, sheet->column);
+            const auto corner = [&](Box2::CornerType type) {
+                return Vec2(Eigen::Rotation2Dd(-place.angle) * (part.corner(type) - place.offset));
+            };
+            const Vec2 a = corner(Box2::BottomLeft), b = corner(Box2::BottomRight), c = corner(Box2::TopRight),
+                       d = corner(Box2::TopLeft);
+            borders.insert(borders.end(), {{a, b}, {b, c}, {c, d}, {d, a}});
+        }
+        const Vec2 up = piece.grain.to - piece.grain.from;
+        const double grain = up.norm() > 0 ? std::atan2(up.y(), up.x()) * 180 / std::numbers::pi : 90;
+        PieceLabel label = placeLabel(piece, piece.label.lines, grain, borders);
+        if (label.fits)
+            piece.label = std::move(label);
+    }
+}
 
 QByteArray PatternPdf::bytes(const SheetWatch& watch) const
 {

@@ -25,7 +25,9 @@ public:
 private:
     class Pages;
 
-    const CutPattern& m_pattern;
+    void keepLabelsOnSheets();
+
+    CutPattern m_pattern;
     PdfOrder m_order;
     SheetPlan m_plan;
 };

@@ -143,9 +143,8 @@ void SewingSheet::addPieces(HtmlPages& pages) const
         const std::vector<NumberedSide>& seams = sewn == sides.end() ? none : sewn->second;
         const QSize pixels = seamDrawingSize(piece, drawingSize * drawingDots);
         const int drawing = pages.addPicture([&piece, seams, pixels] { return seamDrawing(piece, seams, pixels); });
-        rows += rowOf({cell(pictureTag(drawing, pixels / drawingDots), "center"),
-                       cell(QString::fromStdString(piece.name).toHtmlEscaped()), cell(count),
-                       cell(QString::fromStdString(piece.fabricName).toHtmlEscaped()),
+        rows += rowOf({cell(pictureTag(drawing, pixels / drawingDots), "center"), cell(nameAndNotes(piece)),
+                       cell(count), cell(QString::fromStdString(piece.fabricName).toHtmlEscaped()),
                        cell(tr("%1 \u00d7 %2 mm").arg(number(size.x(), 0), number(size.y(), 0)), "right"),
                        cell(tr("%1 m\u00b2").arg(number(std::abs(areaOf(piece.cut)) / 1e6, 3)), "right"),
                        cell(numbersOf(seams))});
@@ -154,6 +153,17 @@ void SewingSheet::addPieces(HtmlPages& pages) const
              {QString(), tr("Piece"), tr("Quantity"), tr("Fabric"), tr("Width \u00d7 height as cut"),
               tr("Area as cut"), tr("Seams")},
              rows);
+}
+
+/// What the cutter has to know beside its name.
+QString SewingSheet::nameAndNotes(const CutPiece& piece) const
+{
+    QStringList words{QString::fromStdString(piece.name).toHtmlEscaped()};
+    if (piece.nap == Nap::OneWay)
+        words << tr("nap one way: all pieces point up");
+    if (const Patch* patch = m_design.find<Patch>(piece.patch); patch && !patch->cutting.note.empty())
+        words << QString::fromStdString(patch->cutting.note).toHtmlEscaped();
+    return words.join(QStringLiteral("<br/>"));
 }
 
 /// By patch, with the numbers that the list of seams has.
@@ -200,7 +210,7 @@ void SewingSheet::addSeams(HtmlPages& pages) const
         const QString both = seam.patchA == seam.patchB ? tr("%1, with itself").arg(name(seam.patchA))
                                                         : tr("%1 to %2").arg(name(seam.patchA), name(seam.patchB));
         rows += rowOf({cell(QString::number(rows.size() + 1), "right"), cell(both),
-                       cell(tr("%1 and %2").arg(number(seam.lengthA, 0), number(seam.lengthB, 0)), "right"),
+                       cell(tr("%1 and %2").arg(number(seam.lengthA, 1), number(seam.lengthB, 1)), "right"),
                        cell(withSign(seam.ease), "right"), cell(allowance, "right"),
                        cell(QString::number(seam.notches), "right"), cell(stitchOf(seam))});
     }

@@ -34,6 +34,7 @@ private:
     void addPieces(HtmlPages& pages) const;
     void addSeams(HtmlPages& pages) const;
     std::map<ElementId, std::vector<NumberedSide>> numberedSides() const;
+    QString nameAndNotes(const CutPiece& piece) const;
     QString stitchOf(const PlannedSeam& seam) const;
 
     const Design& m_design;

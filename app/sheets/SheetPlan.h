@@ -18,7 +18,7 @@ struct PdfOrder {
 /// A sheet that is printed.
 struct Sheet {
     int row = 0, column = 0;
-    std::vector<std::size_t> pieces; ///< of the table: those that need it
+    std::vector<std::size_t> pieces;                                ///< of the table: those that need it
     bool left = false, right = false, above = false, below = false; ///< a piece goes on there
 };
 

@@ -19,6 +19,8 @@ constexpr double sameAllowance = 0.05; // mm
 constexpr double sharpest = 30;        // degrees outside of an inner corner
 constexpr double sameTip = 0.5;        // mm
 constexpr double leastBeyondNotch = 1; // mm from a notch to the sewing line
+constexpr double mostBeyond = 0.1;     // mm that a line may reach out of its piece
+constexpr double thinnest = 3;         // mm between the tip of a dart and another edge
 constexpr double sameEnd = 1e-6;       // of an outline's parameter
 
 class Check {
@@ -138,6 +140,64 @@ private:
                 {QT_TRANSLATE_NOOP("Message", "its cut lines meet here: make the allowance smaller")});
         width(piece);
         corners(piece);
+        beyond(piece);
+        tips(piece);
+    }
+
+    /// What is cut or drilled outside of the piece is cut from somebody else's.
+    void beyond(const CutPiece& piece)
+    {
+        for (const PieceLine& line : piece.inner) {
+            const auto outside = std::ranges::find_if(line.points, [&](const LinePoint& point) {
+                return !isInside(piece.cut, point.at) && distanceTo(piece.cut, point.at) > mostBeyond;
+            });
+            if (outside != line.points.end())
+                add(line.element, piece, outside->at, {line.cut ? CutHarm::CannotBeCut : CutHarm::Inconvenient},
+                    {QT_TRANSLATE_NOOP("Message", "it reaches beyond its piece: end it at the edge")});
+        }
+        for (const CutHole& hole : piece.holes)
+            if (isInside(piece.cut, hole.at) && distanceTo(piece.cut, hole.at) < hole.diameter / 2)
+                add(hole.element, piece, hole.at, {CutHarm::Weakened},
+                    {QT_TRANSLATE_NOOP("Message", "the hole breaks through the edge of its piece: move it inwards, "
+                                                  "or make it smaller")});
+    }
+
+    /// Of darts that leave hardly anything of the piece together.
+    void tips(const CutPiece& piece)
+    {
+        const auto tips = m_tips.find(piece.patch);
+        if (tips == m_tips.end())
+            return;
+        for (const Vec2& tip : tips->second) {
+            double room = 1e9;
+            for (std::size_t i = 0; i < piece.sew.size(); ++i) {
+                const Vec2 a = piece.shrunk(piece.sew[i].at);
+                const Vec2 b = piece.shrunk(piece.sew[(i + 1) % piece.sew.size()].at);
+                if ((a - tip).norm() > sameTip && (b - tip).norm() > sameTip)
+                    room = std::min(room, distanceToSegment(tip, a, b));
+            }
+            if (room < thinnest)
+                add(piece.patch, piece.patch, tip, {CutHarm::CannotBeCut, thinnest - room},
+                    {QT_TRANSLATE_NOOP("Message",
+                                       "only %1 mm are left of the piece at the tip of a dart: make it shorter"),
+                     {numberText(std::round(100 * room) / 100)}});
+        }
+    }
+
+    static double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b)
+    {
+        const Vec2 way = b - a;
+        const double square = way.squaredNorm();
+        const double t = square > 0 ? std::clamp((point - a).dot(way) / square, 0.0, 1.0) : 0;
+        return (a + t * way - point).norm();
+    }
+
+    static double distanceTo(const std::vector<LinePoint>& line, const Vec2& point)
+    {
+        double least = 1e9;
+        for (std::size_t i = 0; i < line.size(); ++i)
+            least = std::min(least, distanceToSegment(point, line[i].at, line[(i + 1) % line.size()].at));
+        return least;
     }
 
     static bool isAlone(const CutNotch& notch) { return notch.element != noElement && notch.seam == noElement; }
@@ -176,6 +236,7 @@ private:
     {
         lonelyNotches(piece);
         bareNotches(piece);
+        int crowded = 0; // of automatic ones without a partner
         for (const CutNotch& notch : piece.notches) {
             const ElementId id = notch.element == noElement ? piece.patch : notch.element;
             const double room = (notch.at - notch.sewn).norm();
@@ -185,12 +246,18 @@ private:
                                        "a notch of %1 mm reaches the sewing line, which is %2 mm away: make it "
                                        "shallower, or the allowance wider"),
                      {numberText(notch.shape.depth), numberText(std::round(10 * room) / 10)}});
-            if (notch.seam != noElement && !hasPartner(piece, notch))
+            if (notch.seam != noElement && !hasPartner(piece, notch) &&
+                (notch.element != noElement || ++crowded == 1))
                 add(id, piece, notch.sewn, {CutHarm::Inconvenient},
                     {QT_TRANSLATE_NOOP("Message",
                                        "it has no partner on the other side of its seam: another notch is "
                                        "too near there")});
         }
+        if (crowded > 1)
+            add(piece.patch, piece, piece.box().center(), {CutHarm::Inconvenient},
+                {QT_TRANSLATE_NOOP("Message", "%1 of its notches have no partners on the other sides of their "
+                                              "seams: others are too near there. Ask for fewer"),
+                 {std::to_string(crowded)}});
     }
 
     /// On another piece, or on another place of the same one.

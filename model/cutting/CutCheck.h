@@ -18,8 +18,8 @@ struct CutFinding {
 };
 
 /// Sides of seams that are not as long as wanted, notches that nobody meets or that reach the sewing line, labels
-/// without room, pieces that are wider than their fabric, inner corners that cannot be spread, cut lines that meet.
-/// What is worst comes first.
+/// without room, pieces that are wider than their fabric, inner corners that cannot be spread, cut lines that meet,
+/// lines and holes that reach out of their piece, darts that all but divide it. What is worst comes first.
 /// Incomplete when it is stopped.
 std::vector<CutFinding> checkCutting(const Design& design, const CutPattern& pattern,
                                      const std::stop_token& stop = {});

@@ -129,6 +129,22 @@ CutPiece mirroredPiece(CutPiece piece)
     return piece;
 }
 
+std::vector<std::vector<Vec2>> grainLines(const GrainLine& grain)
+{
+    constexpr double length = 6, half = 2; // of a head, mm
+    if (grain.from == grain.to)
+        return {};
+    std::vector<std::vector<Vec2>> lines{{grain.from, grain.to}};
+    const Vec2 way = (grain.to - grain.from).normalized(), side(-way.y(), way.x());
+    const auto head = [&](const Vec2& tip, const Vec2& back) {
+        lines.push_back({tip + length * back + half * side, tip, tip + length * back - half * side});
+    };
+    head(grain.to, -way);
+    if (grain.nap != Nap::OneWay)
+        head(grain.from, way);
+    return lines;
+}
+
 std::vector<Vec2> notchPoints(const CutNotch& notch)
 {
     if (!notch.twice)

@@ -53,6 +53,7 @@ struct PieceLabel {
     double height = 6;      ///< from line to line, mm
     double width = 0;       ///< of its longest line, mm
     bool fits = true;       ///< it lies inside the sewing line
+    bool byHand = false;    ///< somebody has put it there
     std::vector<std::string> lines;
 };
 

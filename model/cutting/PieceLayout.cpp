@@ -49,7 +49,7 @@ bool meetsBox(Vec2 a, Vec2 b, const Vec2& half)
 /// A piece turned so that the lines of its label run along x: what a label must not lie on.
 class Room {
 public:
-    Room(const CutPiece& piece, double rotation)
+    Room(const CutPiece& piece, double rotation, const std::vector<std::pair<Vec2, Vec2>>& avoided = {})
         : m_back(rotation * std::numbers::pi / 180)
     {
         const Eigen::Rotation2Dd turn(-m_back.angle());
@@ -66,6 +66,8 @@ public:
             addSegment(turned(hole.at), turned(hole.at) + Vec2(0, 1e-6));
         if (piece.grain.from != piece.grain.to)
             addSegment(turned(piece.grain.from), turned(piece.grain.to));
+        for (const auto& [a, b] : avoided)
+            addSegment(turned(a), turned(b));
     }
 
     bool fits(const Vec2& middle, const Vec2& half) const
@@ -157,14 +159,15 @@ GrainLine placeGrain(const CutPiece& piece, double grain)
     return line;
 }
 
-PieceLabel placeLabel(const CutPiece& piece, std::vector<std::string> lines, double grain)
+PieceLabel placeLabel(const CutPiece& piece, std::vector<std::string> lines, double grain,
+                      const std::vector<std::pair<Vec2, Vec2>>& avoided)
 {
     PieceLabel label;
     label.lines = std::move(lines);
     const double upright = grain - 90;
     label.rotation = upright;
     for (const double rotation : {upright, upright - 90}) {
-        const Room room(piece, rotation);
+        const Room room(piece, rotation, avoided);
         for (const double height : lineHeights) {
             const Vec2 size(widthOf(label.lines, height), height * static_cast<double>(label.lines.size()));
             if (const auto place = room.find(size)) {
@@ -189,6 +192,7 @@ PieceLabel placeLabel(const CutPiece& piece, std::vector<std::string> lines, con
     label.lines = std::move(lines);
     label.at = piece.grown * place.position;
     label.rotation = place.rotation;
+    label.byHand = true;
     const Room room(piece, place.rotation);
     label.fits = false;
     for (const double height : lineHeights) {

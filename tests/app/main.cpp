@@ -2,34 +2,10 @@
 #include "ProgramThatDies.h"
 #include "WatchedApplication.h"
 
-#include <QClipboard>
-#include <QDir>
-#include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
-
-namespace {
-
-/// Each test finds the program as if nobody had used it before.
-class FreshHome : public testing::EmptyTestEventListener {
-public:
-    explicit FreshHome(QString home)
-        : m_home(std::move(home))
-    {}
-
-    void OnTestStart(const testing::TestInfo& /*test*/) override
-    {
-        QSettings().clear();
-        QDir(m_home + QStringLiteral("/data")).removeRecursively(); // unsaved work
-        QGuiApplication::clipboard()->clear();
-    }
-
-private:
-    QString m_home;
-};
-
-} // namespace
 
 int main(int argc, char* argv[])
 {
@@ -48,6 +24,5 @@ int main(int argc, char* argv[])
     bolster::WatchedApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("BolsterTests"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
-    testing::UnitTest::GetInstance()->listeners().Append(new FreshHome(home.path())); // which deletes it
     return dying.isEmpty() ? RUN_ALL_TESTS() : bolster::ProgramThatDies::workAndDie(dying);
 }

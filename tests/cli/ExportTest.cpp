@@ -475,7 +475,8 @@ TEST_F(Export, WritesHpglInsideBeforeCutLine)
 {
     ASSERT_EQ(run({"--hpgl", path("p.plt"), "--piece", "Sitz links"}).exitCode, 0);
     const std::string text = read("p.plt");
-    EXPECT_EQ(text.rfind("IN;SP1;", 0), 0u);
+    EXPECT_EQ(text.rfind("IN;\nSP2;", 0), 0u) << "what is drawn has a pen of its own";
+    EXPECT_LT(text.find("LT2,2;"), text.find("SP1;")) << "the sewing line is dashed";
     // The cut line comes last: 320 mm wide, and 5 mm from the border, are 13,000 steps.
     EXPECT_NE(text.rfind("13000"), std::string::npos);
     EXPECT_LT(text.find("CI80;"), text.rfind("PD")) << "the hole of 4 mm, before";

@@ -1,6 +1,7 @@
 #include "CutCheck.h"
 
 #include "DartEdits.h"
+#include "ElementEdits.h"
 
 #include "Panels.h"
 
@@ -90,6 +91,19 @@ TEST(CutCheck, FindsWhatDoesNotFit)
     Patch strip = *design.find<Patch>(left);
     strip.outline = rectangle(200, 3);
     EXPECT_TRUE(says(findings(with(design, left, strip)), "no room"));
+}
+
+TEST(CutCheck, FindsWhatReachesOutOfThePiece)
+{
+    const Design design = twoPanels();
+    const auto withHole = [&](double x) {
+        return design.with(edits::addElement(design, makeElement(DrillHole{"Hole", {left, Vec2(x, 50)}, 8})));
+    };
+    EXPECT_FALSE(says(findings(withHole(100)), "breaks through"));
+    EXPECT_TRUE(says(findings(withHole(-9)), "breaks through")) << "10 mm of allowance, a hole of 8";
+    const Design cut = design.with(edits::addDart(design, {left, 0.4, 0.6, {100, 99}}));
+    EXPECT_TRUE(says(findings(cut), "are left of the piece"));
+    EXPECT_FALSE(says(findings(design.with(edits::addDart(design, {left, 0.4, 0.6, {100, 60}}))), "are left of"));
 }
 
 TEST(CutCheck, BeginsWithWhatIsWorst)

@@ -174,6 +174,22 @@ TEST(CutLine, EdgesHaveAllowancesOfTheirOwn)
     EXPECT_NEAR(areaOf(cut.points), 135 * 110, 0.05);
 }
 
+TEST(CutLine, RoundedCornersBetweenUnequalAllowancesLeaveNeither)
+{
+    SewingLine line = polygon(square, 10, CornerJoin::Rounded);
+    line.vertices[0].width = 34.5; // bottom
+    const CutLine cut = cutLineOf(line);
+    Box2 box;
+    for (const LinePoint& point : cut.points)
+        box.extend(point.at);
+    EXPECT_NEAR(box.min().y(), -34.5, 1e-3);
+    EXPECT_NEAR(box.min().x(), -10, 1e-3) << "no nose beside the corner";
+    EXPECT_NEAR(box.max().x(), 110, 1e-3);
+    // Two quarters of a circle above, two of an ellipse below.
+    const double pi = std::numbers::pi;
+    EXPECT_NEAR(areaOf(cut.points), 100 * (100 + 10 + 34.5 + 2 * 10) + pi / 2 * (10 * 10 + 10 * 34.5), 0.5);
+}
+
 TEST(CutLine, OfACurveIsOffsetWithin50Micrometres)
 {
     for (const double width : {0.5, 8.0, 30.0}) {

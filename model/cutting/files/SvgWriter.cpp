@@ -60,6 +60,10 @@ public:
         m_text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
                  decimal(m_size.x()) + "mm\" height=\"" + decimal(m_size.y()) + "mm\" viewBox=\"0 0 " +
                  decimal(m_size.x()) + " " + decimal(m_size.y()) + "\">\n";
+        // The heads of grain lines, which are no lines of their own for who reads the file.
+        m_text += "  <defs><marker id=\"up\" markerUnits=\"userSpaceOnUse\" markerWidth=\"7\" markerHeight=\"5\" "
+                  "refX=\"6.5\" refY=\"2.5\" orient=\"auto-start-reverse\"><path d=\"M0.5 0.5L6.5 2.5L0.5 4.5\" "
+                  "fill=\"none\" stroke=\"#000000\" stroke-width=\"0.1\"/></marker></defs>\n";
         if (!pattern.style.empty())
             m_text += "  <title>" + escapedXml(pattern.style) + "</title>\n";
     }
@@ -152,7 +156,10 @@ std::string svgText(const CutPattern& pattern, const CutLayers& layers)
         });
     if (layers.grain)
         svg.layer("grain", "#000000", [&](const CutPiece& piece) {
-            svg.path(std::vector{piece.grain.from, piece.grain.to}, false);
+            const char* const heads = piece.grain.nap == Nap::OneWay
+                                          ? " marker-end=\"url(#up)\""
+                                          : " marker-start=\"url(#up)\" marker-end=\"url(#up)\"";
+            svg.path(std::vector{piece.grain.from, piece.grain.to}, false, heads);
         });
     if (layers.labels)
         svg.layer("labels", "#000000", [&](const CutPiece& piece) { svg.label(piece.label); });

@@ -109,11 +109,17 @@ QImage CoverView::grabCover()
     const Selection::Edges edges = m_selection.edges();
     m_selection.clear();
     m_selection.hover(noElement);
+    const SurfaceMeshPtr surface = shownSurface();
+    const Camera before = m_navigation.camera();
+    Camera camera = before;
+    if (surface && !surface->positions.empty()) { // as large as the view has room for
+        camera.fit(surface->boundingBox());
+        m_navigation.setCamera(camera);
+    }
     const QImage whole = grabPicture();
+    m_navigation.setCamera(before);
     m_selection.set(elements, points, edges);
 
-    const SurfaceMeshPtr surface = shownSurface();
-    const Camera& camera = m_navigation.camera();
     Box2 box;
     if (surface)
         for (const Vec3& position : surface->positions)
