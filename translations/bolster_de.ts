@@ -5452,6 +5452,22 @@
         <source>its faces are within about %1 mm</source>
         <translation>seine Flächen liegen auf etwa %1 mm genau</translation>
     </message>
+    <message>
+        <source>it reaches beyond its piece: end it at the edge</source>
+        <translation>sie reicht über ihr Schnittteil hinaus: am Rand enden lassen</translation>
+    </message>
+    <message>
+        <source>the hole breaks through the edge of its piece: move it inwards, or make it smaller</source>
+        <translation>das Loch durchbricht den Rand seines Schnittteils: nach innen rücken oder verkleinern</translation>
+    </message>
+    <message>
+        <source>only %1 mm are left of the piece at the tip of a dart: make it shorter</source>
+        <translation>an der Spitze eines Abnähers bleiben vom Schnittteil nur %1 mm: den Abnäher kürzen</translation>
+    </message>
+    <message>
+        <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
+        <translation>%1 seiner Knipse haben auf der anderen Seite ihrer Nähte keinen Partner: dort liegen andere zu nahe. Weniger verlangen</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5645,10 +5661,6 @@
         <translation>%1 – mit 100 % drucken</translation>
     </message>
     <message>
-        <source>Row %1, column %2 of %3 x %4</source>
-        <translation>Zeile %1, Spalte %2 von %3 x %4</translation>
-    </message>
-    <message>
         <source>Overview of %1 x %2 sheets</source>
         <translation>Übersicht über %1 x %2 Blätter</translation>
     </message>
@@ -5663,6 +5675,10 @@
     <message>
         <source>100 mm: to measure, no part of the pattern</source>
         <translation>100 mm: zum Nachmessen, kein Schnittteil</translation>
+    </message>
+    <message>
+        <source>Sheet %1 (row %2 of %3, column %4 of %5)</source>
+        <translation>Blatt %1 (Zeile %2 von %3, Spalte %4 von %5)</translation>
     </message>
 </context>
 <context>
@@ -6470,6 +6486,10 @@
     <message>
         <source>Ease, %</source>
         <translation>Mehrweite, %</translation>
+    </message>
+    <message>
+        <source>nap one way: all pieces point up</source>
+        <translation>Strich in einer Richtung: alle Teile zeigen nach oben</translation>
     </message>
 </context>
 <context>
@@ -8252,6 +8272,10 @@
     <message>
         <source>Marks of grading, stripes or nothing that is known, left out by layer: %1</source>
         <translation>Zeichen für Gradierung, Streifen oder nichts Bekanntes, weggelassen nach Ebenen: %1</translation>
+    </message>
+    <message>
+        <source>%1 has %2 pieces; at most %3 can be imported at once: the first ones are chosen.</source>
+        <translation>%1 hat %2 Teile; höchstens %3 können auf einmal importiert werden: die ersten sind gewählt.</translation>
     </message>
 </context>
 <context>
