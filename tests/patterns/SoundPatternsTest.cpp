@@ -184,6 +184,18 @@ TEST(SoundPatterns, HolesAsWideAsPossible)
     EXPECT_TRUE(imported.tells("drill holes"));
 }
 
+TEST(SoundPatterns, AllowancesThatAreTooWideAreTold)
+{
+    const auto imported = [](double allowance) {
+        const Vec2 off(allowance, allowance);
+        return Imported(
+            drawingWith({rectangleOf("1", -off, Vec2(800, 800) + 2 * off), rectangleOf("14", {0, 0}, {800, 800})}));
+    };
+    EXPECT_TRUE(imported(200).made.notes.empty());
+    EXPECT_EQ(imported(200).patch().allowance->width, 200);
+    EXPECT_TRUE(imported(250).tells("lies 250 mm outside of its sewing line"));
+}
+
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)
 {
     const FoundPattern found =

@@ -20,6 +20,7 @@ struct EdgeWidth {
 struct FoundAllowance {
     CutAllowance usual;           ///< what most of the outline has
     std::vector<EdgeWidth> edges; ///< those that have another one
+    double tooWide = 0; ///< mm: the widest that is wider than an allowance may be, and has the usual one; 0: none
 };
 
 /// How far beyond the outline fabric was cut, edge by edge.

@@ -138,12 +138,23 @@ private:
         FoundAllowance allowance;
         allowance.usual.width = 0;
         if (m_bySewing)
-            allowance = foundAllowance(m_outline, moved(m_piece.cut, -m_origin));
+            allowance = measuredAllowance();
         if (m_bySewing || m_piece.isCutLine || m_lines == PatternLines::Cut)
             patch.allowance = allowance.usual;
         m_made.patch = add(std::move(patch));
         for (const EdgeWidth& edge : allowance.edges)
             add(EdgeAllowance{{m_made.patch, edge.from, edge.to}, edge.width});
+    }
+
+    FoundAllowance measuredAllowance()
+    {
+        FoundAllowance found = foundAllowance(m_outline, moved(m_piece.cut, -m_origin));
+        if (found.tooWide > 0)
+            note(QT_TRANSLATE_NOOP("Message",
+                                   "%1: its cut line lies %2 mm outside of its sewing line, which is wider than "
+                                   "an allowance may be; it becomes %3 mm there"),
+                 {numberText(found.tooWide), numberText(found.usual.width)});
+        return found;
     }
 
     template <class T>
