@@ -40,11 +40,14 @@ struct BothLines {
     const BSpline2& outline;
     Contour sew;
     std::vector<Vec2> cut;
+    std::vector<std::vector<Vec2>> others;
 
-    BothLines(const BSpline2& sewn, const Contour& cutLine)
+    BothLines(const BSpline2& sewn, const Contour& cutLine, const std::vector<Contour>& otherSewn)
         : outline(sewn)
         , cut(cutLine.places())
     {
+        for (const Contour& other : otherSewn)
+            others.push_back(other.places());
         sew.closed = true;
         for (const OutlineSample& sample : sampled(outline, {0.02, 0, {}})) {
             sew.points.emplace_back();
@@ -62,7 +65,10 @@ struct BothLines {
         const auto width = wayTo(cut, at, out, reach);
         if (!width || sew.distance(at + *width / 2 * out) < *width / 2 - exactness)
             return std::nullopt;
-        return width;
+        const auto between = [&](const std::vector<Vec2>& other) {
+            return wayTo(other, at, out, *width).has_value();
+        };
+        return std::ranges::any_of(others, between) ? std::nullopt : width;
     }
 };
 
@@ -201,13 +207,13 @@ void dropGuesses(const BSpline2& outline, double area, FoundAllowance& found, do
 
 } // namespace
 
-FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut)
+FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut, const std::vector<Contour>& others)
 {
     std::vector<double> corners = outline.corners();
     if (corners.empty())
         corners.push_back(outline.domainStart());
     std::vector<EdgeWidth> edges;
-    const BothLines lines(outline, cut);
+    const BothLines lines(outline, cut, others);
     const ArcLength2 length(outline);
     std::map<long long, double> lengths; // by width
     FoundAllowance found;
