@@ -184,6 +184,30 @@ TEST(SoundPatterns, HolesAsWideAsPossible)
     EXPECT_TRUE(imported.tells("drill holes"));
 }
 
+TEST(SoundPatterns, AllowancesThatAreTooWideAreTold)
+{
+    const auto imported = [](double allowance) {
+        const Vec2 off(allowance, allowance);
+        return Imported(
+            drawingWith({rectangleOf("1", -off, Vec2(800, 800) + 2 * off), rectangleOf("14", {0, 0}, {800, 800})}));
+    };
+    EXPECT_TRUE(imported(200).made.notes.empty());
+    EXPECT_EQ(imported(200).patch().allowance->width, 200);
+    EXPECT_TRUE(imported(250).tells("lies 250 mm outside of its sewing line"));
+}
+
+TEST(SoundPatterns, OfTwoSewingLinesTheLargerIsTaken)
+{
+    const Imported imported(
+        drawingWith({rectangleOf("1", {0, 0}, {400, 200}), rectangleOf("14", {10, 10}, {200, 180}),
+                     rectangleOf("14", {240, 10}, {150, 180})}));
+    EXPECT_TRUE(imported.tells("has 2 sewing lines beside each other"));
+    EXPECT_NEAR(imported.patch().outline.signedArea(), 200 * 180, 1e-6);
+    EXPECT_EQ(imported.patch().allowance->width, 10);
+    imported.design.each<EdgeAllowance>([](ElementId, const EdgeAllowance& edge) { ADD_FAILURE() << edge.width; });
+    imported.design.each<InternalLine>([](ElementId, const InternalLine&) { ADD_FAILURE() << "outside"; });
+}
+
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)
 {
     const FoundPattern found =

@@ -12,14 +12,15 @@ namespace bolster {
 namespace {
 
 constexpr double alike = 0.06;      // mm: widths that are one
-constexpr double widest = 200;      // mm
+constexpr double widest = 200.01;   // mm: as the rules have it, rounded
+constexpr double farthestCut = 1e4; // mm: what is told of wider ones
 constexpr double exactness = 0.05;  // mm: of the lines
 constexpr double exactShare = 1e-5; // of an area
 
-/// From the point to the closed line, along a direction; nothing where it meets none.
-std::optional<double> wayTo(const std::vector<Vec2>& line, const Vec2& from, const Vec2& way)
+/// From the point to the closed line, along a direction; nothing where it meets none within reach.
+std::optional<double> wayTo(const std::vector<Vec2>& line, const Vec2& from, const Vec2& way, double reach)
 {
-    double nearest = widest + 1;
+    double nearest = reach + 1;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const Vec2 a = line[i] - from, b = line[(i + 1) % line.size()] - from;
         const double sideA = cross(way, a), sideB = cross(way, b);
@@ -29,7 +30,7 @@ std::optional<double> wayTo(const std::vector<Vec2>& line, const Vec2& from, con
         if (t > -exactness)
             nearest = std::min(nearest, std::max(t, 0.0));
     }
-    if (nearest > widest)
+    if (nearest > reach)
         return std::nullopt;
     return nearest;
 }
@@ -39,11 +40,14 @@ struct BothLines {
     const BSpline2& outline;
     Contour sew;
     std::vector<Vec2> cut;
+    std::vector<std::vector<Vec2>> others;
 
-    BothLines(const BSpline2& sewn, const Contour& cutLine)
+    BothLines(const BSpline2& sewn, const Contour& cutLine, const std::vector<Contour>& otherSewn)
         : outline(sewn)
         , cut(cutLine.places())
     {
+        for (const Contour& other : otherSewn)
+            others.push_back(other.places());
         sew.closed = true;
         for (const OutlineSample& sample : sampled(outline, {0.02, 0, {}})) {
             sew.points.emplace_back();
@@ -53,15 +57,18 @@ struct BothLines {
 
     /// From a place of the outline straight out to the cut line. Beside an inner corner the way leads along another
     /// edge, or back into the piece: then its middle is nearer to something else, and nothing can be said.
-    std::optional<double> widthAt(double parameter) const
+    std::optional<double> widthAt(double parameter, double reach = widest) const
     {
         const double t = outline.wrapped(parameter);
         const Vec2 at = outline.at(t), along = outline.derivative(t);
         const Vec2 out = Vec2(along.y(), -along.x()).normalized();
-        const auto width = wayTo(cut, at, out);
+        const auto width = wayTo(cut, at, out, reach);
         if (!width || sew.distance(at + *width / 2 * out) < *width / 2 - exactness)
             return std::nullopt;
-        return width;
+        const auto between = [&](const std::vector<Vec2>& other) {
+            return wayTo(other, at, out, *width).has_value();
+        };
+        return std::ranges::any_of(others, between) ? std::nullopt : width;
     }
 };
 
@@ -200,25 +207,28 @@ void dropGuesses(const BSpline2& outline, double area, FoundAllowance& found, do
 
 } // namespace
 
-FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut)
+FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut, const std::vector<Contour>& others)
 {
     std::vector<double> corners = outline.corners();
     if (corners.empty())
         corners.push_back(outline.domainStart());
     std::vector<EdgeWidth> edges;
-    const BothLines lines(outline, cut);
+    const BothLines lines(outline, cut, others);
     const ArcLength2 length(outline);
     std::map<long long, double> lengths; // by width
+    FoundAllowance found;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + outline.period();
-        for (EdgeWidth& part : EdgeWidths(lines, corners[i], to).parts()) {
+        std::vector<EdgeWidth> parts = EdgeWidths(lines, corners[i], to).parts();
+        if (parts.empty())
+            found.tooWide = std::max(found.tooWide, lines.widthAt((corners[i] + to) / 2, farthestCut).value_or(0));
+        for (EdgeWidth& part : parts) {
             lengths[std::llround(part.width / alike)] += length.between(part.from, part.to);
             part.from = outline.wrapped(part.from);
             part.to = outline.wrapped(part.to);
             edges.push_back(part);
         }
     }
-    FoundAllowance found;
     double longest = -1;
     for (const EdgeWidth& edge : edges)
         if (const double along = lengths[std::llround(edge.width / alike)]; along > longest) {

@@ -20,9 +20,11 @@ struct EdgeWidth {
 struct FoundAllowance {
     CutAllowance usual;           ///< what most of the outline has
     std::vector<EdgeWidth> edges; ///< those that have another one
+    double tooWide = 0; ///< mm: the widest that is wider than an allowance may be, and has the usual one; 0: none
 };
 
-/// How far beyond the outline fabric was cut, edge by edge.
-FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut);
+/// How far beyond the outline fabric was cut, edge by edge. Where one of the others lies between them nothing is
+/// known.
+FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut, const std::vector<Contour>& others = {});
 
 } // namespace bolster

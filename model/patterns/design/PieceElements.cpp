@@ -138,12 +138,30 @@ private:
         FoundAllowance allowance;
         allowance.usual.width = 0;
         if (m_bySewing)
-            allowance = foundAllowance(m_outline, moved(m_piece.cut, -m_origin));
+            allowance = measuredAllowance();
         if (m_bySewing || m_piece.isCutLine || m_lines == PatternLines::Cut)
             patch.allowance = allowance.usual;
         m_made.patch = add(std::move(patch));
         for (const EdgeWidth& edge : allowance.edges)
             add(EdgeAllowance{{m_made.patch, edge.from, edge.to}, edge.width});
+    }
+
+    FoundAllowance measuredAllowance()
+    {
+        std::vector<Contour> others;
+        for (const Contour& line : m_piece.otherSewn)
+            others.push_back(moved(line, -m_origin));
+        if (!others.empty())
+            note(QT_TRANSLATE_NOOP("Message", "%1 has %2 sewing lines beside each other; the largest is taken, the "
+                                              "others are left out"),
+                 {std::to_string(others.size() + 1)});
+        FoundAllowance found = foundAllowance(m_outline, moved(m_piece.cut, -m_origin), others);
+        if (found.tooWide > 0)
+            note(QT_TRANSLATE_NOOP("Message",
+                                   "%1: its cut line lies %2 mm outside of its sewing line, which is wider than "
+                                   "an allowance may be; it becomes %3 mm there"),
+                 {numberText(found.tooWide), numberText(found.usual.width)});
+        return found;
     }
 
     template <class T>
@@ -215,18 +233,25 @@ private:
 
     void addInnerLines()
     {
-        for (const FoundLine& line : m_piece.inner) {
-            auto curve = fittedLine(moved(line.line, -m_origin));
-            if (!curve) {
-                ++m_lost;
-                continue;
-            }
-            InternalLine inner;
-            inner.patch = m_made.patch;
-            inner.curve = std::move(curve->curve);
-            inner.use = line.cut ? LineUse::Cut : LineUse::Drawn;
-            add(std::move(inner));
+        for (const FoundLine& line : m_piece.inner)
+            addInnerLine(line.line, line.cut ? LineUse::Cut : LineUse::Drawn);
+        if (!m_bySewing)
+            for (const Contour& line : m_piece.otherSewn)
+                addInnerLine(line, LineUse::Drawn);
+    }
+
+    void addInnerLine(const Contour& line, LineUse use)
+    {
+        auto curve = fittedLine(moved(line, -m_origin));
+        if (!curve) {
+            ++m_lost;
+            return;
         }
+        InternalLine inner;
+        inner.patch = m_made.patch;
+        inner.curve = std::move(curve->curve);
+        inner.use = use;
+        add(std::move(inner));
     }
 
     /// Whatever comes from a stranger: nothing is said to be imported that the rules refuse.

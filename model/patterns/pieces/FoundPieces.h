@@ -36,11 +36,12 @@ struct FoundPiece {
     std::string note;
     double quantity = 1; ///< whole, at least 1; pairs count as one
     bool pair = false;
-    std::string oddQuantity;     ///< what the file says instead of a quantity; "" where it says one, or nothing
-    Contour cut;                 ///< the cut line, or the only line that there is
-    std::optional<Contour> sew;  ///< inside of it
-    bool isCutLine = false;      ///< the file says that the only line is where fabric is cut
-    std::optional<double> grain; ///< degrees
+    std::string oddQuantity;    ///< what the file says instead of a quantity; "" where it says one, or nothing
+    Contour cut;                ///< the cut line, or the only line that there is
+    std::optional<Contour> sew; ///< inside of it
+    std::vector<Contour> otherSewn{}; ///< smaller sewing lines inside the cut line, beside that one
+    bool isCutLine = false;           ///< the file says that the only line is where fabric is cut
+    std::optional<double> grain;      ///< degrees
     std::optional<Nap> nap{};
     std::string oddNap;                ///< what the file says of the nap that nobody understands
     std::optional<double> tolerance{}; ///< of the grain, degrees

@@ -268,7 +268,7 @@ void PartReader::makePieces(std::vector<Contour> cut)
     }
 }
 
-/// Of two in one piece the larger one is where it is sewn.
+/// Of two in one piece the larger one is where it is sewn; what lies inside of that is a line like others there.
 void PartReader::addSewing(std::vector<Contour> sew, std::vector<FoundLine>& inner)
 {
     for (Contour& line : sew) {
@@ -286,9 +286,18 @@ void PartReader::addSewing(std::vector<Contour> sew, std::vector<FoundLine>& inn
         if (owner->sew && owner->sew->signedArea() < line.signedArea())
             std::swap(*owner->sew, line);
         if (owner->sew)
-            inner.push_back({std::move(line), false});
+            owner->otherSewn.push_back(std::move(line));
         else
             owner->sew = std::move(line);
+    }
+    for (std::size_t i = m_first; i < m_pattern.pieces.size(); ++i) {
+        FoundPiece& piece = m_pattern.pieces[i];
+        std::erase_if(piece.otherSewn, [&](Contour& line) {
+            const bool inside = isWithin(line, *piece.sew);
+            if (inside)
+                inner.push_back({std::move(line), false});
+            return inside;
+        });
     }
 }
 
