@@ -5468,6 +5468,14 @@
         <source>%1 of its notches have no partners on the other sides of their seams: others are too near there. Ask for fewer</source>
         <translation>%1 seiner Knipse haben auf der anderen Seite ihrer Nähte keinen Partner: dort liegen andere zu nahe. Weniger verlangen</translation>
     </message>
+    <message>
+        <source>%1 has %2 sewing lines beside each other; the largest is taken, the others are left out</source>
+        <translation>%1 hat %2 Nahtlinien nebeneinander; die größte wird genommen, die anderen werden weggelassen</translation>
+    </message>
+    <message>
+        <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
+        <translation>%1: die Schnittlinie liegt %2 mm außerhalb der Nahtlinie, mehr als eine Nahtzugabe haben darf; dort wird sie %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
