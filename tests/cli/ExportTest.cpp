@@ -279,20 +279,36 @@ public:
                 if (std::abs(from - x - 1 - side) <= 1 &&
                     (isSquare(x, y, side) || (y >= side && isSquare(x, y - side, side))))
                     return true;
+                if (from - x >= cornerArm && areCorners(x, y, side)) // over a piece
+                    return true;
             }
         return false;
     }
 
 private:
+    static constexpr int cornerArm = 38; // pixels of the 4 mm
+
     bool isInk(int x, int y) const { return qGray(m_page.pixel(x, y)) < 215; }
+    /// Or a neighbour.
+    bool inked(int x, int y) const
+    {
+        for (int d = 0; d < 9; ++d)
+            if (m_page.valid(x + d % 3 - 1, y + d / 3 - 1) && isInk(x + d % 3 - 1, y + d / 3 - 1))
+                return true;
+        return false;
+    }
+    bool areCorners(int left, int top, int side) const
+    {
+        const int right = left + side, bottom = top + side;
+        for (int k = 0; k < cornerArm; ++k)
+            for (const int y : {top, bottom})
+                if (!inked(left + k, y) || !inked(right - k, y) || !inked(left, y == top ? y + k : y - k) ||
+                    !inked(right, y == top ? y + k : y - k))
+                    return false;
+        return true;
+    }
     bool isSquare(int left, int top, int side) const
     {
-        const auto inked = [&](int x, int y) {
-            for (int d = 0; d < 9; ++d)
-                if (m_page.valid(x + d % 3 - 1, y + d / 3 - 1) && isInk(x + d % 3 - 1, y + d / 3 - 1))
-                    return true;
-            return false;
-        };
         if (top + side >= m_page.height() || left + side >= m_page.width())
             return false;
         int seen = 0;
@@ -347,9 +363,9 @@ TEST_F(Export, TilesPutTogetherGiveTheCutLine)
     std::istringstream text(words);
     for (std::string one; std::getline(text, one, '\f');) {
         ++page;
-        const std::size_t at = one.find("Row ");
+        const std::size_t at = one.find("Sheet ");
         int row = 0, column = 0;
-        if (at == std::string::npos || std::sscanf(one.c_str() + at, "Row %d, column %d", &row, &column) != 2)
+        if (at == std::string::npos || std::sscanf(one.c_str() + at, "Sheet %d/%d", &row, &column) != 2)
             continue;
         ++tiles;
         const QString number = QString::number(page);
@@ -384,7 +400,7 @@ TEST_F(Export, DrawsAPieceOnItsOwnSheetsAlone)
     std::getline(text, one, '\f');
     EXPECT_NE(one.find("Sitz links: sheets "), std::string::npos) << "the overview says on which it is";
     while (std::getline(text, one, '\f')) {
-        if (one.find("Row ") == std::string::npos)
+        if (one.find("(row ") == std::string::npos)
             continue;
         ++sheets;
         withSeat += one.find("Cut 2 and 2 mirrored") != std::string::npos;
