@@ -208,6 +208,14 @@ TEST(SoundPatterns, OfTwoSewingLinesTheLargerIsTaken)
     imported.design.each<InternalLine>([](ElementId, const InternalLine&) { ADD_FAILURE() << "outside"; });
 }
 
+TEST(SoundPatterns, GapsThatAreClosedAreTold)
+{
+    const Drawing drawing = drawingWith({lineOf("1", {{0, 0}, {400, 0}, {400, 300}, {0, 300}, {0, 3}})});
+    const ImportedPattern closed = patternEdit(Design(), findPieces(drawing, {1, "", 10}));
+    ASSERT_EQ(closed.notes.size(), 1u);
+    EXPECT_NE(closed.notes[0].english().find("a gap of 3 mm"), std::string::npos) << closed.notes[0].english();
+}
+
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)
 {
     const FoundPattern found =

@@ -44,6 +44,7 @@ public:
     PieceElements build(const Change& fabric)
     {
         if (makeOutline()) {
+            tellClosed();
             addPatch(fabric.id);
             addNotches();
             addHoles();
@@ -90,6 +91,14 @@ private:
                  {std::to_string(mostCurvePoints), numberText(fitted->simplified)});
         m_outline = std::move(fitted->curve);
         return true;
+    }
+
+    void tellClosed()
+    {
+        const double gap = std::max(m_piece.cut.gap, m_piece.sew ? m_piece.sew->gap : 0.0);
+        if (gap > JoinOrder().same)
+            note(QT_TRANSLATE_NOOP("Message", "%1: a gap of %2 mm in its outline is closed by a straight line"),
+                 {numberText(gap)});
     }
 
     double quantity()
