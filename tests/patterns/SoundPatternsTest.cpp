@@ -216,6 +216,13 @@ TEST(SoundPatterns, GapsThatAreClosedAreTold)
     EXPECT_NE(closed.notes[0].english().find("a gap of 3 mm"), std::string::npos) << closed.notes[0].english();
 }
 
+TEST(SoundPatterns, TheHistoryCallsOnePieceByItsName)
+{
+    EXPECT_EQ(Imported(labelled("Quantity: ", "1")).made.edit.verb.english(), "Import the pattern of Seat");
+    const Imported two(drawingWith({rectangleOf("1", {0, 0}, {400, 300}), rectangleOf("1", {500, 0}, {400, 300})}));
+    EXPECT_EQ(two.made.edit.verb.english(), "Import a pattern of 2 pieces");
+}
+
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)
 {
     const FoundPattern found =
