@@ -163,6 +163,10 @@ TEST(SoundPatterns, WordsThatDoNotBecomePartOfThePatchAreTold)
     EXPECT_TRUE(Imported(labelled("Shrinkage: ", "3 % along, 2 % across")).tells("3 % along, 2 % across"));
     EXPECT_EQ(drawnSvg("", "width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200\"").notes.size(), 1u);
     EXPECT_TRUE(drawnSvg("").notes.empty());
+    const Drawing far = drawnSvg("", "width=\"300km\" height=\"100mm\" viewBox=\"0 0 200 100\"");
+    ASSERT_EQ(far.notes.size(), 1u);
+    EXPECT_NE(far.notes[0].english().find("300km"), std::string::npos);
+    EXPECT_TRUE(drawnSvg("", "width=\"100%\" height=\"auto\" viewBox=\"0 0 200 100\"").notes.empty());
 }
 
 TEST(SoundPatterns, NotMoreElementsThanADesignMayHave)
