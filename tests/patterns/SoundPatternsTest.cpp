@@ -227,6 +227,17 @@ TEST(SoundPatterns, TheHistoryCallsOnePieceByItsName)
     EXPECT_EQ(two.made.edit.verb.english(), "Import a pattern of 2 pieces");
 }
 
+TEST(SoundPatterns, CutLinesThatAreDrawnOtherwiseAreTold)
+{
+    const DrawnLine sewn = rectangleOf("14", {0, 0}, {400, 300});
+    EXPECT_TRUE(Imported(drawingWith({rectangleOf("1", {-10, -10}, {420, 320}), sewn})).made.notes.empty());
+    // One corner alone is cut off, at right angles to where it points.
+    const Imported imported(
+        drawingWith({lineOf("1", {{-10, -10}, {410, -10}, {410, 300}, {400, 310}, {-10, 310}}, true), sewn}));
+    EXPECT_TRUE(imported.tells("differs from that of the file by up to 7.1 mm"));
+    EXPECT_EQ(imported.patch().allowance->width, 10);
+}
+
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)
 {
     const FoundPattern found =
