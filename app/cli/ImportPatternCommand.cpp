@@ -95,7 +95,9 @@ void printUnread(const Drawing& drawing, const FoundPattern& pattern)
     for (const Contour& line : pattern.open)
         printError("warning: an outline is open, its ends are " + figure(line.gap) + " mm apart (see --close)");
     if (pattern.doubled > 0)
-        printError("warning: " + counted(pattern.doubled, "line") + " lay twice on itself and is taken once");
+        printError("warning: " + counted(pattern.doubled, "line") +
+                   (pattern.doubled == 1 ? " lay twice on itself and is taken once"
+                                         : " lay twice on themselves and are taken once"));
     printByLayer(pattern.outside, "warning", ", in no piece");
     printByLayer(pattern.ignored, "note", ", of grading, stripes or nothing that is known");
 }

@@ -62,6 +62,7 @@ public:
         m_piece.quantity = static_cast<int>(std::ceil(cutting.quantity));
         m_piece.pair = cutting.pair;
         m_piece.nap = cutting.nap;
+        m_piece.note = cutting.note;
         m_piece.tolerance = cutting.tolerance;
         m_piece.fabric = fabricShown(m_design, m_id);
         m_piece.fabricName = m_fabric ? m_fabric->name : std::string();

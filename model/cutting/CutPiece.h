@@ -70,6 +70,7 @@ struct CutPiece {
     double shrinkAcross = 0;
     ElementId fabric{};
     std::string fabricName;
+    std::string note; ///< one more line of the label
     /// From the coordinates of its patch's outline to these.
     Eigen::Matrix2d grown = Eigen::Matrix2d::Identity();
     BSpline2 outline;           ///< the sewing line as it was drawn, either way round

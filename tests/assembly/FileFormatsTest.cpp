@@ -88,7 +88,7 @@ TEST(FileFormats, EndingsAreFoundWhateverTheirCase)
     EXPECT_EQ(namesOf(FileUse::Pattern), "DXF, SVG");
     EXPECT_TRUE(isFileOf(FileUse::Scan, "room.laz")) << "so that somebody hears what helps";
     EXPECT_EQ(namesOf(FileUse::Scan), "E57, LAS, PTX, PTS, PLY, XYZ, PCD, OBJ, STL, OFF");
-    EXPECT_EQ(filtersOf(FileUse::FoamOut), "STL (*.stl);;3MF (*.3mf);;STEP, flat faces (*.step)");
+    EXPECT_EQ(filtersOf(FileUse::FoamOut), "STL (*.stl);;3MF (*.3mf);;STEP, of flat faces (*.step)");
     EXPECT_TRUE(patternsOf(FileUse::Pattern).startsWith("*.dxf *.DXF "));
 }
 

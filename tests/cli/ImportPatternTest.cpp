@@ -119,6 +119,16 @@ TEST_F(ImportPattern, NamesLayersOfWhatIsLeftOut)
     EXPECT_NE(imported.err.find("1 shape on layer \"stitch\", in no piece"), std::string::npos) << imported.err;
 }
 
+TEST_F(ImportPattern, CountsLinesThatLieTwice)
+{
+    const QString file = write(QStringLiteral("twice.svg"),
+                               R"(<svg xmlns="http://www.w3.org/2000/svg" width="900mm" viewBox="0 0 900 900">
+        <path d="M10 10 H310 V210 H10 Z"/><path d="M10 10 H310 V210 H10 Z"/><path d="M10 10 H310 V210 H10 Z"/></svg>)");
+    const ProgramRun imported = run({file, path("twice.json")});
+    EXPECT_NE(imported.err.find("2 lines lay twice on themselves and are taken once"), std::string::npos)
+        << imported.err;
+}
+
 TEST_F(ImportPattern, ReadsWhatOthersWrite)
 {
     const QString tool = QString::fromStdString(test::sourceFolder()) + "/tests/cli/write_drawing.py";

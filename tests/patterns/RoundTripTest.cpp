@@ -47,6 +47,7 @@ Design withMarks(const Design& start)
         constexpr Nap naps[] = {Nap::OneWay, Nap::TwoWays, Nap::Any};
         patch.cutting.nap = naps[i % 3];
         patch.cutting.tolerance = i % 2 == 0 ? 2 : 7.5;
+        patch.cutting.note = i % 2 == 0 ? "" : "f\u00fcttern";
         patch.allowance = CutAllowance{8.0 + static_cast<double>(i % 4), joins[i % 3]};
         if (i == 1)
             patch.name = "R\u00fcckenk\u00f6rper";
@@ -154,6 +155,7 @@ TEST_P(RoundTrip, KeepsWhatACutterIsTold)
         EXPECT_EQ(after.nap, before.nap);
         EXPECT_NEAR(after.tolerance, before.tolerance, 1e-9);
         EXPECT_EQ(after.fabricName, before.fabricName);
+        EXPECT_EQ(after.note, before.note);
         const Patch &old = *design.find<Patch>(before.patch), &now = *again.find<Patch>(after.patch);
         const Alignment2 place(now, old);
         EXPECT_LT(farthest(now.outline, old.outline, place), 0.05);

@@ -228,6 +228,7 @@ TEST(SeamProposals, LegsOfDartsAreAmongTheMostCertain)
         const std::vector<SeamProposal> proposals = proposeSeams(design);
         ASSERT_FALSE(proposals.empty());
         const SeamProposal& first = proposals.front();
+        EXPECT_EQ(sewProposals(design, {first}).verb.english(), "Sew a proposed seam");
         EXPECT_TRUE(first.dart);
         EXPECT_GT(first.certainty, 0.9);
         EXPECT_TRUE(first.reversed);

@@ -163,6 +163,10 @@ TEST(SoundPatterns, WordsThatDoNotBecomePartOfThePatchAreTold)
     EXPECT_TRUE(Imported(labelled("Shrinkage: ", "3 % along, 2 % across")).tells("3 % along, 2 % across"));
     EXPECT_EQ(drawnSvg("", "width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200\"").notes.size(), 1u);
     EXPECT_TRUE(drawnSvg("").notes.empty());
+    const Drawing far = drawnSvg("", "width=\"300km\" height=\"100mm\" viewBox=\"0 0 200 100\"");
+    ASSERT_EQ(far.notes.size(), 1u);
+    EXPECT_NE(far.notes[0].english().find("300km"), std::string::npos);
+    EXPECT_TRUE(drawnSvg("", "width=\"100%\" height=\"auto\" viewBox=\"0 0 200 100\"").notes.empty());
 }
 
 TEST(SoundPatterns, NotMoreElementsThanADesignMayHave)
@@ -206,6 +210,32 @@ TEST(SoundPatterns, OfTwoSewingLinesTheLargerIsTaken)
     EXPECT_EQ(imported.patch().allowance->width, 10);
     imported.design.each<EdgeAllowance>([](ElementId, const EdgeAllowance& edge) { ADD_FAILURE() << edge.width; });
     imported.design.each<InternalLine>([](ElementId, const InternalLine&) { ADD_FAILURE() << "outside"; });
+}
+
+TEST(SoundPatterns, GapsThatAreClosedAreTold)
+{
+    const Drawing drawing = drawingWith({lineOf("1", {{0, 0}, {400, 0}, {400, 300}, {0, 300}, {0, 3}})});
+    const ImportedPattern closed = patternEdit(Design(), findPieces(drawing, {1, "", 10}));
+    ASSERT_EQ(closed.notes.size(), 1u);
+    EXPECT_NE(closed.notes[0].english().find("a gap of 3 mm"), std::string::npos) << closed.notes[0].english();
+}
+
+TEST(SoundPatterns, TheHistoryCallsOnePieceByItsName)
+{
+    EXPECT_EQ(Imported(labelled("Quantity: ", "1")).made.edit.verb.english(), "Import the pattern of Seat");
+    const Imported two(drawingWith({rectangleOf("1", {0, 0}, {400, 300}), rectangleOf("1", {500, 0}, {400, 300})}));
+    EXPECT_EQ(two.made.edit.verb.english(), "Import a pattern of 2 pieces");
+}
+
+TEST(SoundPatterns, CutLinesThatAreDrawnOtherwiseAreTold)
+{
+    const DrawnLine sewn = rectangleOf("14", {0, 0}, {400, 300});
+    EXPECT_TRUE(Imported(drawingWith({rectangleOf("1", {-10, -10}, {420, 320}), sewn})).made.notes.empty());
+    // One corner alone is cut off, at right angles to where it points.
+    const Imported imported(
+        drawingWith({lineOf("1", {{-10, -10}, {410, -10}, {410, 300}, {400, 310}, {-10, 310}}, true), sewn}));
+    EXPECT_TRUE(imported.tells("differs from that of the file by up to 7.1 mm"));
+    EXPECT_EQ(imported.patch().allowance->width, 10);
 }
 
 TEST(SoundPatterns, WhatLiesInNoPieceIsCountedByLayer)

@@ -50,7 +50,7 @@ std::vector<std::pair<std::string, std::string>> pieceWords(const CutPiece& piec
             {"Nap", napText(piece)},
             {"Grain Tolerance", toleranceText(piece)},
             {"Shrinkage", shrinkageText(piece)},
-            {"Annotation", piece.mirrored ? "mirrored" : ""}};
+            {"Annotation", piece.mirrored ? "mirrored" : piece.note}};
 }
 
 class PieceWriter {
@@ -101,7 +101,8 @@ private:
     /// What only texts for people say in the plain file, and what ASCII cannot: for programs that import it.
     void comments()
     {
-        if (!isPlain() && ascii(m_piece.name) == m_piece.name && ascii(m_piece.fabricName) == m_piece.fabricName)
+        const auto isAscii = [](const std::string& words) { return ascii(words) == words; };
+        if (!isPlain() && isAscii(m_piece.name) && isAscii(m_piece.fabricName) && isAscii(m_piece.note))
             return;
         for (const auto& [key, value] : pieceWords(m_piece))
             if (!value.empty())

@@ -44,7 +44,8 @@ std::string aboutPiece(const CutPiece& piece)
                                      {"fabric", piece.fabricName},
                                      {"nap", napText(piece)},
                                      {"grain-tolerance", toleranceText(piece)},
-                                     {"shrinkage", shrinkageText(piece)}})
+                                     {"shrinkage", shrinkageText(piece)},
+                                     {"note", piece.note}})
         if (!value.empty())
             about.append(" data-").append(key).append("=\"").append(escapedXml(value)).append("\"");
     return about;

@@ -148,7 +148,7 @@ private:
     double m_last = 0;
 };
 
-double areaCut(const BSpline2& outline, const FoundAllowance& found)
+std::vector<LinePoint> cutWith(const BSpline2& outline, const FoundAllowance& found)
 {
     Patch patch;
     patch.outline = outline;
@@ -159,7 +159,34 @@ double areaCut(const BSpline2& outline, const FoundAllowance& found)
         changes.push_back(
             {ElementId(id++), nullptr, makeElement(EdgeAllowance{{ElementId(1), edge.from, edge.to}, edge.width})});
     const CutPattern pattern = cutPattern(Design().with({{}, std::move(changes), {}}), {});
-    return pattern.pieces.empty() ? 0 : areaOf(pattern.pieces.front().cut);
+    return pattern.pieces.empty() ? std::vector<LinePoint>() : pattern.pieces.front().cut;
+}
+
+double areaCut(const BSpline2& outline, const FoundAllowance& found)
+{
+    return areaOf(cutWith(outline, found));
+}
+
+/// How far points of one line are from the other one at most, mm. Of very fine lines some points tell enough.
+double farthestFrom(const Contour& line, const Contour& other)
+{
+    constexpr std::size_t most = 1000;
+    const std::size_t step = 1 + line.points.size() / most;
+    double farthest = 0;
+    for (std::size_t i = 0; i < line.points.size(); i += step)
+        farthest = std::max(farthest, other.distance(line.points[i].at));
+    return farthest;
+}
+
+double farthestOff(const BSpline2& outline, const Contour& cut, const FoundAllowance& found)
+{
+    Contour drawn;
+    drawn.closed = true;
+    for (const LinePoint& point : cutWith(outline, found)) {
+        drawn.points.emplace_back();
+        drawn.points.back().at = point.at;
+    }
+    return drawn.points.empty() ? 0 : std::max(farthestFrom(drawn, cut), farthestFrom(cut, drawn));
 }
 
 /// Takes for the corners the one of five ways to join them that has the area of the cut line. Returns how far off
@@ -247,6 +274,7 @@ FoundAllowance foundAllowance(const BSpline2& outline, const Contour& cut, const
         }
     const double off = chooseCorners(outline, cut.signedArea(), found);
     dropGuesses(outline, cut.signedArea(), found, off);
+    found.off = farthestOff(outline, cut, found);
     return found;
 }
 

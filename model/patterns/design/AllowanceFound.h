@@ -21,6 +21,8 @@ struct FoundAllowance {
     CutAllowance usual;           ///< what most of the outline has
     std::vector<EdgeWidth> edges; ///< those that have another one
     double tooWide = 0; ///< mm: the widest that is wider than an allowance may be, and has the usual one; 0: none
+    double off =
+        0; ///< mm: how far the cut line that follows from these is from the given one where it differs most
 };
 
 /// How far beyond the outline fabric was cut, edge by edge. Where one of the others lies between them nothing is

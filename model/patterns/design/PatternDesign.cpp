@@ -75,15 +75,23 @@ public:
         layOut();
         setStyle(pattern);
         fitEdgeLength();
-        m_result.edit = editBetween(m_start, m_now,
-                                    {QT_TRANSLATE_NOOP("Message", "Import a pattern of %1 pieces"),
-                                     {std::to_string(m_result.patches.size())}});
+        m_result.edit = editBetween(m_start, m_now, verb());
         if (m_result.edit.empty())
             m_result.edit = {};
         return std::move(m_result);
     }
 
 private:
+    /// A piece that came alone is called by its name.
+    Message verb() const
+    {
+        if (m_result.patches.size() == 1)
+            return {QT_TRANSLATE_NOOP("Message", "Import the pattern of %1"),
+                    {m_now.find<Patch>(m_result.patches.front())->name}};
+        return {QT_TRANSLATE_NOOP("Message", "Import a pattern of %1 pieces"),
+                {std::to_string(m_result.patches.size())}};
+    }
+
     void addPiece(const FoundPiece& piece, std::size_t place)
     {
         const Change fabric = fabricOf(piece);

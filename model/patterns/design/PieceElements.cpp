@@ -14,6 +14,7 @@ namespace {
 constexpr double largestPieceSize = 1e6; // mm: more than a kilometre is another unit
 constexpr double farFromOutline = 60;    // mm: notches that belong to nothing
 constexpr double onSewingLine = 0.05;    // mm
+constexpr double sameCut = 0.5;          // mm: what nobody cuts more exactly
 constexpr double metByRay = 0.005;       // mm
 constexpr double farthestAlong = 6;      // times as far as the nearest place: a ray that leads somewhere else
 constexpr double nearCorner = 0.1;       // mm: nobody means a place beside it by that
@@ -44,6 +45,7 @@ public:
     PieceElements build(const Change& fabric)
     {
         if (makeOutline()) {
+            tellClosed();
             addPatch(fabric.id);
             addNotches();
             addHoles();
@@ -90,6 +92,14 @@ private:
                  {std::to_string(mostCurvePoints), numberText(fitted->simplified)});
         m_outline = std::move(fitted->curve);
         return true;
+    }
+
+    void tellClosed()
+    {
+        const double gap = std::max(m_piece.cut.gap, m_piece.sew ? m_piece.sew->gap : 0.0);
+        if (gap > JoinOrder().same)
+            note(QT_TRANSLATE_NOOP("Message", "%1: a gap of %2 mm in its outline is closed by a straight line"),
+                 {numberText(gap)});
     }
 
     double quantity()
@@ -161,6 +171,11 @@ private:
                                    "%1: its cut line lies %2 mm outside of its sewing line, which is wider than "
                                    "an allowance may be; it becomes %3 mm there"),
                  {numberText(found.tooWide), numberText(found.usual.width)});
+        else if (others.empty() && found.off > sameCut)
+            note(QT_TRANSLATE_NOOP("Message",
+                                   "%1: its cut line is drawn anew from its allowances, and differs from "
+                                   "that of the file by up to %2 mm"),
+                 {numberText(found.off, 2)});
         return found;
     }
 

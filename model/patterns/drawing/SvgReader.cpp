@@ -73,6 +73,19 @@ private:
         return std::nullopt;
     }
 
+    /// Percents are of a window, which says nothing of a pattern; of anything else somebody has meant something.
+    void tellUnknownUnit(const std::string& length)
+    {
+        const std::string_view said = trimmed(length);
+        if (said.empty() || said == "auto" || said.ends_with('%') || svgLength(length))
+            return;
+        m_drawing.notes.push_back(
+            {QT_TRANSLATE_NOOP("Message",
+                               "the size \"%1\" of the page is in no unit that is known and is left out: check the "
+                               "size of the pieces"),
+             {length.substr(0, 60)}});
+    }
+
     /// Millimetres where the file says how large it is, else its own numbers; y up.
     SvgState page()
     {
@@ -86,6 +99,8 @@ private:
                                    "the viewBox \"%1\" is no four numbers and is left out: check the size of "
                                    "the pieces"),
                  {m_root.attribute("viewBox").substr(0, 60)}});
+        for (const char* const side : {"width", "height"})
+            tellUnknownUnit(m_root.attribute(side));
         SvgState state;
         state.viewport = {width.value_or(0), height.value_or(0)};
         Vec2 pixels(1, 1); // of one user unit

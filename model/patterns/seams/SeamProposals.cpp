@@ -469,6 +469,8 @@ Edit sewProposals(const Design& design, const std::vector<SeamProposal>& proposa
             sewn = withSmoothSeam(sewn, seam.changes.front().id);
         ++count;
     }
+    if (count == 1)
+        return editBetween(design, sewn, {QT_TRANSLATE_NOOP("Message", "Sew a proposed seam"), {}});
     return editBetween(design, sewn,
                        {QT_TRANSLATE_NOOP("Message", "Sew %1 proposed seams"), {std::to_string(count)}});
 }
