@@ -6,6 +6,7 @@
 #include "CuttingPanel.h"
 #include "Designer.h"
 #include "ExportPatternDialog.h"
+#include "NumberBox.h"
 #include "PatchMark.h"
 #include "Selection.h"
 
@@ -20,6 +21,7 @@
 #include <QPushButton>
 #include <QSemaphore>
 #include <QSettings>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -329,6 +331,39 @@ TEST_F(ExportWindowTest, WhatIsWrongLeadsOutOfItAndTheChoicesAreKept)
     ASSERT_TRUE(dialog);
     EXPECT_EQ(dialog->order().format, PatternFormat::Hpgl);
     dialog->reject();
+}
+
+TEST_F(ExportWindowTest, AnAllowanceThatCannotBeTakenStopsTheExportAndIsSaid)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ExportPatternDialog* dialog = chooser();
+    ASSERT_TRUE(dialog);
+    auto* allowance = dialog->findChild<NumberBox*>(QStringLiteral("allowance"));
+    ASSERT_TRUE(allowance && allowance->isEnabled());
+    const double before = allowance->value();
+    for (const char* text : {"9999", "wide"}) {
+        QToolTip::hideText();
+        allowance->setFocus();
+        allowance->selectAll();
+        QTest::keyClicks(allowance, text);
+        dialog->accept(); // as the button does
+        EXPECT_TRUE(dialog->isVisible()) << text;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return QToolTip::text().startsWith(QStringLiteral("Not taken")); }))
+            << text;
+        EXPECT_EQ(allowance->value(), before) << text;
+    }
+    EXPECT_TRUE(window.findChildren<QFileDialog*>().isEmpty());
+    allowance->selectAll();
+    QTest::keyClicks(allowance, "20");
+    dialog->accept();
+    EXPECT_FALSE(dialog->isVisible());
+    EXPECT_EQ(dialog->order().cutting.allowance, 20);
+    QFileDialog* files = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        files = window.findChild<QFileDialog*>();
+        return files && files->isVisible();
+    }));
+    files->reject();
 }
 
 TEST_F(ExportWindowTest, WritingThatTakesLongSaysSoAndCanBeCancelled)
