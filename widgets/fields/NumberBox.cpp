@@ -98,6 +98,8 @@ bool NumberBox::event(QEvent* event)
         event->ignore();
         return false;
     }
+    if (event->type() == QEvent::MouseButtonPress)
+        m_clickedInto = false; // on the arrows
     return QDoubleSpinBox::event(event);
 }
 
@@ -108,12 +110,17 @@ bool NumberBox::eventFilter(QObject* watched, QEvent* event)
         selectAll();
         return true;
     }
-    if (watched == lineEdit() && event->type() == QEvent::FocusIn)
-        m_clickedInto = static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
     if (watched == lineEdit() && event->type() == QEvent::MouseButtonRelease &&
         std::exchange(m_clickedInto, false) && !lineEdit()->hasSelectedText())
         selectAll(); // what is typed takes its place, as after Tab
     return QDoubleSpinBox::eventFilter(watched, event);
+}
+
+/// Asked here: the line of text passes the keyboard on and never sees this event.
+void NumberBox::focusInEvent(QFocusEvent* event)
+{
+    m_clickedInto = event->reason() == Qt::MouseFocusReason;
+    QDoubleSpinBox::focusInEvent(event);
 }
 
 QString NumberBox::finishTyping()
