@@ -7,6 +7,7 @@
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchLength.h"
 #include "StretchPick.h"
 #include "StretchToFix.h"
 #include "ToolGeometry.h"
@@ -434,15 +435,18 @@ QCursor PatternSelectTool::cursor() const
     return Qt::ArrowCursor;
 }
 
-/// The selected ones with their lengths.
+/// The selected ones with their lengths; of a proposed seam also a part of an edge.
 void PatternSelectTool::paintEdges(QPainter& painter, const ViewColors& colors) const
 {
-    const Design& design = m_context.document().design();
+    const auto isThere = [this](const Stretch& stretch) {
+        const Patch* patch = m_context.document().design().find<Patch>(stretch.patch);
+        return patch && !patch->outline.empty() && stretchRange(stretch, patch->outline);
+    };
     for (const Selection::Edge& edge : m_context.selection().edges())
-        if (isOutlineEdge(design, edge.stretch))
+        if (isThere(edge.stretch))
             paintStretch(painter, m_context, edge.stretch, colors.accent);
     for (const Selection::Edge& edge : m_context.selection().edges())
-        if (isOutlineEdge(design, edge.stretch))
+        if (isThere(edge.stretch))
             paintEdgeLength(painter, colors, m_context, edge.stretch);
 }
 
