@@ -92,6 +92,12 @@ void ExportPatternDialog::chooseAsBefore()
     m_unfold->setChecked(settings.value(unfoldKey, false).toBool());
 }
 
+void ExportPatternDialog::accept()
+{
+    if (takeTyped(*this))
+        QDialog::accept();
+}
+
 void ExportPatternDialog::done(int result)
 {
     QSettings settings;

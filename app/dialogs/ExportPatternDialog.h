@@ -38,6 +38,8 @@ public:
     PatternOrder order() const;
     /// As it is shown; null while it is made.
     const std::shared_ptr<const CutPattern>& pattern() const { return m_pattern; }
+    /// What is typed and cannot be taken stops it.
+    void accept() override;
     /// Keeps what was chosen for the next time.
     void done(int result) override;
 

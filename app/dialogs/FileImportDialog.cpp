@@ -235,6 +235,8 @@ QString FileImportDialog::saidText(const FileFacts& said) const
 /// What nobody could see is imported only on purpose.
 void FileImportDialog::accept()
 {
+    if (!takeTyped(*this))
+        return;
     const Box3 box = placedBox(m_shown, placement());
     if (m_keep->isChecked() || isPlausible(box)) {
         QDialog::accept();

@@ -341,6 +341,8 @@ PatternChoice ImportPatternDialog::choice() const
 
 void ImportPatternDialog::accept()
 {
+    if (!takeTyped(*this))
+        return;
     if (const QString program = product(); !program.isEmpty())
         QSettings().setValue(QStringLiteral("import/unit/") + program, m_unit->currentData().toDouble());
     QDialog::accept();

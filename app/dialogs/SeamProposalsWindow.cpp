@@ -53,6 +53,8 @@ void SeamProposalsWindow::build()
     m_list->setToolTip(tr("Select rows to see their edges in the pattern; Enter or a double click sews them."));
     m_hint = new QLabel(this);
     m_hint->setWordWrap(true);
+    m_hint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_hint->setMinimumHeight(2 * m_hint->fontMetrics().lineSpacing()); // rows stay where they are while it searches
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_sew = buttons->addButton(tr("&Sew selected"), QDialogButtonBox::ActionRole);
     m_sewLikely = buttons->addButton(tr("Sew &likely ones"), QDialogButtonBox::ActionRole);
@@ -148,6 +150,8 @@ void SeamProposalsWindow::selectEdges()
         for (const Stretch& stretch : {row.a, row.b})
             edges.push_back({stretch.patch, stretch});
     m_selection.set({}, {}, std::move(edges));
+    if (!rows.empty())
+        emit edgesSelected();
 }
 
 void SeamProposalsWindow::sewSelected()

@@ -20,6 +20,10 @@ class SeamProposalsWindow : public QDialog {
 public:
     SeamProposalsWindow(Document& document, Selection& selection, QWidget* parent = nullptr);
 
+signals:
+    /// The edges of the chosen rows are selected, and shall be seen.
+    void edgesSelected();
+
 private:
     void build();
     void look();

@@ -130,7 +130,8 @@ void MainWindow::addDesignCommands()
         m_inspector->focusFirst();
     });
     addArea<TwinCommands>(commands, document(), m_selection, *m_docks, *m_status);
-    addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
+    auto& sewing = addArea<SewingCommands>(commands, document(), m_selection, *m_docks);
+    connect(&sewing, &SewingCommands::selectionToShow, this, [this] { m_pattern->navigation().revealSelection(); });
     addArea<CuttingCommands>(commands,
                              CuttingCommands::Parts{*m_cutting, *m_files, m_selection, *m_pattern, *m_docks});
     addArea<DartCommands>(commands, document(), m_selection, *m_pattern, *m_status);

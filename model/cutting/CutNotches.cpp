@@ -18,6 +18,8 @@ constexpr double sameNotch = 1;     // mm
 constexpr double alikeSeams = 0.03; // of the length: seams that could be taken for one another
 constexpr double shortestTold = 40; // mm: on shorter ones nobody goes wrong
 constexpr double atCorner = 0.5;    // mm
+/// Of the distance between two: a seam that is a multiple of it but for a little is meant as the multiple.
+constexpr double spacingSlack = 0.01;
 /// That the outline turns by: of less nobody sees where the seam begins.
 constexpr double seenCorner = 25 * std::numbers::pi / 180;
 
@@ -158,7 +160,8 @@ private:
     {
         if (!(m_order.spacing > 0))
             return;
-        const int parts = static_cast<int>(std::min(std::ceil(pair.length() / m_order.spacing), 1000.0));
+        const double widest = (1 + spacingSlack) * m_order.spacing;
+        const int parts = static_cast<int>(std::min(std::ceil(pair.length() / widest), 1000.0));
         for (int k = 1; k < parts; ++k)
             addPair(id, pair, static_cast<double>(k) / parts, usual());
     }

@@ -6,6 +6,7 @@
 #include "CuttingPanel.h"
 #include "Designer.h"
 #include "ExportPatternDialog.h"
+#include "NumberBox.h"
 #include "PatchMark.h"
 #include "Selection.h"
 
@@ -20,6 +21,8 @@
 #include <QPushButton>
 #include <QSemaphore>
 #include <QSettings>
+#include <QSignalSpy>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -194,6 +197,36 @@ TEST_F(CuttingTest, AllowancesOfEdgesAreTypedBeforeAndAfterTheClick)
     EXPECT_EQ(all<EdgeAllowance>().back().second.width, 15) << "no such width";
 }
 
+TEST_F(CuttingTest, ANumberWithoutAnEdgeStaysWithTheToolAndTheCutLineCountsAsTheEdge)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    const Patch patch = firstPatch().second;
+    PatternView& view = window.patternView();
+    Designer(window).zoom(10); // cut lines are farther from their edges than a click reaches
+    begin("cutting.edge-allowance");
+    ASSERT_TRUE(waitForCut([](const CutPattern& cut) { return !cut.pieces.empty(); }));
+    const auto camera = [&] { return window.coverView().navigation().camera(); };
+    const double azimuth = camera().azimuth;
+    QSignalSpy failed(&view, &PatternView::failed);
+    move(view, patternPixel(toLayout(patch, patch.outline.boundingBox().center())), Qt::NoButton);
+    QTest::keyClick(&view, Qt::Key_2);
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_TRUE(failed.front().front().toString().startsWith(QStringLiteral("Point at an edge")));
+    EXPECT_EQ(camera().azimuth, azimuth);
+
+    const BSpline2& outline = patch.outline;
+    const double t = outline.wrapped(outline.domainStart() + 0.12 * outline.period());
+    const Vec2 along = outline.derivative(t).normalized(), right(along.y(), -along.x());
+    const Vec2 outward = outline.signedArea() < 0 ? Vec2(-right) : right;
+    const QPoint cutLine = patternPixel(toLayout(patch, Vec2(outline.at(t) + 10 * outward)));
+    ASSERT_FALSE(view.shown().hit(view.navigation().transform(), cutLine)) << "nothing but the cut line";
+    move(view, cutLine, Qt::NoButton);
+    QTest::keyClicks(&view, "25");
+    QTest::keyClick(&view, Qt::Key_Return);
+    ASSERT_EQ(all<EdgeAllowance>().size(), 1u);
+    EXPECT_EQ(all<EdgeAllowance>().front().second.width, 25);
+}
+
 TEST_F(CuttingTest, TheCheckStandsBesideThePatternWhileItIsMended)
 {
     ASSERT_TRUE(open(sample("box-cushion")));
@@ -329,6 +362,39 @@ TEST_F(ExportWindowTest, WhatIsWrongLeadsOutOfItAndTheChoicesAreKept)
     ASSERT_TRUE(dialog);
     EXPECT_EQ(dialog->order().format, PatternFormat::Hpgl);
     dialog->reject();
+}
+
+TEST_F(ExportWindowTest, AnAllowanceThatCannotBeTakenStopsTheExportAndIsSaid)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    ExportPatternDialog* dialog = chooser();
+    ASSERT_TRUE(dialog);
+    auto* allowance = dialog->findChild<NumberBox*>(QStringLiteral("allowance"));
+    ASSERT_TRUE(allowance && allowance->isEnabled());
+    const double before = allowance->value();
+    for (const char* text : {"9999", "wide"}) {
+        QToolTip::hideText();
+        allowance->setFocus();
+        allowance->selectAll();
+        QTest::keyClicks(allowance, text);
+        dialog->accept(); // as the button does
+        EXPECT_TRUE(dialog->isVisible()) << text;
+        EXPECT_TRUE(QTest::qWaitFor([&] { return QToolTip::text().startsWith(QStringLiteral("Not taken")); }))
+            << text;
+        EXPECT_EQ(allowance->value(), before) << text;
+    }
+    EXPECT_TRUE(window.findChildren<QFileDialog*>().isEmpty());
+    allowance->selectAll();
+    QTest::keyClicks(allowance, "20");
+    dialog->accept();
+    EXPECT_FALSE(dialog->isVisible());
+    EXPECT_EQ(dialog->order().cutting.allowance, 20);
+    QFileDialog* files = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        files = window.findChild<QFileDialog*>();
+        return files && files->isVisible();
+    }));
+    files->reject();
 }
 
 TEST_F(ExportWindowTest, WritingThatTakesLongSaysSoAndCanBeCancelled)

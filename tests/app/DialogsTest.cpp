@@ -248,6 +248,21 @@ TEST_F(DialogsTest, WhatAFieldDoesNotTakeIsSaidBesideIt)
     EXPECT_TRUE(QToolTip::isVisible()) << "it stays";
 }
 
+TEST_F(DialogsTest, TheFirstClickIntoANumberTakesAllOfItTheSecondPlacesTheCaret)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    window.patternView().setFocus();
+    auto* box = window.inspector().widget()->findChild<NumberBox*>(); // of the design
+    ASSERT_TRUE(box);
+    auto* line = box->findChild<QLineEdit*>();
+    const QPoint behindTheUnit(line->width() - 3, line->height() / 2);
+    QTest::mouseClick(line, Qt::LeftButton, {}, behindTheUnit);
+    ASSERT_TRUE(box->hasFocus());
+    EXPECT_TRUE(line->hasSelectedText()) << "what is typed takes its place";
+    QTest::mouseClick(line, Qt::LeftButton, {}, behindTheUnit);
+    EXPECT_FALSE(line->hasSelectedText());
+}
+
 TEST_F(DialogsTest, APictureIsProposedBesideItsProjectAndItIsSaidWhereItIs)
 {
     ASSERT_TRUE(open(sample("trapezoid")));

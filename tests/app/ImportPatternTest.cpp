@@ -114,7 +114,15 @@ TEST_F(ImportPatternTest, PiecesAreShownTakenAndSewn)
     EXPECT_GE(proposed, m_seams * 7 / 10);
     EXPECT_EQ(count<Seam>(), 0) << "none is made silently";
     EXPECT_EQ(window.selection().edges().size(), 2u) << "the edges of the first one are shown";
+    auto& navigation = window.patternView().navigation();
+    navigation.setTransform(navigation.transform().panned({1e5, 0})); // nothing is in the picture
     QTest::keyClick(list, Qt::Key_Down);
+    for (const Selection::Edge& edge : window.selection().edges()) {
+        const Patch& patch = *window.document().design().find<Patch>(edge.stretch.patch);
+        EXPECT_TRUE(window.patternView().rect().contains(
+            patternPixel(toLayout(patch, patch.outline.at(edge.stretch.from)))))
+            << "both edges are seen";
+    }
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
     EXPECT_EQ(count<Seam>(), 1) << "accepted by a key";

@@ -48,6 +48,15 @@ TEST(CutNotches, AlongASeamMeetWhenItIsSewn)
     }
 }
 
+TEST(CutNotches, StandALittleFartherApartThanSaidRatherThanOneMore)
+{
+    AutomaticNotches order = none();
+    order.spacing = 24.9; // on 100 mm: 0.4 % less than a quarter
+    EXPECT_EQ(at(notchPlaces(twoPanels(), order), left).size(), 3u);
+    order.spacing = 24.5; // 2 % less
+    EXPECT_EQ(at(notchPlaces(twoPanels(), order), left).size(), 4u);
+}
+
 TEST(CutNotches, FollowTheSeamsOwnMatch)
 {
     // The right edge bulges: equal parameters are not equal lengths.

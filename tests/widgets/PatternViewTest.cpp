@@ -1,6 +1,7 @@
 #include "PatternView.h"
 #include "DesignFile.h"
 #include "Document.h"
+#include "ElementEdits.h"
 #include "Picture.h"
 #include "ProblemSet.h"
 #include "Selection.h"
@@ -76,6 +77,35 @@ protected:
     PatternView view{document, selection, problems};
     Qt::MouseButtons pressed = Qt::NoButton;
 };
+
+TEST_F(PatternViewTest, TheLetterOfASeamSelectsIt)
+{
+    view.grab(); // painted
+    ASSERT_FALSE(view.shown().badges().empty());
+    const SeamBadge badge = view.shown().badges().front();
+    EXPECT_EQ(badge.seam, squareSeam);
+    move(badge.box.center().toPoint());
+    EXPECT_EQ(selection.hovered(), squareSeam);
+    click(badge.box.center().toPoint());
+    EXPECT_EQ(selection.elements(), Selection::Elements{squareSeam});
+    const auto outline = patch(badge.patch).outline;
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, badge.box.center().toPoint());
+    EXPECT_EQ(patch(badge.patch).outline, outline) << "no place of the outline is meant";
+}
+
+TEST_F(PatternViewTest, ClicksAtOnePlaceGoThroughWhatIsSewnAndFixedThere)
+{
+    FixationSeam fixation = *document.design().find<FixationSeam>(squareFixation);
+    fixation.stretch = {secondSquare, 3, 4}; // where it is sewn, too
+    document.commit(edits::replaceElement(document.design(), squareFixation, makeElement(fixation), {"Fix"}));
+    const QPoint at = pixel({200, 40});
+    for (const ElementId expected : {squareFixation, squareSeam, secondSquare, squareFixation}) {
+        click(at);
+        EXPECT_EQ(selection.elements(), Selection::Elements{expected});
+    }
+    click(pixel({200, 70})); // at another place one begins anew
+    EXPECT_EQ(selection.elements(), Selection::Elements{squareFixation});
+}
 
 TEST_F(PatternViewTest, WhatTheCoverViewHidesIsFaintUntilItIsSelected)
 {

@@ -34,6 +34,21 @@ QString variesText()
     return NumberBox::tr("varies");
 }
 
+bool takeTyped(QWidget& window)
+{
+    for (NumberBox* box : window.findChildren<NumberBox*>()) {
+        if (!box->isVisible() || !box->isEnabled())
+            continue;
+        if (const QString why = box->finishTyping(); !why.isEmpty()) {
+            box->setFocus();
+            box->selectAll();
+            box->say(why);
+            return false;
+        }
+    }
+    return true;
+}
+
 NumberBox::NumberBox(const Range& range, QWidget* parent)
     : QDoubleSpinBox(parent)
     , m_least(range.least)
@@ -51,12 +66,14 @@ NumberBox::NumberBox(const Range& range, QWidget* parent)
     lineEdit()->installEventFilter(this);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         m_typedOver = false;
+        m_whyRefused.clear();
         emit entered(value);
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         m_typedOver = m_typedOver || m_varies;
         m_varies = false;
         m_refused = false;
+        m_whyRefused.clear();
     });
     connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
         lineEdit()->setModified(false);
@@ -81,6 +98,8 @@ bool NumberBox::event(QEvent* event)
         event->ignore();
         return false;
     }
+    if (event->type() == QEvent::MouseButtonPress)
+        m_clickedInto = false; // on the arrows
     return QDoubleSpinBox::event(event);
 }
 
@@ -91,12 +110,23 @@ bool NumberBox::eventFilter(QObject* watched, QEvent* event)
         selectAll();
         return true;
     }
-    if (watched == lineEdit() && event->type() == QEvent::FocusIn)
-        m_clickedInto = static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
     if (watched == lineEdit() && event->type() == QEvent::MouseButtonRelease &&
         std::exchange(m_clickedInto, false) && !lineEdit()->hasSelectedText())
         selectAll(); // what is typed takes its place, as after Tab
     return QDoubleSpinBox::eventFilter(watched, event);
+}
+
+/// Asked here: the line of text passes the keyboard on and never sees this event.
+void NumberBox::focusInEvent(QFocusEvent* event)
+{
+    m_clickedInto = event->reason() == Qt::MouseFocusReason;
+    QDoubleSpinBox::focusInEvent(event);
+}
+
+QString NumberBox::finishTyping()
+{
+    interpretText();
+    return std::exchange(m_whyRefused, {});
 }
 
 void NumberBox::display(std::optional<double> value)
@@ -145,14 +175,19 @@ void NumberBox::fixup(QString& text) const
     m_refused = true;
     if (text.trimmed().isEmpty() && (m_varies || m_typedOver))
         return; // left as it was
+    m_whyRefused = refusal(text);
+    say(m_whyRefused);
+    QDoubleSpinBox::fixup(text);
+}
+
+void NumberBox::say(const QString& why) const
+{
     // Once the keyboard is where it goes from here: a tip that is shown before goes with the focus.
     constexpr auto moment = 50ms;
-    QTimer::singleShot(moment, qApp,
-                       [why = refusal(text), at = mapToGlobal(QPoint(0, height())), in = QPointer(window())] {
-                           if (in)
-                               QToolTip::showText(at, why, in);
-                       });
-    QDoubleSpinBox::fixup(text);
+    QTimer::singleShot(moment, qApp, [why, at = mapToGlobal(QPoint(0, height())), in = QPointer(window())] {
+        if (in)
+            QToolTip::showText(at, why, in);
+    });
 }
 
 QString NumberBox::refusal(const QString& text) const

@@ -15,6 +15,10 @@ bool isUndoOfDesign(const QLineEdit& edit, const QEvent& event);
 /// What a field shows where several elements have different values.
 QString variesText();
 
+/// Before what is typed in the number boxes of a window is used: takes it. False if one of them has refused what
+/// was typed last and the user was not stopped by that yet; it has the keyboard then, and says why.
+bool takeTyped(QWidget& window);
+
 /// Shows no trailing zeros, takes sums, products and, where the unit is mm, other units ("3*25", "2.5 cm"), takes
 /// point and comma as the decimal sign (but "1,500" as the language groups digits), and reports a value once: when
 /// the user is done with it, not with every key. What is no number or out of range is refused as a whole.
@@ -42,6 +46,8 @@ public:
     QValidator::State validate(QString& text, int& position) const override;
     /// What is typed is no such number: says so, and the value stays.
     void fixup(QString& text) const override;
+    /// Done with what is typed, as if the keyboard went elsewhere. Why it was refused, once; else empty.
+    QString finishTyping();
 
 signals:
     /// The user is done with a number that is not the shown one.
@@ -50,6 +56,7 @@ signals:
 protected:
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     StepEnabled stepEnabled() const override;
 
@@ -57,6 +64,8 @@ private:
     void finishVarying();
     /// Why what was typed is not taken.
     QString refusal(const QString& text) const;
+    void say(const QString& why) const;
+    friend bool takeTyped(QWidget& window);
     QString withoutUnit(const QString& text) const;
     /// The number that is meant, or nothing.
     std::optional<double> numberIn(const QString& text) const;
@@ -69,6 +78,7 @@ private:
     bool m_typedOver = false;       ///< over "varies"
     bool m_clickedInto = false;     ///< the button is still down
     mutable bool m_refused = false; ///< what was typed last
+    mutable QString m_whyRefused;   ///< until something else is typed or `finishTyping` has said it
 };
 
 } // namespace bolster

@@ -148,16 +148,16 @@ void paintFixationMarks(QPainter& painter, const QPainterPath& stretch, bool cou
     painter.strokePath(stretch, QPen(color, strong ? 3.4 : 2.4, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
 }
 
-void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken)
+QRectF paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken)
 {
     if (Walk(arrow.stretch).length() < 30)
-        return;
+        return {};
     const QFont font = seamLabelFont(painter.font());
     auto place = arrowPlace(arrow, arrow.label, font, taken);
     if (!place)
         place = arrowPlace(arrow, {}, font, taken);
     if (!place)
-        return;
+        return {};
     const double size = arrow.strong ? strongArrowSize : arrowSize;
     const auto& [centre, along, inward, headBox, letter] = *place;
     QPainterPath head(centre + along * size);
@@ -168,9 +168,10 @@ void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& col
     painter.fillPath(head, color);
     taken.push_back(headBox);
     if (letter.isEmpty())
-        return;
+        return headBox;
     paintSeamLabel(painter, letter, arrow.label, color);
     taken.push_back(letter);
+    return headBox.united(letter);
 }
 
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color)

@@ -23,8 +23,8 @@ struct SeamArrow {
     QString label = {}; ///< left out where the stretch is hardly longer
 };
 /// Keeps off what is `taken`, to which it is added; short stretches have no arrow. Where there is no room for the
-/// letter there is only the arrow.
-void paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken);
+/// letter there is only the arrow. Around both, empty where there is neither.
+QRectF paintSeamArrow(QPainter& painter, const SeamArrow& arrow, const QColor& color, std::vector<QRectF>& taken);
 /// Thin lines that join both stretches of a seam where they are sewn together.
 void paintSeamLink(QPainter& painter, const QPainterPath& a, const QPainterPath& b, const QColor& color);
 /// A fancy seam of this width: its outer lines, and stitches in the middle.

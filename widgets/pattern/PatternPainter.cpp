@@ -332,7 +332,10 @@ void PatternPainter::paintSeamArrows(const PatternPatch& patch, const QRectF& wr
         SeamArrow arrow{path, counterClockwise != stretch.backwards, selected(owner) || hovered(owner)};
         if (m_in.layers.labels)
             arrow.label = seamLabel(static_cast<std::size_t>(std::distance(m_in.seamColors.begin(), color)));
-        paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, taken);
+        const QRectF box = paintSeamArrow(m_painter, arrow, bad(owner) ? m_in.colors.error : color->second, taken);
+        const double middle = patch.patch().outline.wrapped((stretch.from + stretch.to) / 2);
+        if (!box.isEmpty())
+            m_badges.push_back({box, owner, patch.id, middle});
     }
 }
 

@@ -40,6 +40,14 @@ struct PatternLayers {
     friend bool operator==(const PatternLayers&, const PatternLayers&) = default;
 };
 
+/// Where a side of a seam has its arrow and letter, pixels.
+struct SeamBadge {
+    QRectF box;
+    ElementId seam{};
+    ElementId patch{};
+    double middle = 0; ///< of the stretch: parameter of the outline
+};
+
 /// One picture; made anew for each paint event.
 class PatternPainter {
 public:
@@ -63,6 +71,8 @@ public:
 
     PatternPainter(QPainter& painter, const Input& input);
     void paint();
+    /// Those that were painted, the uppermost last.
+    const std::vector<SeamBadge>& badges() const { return m_badges; }
 
     /// Control points are shown where they are far enough apart to be grabbed.
     static bool pointsReadable(const PatternPatch& patch, const PatternTransform& transform);
@@ -103,7 +113,8 @@ private:
     Box2 m_visible;
     std::map<ElementId, Stretches> m_stretches; ///< by patch
     std::map<ElementId, Trims> m_trims;         ///< by patch
-    std::vector<QPolygonF> m_words;             ///< written inside of patches that have cut lines, pixels
+    std::vector<SeamBadge> m_badges;
+    std::vector<QPolygonF> m_words; ///< written inside of patches that have cut lines, pixels
 };
 
 } // namespace bolster

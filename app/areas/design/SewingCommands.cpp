@@ -161,6 +161,7 @@ void SewingCommands::propose(QWidget* window)
 {
     if (!m_proposals) {
         m_proposals = new SeamProposalsWindow(m_document, m_selection, window);
+        connect(m_proposals, &SeamProposalsWindow::edgesSelected, this, &SewingCommands::selectionToShow);
         m_proposals->show();
     }
     m_proposals->raise();

@@ -24,13 +24,17 @@ class SeamProposalsWindow;
 class Selection;
 
 class SewingCommands : public QObject {
-    Q_DECLARE_TR_FUNCTIONS(SewingCommands)
+    Q_OBJECT
 
 public:
     SewingCommands(Commands& commands, Document& document, Selection& selection, const Docks& docks);
 
     /// The menu of the right button.
     static void fillTable(QTreeView& table, Commands& commands);
+
+signals:
+    /// What has been selected shall be seen in the pattern.
+    void selectionToShow();
 
 private:
     using Seams = std::vector<ElementId>;

@@ -14,6 +14,13 @@ inline bool isEnterKey(int key)
     return key == Qt::Key_Return || key == Qt::Key_Enter;
 }
 
+/// A number begins. Tools that take typed numbers keep it even where it means nothing yet: elsewhere it turns the
+/// camera.
+inline bool isDigitKey(int key)
+{
+    return key >= Qt::Key_0 && key <= Qt::Key_9;
+}
+
 /// Enter ends the line, Backspace takes back a point, B switches between straight and smooth.
 inline bool isDrawingKey(int key, bool canBeSmooth)
 {

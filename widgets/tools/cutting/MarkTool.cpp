@@ -1,6 +1,7 @@
 #include "MarkTool.h"
 
 #include "CornerMeasure.h"
+#include "CutPattern.h"
 #include "CuttingEdits.h"
 #include "Document.h"
 #include "DrawingKeys.h"
@@ -15,12 +16,15 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <limits>
 
 namespace bolster {
 
 namespace {
 
-constexpr double cornerReach = 14; // pixels
+// Pixels.
+constexpr double cornerReach = 14;
+constexpr double cutLineReach = 7;
 
 /// The corner of the outline next to a parameter, if it is near on the screen.
 std::optional<double> cornerNear(const Patch& patch, const Vec2& layout, double reach)
@@ -35,6 +39,20 @@ std::optional<double> cornerNear(const Patch& patch, const Vec2& layout, double 
     return nearest;
 }
 
+/// Of a place in outline coordinates from the cut line, mm, as it is drawn.
+double distanceToLine(const CutPiece& piece, const Vec2& at)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < piece.cut.size(); ++i) {
+        const Vec2 from = piece.shrunk(piece.cut[i].at);
+        const Vec2 way = piece.shrunk(piece.cut[(i + 1) % piece.cut.size()].at) - from;
+        const double length = way.squaredNorm();
+        const double share = length > 0 ? std::clamp((at - from).dot(way) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, (from + share * way - at).norm());
+    }
+    return nearest;
+}
+
 } // namespace
 
 MarkTool::Target MarkTool::targetAt(const PatternPointer& pointer) const
@@ -43,6 +61,10 @@ MarkTool::Target MarkTool::targetAt(const PatternPointer& pointer) const
     Target target;
     if (hit.kind == PatternHit::Kind::Mark) {
         target.mark = hit.seam;
+        return target;
+    }
+    if (m_kind == MarkKind::EdgeAllowance) {
+        findEdge(pointer, hit, target);
         return target;
     }
     const PatternPatch* on = m_context.scene().patch(hit.patch);
@@ -65,15 +87,7 @@ MarkTool::Target MarkTool::targetAt(const PatternPointer& pointer) const
         }
         break;
     case MarkKind::EdgeAllowance:
-        if (onOutline)
-            target.stretch = stretchUnder(m_context, pointer.pixel);
-        m_context.document().design().each<EdgeAllowance>([&](ElementId id, const EdgeAllowance& edge) {
-            if (target.stretch == edge.stretch)
-                target.mark = id;
-        });
-        if (target.mark != noElement)
-            target.stretch.reset();
-        break;
+        break; // found already
     case MarkKind::CutCorner:
         if (const auto corner = cornerNear(patch, pointer.layout, m_context.transform().millimetres(cornerReach))) {
             target.patch = hit.patch;
@@ -83,6 +97,41 @@ MarkTool::Target MarkTool::targetAt(const PatternPointer& pointer) const
         break;
     }
     return target;
+}
+
+/// Its cut line counts as the edge, too: that is what an allowance is seen by.
+void MarkTool::findEdge(const PatternPointer& pointer, const PatternHit& hit, Target& target) const
+{
+    if (hit.kind == PatternHit::Kind::Outline || hit.kind == PatternHit::Kind::Point)
+        target.stretch = stretchUnder(m_context, pointer.pixel);
+    else if (!hit)
+        target.stretch = stretchOfCutLine(pointer);
+    m_context.document().design().each<EdgeAllowance>([&](ElementId id, const EdgeAllowance& edge) {
+        if (target.stretch == edge.stretch)
+            target.mark = id;
+    });
+    if (target.mark != noElement)
+        target.stretch.reset();
+}
+
+std::optional<Stretch> MarkTool::stretchOfCutLine(const PatternPointer& pointer) const
+{
+    const CutPattern* cut = m_context.cut();
+    if (!cut)
+        return std::nullopt;
+    const double reach = m_context.transform().millimetres(cutLineReach);
+    for (const CutPiece& piece : cut->pieces) {
+        const PatternPatch* on = m_context.scene().patch(piece.patch);
+        if (!on || on->patch().outline.empty())
+            continue;
+        const Vec2 at = fromLayout(on->patch(), pointer.layout);
+        if (distanceToLine(piece, at) > reach)
+            continue;
+        const BSpline2& outline = on->patch().outline;
+        const Vec2 edge = toLayout(on->patch(), outline.closest(at).point);
+        return stretchUnder(m_context, m_context.transform().toPixels(edge));
+    }
+    return std::nullopt;
 }
 
 Edit MarkTool::edit(const Target& target, Message& problem) const
@@ -249,6 +298,8 @@ bool MarkTool::keyPress(const QKeyEvent& event)
         find();
     } else if ((m_typed.open() || takesTyped()) && m_typed.keyPress(event)) {
         find();
+    } else if (missesTarget(event.key()) && !event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_context.report(pointFirst());
     } else {
         return false;
     }
@@ -256,12 +307,31 @@ bool MarkTool::keyPress(const QKeyEvent& event)
     return true;
 }
 
+bool MarkTool::missesTarget(int key) const
+{
+    return m_kind != MarkKind::CutCorner && m_pointer && isDigitKey(key);
+}
+
+QString MarkTool::pointFirst() const
+{
+    switch (m_kind) {
+    case MarkKind::Notch:
+        return tr("Point at an outline, then type how far the notch is from the corner");
+    case MarkKind::DrillHole:
+        return tr("Point into a patch, then type where the drill hole lies: 120, 40");
+    case MarkKind::EdgeAllowance:
+    case MarkKind::CutCorner:
+        break;
+    }
+    return tr("Point at an edge, then type how wide its allowance is");
+}
+
 bool MarkTool::wants(int key) const
 {
     if (m_drag)
         return m_drag->wants(key) || isEnterKey(key);
     if (!m_typed.open() && !takesTyped())
-        return false;
+        return missesTarget(key);
     return m_typed.wants(key) || (isEnterKey(key) && m_typed.open());
 }
 

@@ -52,6 +52,11 @@ private:
     /// What is typed says something of what the pointer is at.
     bool takesTyped() const;
     QString typedProblem() const;
+    /// A number that is typed now would have nothing to be of, but the pointer is here.
+    bool missesTarget(int key) const;
+    QString pointFirst() const;
+    void findEdge(const PatternPointer& pointer, const PatternHit& hit, Target& target) const;
+    std::optional<Stretch> stretchOfCutLine(const PatternPointer& pointer) const;
     /// What a click or Enter means now: the mark that is there then, or none.
     ElementId place();
     QString hint() const;

@@ -174,6 +174,8 @@ bool DartTool::keyPress(const QKeyEvent& event)
         takeBack();
     else if (isEnterKey(event.key()))
         accept();
+    else if (isDigitKey(event.key()) && !event.modifiers().testFlag(Qt::ControlModifier))
+        m_context.report(prompt()); // of nothing that has been begun
     else
         return false;
     m_context.refresh();
@@ -182,7 +184,8 @@ bool DartTool::keyPress(const QKeyEvent& event)
 
 bool DartTool::wants(int key) const
 {
-    return isEnterKey(key) || (!m_ends.empty() && (m_typed.wants(key) || key == Qt::Key_Backspace));
+    return isEnterKey(key) || isDigitKey(key) ||
+           (!m_ends.empty() && (m_typed.wants(key) || key == Qt::Key_Backspace));
 }
 
 ToolKeys DartTool::keys() const

@@ -14,6 +14,25 @@ std::optional<Selection::Edge> edgeAt(const PatternScene& scene, const PatternHi
     return Selection::Edge{hit.element(), outlineEdgeAt(hit.patch, patch->patch().outline, hit.parameter)};
 }
 
+std::vector<PatternHit> hitsThere(const PatternScene& scene, const PatternHit& hit)
+{
+    const PatternPatch* patch = hit.kind == PatternHit::Kind::Outline ? scene.patch(hit.patch) : nullptr;
+    if (!patch)
+        return {hit};
+    std::vector<PatternHit> there;
+    const auto add = [&](ElementId owner) {
+        there.push_back(hit);
+        there.back().seam = owner;
+    };
+    add(noElement);
+    for (const auto& [owner, stretch] : scene.stretches())
+        if (stretch.patch == hit.patch && there.back().seam != owner &&
+            stretch.contains(patch->patch().outline, hit.parameter))
+            add(owner);
+    std::ranges::reverse(there); // the uppermost is what is hit
+    return there;
+}
+
 bool isSelected(const Selection& selection, const PatternScene& scene, const PatternHit& hit)
 {
     if (hit.kind == PatternHit::Kind::Point)

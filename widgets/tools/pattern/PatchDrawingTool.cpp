@@ -29,6 +29,8 @@ bool PatchDrawingTool::keyPress(const QKeyEvent& event)
         takeBack();
     else if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
         enter();
+    else if (isDigitKey(event.key()) && !event.modifiers().testFlag(Qt::ControlModifier))
+        m_context.report(prompt()); // of nothing that has been begun
     else
         return false;
     m_context.refresh();
@@ -37,8 +39,7 @@ bool PatchDrawingTool::keyPress(const QKeyEvent& event)
 
 bool PatchDrawingTool::wants(int key) const
 {
-    return (begun() && (m_typed.wants(key) || key == Qt::Key_Backspace)) || key == Qt::Key_Return ||
-           key == Qt::Key_Enter;
+    return (begun() && (m_typed.wants(key) || key == Qt::Key_Backspace)) || isEnterKey(key) || isDigitKey(key);
 }
 
 ToolKeys PatchDrawingTool::keys() const

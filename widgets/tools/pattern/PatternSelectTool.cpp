@@ -7,6 +7,7 @@
 #include "PatchEdits.h"
 #include "Selection.h"
 #include "SelectionEdits.h"
+#include "StretchLength.h"
 #include "StretchPick.h"
 #include "StretchToFix.h"
 #include "ToolGeometry.h"
@@ -15,7 +16,9 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace bolster {
 
@@ -26,6 +29,7 @@ constexpr double handleStem = 26;
 constexpr double handleRadius = 6;
 constexpr double cornerGap = 12; // beside the corner, where often a control point lies
 constexpr double cornerSize = 4;
+constexpr double sameClick = 3; // between two clicks at one place
 
 constexpr Box2::CornerType boxCorners[] = {Box2::BottomLeft, Box2::BottomRight, Box2::TopLeft, Box2::TopRight};
 
@@ -58,11 +62,36 @@ void PatternSelectTool::press(const PatternPointer& pointer)
         m_pressedHandle || m_pressedCorner || m_pressedDart ? std::nullopt : stretchEndAt(m_context, pointer.pixel);
     const bool onHandle = m_pressedHandle || m_pressedCorner || m_pressedEnd || m_pressedDart;
     m_pressedHit = onHandle ? PatternHit{} : m_context.hit(pointer.pixel);
+    // What is selected there is meant before what a first click would take.
+    m_clickedAgain = m_lastClick && (pointer.pixel - *m_lastClick).manhattanLength() <= sameClick;
+    if (m_clickedAgain && !onHandle)
+        for (const PatternHit& there : hitsThere(m_context.scene(), m_pressedHit))
+            if (isOnlySelected(there))
+                m_pressedHit = there;
     m_pressedLabel = onHandle ? noElement : labelUnder(m_pressedHit, pointer.pixel);
     m_alreadySelected = m_onSelectedEdge = false;
     if (!onHandle)
         select(pointer);
     m_context.refresh();
+}
+
+bool PatternSelectTool::isOnlySelected(const PatternHit& hit) const
+{
+    const Selection& selection = m_context.selection();
+    return selection.elements().size() == 1 && selection.edges().size() == 1 &&
+           isSelected(selection, m_context.scene(), hit);
+}
+
+/// A second click at the same place goes on to the next thing there: seam, fixation, patch.
+void PatternSelectTool::selectClicked()
+{
+    PatternHit clicked = m_pressedHit;
+    if (m_clickedAgain && isOnlySelected(clicked)) {
+        const std::vector<PatternHit> there = hitsThere(m_context.scene(), clicked);
+        const auto now = std::ranges::find(there, clicked.seam, &PatternHit::seam);
+        clicked = now == there.end() || std::next(now) == there.end() ? there.front() : *std::next(now);
+    }
+    selectOnly(m_context.selection(), m_context.scene(), clicked);
 }
 
 void PatternSelectTool::select(const PatternPointer& pointer)
@@ -171,6 +200,7 @@ ElementId PatternSelectTool::labelUnder(const PatternHit& hit, QPointF pixel) co
 
 void PatternSelectTool::release(const PatternPointer& pointer)
 {
+    m_lastClick = m_drag || !m_pressed ? std::nullopt : std::optional(pointer.pixel);
     if (m_drag) {
         // What is finished must not be there any more when its edit is announced.
         const std::unique_ptr<PatternDrag> drag = std::move(m_drag);
@@ -183,7 +213,7 @@ void PatternSelectTool::release(const PatternPointer& pointer)
         m_pressed.reset();
         const bool add = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
         if (m_alreadySelected)
-            selectOnly(m_context.selection(), m_context.scene(), m_pressedHit);
+            selectClicked();
         else if (!m_pressedHit && !m_pressedHandle && !m_pressedCorner && !m_pressedEnd && !m_pressedDart && !add)
             m_context.selection().clear();
     }
@@ -198,6 +228,11 @@ void PatternSelectTool::doubleClick(const PatternPointer& pointer)
     if (hit.kind != PatternHit::Kind::Outline && hit.kind != PatternHit::Kind::Line)
         return;
     const ElementId id = hit.kind == PatternHit::Kind::Line ? hit.seam : hit.patch;
+    if (const PatternPatch* on = m_context.scene().patch(id)) {
+        const Vec2 at = toLayout(on->patch(), on->patch().outline.at(hit.parameter));
+        if ((at - pointer.layout).norm() > m_context.transform().millimetres(2 * handleRadius))
+            return; // on the letter of a seam: no place of the outline is meant
+    }
     Document& document = m_context.document();
     const Edit edit = edits::insertPatchPoint(document.design(), id, hit.parameter);
     if (edit.empty()) {
@@ -400,15 +435,18 @@ QCursor PatternSelectTool::cursor() const
     return Qt::ArrowCursor;
 }
 
-/// The selected ones with their lengths.
+/// The selected ones with their lengths; of a proposed seam also a part of an edge.
 void PatternSelectTool::paintEdges(QPainter& painter, const ViewColors& colors) const
 {
-    const Design& design = m_context.document().design();
+    const auto isThere = [this](const Stretch& stretch) {
+        const Patch* patch = m_context.document().design().find<Patch>(stretch.patch);
+        return patch && !patch->outline.empty() && stretchRange(stretch, patch->outline);
+    };
     for (const Selection::Edge& edge : m_context.selection().edges())
-        if (isOutlineEdge(design, edge.stretch))
+        if (isThere(edge.stretch))
             paintStretch(painter, m_context, edge.stretch, colors.accent);
     for (const Selection::Edge& edge : m_context.selection().edges())
-        if (isOutlineEdge(design, edge.stretch))
+        if (isThere(edge.stretch))
             paintEdgeLength(painter, colors, m_context, edge.stretch);
 }
 

@@ -43,6 +43,8 @@ public:
 
 private:
     void select(const PatternPointer& pointer);
+    bool isOnlySelected(const PatternHit& hit) const;
+    void selectClicked();
     std::unique_ptr<PatternDrag> newDrag() const;
     std::set<std::pair<ElementId, int>> allPoints(ElementId line) const;
     bool keyDuringDrag(const QKeyEvent& event);
@@ -68,6 +70,8 @@ private:
     std::optional<DartHandle> m_pressedDart;
     ElementId m_pressedLabel = noElement;
     bool m_onSelectedEdge = false;
+    std::optional<QPointF> m_lastClick; ///< where the button was let go without a drag
+    bool m_clickedAgain = false;        ///< at the same place
     bool m_alreadySelected = false; ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 

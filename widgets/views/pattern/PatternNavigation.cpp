@@ -1,7 +1,9 @@
 #include "PatternNavigation.h"
 
+#include "CurvePath.h"
 #include "PatternScene.h"
 #include "Selection.h"
+#include "StretchLength.h"
 
 #include <QWidget>
 
@@ -41,6 +43,27 @@ void PatternNavigation::fitSelection()
 {
     const Box2 box = m_scene.boundingBox(m_selection.elements());
     fit(box.isEmpty() ? m_scene.boundingBox() : box);
+}
+
+void PatternNavigation::revealSelection()
+{
+    Box2 box;
+    for (const Selection::Edge& edge : m_selection.edges()) {
+        const PatternPatch* on = m_scene.patch(edge.stretch.patch);
+        const auto range = on ? stretchRange(edge.stretch, on->patch().outline) : std::nullopt;
+        if (!range)
+            continue;
+        const QRectF bounds = curvePath(on->patch().outline, range->first, range->second, [on](const Vec2& p) {
+                                  return toLayout(on->patch(), p);
+                              }).boundingRect();
+        box.extend(Box2(toVec(bounds.topLeft()), toVec(bounds.bottomRight())));
+    }
+    if (box.isEmpty())
+        box = m_scene.boundingBox(m_selection.elements());
+    const QRectF seen(m_view.rect());
+    if (!box.isEmpty() &&
+        !(seen.contains(m_transform.toPixels(box.min())) && seen.contains(m_transform.toPixels(box.max()))))
+        fitSelection();
 }
 
 void PatternNavigation::fit(const Box2& box)

@@ -24,6 +24,8 @@ public:
     void setTransform(const PatternTransform& transform);
     void fitAll();
     void fitSelection(); ///< everything when nothing in the layout is selected
+    /// Fits the selection if its edges - without edges its elements - are not all in the picture.
+    void revealSelection();
     /// Moves the picture if the place (layout mm) is not in it.
     void reveal(const Vec2& layout);
 

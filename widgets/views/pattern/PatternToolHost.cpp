@@ -41,7 +41,12 @@ PatternHit PatternToolHost::hit(QPointF pixel) const
 {
     if (m_moving && m_hit && m_hit->first == pixel)
         return m_hit->second;
-    const PatternHit found = m_shown.hit(transform(), pixel);
+    PatternHit found = m_shown.hit(transform(), pixel);
+    // Tools that draw mean the place below a seam's letter.
+    if (kind() == PatternToolKind::Select &&
+        (found.kind == PatternHit::Kind::Inside || found.kind == PatternHit::Kind::Nothing))
+        if (const PatternHit badge = m_shown.hitBadge(pixel))
+            found = badge;
     m_hit = {pixel, found};
     return found;
 }

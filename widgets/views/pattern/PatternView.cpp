@@ -1,6 +1,7 @@
 #include "PatternView.h"
 
 #include "Document.h"
+#include "DrawingKeys.h"
 #include "PatternRulers.h"
 #include "Selection.h"
 #include "SelectionSteps.h"
@@ -126,7 +127,10 @@ bool PatternView::handle(QEvent* event)
     }
     if (event->type() == QEvent::ShortcutOverride) {
         // Space and the arrows are ours even where a window gives them another meaning.
-        const int key = static_cast<QKeyEvent*>(event)->key();
+        const auto* pressed = static_cast<QKeyEvent*>(event);
+        const int key = pressed->key();
+        if (isDigitKey(key) && (pressed->modifiers() & Qt::ControlModifier)) // a shortcut: nobody types that
+            return QWidget::event(event);
         if (key == Qt::Key_Space || (key >= Qt::Key_Left && key <= Qt::Key_Down) || m_tools.tool().wants(key))
             event->accept();
     }

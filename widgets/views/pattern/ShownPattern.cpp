@@ -21,6 +21,7 @@ namespace bolster {
 namespace {
 
 constexpr double grabRadius = 7; ///< pixels
+constexpr double badgeRoom = 5;  ///< pixels: so far it moves inwards while its seam is under the pointer
 
 } // namespace
 
@@ -126,6 +127,15 @@ PatternHit ShownPattern::hit(const PatternTransform& transform, QPointF pixel) c
         [this](const PatternLine& line) { return m_layers.shows(line); }, m_layers.cutting);
 }
 
+PatternHit ShownPattern::hitBadge(QPointF pixel) const
+{
+    for (auto badge = m_badges.rbegin(); badge != m_badges.rend(); ++badge)
+        if (badge->box.adjusted(-badgeRoom, -badgeRoom, badgeRoom, badgeRoom).contains(pixel) &&
+            m_scene.patch(badge->patch) && m_scene.stretches().contains(badge->seam))
+            return {PatternHit::Kind::Outline, badge->patch, -1, badge->middle, badge->seam};
+    return {};
+}
+
 std::optional<CoverPoint> ShownPattern::pointOf(const PatternHit& found, const PatternTransform& transform,
                                                 QPointF pixel) const
 {
@@ -181,7 +191,9 @@ void ShownPattern::paint(QPainter& painter, const PatternTransform& transform, c
     const PatternPainter::Input input{m_scene, m_mesh,       m_map,      m_selection, m_problems,
                                       invalid, m_seamColors, transform,  m_layers,    m_colors,
                                       font,    size,         m_mirrored, m_hidden,    m_cut.get()};
-    PatternPainter(painter, input).paint();
+    PatternPainter picture(painter, input);
+    picture.paint();
+    m_badges = picture.badges();
 }
 
 } // namespace bolster

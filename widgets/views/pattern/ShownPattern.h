@@ -46,6 +46,9 @@ public:
     const std::shared_ptr<const CutPattern>& cut() const { return m_cut; }
     /// What lies under the pixel.
     PatternHit hit(const PatternTransform& transform, QPointF pixel) const;
+    /// The seam whose arrow and letter were painted there last, as a hit on its stretch; or nothing.
+    PatternHit hitBadge(QPointF pixel) const;
+    const std::vector<SeamBadge>& badges() const { return m_badges; }
     /// The point of a patch under the pixel, where `found` lies.
     std::optional<CoverPoint> pointOf(const PatternHit& found, const PatternTransform& transform,
                                       QPointF pixel) const;
@@ -77,8 +80,9 @@ private:
     SurfaceMeshPtr m_surface;
     std::map<ElementId, QColor> m_seamColors;
     PatternLayers m_layers;
-    std::set<ElementId> m_mirrored; ///< of what is selected or under the pointer
-    std::set<ElementId> m_hidden;   ///< in the 3D view
+    mutable std::vector<SeamBadge> m_badges; ///< as they were painted last
+    std::set<ElementId> m_mirrored;          ///< of what is selected or under the pointer
+    std::set<ElementId> m_hidden;            ///< in the 3D view
     std::shared_ptr<const CutPattern> m_cut;
     LatestJob<Design, std::shared_ptr<const CutPattern>> m_cutJob; ///< last: it uses the others
 };
