@@ -43,9 +43,9 @@ if(BOLSTER_SANITIZE)
 endif()
 
 # For folders that wait more than they compute (everything but the solver): with a sanitizer they are compiled in half of the
-# time. Fuzzers count what they get through.
+# time.
 macro(bolster_compiled_soon)
-    if(BOLSTER_SANITIZE AND NOT BOLSTER_FUZZ)
+    if(BOLSTER_SANITIZE)
         add_compile_options(-O0)
     endif()
 endmacro()
