@@ -32,13 +32,15 @@ const QString unfoldKey = QStringLiteral("export-pattern/two-pieces");
 
 } // namespace
 
-ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, const QImage& cover, QWidget* parent)
+ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, std::function<QImage()> takePicture,
+                                         QWidget* parent)
     : QDialog(parent)
     , m_design(std::move(design))
     , m_style(style.toStdString())
+    , m_takePicture(std::move(takePicture))
     , m_layout(
-          [design = m_design, cover](const LayoutOrder& order, const std::stop_token& stop) {
-              return laidOut(design, cover, order, stop);
+          [design = m_design](const LayoutOrder& order, const std::stop_token& stop) {
+              return laidOut(design, order, stop);
           },
           [this](const Layout& layout) { show(layout); })
     , m_job(
@@ -244,12 +246,15 @@ void ExportPatternDialog::preview()
     m_landscape->setEnabled(sheets && !order.paper.roll);
     m_lines->setEnabled(!isSewing);
     m_export->setEnabled(false);
-    if (m_pattern)
-        m_layout.request({m_pattern, order}, true);
+    if (!m_pattern)
+        return;
+    if (isSewing && !m_picture)
+        m_picture = m_takePicture();
+    m_layout.request({m_pattern, order, picture()}, true);
 }
 
-ExportPatternDialog::Layout ExportPatternDialog::laidOut(const Design& design, const QImage& cover,
-                                                         const LayoutOrder& wanted, const std::stop_token& stop)
+ExportPatternDialog::Layout ExportPatternDialog::laidOut(const Design& design, const LayoutOrder& wanted,
+                                                         const std::stop_token& stop)
 {
     constexpr int pageWidth = 1000, mostPages = 20; // pixels; more than these nobody looks at here
     const PatternOrder& order = wanted.order;
@@ -258,7 +263,7 @@ ExportPatternDialog::Layout ExportPatternDialog::laidOut(const Design& design, c
     if (hasSheets(order.format))
         plan = planSheets(*wanted.pattern, {order.paper, order.landscape, order.layers}, stop);
     else if (order.format == PatternFormat::SewingSheet)
-        layout.pages = sewingPages(design, order, cover, pageWidth, mostPages, layout.allPages, {stop, {}});
+        layout.pages = sewingPages(design, order, wanted.picture, pageWidth, mostPages, layout.allPages, {stop, {}});
     else
         plan.table =
             arranged(*wanted.pattern, order.format == PatternFormat::Hpgl ? tableWidth(order.paper, order.landscape)

@@ -9,6 +9,9 @@
 
 #include <QDialog>
 
+#include <functional>
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 class QGroupBox;
@@ -25,9 +28,10 @@ class ExportPatternDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `style`: what the pattern is called where the design does not say it. `cover`: a picture of it for the
-    /// sewing sheet, may be null.
-    ExportPatternDialog(Design design, const QString& style, const QImage& cover, QWidget* parent = nullptr);
+    /// `style`: what the pattern is called where the design does not say it. `takePicture`: of the cover, for the
+    /// sewing sheet; called when that is first chosen (of large designs it takes a while), may return a null image.
+    ExportPatternDialog(Design design, const QString& style, std::function<QImage()> takePicture,
+                        QWidget* parent = nullptr);
 
 signals:
     /// Something is wrong there and shall be seen: in outline coordinates, mm.
@@ -38,6 +42,8 @@ public:
     PatternOrder order() const;
     /// As it is shown; null while it is made.
     const std::shared_ptr<const CutPattern>& pattern() const { return m_pattern; }
+    /// As the sewing sheet shows it; null as long as nobody wanted one.
+    QImage picture() const { return m_picture.value_or(QImage()); }
     /// What is typed and cannot be taken stops it.
     void accept() override;
     /// Keeps what was chosen for the next time.
@@ -51,6 +57,7 @@ private:
     struct LayoutOrder {
         std::shared_ptr<const CutPattern> pattern;
         PatternOrder order;
+        QImage picture;
     };
     struct Layout {
         PatternOrder order;
@@ -58,8 +65,7 @@ private:
         std::vector<QImage> pages;             ///< the first ones of the sewing sheet
         int allPages = 0;
     };
-    static Layout laidOut(const Design& design, const QImage& cover, const LayoutOrder& order,
-                          const std::stop_token& stop);
+    static Layout laidOut(const Design& design, const LayoutOrder& order, const std::stop_token& stop);
 
     void build();
     QWidget* buildPreview();
@@ -74,6 +80,8 @@ private:
 
     Design m_design;
     std::string m_style;
+    std::function<QImage()> m_takePicture;
+    std::optional<QImage> m_picture;
     std::shared_ptr<const CutPattern> m_pattern;
     QComboBox* m_format = nullptr;
     QComboBox* m_paper = nullptr;

@@ -13,6 +13,7 @@
 #include <QPointer>
 #include <QProgressDialog>
 
+#include <functional>
 #include <stop_token>
 
 class QMenu;
@@ -62,8 +63,8 @@ public:
     void exportCover(const SurfaceMeshPtr& surface, const FabricBaker& bake);
     void exportFoam(const SurfaceMeshPtr& surface);
     void exportPicture(const QImage& picture);
-    /// Asks how, then where. `cover`: a picture of it for the sewing sheet, null when there is none.
-    void exportPattern(const QImage& cover);
+    /// Asks how, then where. `takePicture`: of the cover, for the sewing sheet; null when there is none.
+    void exportPattern(std::function<QImage()> takePicture);
     /// Named like the design and beside it.
     QString proposedPicture() const { return proposed(QStringLiteral("png")); }
 
@@ -130,6 +131,7 @@ private:
     void askOrSaveElsewhere(QMessageBox* box, const QString& text, const Then& act, const Then& elsewhere);
     void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
+    QString name() const;
     QString proposed(const QString& ending, const QString& addition = {}) const;
     void chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                       const QStringList& endings, const Answer& chosen);

@@ -63,7 +63,7 @@ void FileFlow::exportCoverTo(const SurfaceMeshPtr& surface, const FabricBaker& b
 {
     const ModelSubject subject{surface, m_session.document().design(), m_session.files(), bake};
     CoverFileOptions options;
-    options.title = m_session.title().toStdString();
+    options.title = name().toStdString();
     options.stem = QFileInfo(path).completeBaseName().toStdString();
     if (format == CoverFormat::Page)
         options.page = viewerParts();

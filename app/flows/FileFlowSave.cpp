@@ -150,13 +150,20 @@ void FileFlow::saveCopyTo(const QString& path, const SaveOptions& options)
     });
 }
 
-/// The title as a file in the usual folder.
-QString FileFlow::proposed(const QString& ending, const QString& addition) const
+/// The title without the ending of its file.
+QString FileFlow::name() const
 {
     QString name = m_session.title();
     for (const QString& known : saveEndings)
         if (name.endsWith(u'.' + known))
             name.chop(known.size() + 1);
+    return name;
+}
+
+/// The title as a file in the usual folder.
+QString FileFlow::proposed(const QString& ending, const QString& addition) const
+{
+    QString name = this->name();
     name.replace(u'/', u'-');
     return QDir(startFolder()).filePath(name + addition + u'.' + ending);
 }

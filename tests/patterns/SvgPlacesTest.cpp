@@ -1,5 +1,6 @@
 // Where SVG draws things, and what it hides.
 #include "Drawn.h"
+#include "FoundPieces.h"
 
 namespace bolster {
 
@@ -53,6 +54,22 @@ TEST(SvgPlaces, ViewportsInIt)
               {0, -100}, {100, 0});
     const std::string symbol = "<symbol id=\"s\" " + inside + "</symbol>";
     expectBox(drawnSvg(symbol + "<use href=\"#s\" x=\"5\" width=\"30\" height=\"30\"/>"), {5, -30}, {35, 0});
+}
+
+TEST(SvgPlaces, PiecesAreCalledAsTheirLinesAre)
+{
+    const auto rectangle = [](const std::string& attributes, int x) {
+        return "<rect " + attributes + " x=\"" + std::to_string(x) + "\" width=\"100\" height=\"80\"/>";
+    };
+    const FoundPattern found = findPieces(
+        drawnSvg(rectangle("xmlns:inkscape=\"i\" inkscape:label=\"Back left\" id=\"rect1\"", 0) +
+                 rectangle("data-name=\"Seat\" id=\"Seat-2\"", 200) + rectangle("id=\"wing\"", 400) +
+                 rectangle("id=\"rect12-3\"", 600) + rectangle("id=\"lost\" data-piece=\"Arm\"", 800)),
+        {1, "", 0});
+    std::vector<std::string> names;
+    for (const FoundPiece& piece : found.pieces)
+        names.push_back(piece.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"Back left", "Seat", "wing", "Piece 4", "Arm"}));
 }
 
 TEST(SvgPlaces, LengthsInPercent)

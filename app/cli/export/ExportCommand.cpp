@@ -11,6 +11,7 @@
 #include "PatternPdf.h"
 #include "PictureStudio.h"
 #include "ProgressLine.h"
+#include "RestingSolve.h"
 #include "SewingSheet.h"
 #include "Solving.h"
 #include "Subcommands.h"
@@ -101,13 +102,18 @@ constexpr std::array exportRules = {
 };
 
 /// The design, or of a lenient export what is usable of it; nothing when it has errors. Files of frames and scans
-/// have nothing to do with what is cut.
+/// have nothing to do with what is cut, and what stops a cover alone is told only: its pieces can be cut.
 std::optional<Design> exportedDesign(const OpenedDesign& opened, bool lenient)
 {
     Problems problems = opened.problems;
     for (Problem& problem : problems)
         if (opened.readable && problem.field == "file")
             problem.severity = Severity::Warning;
+    const auto known = static_cast<std::ptrdiff_t>(problems.size());
+    if (opened.readable)
+        addNew(problems, checkSolvable(opened.design));
+    std::for_each(problems.begin() + known, problems.end(),
+                  [](Problem& problem) { problem.severity = Severity::Warning; });
     addMissingPatch(problems, opened.design);
     const auto firstWarning = std::stable_partition(problems.begin(), problems.end(), [](const Problem& problem) {
         return problem.severity == Severity::Error;

@@ -28,8 +28,9 @@ struct DrawnLine {
     std::vector<DrawnPoint> points; ///< at least two
     bool closed = false;            ///< the first point is not repeated
     double circle = 0;              ///< its radius, of a whole circle; else 0
+    std::string called{};           ///< by who drew it; "" without a name
     std::vector<std::string>
-        about; ///< "KEY: value" of the piece that it belongs to, by those who wrote it for machines
+        about{}; ///< "KEY: value" of the piece that it belongs to, by those who wrote it for machines
 };
 
 /// A POINT: notch, drill hole, turn point or curve point.

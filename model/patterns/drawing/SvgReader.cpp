@@ -24,6 +24,26 @@ constexpr std::array notDrawn{"defs",   "symbol",         "metadata",       "nam
                               "desc",   "clipPath",       "marker",         "mask",      "pattern",
                               "filter", "linearGradient", "radialGradient", "script"};
 
+/// Drawing programs give each shape an id, of its kind and a number: that is no name.
+bool isGeneratedId(std::string_view id)
+{
+    constexpr std::array kinds{"path",   "rect",    "circle", "ellipse", "line", "polyline", "polygon",
+                               "shape",  "curve",   "object", "svg",     "SVGID", "use",     "Path",
+                               "Shape",  "Line",    "Rectangle", "Polygon", "XMLID", "g",    "layer"};
+    id = id.substr(0, id.find_last_not_of("0123456789-_.") + 1);
+    return id.empty() || std::ranges::find(kinds, id) != kinds.end();
+}
+
+/// What people read in Inkscape's and Illustrator's lists of objects.
+std::string givenName(const SvgElement& element)
+{
+    for (const char* const attribute : {"label", "data-name"})
+        if (const std::string& name = element.attribute(attribute); !name.empty())
+            return drawnWords(name);
+    const std::string& id = element.attribute("id");
+    return isGeneratedId(id) ? std::string() : drawnWords(id);
+}
+
 /// What is handed down from an element to those in it.
 struct SvgState {
     SvgMap map;
@@ -174,7 +194,7 @@ private:
             ++m_drawing.unknown[std::string("hidden ").append(tag, 0, 40)];
         else if (tag == "text")
             addText(element, state);
-        else if (!addShape(element, state))
+        else if (m_called = givenName(element); !addShape(element, state))
             ++m_drawing.unknown[tag.substr(0, 40)];
     }
 
@@ -267,6 +287,7 @@ private:
             return;
         line.circle = circle * std::sqrt(std::abs(state.map.linear().determinant()));
         line.about = state.about;
+        line.called = m_called;
         m_drawing.parts.front().lines.push_back(std::move(line));
     }
 
@@ -336,6 +357,7 @@ private:
     const SvgElement& m_root;
     SvgStyles m_styles;
     DrawingLimits m_limits;
+    std::string m_called; ///< the shape that is read
     Drawing m_drawing;
     std::map<std::string, const SvgElement*, std::less<>> m_ids;
 };

@@ -198,6 +198,8 @@ private:
     {
         const DrawnLine& line = m_lines[end / 2];
         m_done[end / 2] = true;
+        if (chain.called.empty())
+            chain.called = line.called;
         chain.about.insert(chain.about.end(), line.about.begin(), line.about.end());
         for (std::size_t i = 0; i < line.points.size(); ++i) {
             const DrawnPoint& point = line.points[end % 2 == 0 ? i : line.points.size() - 1 - i];

@@ -12,6 +12,7 @@ struct Contour {
     double gap = 0; ///< between the ends of an open one; of a closed one the largest that was closed
     double circle = 0;
     std::string layer;
+    std::string called{}; ///< by who drew it
     std::vector<std::string> about;
 
     Box2 box() const;

@@ -72,6 +72,8 @@ void nameTheRest(FoundPattern& pattern)
     for (FoundPiece& piece : pattern.pieces) {
         ++count;
         if (piece.name.empty())
+            piece.name = piece.sew && !piece.sew->called.empty() ? piece.sew->called : piece.cut.called;
+        if (piece.name.empty())
             piece.name = std::string("Piece ").append(std::to_string(count));
         if (piece.note == "mirrored")
             piece.note.clear();
