@@ -101,80 +101,32 @@ void ScanLink::receive(Result result)
     emit measured();
 }
 
-/// `compute(scan, report, stop)` runs beside the windows; what it finds is one edit, unless the scan was moved
-/// meanwhile.
-template <class Fit, class Compute>
-void ScanLink::moveInBackground(ElementId id, const ScanJob& job, const Compute& compute, const Message& failure,
-                                Message (*verb)(const Scan& scan, const Fit& fit))
-{
-    const Scan before = *m_session.document().design().find<Scan>(id);
-    const auto report = [this, job](int step) {
-        QMetaObject::invokeMethod(
-            this,
-            [job, step] {
-                if (!job.stop.stop_requested())
-                    job.progress(step);
-            },
-            Qt::QueuedConnection);
-    };
-    inBackground<std::optional<Fit>>([before, compute, report, stop = job.stop] {
-        return compute(before, report, stop.get_token());
-    }).then(this, [this, id, before, job, failure, verb](const std::optional<Fit>& fit) {
-        if (job.stop.stop_requested())
-            return;
-        Document& document = m_session.document();
-        const Scan* now = document.design().find<Scan>(id);
-        if (!fit || !now || static_cast<const Placement&>(*now) != before) {
-            job.done(failure);
-            return;
-        }
-        const Message done = verb(*now, *fit);
-        document.cancelGesture();
-        document.commit(
-            edits::replaceElement(document.design(), id, withPlacement(Element(*now), fit->placement), done));
-        job.done(done);
-    });
-}
-
-void ScanLink::fitPlacement(ElementId id, const ScanJob& job)
-{
-    if (!m_session.document().design().find<Scan>(id) || !m_surface) {
-        job.done({QT_TRANSLATE_NOOP("Message", "There is no cover to place the scan on."), {}});
-        return;
-    }
-    const auto compute = [id, files = m_session.files(),
-                          surface = m_surface](const Scan& scan, const std::function<void(int)>& report,
-                                               const std::stop_token& stop) {
-        const auto index = ScanIndexCache().index(id, scan, files, stop);
-        return index ? bolster::fitPlacement(*surface, scan, *index, stop, report) : std::nullopt;
-    };
-    moveInBackground<PlacementFit>(
-        id, job, compute,
-        {QT_TRANSLATE_NOOP("Message", "The scan could not be placed: move it nearer to the cover, or cut away "
-                                      "what does not belong to it."),
-         {}},
-        [](const Scan& scan, const PlacementFit&) -> Message {
-            return {QT_TRANSLATE_NOOP("Message", "Place %1 on the cover"), {scan.name}};
-        });
-}
+/// What a scan is aligned with.
+struct AlignSubject {
+    std::set<ElementId> frames;
+    bool cover = false;
+};
 
 namespace {
 
-/// What was clicked: the cover, frames, or both.
-AlignTarget targetOf(const std::vector<ScanMark>& marks, const Design& design, const DesignFiles& files,
+AlignSubject subjectOf(const std::vector<ScanMark>& marks)
+{
+    AlignSubject subject;
+    for (const ScanMark& mark : marks) {
+        if (mark.onFrame)
+            subject.frames.insert(mark.frame);
+        subject.cover = subject.cover || !mark.onFrame;
+    }
+    return subject;
+}
+
+AlignTarget targetOf(const AlignSubject& subject, const Design& design, const DesignFiles& files,
                      const SurfaceMeshPtr& surface)
 {
     AlignTarget target;
-    std::set<ElementId> frames;
-    bool cover = false;
-    for (const ScanMark& mark : marks) {
-        if (mark.onFrame)
-            frames.insert(mark.frame);
-        cover = cover || !mark.onFrame;
-    }
-    if (cover && surface)
+    if (subject.cover && surface)
         target.add(surface->positions, surface->topology->triangles);
-    for (const ElementId id : frames) {
+    for (const ElementId id : subject.frames) {
         const Frame* const frame = design.find<Frame>(id);
         const auto mesh = files.meshes.find(id);
         if (frame && mesh != files.meshes.end())
@@ -196,15 +148,77 @@ double spreadOf(const std::vector<ScanPair>& pairs)
     return std::sqrt(squares);
 }
 
-Message alignVerb(const Scan& scan, const ScanAlignment& found)
+/// The verb says what was done with which scan; `args` begins with its name.
+Message withResidual(Message verb, const ScanAlignment& found)
 {
-    return {QT_TRANSLATE_NOOP("Message", "Align %1: %2 mm rms, %3 % of its points matched"),
-            {scan.name, numberText(found.rms, 2), numberText(100 * found.matched, 2)}};
+    verb.args.push_back(numberText(found.rms, 2));
+    verb.args.push_back(numberText(100 * found.matched, 2));
+    return verb;
 }
 
 } // namespace
 
-void ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const ScanJob& job)
+/// Beside the windows; what it finds is one edit, unless the scan was moved meanwhile.
+void ScanLink::alignFrom(ElementId id, const Placement& start, AlignSubject subject, const ScanJob& job,
+                         const Message& verb, const Message& failure)
+{
+    const Scan before = *m_session.document().design().find<Scan>(id);
+    const auto report = [this, job](int step) {
+        QMetaObject::invokeMethod(
+            this,
+            [job, step] {
+                if (!job.stop.stop_requested())
+                    job.progress(step);
+            },
+            Qt::QueuedConnection);
+    };
+    inBackground<std::optional<ScanAlignment>>(
+        [id, start, before, subject = std::move(subject), report, files = m_session.files(), surface = m_surface,
+         design = m_session.document().design(), stop = job.stop]() -> std::optional<ScanAlignment> {
+            const auto index = ScanIndexCache().index(id, before, files, stop.get_token());
+            if (!index)
+                return std::nullopt;
+            return alignScan(targetOf(subject, design, files, surface), *index, start, stop.get_token(), report);
+        })
+        .then(this, [this, id, before, job, verb, failure](const std::optional<ScanAlignment>& found) {
+            if (job.stop.stop_requested())
+                return;
+            Document& document = m_session.document();
+            const Scan* now = document.design().find<Scan>(id);
+            if (!found || !now || static_cast<const Placement&>(*now) != before) {
+                job.done(failure);
+                return;
+            }
+            const Message done = withResidual(verb, *found);
+            document.cancelGesture();
+            document.commit(
+                edits::replaceElement(document.design(), id, withPlacement(Element(*now), found->placement), done));
+            job.done(done);
+        });
+}
+
+void ScanLink::fitPlacement(ElementId id, const ScanJob& job)
+{
+    const Scan* const scan = m_session.document().design().find<Scan>(id);
+    if (!scan || !m_surface) {
+        job.done({QT_TRANSLATE_NOOP("Message", "There is no cover to place the scan on."), {}});
+        return;
+    }
+    if (scan->enabled) { // the cover has come to it: wherever it lies, it lies on the cover
+        job.done({QT_TRANSLATE_NOOP("Message", "The cover is pulled to the scan where it lies now: switch \"Fit the "
+                                               "cover to it\" off, place it, and switch that on again."),
+                  {}});
+        return;
+    }
+    alignFrom(id, *scan, {{}, true}, job,
+              {QT_TRANSLATE_NOOP("Message", "Place on the cover to %2 mm rms: %1 (%3 % of its points matched)"),
+               {scan->name}},
+              {QT_TRANSLATE_NOOP("Message", "The scan could not be placed: it is too far from the cover. Align it by "
+                                            "three places, or cut away what does not belong to it."),
+               {}});
+}
+
+bool ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const ScanJob& job)
 {
     const Scan* const scan = m_session.document().design().find<Scan>(id);
     std::vector<ScanPair> pairs;
@@ -213,7 +227,7 @@ void ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const Sca
     const std::optional<Placement> start = scan ? placementByPairs(pairs, *scan) : std::nullopt;
     if (!start) {
         job.done({QT_TRANSLATE_NOOP("Message", "The three places lie on a line: choose some that do not."), {}});
-        return;
+        return false;
     }
     constexpr double mostMismatch = 0.25;
     if (pairResidual(pairs, *start) > mostMismatch * spreadOf(pairs)) {
@@ -221,22 +235,15 @@ void ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const Sca
             {QT_TRANSLATE_NOOP("Message", "The places are not as far from each other on the scan as where they "
                                           "belong: check the scale of the scan, and which is which."),
              {}});
-        return;
+        return false;
     }
-    const auto compute = [id, marks, start = *start, files = m_session.files(), surface = m_surface,
-                          design = m_session.document().design()](const Scan& aligned,
-                                                                  const std::function<void(int)>& report,
-                                                                  const std::stop_token& stop) {
-        const auto index = ScanIndexCache().index(id, aligned, files, stop);
-        return index ? alignScan(targetOf(marks, design, files, surface), *index, start, stop, report)
-                     : std::nullopt;
-    };
-    moveInBackground<ScanAlignment>(
-        id, job, compute,
-        {QT_TRANSLATE_NOOP("Message", "The scan could not be aligned: there are not enough of its points where it "
-                                      "would stand. Click other places, or bring back what is cut away of it."),
-         {}},
-        alignVerb);
+    alignFrom(id, *start, subjectOf(marks), job,
+              {QT_TRANSLATE_NOOP("Message", "Align to %2 mm rms: %1 (%3 % of its points matched)"), {scan->name}},
+              {QT_TRANSLATE_NOOP("Message", "The scan could not be aligned: there are not enough of its points where "
+                                            "it would stand. Click other places, or bring back what is cut away of "
+                                            "it."),
+               {}});
+    return true;
 }
 
 void ScanLink::keepAroundCover(ElementId id)

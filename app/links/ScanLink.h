@@ -4,12 +4,12 @@
 #include "LatestJob.h"
 #include "MakeGhosts.h"
 #include "ScanFigures.h"
-#include "ScanPlacement.h"
 #include "ShownMap.h"
 
 namespace bolster {
 
 class DesignSession;
+struct AlignSubject;
 struct ScanMark;
 class Selection;
 
@@ -35,10 +35,11 @@ public:
     const std::vector<std::pair<Vec3, Vec3>>& pairs() const { return m_pairs; }
     const std::map<ElementId, ScanFigures>& figures() const { return m_figures; }
 
-    /// Moves the scan onto the cover from where it is.
+    /// Moves the scan onto the cover from where it is, some centimetres and about twenty degrees off at most.
     void fitPlacement(ElementId scan, const ScanJob& job);
     /// Moves it to where three of its places belong, and from there onto what was clicked: cover, frames, or both.
-    void align(ElementId scan, const std::vector<ScanMark>& marks, const ScanJob& job);
+    /// `false`, and nothing begins, when the places do not fit each other: `job.done` got the reason.
+    bool align(ElementId scan, const std::vector<ScanMark>& marks, const ScanJob& job);
     /// Keeps what is near the cover; the distance is that of the scan's threshold.
     void keepAroundCover(ElementId scan);
 
@@ -64,9 +65,8 @@ private:
         WorkerPool pool{1};
     };
 
-    template <class Fit, class Compute>
-    void moveInBackground(ElementId id, const ScanJob& job, const Compute& compute, const Message& failure,
-                          Message (*verb)(const Scan& scan, const Fit& fit));
+    void alignFrom(ElementId id, const Placement& start, AlignSubject subject, const ScanJob& job,
+                   const Message& verb, const Message& failure);
     void request();
     void receive(Result result);
     std::optional<ElementId> scanToMeasure() const;

@@ -4,9 +4,11 @@
 #include "Commands.h"
 #include "CoverView.h"
 #include "ElementEdits.h"
+#include "ElidedLabel.h"
 #include "Inspector.h"
 #include "MapLegend.h"
 #include "ScanLink.h"
+#include "StatusLine.h"
 
 #include <QTemporaryDir>
 
@@ -61,6 +63,9 @@ TEST_F(ScanTest, MeasuresShowsAndPlacesTheScanOfASample)
         window.patternView().findChild<MapLegend*>()->accessibleDescription().contains(QStringLiteral("mm")));
 
     const Vec3 before = scan().position;
+    wish(ScanWish::FitPlacement);
+    EXPECT_TRUE(window.statusLine().findChild<ElidedLabel*>()->fullText().contains("where it lies now"));
+    EXPECT_EQ(scan().position, before);
     window.document().commit(edits::replaceElement(window.document().design(), scanId(),
                                                    [&] {
                                                        Scan off = scan();
@@ -189,6 +194,47 @@ TEST_F(ScanTest, ThreePlacesAlignItWithTheCover)
     QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return view.tool() == CoverToolKind::Select; }));
     EXPECT_TRUE(static_cast<const Placement&>(scan()) == before);
+}
+
+TEST_F(ScanTest, PlacesThatDoNotFitAreKept)
+{
+    ASSERT_TRUE(open(sample("armchair-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    const Placement before = scan();
+    CoverView& view = window.coverView();
+    const auto places =
+        farPlaces(view, *window.solver().surface(), *window.session().files().clouds.at(scanId()), scan());
+    ASSERT_EQ(places.size(), 3U);
+    wish(ScanWish::Align);
+    const auto click = [&](std::size_t place, QPoint beside = {}) {
+        QTest::mouseClick(&view, Qt::LeftButton, {}, places[place].second.toPoint() + beside);
+    };
+    for (const std::size_t place : {0U, 0U, 1U, 1U, 2U})
+        click(place);
+    click(0, {0, 12}); // nearly where the first one belongs
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view.prompt().contains(QStringLiteral("place 3")); }))
+        << view.prompt().toStdString();
+    EXPECT_EQ(view.tool(), CoverToolKind::AlignScan);
+    EXPECT_TRUE(static_cast<const Placement&>(scan()) == before);
+    click(2);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !(static_cast<const Placement&>(scan()) == before); }, 60000))
+        << "the right one is taken instead";
+}
+
+TEST_F(ScanTest, ShowAllShowsAScanThatIsElsewhere)
+{
+    ASSERT_TRUE(open(sample("armchair-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    Scan away = scan();
+    away.enabled = false;
+    away.position.x() += 3000;
+    window.document().commit(edits::replaceElement(window.document().design(), scanId(), makeElement(away), {}));
+    CoverNavigation& navigation = window.coverView().navigation();
+    const Box3 box = window.coverView().shown().boxWithScans();
+    EXPECT_FALSE(navigation.inPicture(box));
+    window.command("view.fit-all")->trigger();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return navigation.inPicture(box); }));
+    EXPECT_GT(box.sizes().x(), 3000);
 }
 
 TEST_F(ScanTest, ItsCommandsAreInAMenuAndHaveKeys)

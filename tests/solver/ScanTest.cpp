@@ -1,9 +1,9 @@
 #include "TestDesigns.h"
 
 #include "CoverMap.h"
+#include "ScanAlign.h"
 #include "ScanGhosts.h"
 #include "ScanMeasure.h"
-#include "ScanPlacement.h"
 #include "SolvePlan.h"
 
 #include <gtest/gtest.h>
@@ -236,9 +236,17 @@ struct Misplaced {
                 cloud.points.push_back(right.filePoint(w[0] * p[a] + w[1] * p[b] + w[2] * p[c]));
         }
     }
+
+    AlignTarget target() const
+    {
+        AlignTarget cover;
+        cover.add(surface.positions, surface.topology->triangles);
+        cover.build();
+        return cover;
+    }
 };
 
-TEST(ScanPlacement, FindsBackFromAFewCentimetresAndDegrees)
+TEST(ScanOnCover, FindsBackFromAFewCentimetresAndDegrees)
 {
     Misplaced m;
     std::erase_if(m.cloud.points, [&](const Vec3& p) { return m.right.placed(p).x() < 60; }); // unseen
@@ -246,33 +254,23 @@ TEST(ScanPlacement, FindsBackFromAFewCentimetresAndDegrees)
     Placement from = m.right;
     from.position += Vec3(12, -18, 15);
     from.rotation = Quat(Eigen::AngleAxisd(0.06, Vec3(1, -2, 1).normalized())) * from.rotation;
-    const auto fit = fitPlacement(m.surface, from, index);
-    ASSERT_TRUE(fit);
-    EXPECT_EQ(fit->placement.scale, m.right.scale);
-    EXPECT_LT(fit->rms, 0.7);
+    const auto found = alignScan(m.target(), index, from);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->placement.scale, m.right.scale);
+    EXPECT_LT(found->rms, 0.1);
+    EXPECT_GT(found->matched, 0.99);
     double farthest = 0;
     for (const Vec3& p : m.cloud.points)
-        farthest = std::max(farthest, (fit->placement.placed(p) - m.right.placed(p)).norm());
-    EXPECT_LT(farthest, 1);
+        farthest = std::max(farthest, (found->placement.placed(p) - m.right.placed(p)).norm());
+    EXPECT_LT(farthest, 0.5);
 }
 
-TEST(ScanPlacement, EndsWhenStoppedAndStaysWhereAllFits)
+TEST(ScanOnCover, AScanFarAwayIsNotMoved)
 {
     const Misplaced m;
-    const ScanIndex index(m.cloud, {});
-    std::stop_source stop;
-    int seen = 0;
     Placement from = m.right;
-    from.position.x() += 20;
-    EXPECT_FALSE(fitPlacement(m.surface, from, index, stop.get_token(), [&](int) {
-        if (++seen == 2)
-            stop.request_stop();
-    }));
-    EXPECT_EQ(seen, 2);
-    EXPECT_FALSE(fitPlacement(m.surface, m.right, ScanIndex({}, {})));
-    const auto fit = fitPlacement(m.surface, m.right, index);
-    ASSERT_TRUE(fit);
-    EXPECT_LT((fit->placement.position - m.right.position).norm(), 0.5);
+    from.position.x() += 3000;
+    EXPECT_FALSE(alignScan(m.target(), ScanIndex(m.cloud, {}), from));
 }
 
 TEST(SolvePlan, KnowsWhatScansAsk)

@@ -1,5 +1,7 @@
 #include "ScanPoints.h"
 
+#include "PointShades.h"
+
 #include <algorithm>
 
 namespace bolster {
@@ -27,20 +29,46 @@ void ScanPoints::update(const Design& design, const DesignFiles& files)
         if (cloud == files.clouds.end())
             return;
         const auto before = m_scans.find(id);
-        const bool same = before != m_scans.end() && before->second.cloud == cloud->second &&
-                          drawnAlike(before->second.scan, scan);
-        scans.emplace(id, same ? before->second : place(scan, cloud->second));
+        const bool known = before != m_scans.end() && before->second.cloud == cloud->second;
+        scans.emplace(id, known && drawnAlike(before->second.scan, scan)
+                              ? before->second
+                              : place(scan, cloud->second, known ? before->second.shades : nullptr));
     });
     m_scans = std::move(scans);
 }
 
-ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const PointCloud> cloud)
+std::shared_ptr<const ScanPoints::Colors> ScanPoints::Tint::of(const QColor& color) const
+{
+    if (shades.empty() || (made && base == color.rgb()))
+        return made;
+    base = color.rgb();
+    Colors colors;
+    colors.reserve(shades.size());
+    for (const float shade : shades) {
+        const auto part = [shade](int value) {
+            // Brighter than the colour itself, too: else dark ones show no form.
+            return static_cast<std::uint32_t>(std::clamp(1.45F * shade * (static_cast<float>(value) + 25), 0.F, 255.F));
+        };
+        colors.push_back(part(color.red()) << 16U | part(color.green()) << 8U | part(color.blue()));
+    }
+    made = std::make_shared<const Colors>(std::move(colors));
+    return made;
+}
+
+ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const PointCloud> cloud,
+                                     std::shared_ptr<const Shades> shades)
 {
     Placed placed;
     Points kept, cut;
     Colors keptColors, fewColors;
     const bool colored = cloud->colors.size() == cloud->points.size();
     const std::size_t step = 1 + cloud->points.size() / mostPoints;
+    if (!colored && !shades) {
+        std::vector<Vec3> drawn;
+        for (std::size_t i = 0; i < cloud->points.size(); i += step)
+            drawn.push_back(cloud->points[i]);
+        shades = std::make_shared<const Shades>(pointShades(drawn));
+    }
     for (std::size_t i = 0; i < cloud->points.size(); i += step) {
         const Vec3 at = scan.placed(cloud->points[i]);
         const bool gone = scan.isCutAway(cloud->points[i]);
@@ -49,6 +77,8 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
             placed.box.extend(at);
         if (!gone && colored)
             keptColors.push_back(cloud->colors[i]);
+        else if (!gone)
+            placed.keptTint.shades.push_back((*shades)[i / step]);
     }
     Points few;
     const std::size_t stride = 1 + kept.size() / fewPoints;
@@ -56,12 +86,15 @@ ScanPoints::Placed ScanPoints::place(const Scan& scan, std::shared_ptr<const Poi
         few.push_back(kept[i]);
         if (colored)
             fewColors.push_back(keptColors[i]);
+        else
+            placed.fewTint.shades.push_back(placed.keptTint.shades[i]);
     }
     if (colored) {
         placed.keptColors = std::make_shared<const Colors>(std::move(keptColors));
         placed.fewColors = std::make_shared<const Colors>(std::move(fewColors));
     }
     placed.few = std::make_shared<const Points>(std::move(few));
+    placed.shades = std::move(shades);
     placed.scan = scan;
     placed.cloud = std::move(cloud);
     placed.kept = std::make_shared<const Points>(std::move(kept));
@@ -77,13 +110,14 @@ std::vector<ViewScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& 
         if (hidden.contains(id))
             continue;
         const QColor plain = colors.dark ? QColor(0x6f, 0xb6, 0xe8) : QColor(0x1f, 0x6f, 0xa8);
-        if (!selected.contains(id)) {
-            looks.push_back(
-                {placed.few, plain, own && placed.fewColors ? 2.2F : 1.6F, own ? placed.fewColors : nullptr});
+        const bool chosen = selected.contains(id);
+        const std::shared_ptr<const Colors> given = chosen ? placed.keptColors : placed.fewColors;
+        const QColor color = chosen ? colors.accent : plain;
+        const std::shared_ptr<const Colors> shown = given ? (own ? given : nullptr)
+                                                          : (chosen ? placed.keptTint : placed.fewTint).of(color);
+        looks.push_back({chosen ? placed.kept : placed.few, color, shown ? 2.2F : 1.6F, shown});
+        if (!chosen)
             continue;
-        }
-        looks.push_back({placed.kept, colors.accent, own && placed.keptColors ? 2.2F : 1.4F,
-                         own ? placed.keptColors : nullptr});
         QColor faint = colors.mutedLabel;
         faint.setAlphaF(0.35F);
         if (!placed.cut->empty())

@@ -31,6 +31,15 @@ public:
 private:
     using Points = std::vector<Eigen::Vector3f>;
     using Colors = std::vector<std::uint32_t>;
+    using Shades = std::vector<float>;
+    /// A colour in the shades of the points, made when it is wanted.
+    struct Tint {
+        Shades shades; ///< 0 to 1; empty: the points have colours of their own
+        mutable QRgb base = 0;
+        mutable std::shared_ptr<const Colors> made;
+
+        std::shared_ptr<const Colors> of(const QColor& color) const;
+    };
     struct Placed {
         Scan scan;
         std::shared_ptr<const PointCloud> cloud;
@@ -38,10 +47,14 @@ private:
         std::shared_ptr<const Points> few; ///< of those that are kept
         std::shared_ptr<const Points> cut;
         std::shared_ptr<const Colors> keptColors, fewColors; ///< null: it has none
+        std::shared_ptr<const Shades> shades;                ///< of every step-th point of the cloud
+        Tint keptTint, fewTint;
         Box3 box;
     };
 
-    static Placed place(const Scan& scan, std::shared_ptr<const PointCloud> cloud);
+    /// `shades` of the same cloud, null when they are not known yet.
+    static Placed place(const Scan& scan, std::shared_ptr<const PointCloud> cloud,
+                        std::shared_ptr<const Shades> shades);
 
     std::map<ElementId, Placed> m_scans;
 };

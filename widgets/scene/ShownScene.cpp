@@ -306,6 +306,18 @@ Vec3 ShownScene::middleOf(ElementId id) const
     return placement ? placement->position : Vec3(Vec3::Zero());
 }
 
+Box3 ShownScene::boxWithScans() const
+{
+    Box3 box = m_scene.box;
+    if (!m_visibility.layerVisible(Layer::Scans))
+        return box;
+    m_document.design().each<Scan>([&](ElementId id, const Scan&) {
+        if (!m_visibility.hidden().contains(id))
+            box.extend(m_scans.points().box(id));
+    });
+    return box;
+}
+
 Box3 ShownScene::selectedBox() const
 {
     Box3 box = m_curves.box(m_selection.elements());

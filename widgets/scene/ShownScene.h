@@ -86,7 +86,8 @@ public:
     std::optional<CoverPoint> inPattern(const CoverHit& solid) const;
     /// Of what is shown of an element with a placement, mm; its position when nothing is.
     Vec3 middleOf(ElementId id) const;
-    Box3 selectedBox() const; ///< mm; empty: nothing that is shown is selected
+    Box3 boxWithScans() const; ///< mm: the scene's, and that of the scans that are shown
+    Box3 selectedBox() const;  ///< mm; empty: nothing that is shown is selected
 
 signals:
     /// To be drawn anew. `moving`: more of this comes soon.

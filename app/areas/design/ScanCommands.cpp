@@ -135,8 +135,7 @@ void ScanCommands::work(ElementId scan, ScanWish wish)
         for (const char* const map : {"map.strain", "map.along", "map.across", "map.shear", "map.curvature",
                                       "map.thickness", "map.deviation"})
             m_commands[map]->setChecked(false); // beside one no scans are shown
-        m_surface.startScanAlign(
-            scan, [this](ElementId aligned, const std::vector<ScanMark>& marks) { align(aligned, marks); });
+        askForPlaces(scan, {});
         break;
     case ScanWish::FitPlacement:
         fitPlacement(scan);
@@ -180,11 +179,20 @@ void ScanCommands::fitPlacement(ElementId scan)
                          }));
 }
 
+void ScanCommands::askForPlaces(ElementId scan, const std::vector<ScanMark>& marks)
+{
+    m_surface.startScanAlign(
+        scan, [this](ElementId aligned, const std::vector<ScanMark>& clicked) { align(aligned, clicked); }, marks);
+}
+
+/// Places that don't fit are not lost: the last one can be given again, or more of them taken back.
 void ScanCommands::align(ElementId scan, const std::vector<ScanMark>& marks)
 {
-    m_scans.align(scan, marks, watched(tr("Aligning the scan \u2026"), [](int iteration) {
-                      return tr("Aligning the scan: step %1").arg(iteration);
-                  }));
+    const ScanJob job = watched(tr("Aligning the scan \u2026"), [](int iteration) {
+        return tr("Aligning the scan: step %1").arg(iteration);
+    });
+    if (!m_scans.align(scan, marks, job)) // afterwards: the tool that was given them is still at work
+        QMetaObject::invokeMethod(this, [this, scan, marks] { askForPlaces(scan, marks); }, Qt::QueuedConnection);
 }
 
 } // namespace bolster

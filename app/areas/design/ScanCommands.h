@@ -37,6 +37,7 @@ private:
     void work(ElementId scan, ScanWish wish);
     ScanJob watched(const QString& begun, const std::function<QString(int)>& step);
     void fitPlacement(ElementId scan);
+    void askForPlaces(ElementId scan, const std::vector<ScanMark>& marks);
     void align(ElementId scan, const std::vector<ScanMark>& marks);
 
     Commands& m_commands;

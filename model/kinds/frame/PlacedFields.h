@@ -216,12 +216,16 @@ struct Description<Scan> {
         v.field({.key = "threshold_mm",
                  .label = QT_TRANSLATE_NOOP("Field", "Threshold"),
                  .meaning = "vertices further than this from every point are not pulled",
+                 .tip = QT_TRANSLATE_NOOP("Field", "How near a point of the scan must be to pull at the cover. "
+                                                   "What the scan has not seen stays as the pattern makes it."),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the threshold of %1"),
                  .cost = SolveCost::Retarget},
                 Number{0.1, 1e4, Unit::Millimetres, {.step = 5, .decimals = 1}}, s.threshold...);
         v.field({.key = "strength",
                  .label = QT_TRANSLATE_NOOP("Field", "Strength"),
                  .meaning = "of the pull; more follows finer detail and more of the noise",
+                 .tip = QT_TRANSLATE_NOOP("Field", "How firmly the scan pulls at the cover, against the pattern: "
+                                                   "more follows finer detail, and more of the noise."),
                  .verb = QT_TRANSLATE_NOOP("Message", "Change the strength of %1"),
                  .cost = SolveCost::Retarget},
                 Number{0, 100, Unit::None, {.step = 0.25, .sliderMost = 5}}, s.strength...);
@@ -229,6 +233,8 @@ struct Description<Scan> {
         v.field({.key = "enabled",
                  .label = QT_TRANSLATE_NOOP("Field", "Fit the cover to it"),
                  .meaning = "`false`: the cover is only measured against it",
+                 .tip = QT_TRANSLATE_NOOP("Field", "The cover is pulled to the scan. Without that it is only "
+                                                   "measured. Align the scan first."),
                  .verb = QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"),
                  .cost = SolveCost::Retarget},
                 Flag{}, s.enabled...);
@@ -236,6 +242,8 @@ struct Description<Scan> {
             {.key = "target",
              .label = QT_TRANSLATE_NOOP("Field", "Pull"),
              .meaning = "vertices are pulled along their normals and slide otherwise, or to the points themselves",
+             .tip = QT_TRANSLATE_NOOP("Field", "To its surface: the cover may slide along it. To its points: it may "
+                                               "not, which suits scans with few points."),
              .verb = QT_TRANSLATE_NOOP("Message", "Change how %1 pulls"),
              .cost = SolveCost::Retarget},
             Words{targets, targetLabels}, s.target...);

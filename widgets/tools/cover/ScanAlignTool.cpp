@@ -26,11 +26,17 @@ QColor pairColor(std::size_t pair)
 
 } // namespace
 
-ScanAlignTool::ScanAlignTool(CoverToolContext& context, ElementId scan, Done done)
+ScanAlignTool::ScanAlignTool(CoverToolContext& context, ElementId scan, Done done, std::vector<ScanMark> marks)
     : CoverTool(context)
     , m_scan(scan)
     , m_done(std::move(done))
-{}
+    , m_marks(std::move(marks))
+{
+    if (m_marks.size() < wantedPairs)
+        return;
+    m_begun = m_marks.back().onScan;
+    m_marks.pop_back();
+}
 
 const Scan* ScanAlignTool::scan() const
 {

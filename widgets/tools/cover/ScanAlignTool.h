@@ -28,7 +28,8 @@ class ScanAlignTool : public CoverTool {
 public:
     using Done = std::function<void(ElementId scan, const std::vector<ScanMark>& marks)>;
 
-    ScanAlignTool(CoverToolContext& context, ElementId scan, Done done);
+    /// `marks`: given before; when all are, the last one is to be given again.
+    ScanAlignTool(CoverToolContext& context, ElementId scan, Done done, std::vector<ScanMark> marks = {});
 
     void press(const CoverPointer& pointer) override;
     bool move(const CoverPointer& pointer) override;

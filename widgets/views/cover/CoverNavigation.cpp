@@ -128,7 +128,7 @@ void CoverNavigation::fitAll()
         return;
     }
     Camera camera = destination();
-    camera.fit(m_shown.scene().box);
+    camera.fit(m_shown.boxWithScans());
     goTo(camera);
 }
 

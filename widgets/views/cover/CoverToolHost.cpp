@@ -27,10 +27,11 @@ void CoverToolHost::startScanCut(ElementId scan, bool keep)
     replaceTool(std::make_unique<ScanCutTool>(static_cast<CoverToolContext&>(*this), scan, keep));
 }
 
-void CoverToolHost::startScanAlign(ElementId scan, ScanAlignTool::Done done)
+void CoverToolHost::startScanAlign(ElementId scan, ScanAlignTool::Done done, std::vector<ScanMark> marks)
 {
     setTool(CoverToolKind::AlignScan);
-    replaceTool(std::make_unique<ScanAlignTool>(static_cast<CoverToolContext&>(*this), scan, std::move(done)));
+    replaceTool(std::make_unique<ScanAlignTool>(static_cast<CoverToolContext&>(*this), scan, std::move(done),
+                                                std::move(marks)));
 }
 
 void CoverToolHost::startFrameEdges(OfferedEdgesPtr edges)

@@ -23,7 +23,7 @@ public:
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(ElementId scan, bool keep);
     /// The next clicks say where three places of the scan belong.
-    void startScanAlign(ElementId scan, ScanAlignTool::Done done);
+    void startScanAlign(ElementId scan, ScanAlignTool::Done done, std::vector<ScanMark> marks);
     /// Clicks make fixation curves of these.
     void startFrameEdges(OfferedEdgesPtr edges);
     /// Of the tool, or of the section's handle when the pointer is on it.

@@ -71,10 +71,10 @@ public:
     CoverToolKind tool() const { return m_tools.kind(); }
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(bolster::ElementId scan, bool keep) { m_tools.startScanCut(scan, keep); }
-    /// The next clicks say where three places of the scan belong.
-    void startScanAlign(bolster::ElementId scan, ScanAlignTool::Done done)
+    /// The next clicks say where three places of the scan belong, `marks` those of them that were given before.
+    void startScanAlign(bolster::ElementId scan, ScanAlignTool::Done done, std::vector<ScanMark> marks = {})
     {
-        m_tools.startScanAlign(scan, std::move(done));
+        m_tools.startScanAlign(scan, std::move(done), std::move(marks));
     }
     /// Clicks make fixation curves of these edges.
     void startFrameEdges(OfferedEdgesPtr edges) { m_tools.startFrameEdges(std::move(edges)); }
