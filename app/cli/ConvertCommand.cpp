@@ -1,4 +1,5 @@
 #include "FileFormats.h"
+#include "FileGuess.h"
 #include "FrameImport.h"
 #include "Interrupt.h"
 #include "LengthUnits.h"
@@ -141,6 +142,21 @@ std::string sizeLine(const TriangleMesh& mesh)
            " mm";
 }
 
+/// Where a file says nothing the usual is taken, which may be wrong.
+void warnOfUsual(const FrameReading& reading, const TriangleMesh& mesh, const QString& file)
+{
+    const Box3 box = mesh.boundingBox();
+    const FileUnit likely = guessUnit({box.min() / reading.unit, box.max() / reading.unit}, largestFurniture);
+    const auto unit = std::ranges::find(lengthUnits, millimetresPer(likely), &LengthUnit::millimetres);
+    if (!reading.unitIsSaid && unit != lengthUnits.end() && unit->millimetres != reading.unit) {
+        const double size = box.sizes().maxCoeff();
+        printError("warning: that is " + lengthFigure(size) + " mm large; with --unit " + unit->word +
+                   " it would be " + lengthFigure(size * unit->millimetres / reading.unit) + " mm");
+    }
+    if (!reading.upIsSaid && guessUpAxis(endingOf(file)) == UpAxis::Y)
+        printError("warning: in files like this y mostly points up: then it needs --up y");
+}
+
 void printPartTree(const Assembly& assembly, const std::vector<bool>& wanted)
 {
     const std::vector<std::size_t> depths = depthsOf(assembly);
@@ -215,6 +231,7 @@ int convert(std::span<const std::string> words)
         printPartTree(*imported.assembly, wanted);
     for (const std::string& line : {unitLine(reading), upLine(reading), sizeLine(mesh)})
         printResult(line);
+    warnOfUsual(reading, mesh, files[0]);
     if (files.size() < 2)
         return done;
     imported.assembly.reset(); // it may be large, and so is what is written

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace bolster {
@@ -79,8 +80,13 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
 void FileImportDialog::offerParts(std::vector<PartOutline> tree, const std::vector<std::string>& unwanted)
 {
     constexpr int usualHeight = 180, usualWidth = 240; // pixels
-    if (!m_content.mesh || m_content.mesh->parts.size() < 2)
+    if (!m_content.mesh)
         return;
+    takeColors(tree);
+    if (m_content.mesh->parts.size() < 2) {
+        updatePicture();
+        return;
+    }
     if (tree.empty())
         for (const TriangleMesh::Part& part : m_content.mesh->parts)
             tree.push_back({part.name, {}, part.triangleCount});
@@ -89,6 +95,21 @@ void FileImportDialog::offerParts(std::vector<PartOutline> tree, const std::vect
     m_besidePicture->addWidget(m_parts, 1);
     connect(m_parts, &PartsTree::changed, this, &FileImportDialog::updateShown);
     updateShown();
+}
+
+void FileImportDialog::takeColors(const std::vector<PartOutline>& tree)
+{
+    constexpr std::uint32_t without = 0xb8b0a5;
+    std::map<std::string, std::uint32_t> known;
+    for (const PartOutline& part : tree)
+        if (part.color && part.triangles > 0)
+            known.emplace(part.name, *part.color);
+    if (known.empty())
+        return;
+    for (const TriangleMesh::Part& part : m_content.mesh->parts) {
+        const auto color = known.find(part.name);
+        m_colors.push_back(color != known.end() ? color->second : without);
+    }
 }
 
 std::vector<std::string> FileImportDialog::unwantedParts() const
@@ -134,10 +155,12 @@ void FileImportDialog::updateShown()
 void FileImportDialog::updatePicture()
 {
     constexpr QSize pictureSize(220, 180);
-    if (!m_content.mesh)
+    if (!m_content)
         return;
     const double fine = devicePixelRatioF();
-    QImage picture = framePicture(*m_content.mesh, wantedParts(), placement().rotation, fine * pictureSize);
+    QImage picture = m_content.mesh
+                         ? framePicture(*m_content.mesh, wantedParts(), placement().rotation, fine * pictureSize, m_colors)
+                         : scanPicture(*m_content.cloud, placement().rotation, fine * pictureSize);
     picture.setDevicePixelRatio(fine);
     m_picture->setPixmap(QPixmap::fromImage(picture));
 }
@@ -186,7 +209,6 @@ void FileImportDialog::layOut(const QString& file)
     layout->setSpacing(14);
     layout->addWidget(about);
     layout->addWidget(m_thinned);
-    m_picture->setVisible(m_content.mesh != nullptr);
     m_picture->setAlignment(Qt::AlignCenter);
     m_besidePicture->setSpacing(14);
     m_besidePicture->addWidget(m_picture);

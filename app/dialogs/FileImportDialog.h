@@ -51,6 +51,7 @@ private:
     QString saidText(const FileFacts& said) const;
     void updateSize();
     std::vector<bool> wantedParts() const;
+    void takeColors(const std::vector<PartOutline>& tree);
     void updateShown();
     void updatePicture();
     void showThinning();
@@ -60,6 +61,7 @@ private:
     std::vector<Vec3> m_shown; ///< file units: points of the parts that are wanted
     QLabel* m_picture;
     QHBoxLayout* m_besidePicture;
+    std::vector<std::uint32_t> m_colors; ///< 0xRRGGBB of each part of the mesh; empty: no part has one
     PartsTree* m_parts = nullptr;
     SimplifyChoice* m_simplify = nullptr;
     std::optional<Placement> m_replaced;

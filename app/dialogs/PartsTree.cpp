@@ -29,6 +29,11 @@ PartsTree::PartsTree(const std::vector<PartOutline>& parts, const std::vector<st
         QTreeWidgetItem* const above = parts[i].parent ? items[*parts[i].parent] : invisibleRootItem();
         auto* const item = new QTreeWidgetItem(above);
         item->setText(0, QString::fromStdString(parts[i].name));
+        if (parts[i].color) {
+            QPixmap swatch(12, 12);
+            swatch.fill(QColor::fromRgb(*parts[i].color));
+            item->setIcon(0, swatch);
+        }
         item->setText(1, QLocale().toString(static_cast<qulonglong>(below[i])));
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);

@@ -59,7 +59,9 @@ void FileFlow::importFrame(const QString& path)
 
 void FileFlow::importScan(const QString& path)
 {
-    import(Scan{}, tr("Import scan"), scanFilter(), path);
+    Scan scan;
+    scan.enabled = false; // until it is aligned the cover would be pulled to the wrong place
+    import(scan, tr("Import scan"), scanFilter(), path);
 }
 
 void FileFlow::replaceFile(ElementId id)
@@ -261,17 +263,17 @@ void FileFlow::failImport(const QString& path, const Message& why)
     fail(tr("\"%1\" could not be imported.").arg(QFileInfo(path).fileName()), why);
 }
 
-void FileFlow::exportPattern(const QImage& cover)
+void FileFlow::exportPattern(std::function<QImage()> takePicture)
 {
-    auto* dialog = new ExportPatternDialog(m_session.document().design(), m_session.title(), cover, m_window);
+    auto* dialog = new ExportPatternDialog(m_session.document().design(), name(), std::move(takePicture), m_window);
     connect(dialog, &ExportPatternDialog::placeWanted, this, &FileFlow::placeWanted);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, cover] {
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const PatternOrder order = dialog->order();
         const QString ending = patternEnding(order.format);
         chooseTarget(tr("Export pattern"),
                      proposed(ending, order.format == PatternFormat::SewingSheet ? tr("-sewing") : tr("-pattern")),
                      tr("%1 (*.%2)").arg(ending.toUpper(), ending), {ending},
-                     [this, order, cover](const QString& path) { exportPatternTo(path, order, cover); });
+                     [this, order, picture = dialog->picture()](const QString& path) { exportPatternTo(path, order, picture); });
     });
     openDialog(dialog);
 }

@@ -2,6 +2,7 @@
 
 #include "Ask.h"
 #include "Background.h"
+#include "FrameEdges.h"
 
 #include <QLocale>
 #include <QWidget>
@@ -23,6 +24,8 @@ public:
         const FixationCurve* curve = design.find<FixationCurve>(off.curve);
         const QString name = curve ? QString::fromStdString(curve->name) : QString();
         const QString distance = QLocale().toString(off.distance, 'f', off.distance < 10 ? 1 : 0);
+        if (off.fromEdge && off.distance < farthestLooked)
+            return tr("\u201c%1\u201d: its edge is up to %2 mm away").arg(name, distance);
         return off.distance < farthestLooked ? tr("\u201c%1\u201d: up to %2 mm").arg(name, distance)
                                              : tr("\u201c%1\u201d: more than %2 mm").arg(name, distance);
     }
@@ -42,12 +45,20 @@ public:
     }
 };
 
+PlacedMesh withEdges(PlacedMesh placed)
+{
+    if (placed.mesh)
+        for (FrameEdge& edge : bentEdges(*placed.mesh))
+            placed.edges.push_back(std::move(edge.points));
+    return placed;
+}
+
 } // namespace
 
 void tellFixationsOff(QWidget* window, const Design& design, const PlacedMesh& before, const PlacedMesh& after)
 {
     inBackground<std::vector<FixationOff>>([design, before, after] {
-        return fixationsOff(design, before, after);
+        return fixationsOff(design, withEdges(before), withEdges(after));
     }).then(window, [window, design](const std::vector<FixationOff>& left) {
         if (!left.empty())
             FixationsLeft::tell(window, design, left);

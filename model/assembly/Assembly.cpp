@@ -21,7 +21,7 @@ std::vector<PartOutline> outlinesOf(const Assembly& assembly)
 {
     std::vector<PartOutline> outlines;
     for (const Assembly::Part& part : assembly.parts)
-        outlines.push_back({part.name, part.parent, part.triangles.size()});
+        outlines.push_back({part.name, part.parent, part.triangles.size(), part.color});
     return outlines;
 }
 

@@ -52,6 +52,7 @@ struct PartOutline {
     std::string name;
     std::optional<std::uint32_t> parent; ///< comes before its parts
     std::uint64_t triangles = 0;         ///< its own
+    std::optional<std::uint32_t> color{}; ///< 0xRRGGBB, for who chooses among them
 };
 
 std::vector<PartOutline> outlinesOf(const Assembly& assembly);

@@ -34,6 +34,49 @@ std::vector<Vec3> placesOf(const BSpline3& curve)
     return places;
 }
 
+/// Edges in millimetres.
+class MeshEdges {
+public:
+    explicit MeshEdges(const PlacedMesh& placed)
+    {
+        for (const std::vector<Vec3>& edge : placed.edges) {
+            Line line;
+            for (const Vec3& point : edge) {
+                line.points.push_back(placed.placement.placed(point));
+                line.box.extend(line.points.back());
+            }
+            m_lines.push_back(std::move(line));
+        }
+    }
+
+    bool empty() const { return m_lines.empty(); }
+
+    /// At most `most`.
+    double distance(const Vec3& at, double most) const
+    {
+        double nearest = most;
+        for (const Line& line : m_lines) {
+            if (line.box.exteriorDistance(at) >= nearest)
+                continue;
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const Vec3& from = line.points[i - 1];
+                const Vec3 way = line.points[i] - from;
+                const double length = way.squaredNorm();
+                const double share = length > 0 ? std::clamp((at - from).dot(way) / length, 0.0, 1.0) : 0;
+                nearest = std::min(nearest, (from + share * way - at).norm());
+            }
+        }
+        return nearest;
+    }
+
+private:
+    struct Line {
+        std::vector<Vec3> points;
+        Box3 box;
+    };
+    std::vector<Line> m_lines;
+};
+
 } // namespace
 
 std::vector<FixationOff> fixationsOff(const Design& design, const PlacedMesh& before, const PlacedMesh& after,
@@ -43,13 +86,19 @@ std::vector<FixationOff> fixationsOff(const Design& design, const PlacedMesh& be
     if (!before.mesh || !after.mesh)
         return found;
     const TriangleTree old = treeOf(before, stop), present = treeOf(after, stop);
+    const MeshEdges oldEdges(before), edges(after);
     design.each<FixationCurve>([&](ElementId id, const FixationCurve& fixation) {
+        const std::vector<Vec3> places = placesOf(fixation.curve);
+        const bool fromEdge = !edges.empty() && !places.empty() && std::ranges::all_of(places, [&](const Vec3& place) {
+            return oldEdges.distance(place, 2 * liesOnFrame) <= liesOnFrame;
+        });
         double farthest = 0;
-        for (const Vec3& place : placesOf(fixation.curve))
-            if (!stop.stop_requested() && old.distance(place, 2 * liesOnFrame) <= liesOnFrame)
-                farthest = std::max(farthest, present.distance(place, farthestLooked));
+        for (const Vec3& place : places)
+            if (!stop.stop_requested() && (fromEdge || old.distance(place, 2 * liesOnFrame) <= liesOnFrame))
+                farthest = std::max(farthest, fromEdge ? edges.distance(place, farthestLooked)
+                                                       : present.distance(place, farthestLooked));
         if (farthest > liesOnFrame)
-            found.push_back({id, farthest});
+            found.push_back({id, farthest, fromEdge});
     });
     if (stop.stop_requested())
         return {};

@@ -39,6 +39,24 @@ TEST_F(FixationsOffTest, SaysWhatNoLongerLiesOnTheFrameAndByHowMuch)
     EXPECT_NEAR(left[0].distance, 12, 1e-6);
 }
 
+TEST_F(FixationsOffTest, WhatRanAlongAnEdgeIsComparedWithEdges)
+{
+    // The frame becomes longer: the end of its top lies on its surface still, but no longer on its edge.
+    const auto longer = [](double depth) {
+        PlacedMesh placed{std::make_shared<const TriangleMesh>(boxMesh({Vec3(0, 0, 0), Vec3(400, depth, 100)})), {}};
+        placed.edges = {{Vec3(0, depth, 100), Vec3(400, depth, 100)}, {Vec3(0, 0, 100), Vec3(400, 0, 100)}};
+        return placed;
+    };
+    const ElementId back = add("back", {0, 400, 100}, {400, 400, 100});
+    add("front", {0, 0, 100}, {400, 0, 100});
+    add("across", {200, 0, 100}, {200, 400, 100});
+    const auto left = fixationsOff(design, longer(400), longer(450));
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_EQ(left[0].curve, back);
+    EXPECT_TRUE(left[0].fromEdge);
+    EXPECT_NEAR(left[0].distance, 50, 1e-6);
+}
+
 TEST_F(FixationsOffTest, OnlyWhatLayOnTheFrameCounts)
 {
     add("leaves the frame at its end", {10, 10, 100}, {10, 10, 300});

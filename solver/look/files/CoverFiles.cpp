@@ -7,10 +7,12 @@
 #include "GlbFile.h"
 #include "PageFactsOf.h"
 #include "SimplifyMesh.h"
+#include "Shells.h"
 #include "SolidFile.h"
 #include "StepBody.h"
 #include "UsdzFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <stdexcept>
@@ -24,6 +26,7 @@ struct Stopped {};
 
 /// Of a body for CAD, where each face is heavy.
 constexpr std::size_t mostFaces = 20'000;
+constexpr double smallestFoam = 1000; // mm^3: smaller pieces nobody cuts
 
 const Message interruptedMessage{QT_TRANSLATE_NOOP("Message", "interrupted"), {}};
 
@@ -119,8 +122,9 @@ CoverFile CoverFiles::solid(CoverFormat format) const
 CoverFile CoverFiles::foam(CoverFormat format, const std::stop_token& stop) const
 {
     CoverFile file;
-    const TriangleMesh body = foamSolid(*m_subject.surface, m_subject.design, m_subject.files,
-                                        {m_options.foamEdge, m_options.thickness}, stop);
+    TriangleMesh body = foamSolid(*m_subject.surface, m_subject.design, m_subject.files,
+                                  {m_options.foamEdge, m_options.thickness}, stop);
+    const std::size_t crumbs = dropSmallShells(body, smallestFoam);
     if (body.triangles.empty()) {
         file.problem = {QT_TRANSLATE_NOOP("Message", "there is no room for foam between the frame and the cover"),
                         {}};
@@ -130,6 +134,14 @@ CoverFile CoverFiles::foam(CoverFormat format, const std::stop_token& stop) cons
     file.notes.push_back({QT_TRANSLATE_NOOP("Message", "the foam has %1 l and weighs %2 kg at %3 kg/m\u00b3"),
                           {numberText(litres), numberText(litres * m_options.foamDensity / 1000),
                            numberText(m_options.foamDensity)}});
+    const auto bodies = std::ranges::count_if(shellsOf(body), [](const Shell& shell) { return !shell.isVoid(); });
+    if (bodies > 1)
+        file.notes.push_back({QT_TRANSLATE_NOOP("Message", "it is in %1 pieces"), {std::to_string(bodies)}});
+    if (crumbs == 1)
+        file.notes.push_back({QT_TRANSLATE_NOOP("Message", "one piece of less than 1 cm\u00b3 is left out"), {}});
+    else if (crumbs > 1)
+        file.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 pieces of less than 1 cm\u00b3 are left out"),
+                              {std::to_string(crumbs)}});
     if (format == CoverFormat::FoamStep) {
         const SimplifiedMesh fewer = simplified(body, {}, mostFaces, stop);
         file.bytes = stepBody(m_options.title, fewer.mesh);

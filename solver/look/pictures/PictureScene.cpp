@@ -63,23 +63,23 @@ std::vector<Scene::FrameLook> framesForPicture(const Design& design, const Desig
     const FrameSkins skins(surface);
     std::vector<Scene::FrameLook> frames;
     const auto add = [&](std::shared_ptr<const TriangleMesh> mesh, const Placement& placement,
-                         const FrameMaterial& material) {
+                         const FrameMaterial& material, const std::string& name) {
         if (mesh)
-            frames.push_back({mesh, placement, material, 1, skins.skin(*mesh, placement)});
+            frames.push_back({mesh, placement, material, 1, skins.skin(*mesh, placement), name});
     };
     const auto fileOf = [&](ElementId id) {
         const auto found = files.meshes.find(id);
         return found != files.meshes.end() ? found->second : nullptr;
     };
     design.each<Frame>([&](ElementId id, const Frame& frame) {
-        add(shownMesh(fileOf(id), frame.hiddenParts), frame, frame.material);
+        add(shownMesh(fileOf(id), frame.hiddenParts), frame, frame.material, frame.name);
     });
     design.each<Foam>([&](ElementId id, const Foam& foam) {
         if (foam.cut)
             return;
         add(foam.shape == Foam::Shape::Mesh ? fileOf(id)
                                             : std::make_shared<const TriangleMesh>(foamMesh(foam.shape, foam.size)),
-            foam, {FrameMaterial::Kind::Foam});
+            foam, {FrameMaterial::Kind::Foam}, foam.name);
     });
     return frames;
 }

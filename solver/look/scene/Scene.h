@@ -31,6 +31,7 @@ struct Scene {
         FrameMaterial material = {};
         double opacity = 1;          ///< times that of all
         FrameSkinPtr skin = nullptr; ///< drawn in its place; null until it is known how the cover lies on it
+        std::string name = {};       ///< for who exports it; may be empty
 
         /// But for the skin, which follows from the rest and from the cover.
         bool sameFrame(const FrameLook& other) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 namespace bolster {
 
@@ -97,15 +98,25 @@ ObjFiles objFiles(const CoverModel& model, const std::string& stem)
     const std::string base = oneWord(stem);
     ObjFiles files;
     std::vector<std::string> pictures, names;
-    for (const ModelPicture& picture : model.pictures) {
+    for (const ModelPicture& picture : model.pictures)
         pictures.push_back(base + "-" + picture.name);
-        files.beside.push_back({pictures.back(), picture.bytes});
-    }
+    // Of other colourways OBJ knows nothing.
+    std::set<std::size_t> shownMaterials, shownPictures;
+    for (const ModelMesh& mesh : model.meshes)
+        shownMaterials.insert(mesh.materials.front());
     std::string mtl = "# Materials by Bolster\n\n";
     for (std::size_t m = 0; m < model.materials.size(); ++m) {
-        names.push_back("m" + std::to_string(m) + "_" + oneWord(model.materials[m].name));
-        appendMaterial(model.materials[m], names.back(), pictures, mtl);
+        const ModelMaterial& material = model.materials[m];
+        names.push_back("m" + std::to_string(m) + "_" + oneWord(material.name));
+        if (!shownMaterials.contains(m))
+            continue;
+        appendMaterial(material, names.back(), pictures, mtl);
+        for (const auto& picture : {material.colorPicture, material.roughPicture, material.normalPicture})
+            if (picture)
+                shownPictures.insert(*picture);
     }
+    for (const std::size_t picture : shownPictures)
+        files.beside.push_back({pictures[picture], model.pictures[picture].bytes});
     files.beside.push_back({base + ".mtl", mtl});
 
     std::string& obj = files.obj;

@@ -1,64 +1,15 @@
 #include "StepBody.h"
 
+#include "Shells.h"
 #include "StepWriter.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
 #include <vector>
 
 namespace bolster {
 
 namespace {
-
-/// A connected part of the surface.
-struct Shell {
-    std::vector<std::uint32_t> triangles;
-    Box3 box;
-    double volume = 0; ///< negative: a void
-
-    bool isVoid() const { return volume < 0; }
-};
-
-/// Of each point the least one that it is connected with.
-std::vector<std::uint32_t> connectedPoints(const TriangleMesh& solid)
-{
-    std::vector<std::uint32_t> root(solid.points.size());
-    std::iota(root.begin(), root.end(), 0U);
-    const auto rootOf = [&](std::uint32_t point) {
-        while (root[point] != point)
-            point = root[point] = root[root[point]];
-        return point;
-    };
-    for (const auto& [a, b, c] : solid.triangles)
-        for (const std::uint32_t other : {b, c}) {
-            const std::uint32_t one = rootOf(a), two = rootOf(other);
-            root[std::max(one, two)] = std::min(one, two);
-        }
-    for (std::uint32_t point = 0; point < root.size(); ++point)
-        root[point] = rootOf(point);
-    return root;
-}
-
-std::vector<Shell> shellsOf(const TriangleMesh& solid)
-{
-    const std::vector<std::uint32_t> root = connectedPoints(solid);
-    std::vector<Shell> shells;
-    std::vector<std::size_t> shellOf(solid.points.size(), solid.points.size());
-    for (std::uint32_t t = 0; t < solid.triangles.size(); ++t) {
-        const auto& [a, b, c] = solid.triangles[t];
-        std::size_t& at = shellOf[root[a]];
-        if (at == solid.points.size()) {
-            at = shells.size();
-            shells.emplace_back();
-        }
-        Shell& shell = shells[at];
-        shell.triangles.push_back(t);
-        for (const std::uint32_t corner : {a, b, c})
-            shell.box.extend(solid.points[corner]);
-        shell.volume += solid.points[a].dot(solid.points[b].cross(solid.points[c])) / 6;
-    }
-    return shells;
-}
 
 /// The smallest body whose box holds that of the void; `shells.size()` where there is none.
 std::size_t bodyAround(const std::vector<Shell>& shells, const Shell& hole)

@@ -263,7 +263,7 @@ void CoverModeller::addFrames()
         if (!frame.skin)
             continue;
         ModelMesh mesh = frameMesh(*frame.skin, hidden);
-        mesh.name = frame.material.kind == FrameMaterial::Kind::Foam ? "Foam" : "Frame";
+        mesh.name = frame.name.empty() ? "Frame" : frame.name;
         mesh.materials.assign(m_colourways.size(), m_book.frame(frame.material));
         join(std::move(mesh));
     }
