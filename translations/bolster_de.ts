@@ -1882,6 +1882,22 @@
         <source>Seams with a number are sewn first, smaller ones before larger ones. 0: as the program proposes it.</source>
         <translation>Nähte mit einer Zahl werden zuerst genäht, kleinere Zahlen vor größeren. 0: wie das Programm es vorschlägt.</translation>
     </message>
+    <message>
+        <source>How near a point of the scan must be to pull at the cover. What the scan has not seen stays as the pattern makes it.</source>
+        <translation>Wie nah ein Punkt des Scans sein muss, um am Bezug zu ziehen. Was der Scan nicht gesehen hat, bleibt, wie der Schnitt es macht.</translation>
+    </message>
+    <message>
+        <source>How firmly the scan pulls at the cover, against the pattern: more follows finer detail, and more of the noise.</source>
+        <translation>Wie stark der Scan gegen den Schnitt am Bezug zieht: Mehr folgt feineren Einzelheiten und mehr vom Rauschen.</translation>
+    </message>
+    <message>
+        <source>The cover is pulled to the scan. Without that it is only measured. Align the scan first.</source>
+        <translation>Der Bezug wird zum Scan gezogen. Ohne das wird nur gemessen. Richten Sie den Scan zuerst aus.</translation>
+    </message>
+    <message>
+        <source>To its surface: the cover may slide along it. To its points: it may not, which suits scans with few points.</source>
+        <translation>Zur Oberfläche: Der Bezug darf an ihr entlang gleiten. Zu den Punkten: Er darf es nicht; das passt zu Scans mit wenigen Punkten.</translation>
+    </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -2109,6 +2125,10 @@
             <numerusform>%n Fixierkurve liegt nicht mehr auf dem Gestell.</numerusform>
             <numerusform>%n Fixierkurven liegen nicht mehr auf dem Gestell.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>“%1”: its edge is up to %2 mm away</source>
+        <translation>„%1“: Ihre Kante ist bis zu %2 mm entfernt</translation>
     </message>
 </context>
 <context>
@@ -3821,14 +3841,6 @@
         <translation>Es gibt keinen Bezug, an dem der Scan ausgerichtet werden könnte.</translation>
     </message>
     <message>
-        <source>The scan could not be placed: move it nearer to the cover, or cut away what does not belong to it.</source>
-        <translation>Der Scan konnte nicht ausgerichtet werden: Rücken Sie ihn näher an den Bezug, oder schneiden Sie weg, was nicht dazugehört.</translation>
-    </message>
-    <message>
-        <source>Place %1 on the cover</source>
-        <translation>%1 am Bezug ausrichten</translation>
-    </message>
-    <message>
         <source>must be a list of at most %1 planes, [x, y, z, distance] each</source>
         <translation>muss eine Liste von höchstens %1 Ebenen sein, je [x, y, z, Abstand]</translation>
     </message>
@@ -5209,10 +5221,6 @@
         <translation>es gibt weder Fixierkurven noch Nähte</translation>
     </message>
     <message>
-        <source>Align %1: %2 mm rms, %3 % of its points matched</source>
-        <translation>%1 ausrichten: %2 mm im quadratischen Mittel, %3 % der Punkte zugeordnet</translation>
-    </message>
-    <message>
         <source>The three places lie on a line: choose some that do not.</source>
         <translation>Die drei Stellen liegen auf einer Linie: wählen Sie andere.</translation>
     </message>
@@ -5475,6 +5483,54 @@
     <message>
         <source>%1: its cut line lies %2 mm outside of its sewing line, which is wider than an allowance may be; it becomes %3 mm there</source>
         <translation>%1: die Schnittlinie liegt %2 mm außerhalb der Nahtlinie, mehr als eine Nahtzugabe haben darf; dort wird sie %3 mm</translation>
+    </message>
+    <message>
+        <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
+        <translation>Der Bezug wird zum Scan gezogen, wo dieser jetzt liegt: Schalten Sie „Bezug anpassen“ aus, legen Sie den Scan auf den Bezug, und schalten Sie es wieder ein.</translation>
+    </message>
+    <message>
+        <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
+        <translation>Auf den Bezug legen, %2 mm quadr. Mittel: %1 (%3 % seiner Punkte zugeordnet)</translation>
+    </message>
+    <message>
+        <source>The scan could not be placed: it is too far from the cover. Align it by three places, or cut away what does not belong to it.</source>
+        <translation>Der Scan konnte nicht auf den Bezug gelegt werden: Er ist zu weit von ihm entfernt. Richten Sie ihn an drei Stellen aus, oder schneiden Sie weg, was nicht dazugehört.</translation>
+    </message>
+    <message>
+        <source>Align to %2 mm rms: %1 (%3 % of its points matched)</source>
+        <translation>Ausrichten, %2 mm quadr. Mittel: %1 (%3 % seiner Punkte zugeordnet)</translation>
+    </message>
+    <message>
+        <source>Import the pattern of %1</source>
+        <translation>Schnitt von %1 importieren</translation>
+    </message>
+    <message>
+        <source>%1: a gap of %2 mm in its outline is closed by a straight line</source>
+        <translation>%1: Eine Lücke von %2 mm in seinem Umriss ist mit einer Geraden geschlossen</translation>
+    </message>
+    <message>
+        <source>%1: its cut line is drawn anew from its allowances, and differs from that of the file by up to %2 mm</source>
+        <translation>%1: Seine Schnittlinie wird aus den Nahtzugaben neu gezeichnet und weicht um bis zu %2 mm von der in der Datei ab</translation>
+    </message>
+    <message>
+        <source>the size &quot;%1&quot; of the page is in no unit that is known and is left out: check the size of the pieces</source>
+        <translation>die Größe „%1“ der Seite hat keine bekannte Einheit und wird nicht beachtet: Prüfen Sie die Größe der Schnittteile</translation>
+    </message>
+    <message>
+        <source>Sew a proposed seam</source>
+        <translation>Eine vorgeschlagene Naht nähen</translation>
+    </message>
+    <message>
+        <source>it is in %1 pieces</source>
+        <translation>er besteht aus %1 Stücken</translation>
+    </message>
+    <message>
+        <source>one piece of less than 1 cm³ is left out</source>
+        <translation>ein Stück unter 1 cm³ ist weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 pieces of less than 1 cm³ are left out</source>
+        <translation>%1 Stücke unter 1 cm³ sind weggelassen</translation>
     </message>
 </context>
 <context>
@@ -6089,6 +6145,22 @@
         <source>Ali&amp;gn …</source>
         <translation>An drei Stellen ausr&amp;ichten …</translation>
     </message>
+    <message>
+        <source>Between the cover and the scan, where they are nearer than the threshold.</source>
+        <translation>Zwischen Bezug und Scan, wo sie näher beieinander liegen als der Schwellwert.</translation>
+    </message>
+    <message>
+        <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
+        <translation>Die Hälfte dessen, was gemessen wurde, und 95 % davon sind nicht weiter vom Scan entfernt.</translation>
+    </message>
+    <message>
+        <source>How much of the cover has points of the scan near it.</source>
+        <translation>Wie viel vom Bezug Punkte des Scans in der Nähe hat.</translation>
+    </message>
+    <message>
+        <source>Of the scan, without what is cut away.</source>
+        <translation>Des Scans, ohne das, was weggeschnitten ist.</translation>
+    </message>
 </context>
 <context>
     <name>SeamForm</name>
@@ -6284,57 +6356,6 @@
     <message>
         <source>&amp;Give up</source>
         <translation>&amp;Verwerfen</translation>
-    </message>
-</context>
-<context>
-    <name>SewingCommands</name>
-    <message>
-        <source>Show seam li&amp;st</source>
-        <translation>Naht&amp;liste zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Flip</source>
-        <translation>&amp;Umkehren</translation>
-    </message>
-    <message>
-        <source>Swap si&amp;des</source>
-        <translation>Seiten &amp;tauschen</translation>
-    </message>
-    <message>
-        <source>C&amp;0 – an edge</source>
-        <translation>C&amp;0 – eine Kante</translation>
-    </message>
-    <message>
-        <source>C&amp;1 – smooth, texture too</source>
-        <translation>C&amp;1 – glatt, auch das Muster</translation>
-    </message>
-    <message>
-        <source>&amp;G1 – rounded</source>
-        <translation>&amp;G1 – gerundet</translation>
-    </message>
-    <message>
-        <source>Match by &amp;length</source>
-        <translation>Zuordnung nach &amp;Länge</translation>
-    </message>
-    <message>
-        <source>Match by &amp;parameter</source>
-        <translation>Zuordnung nach &amp;Parameter</translation>
-    </message>
-    <message>
-        <source>Propos&amp;e seams …</source>
-        <translation>Nähte vo&amp;rschlagen …</translation>
-    </message>
-    <message>
-        <source>Sew earl&amp;ier</source>
-        <translation>&amp;Früher nähen</translation>
-    </message>
-    <message>
-        <source>Sew l&amp;ater</source>
-        <translation>Sp&amp;äter nähen</translation>
-    </message>
-    <message>
-        <source>Sewi&amp;ng order as proposed</source>
-        <translation>Nähf&amp;olge wie vorgeschlagen</translation>
     </message>
 </context>
 <context>
@@ -8456,6 +8477,18 @@
         <source>Click an edge to give it a seam allowance of its own, or type its width; drag its handle – Esc ends the tool</source>
         <translation>Eine Kante anklicken, um ihr eine eigene Nahtzugabe zu geben, oder die Breite eintippen; am Griff ziehen – Esc beendet das Werkzeug</translation>
     </message>
+    <message>
+        <source>Point at an outline, then type how far the notch is from the corner</source>
+        <translation>Auf einen Umriss zeigen, dann eintippen, wie weit der Knips von der Ecke entfernt ist</translation>
+    </message>
+    <message>
+        <source>Point into a patch, then type where the drill hole lies: 120, 40</source>
+        <translation>In ein Schnittteil zeigen, dann eintippen, wo das Bohrloch liegt: 120, 40</translation>
+    </message>
+    <message>
+        <source>Point at an edge, then type how wide its allowance is</source>
+        <translation>Auf eine Kante zeigen, dann eintippen, wie breit ihre Nahtzugabe ist</translation>
+    </message>
 </context>
 <context>
     <name>bolster::NextStep</name>
@@ -9083,6 +9116,57 @@
     <message>
         <source>Close the section</source>
         <translation>Schnittebene schließen</translation>
+    </message>
+</context>
+<context>
+    <name>bolster::SewingCommands</name>
+    <message>
+        <source>Propos&amp;e seams …</source>
+        <translation>Nähte vo&amp;rschlagen …</translation>
+    </message>
+    <message>
+        <source>Show seam li&amp;st</source>
+        <translation>Naht&amp;liste zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Umkehren</translation>
+    </message>
+    <message>
+        <source>Swap si&amp;des</source>
+        <translation>Seiten &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>C&amp;0 – an edge</source>
+        <translation>C&amp;0 – eine Kante</translation>
+    </message>
+    <message>
+        <source>C&amp;1 – smooth, texture too</source>
+        <translation>C&amp;1 – glatt, auch das Muster</translation>
+    </message>
+    <message>
+        <source>&amp;G1 – rounded</source>
+        <translation>&amp;G1 – gerundet</translation>
+    </message>
+    <message>
+        <source>Match by &amp;length</source>
+        <translation>Zuordnung nach &amp;Länge</translation>
+    </message>
+    <message>
+        <source>Match by &amp;parameter</source>
+        <translation>Zuordnung nach &amp;Parameter</translation>
+    </message>
+    <message>
+        <source>Sew earl&amp;ier</source>
+        <translation>&amp;Früher nähen</translation>
+    </message>
+    <message>
+        <source>Sew l&amp;ater</source>
+        <translation>Sp&amp;äter nähen</translation>
+    </message>
+    <message>
+        <source>Sewi&amp;ng order as proposed</source>
+        <translation>Nähf&amp;olge wie vorgeschlagen</translation>
     </message>
 </context>
 <context>

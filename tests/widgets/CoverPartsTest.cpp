@@ -3,6 +3,7 @@
 #include "CoverNavigation.h"
 #include "CoverSetup.h"
 #include "Document.h"
+#include "PointShades.h"
 #include "SceneVisibility.h"
 #include "Selection.h"
 #include "ShownScene.h"
@@ -71,6 +72,29 @@ TEST_F(CoverParts, TheSectionCutsWhatIsShownButNotWhatLiesOverIt)
     shown.setOverlay([] { return std::vector<SceneLine>{{{{300, 0, 0}, {300, 100, 0}}, Qt::red}}; });
     shown.updateMarks();
     EXPECT_TRUE(lineBeyond(150));
+}
+
+TEST(PointShadesTest, AWallIsEvenAndOtherwiseThanTheFloorAtIt)
+{
+    std::vector<Vec3> points;
+    for (int i = 0; i < 100; ++i)
+        for (int k = 0; k < 100; ++k)
+            points.emplace_back(10 * i, 10 * k, 0.01 * ((i * k) % 7)); // the floor, then a wall at its edge
+    const std::size_t floor = points.size();
+    for (int i = 0; i < 100; ++i)
+        for (int k = 1; k < 100; ++k)
+            points.emplace_back(10 * i, 990, 10 * k);
+    points.emplace_back(500, 100, 700); // in the air
+    const std::vector<float> shades = pointShades(points);
+    ASSERT_EQ(shades.size(), points.size());
+    const float ofFloor = shades[50 * 100 + 20], ofWall = shades[floor + 50 * 99 + 60];
+    EXPECT_GT(std::abs(ofFloor - ofWall), 0.05F);
+    for (int i = 10; i < 90; ++i) {
+        EXPECT_NEAR(shades[static_cast<std::size_t>(i) * 100 + 30], ofFloor, 0.02F);
+        EXPECT_NEAR(shades[floor + static_cast<std::size_t>(i) * 99 + 60], ofWall, 0.02F);
+    }
+    EXPECT_TRUE(pointShades({}).empty());
+    EXPECT_EQ(pointShades({Vec3(1, 2, 3), Vec3(1, 2, 3)}).size(), 2u) << "all in one place";
 }
 
 TEST_F(CoverParts, NavigationFitsWhatIsSelected)

@@ -1,5 +1,6 @@
 // Bodies for CAD, as OpenCASCADE reads them.
 #include "StepBody.h"
+#include "Shells.h"
 #include "../../model/TestFiles.h"
 #include "MeshImport.h"
 
@@ -50,6 +51,23 @@ TEST_F(StepBody, HasVoidsAndSeveralBodies)
     EXPECT_EQ(read.said.millimetresPerUnit, 1);
     EXPECT_EQ(read.mesh->triangles.size(), 36u);
     EXPECT_TRUE(read.mesh->boundingBox().isApprox(solid.boundingBox(), 1e-9));
+}
+
+TEST(Shells, CrumbsGo)
+{
+    TriangleMesh solid;
+    addCube(solid, Vec3(500, 0, 0), 4, true);
+    addCube(solid, Vec3::Zero(), 50, true);
+    addCube(solid, Vec3(10, 0, 0), 4, false);
+    addCube(solid, Vec3(-20, 0, 0), 6, false);
+    solid.parts = {{"foam", 0, static_cast<std::uint32_t>(solid.triangles.size())}};
+    EXPECT_EQ(shellsOf(solid).size(), 4u);
+    EXPECT_EQ(dropSmallShells(solid, 1000), 1u) << "a void is no piece";
+    EXPECT_NEAR(volume(solid), 1e6 - 1728, 1e-6);
+    EXPECT_EQ(solid.points.size(), 16u);
+    EXPECT_EQ(solid.parts[0].triangleCount, 24u);
+    EXPECT_EQ(dropSmallShells(solid, 1e7), 1u);
+    EXPECT_TRUE(solid.triangles.empty() && solid.points.empty());
 }
 
 } // namespace
