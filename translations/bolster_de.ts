@@ -5486,7 +5486,7 @@
     </message>
     <message>
         <source>The cover is pulled to the scan where it lies now: switch &quot;Fit the cover to it&quot; off, place it, and switch that on again.</source>
-        <translation>Der Bezug wird zum Scan gezogen, wo dieser jetzt liegt: Schalten Sie „Bezug anpassen“ aus, legen Sie den Scan auf den Bezug, und schalten Sie es wieder ein.</translation>
+        <translation>Der Bezug wird zum Scan gezogen, wo dieser jetzt liegt: Schalten Sie „Bezug daran anpassen“ aus, legen Sie den Scan auf den Bezug, und schalten Sie es wieder ein.</translation>
     </message>
     <message>
         <source>Place on the cover to %2 mm rms: %1 (%3 % of its points matched)</source>
@@ -6147,7 +6147,7 @@
     </message>
     <message>
         <source>Between the cover and the scan, where they are nearer than the threshold.</source>
-        <translation>Zwischen Bezug und Scan, wo sie näher beieinander liegen als der Schwellwert.</translation>
+        <translation>Zwischen Bezug und Scan, wo sie näher beieinander liegen als die Schwelle.</translation>
     </message>
     <message>
         <source>Half of what is measured, and 95 % of it, is no farther from the scan than that.</source>
