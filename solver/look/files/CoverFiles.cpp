@@ -3,10 +3,10 @@
 #include "CoverRefiner.h"
 #include "CoverSolid.h"
 #include "CurvesForCad.h"
+#include "FewerFaces.h"
 #include "FoamSolid.h"
 #include "GlbFile.h"
 #include "PageFactsOf.h"
-#include "SimplifyMesh.h"
 #include "Shells.h"
 #include "SolidFile.h"
 #include "StepBody.h"
@@ -25,7 +25,7 @@ namespace {
 struct Stopped {};
 
 /// Of a body for CAD, where each face is heavy.
-constexpr std::size_t mostFaces = 20'000;
+constexpr std::size_t mostFaces = 10'000;
 constexpr double smallestFoam = 1000; // mm^3: smaller pieces nobody cuts
 
 const Message interruptedMessage{QT_TRANSLATE_NOOP("Message", "interrupted"), {}};
@@ -143,10 +143,10 @@ CoverFile CoverFiles::foam(CoverFormat format, const std::stop_token& stop) cons
         file.notes.push_back({QT_TRANSLATE_NOOP("Message", "%1 pieces of less than 1 cm\u00b3 are left out"),
                               {std::to_string(crumbs)}});
     if (format == CoverFormat::FoamStep) {
-        const SimplifiedMesh fewer = simplified(body, {}, mostFaces, stop);
+        const FewerFaces fewer = withFewerFaces(body, mostFaces, stop);
         file.bytes = stepBody(m_options.title, fewer.mesh);
         if (fewer.off > 0)
-            file.notes.push_back({QT_TRANSLATE_NOOP("Message", "its faces are within about %1 mm"),
+            file.notes.push_back({QT_TRANSLATE_NOOP("Message", "99 % of its surface is within %1 mm"),
                                   {numberText(std::ceil(100 * fewer.off) / 100)}});
     } else {
         file.bytes = format == CoverFormat::FoamStl ? stlFile(body) : threeMfFile(body);

@@ -203,8 +203,8 @@ TEST_F(ExportCover, WritesTheFoamBetweenFrameAndCover)
     ASSERT_EQ(step.exitCode, 0) << step.err;
     const Json body = checked("check_step.py", "f.step");
     EXPECT_NEAR(body["volume"].get<double>(), volume, 0.002 * volume);
-    EXPECT_LE(body["faces"].get<int>(), 20'000);
-    EXPECT_NE(step.out.find("its faces are within about"), std::string::npos) << step.out;
+    EXPECT_LE(body["faces"].get<int>(), 10'500);
+    EXPECT_NE(step.out.find("of its surface is within"), std::string::npos) << step.out;
 
     Json alone = cushion();
     alone["elements"].erase(alone["elements"].size() - 1);
