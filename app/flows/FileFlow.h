@@ -132,6 +132,7 @@ private:
     void keepAside(const QString& path, const Then& then);
     void takeTheirs(const QString& path, const Then& then);
     QString name() const;
+    QString exportFolder() const;
     QString proposed(const QString& ending, const QString& addition = {}) const;
     void chooseTarget(const QString& title, const QString& proposal, const QString& filter,
                       const QStringList& endings, const Answer& chosen);
@@ -170,7 +171,12 @@ private:
     QPointer<QMessageBox> m_question;    ///< what becomes of unsaved work
     QPointer<QProgressDialog> m_reading; ///< of the design that is being opened
     int m_restored = 0;                  ///< number of what the banner says about it
-    Message m_unprotected;               ///< why what is done is not protected; empty when it is
+    struct Exported {
+        QString of; ///< the design's file
+        QString folder;
+    };
+    Exported m_exported;   ///< the last time
+    Message m_unprotected; ///< why what is done is not protected; empty when it is
 };
 
 } // namespace bolster

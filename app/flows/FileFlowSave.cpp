@@ -160,12 +160,18 @@ QString FileFlow::name() const
     return name;
 }
 
+/// Where something else than a project goes: where the last one of this design went.
+QString FileFlow::exportFolder() const
+{
+    return m_exported.of == m_session.path() && QFileInfo(m_exported.folder).isDir() ? m_exported.folder : startFolder();
+}
+
 /// The title as a file in the usual folder.
 QString FileFlow::proposed(const QString& ending, const QString& addition) const
 {
     QString name = this->name();
     name.replace(u'/', u'-');
-    return QDir(startFolder()).filePath(name + addition + u'.' + ending);
+    return QDir(saveEndings.contains(ending) ? startFolder() : exportFolder()).filePath(name + addition + u'.' + ending);
 }
 
 /// A file with one of the endings, the first one if none was typed. Never one of the design's files.
@@ -174,6 +180,8 @@ void FileFlow::chooseTarget(const QString& title, const QString& proposal, const
 {
     askWhereToWrite(m_window, title, proposal, filter, endings, [this, chosen](const QString& path) {
         if (!m_session.isElementFile(path)) {
+            if (!saveEndings.contains(QFileInfo(path).suffix()))
+                m_exported = {m_session.path(), QFileInfo(path).absolutePath()};
             chosen(path);
             return;
         }
