@@ -5457,8 +5457,8 @@
         <translation>„%1“ braucht die Datei „%2“ daneben, und das Gestell eines Entwurfs ist eine einzige Datei; importieren Sie es noch einmal, oder exportieren Sie es als GLB</translation>
     </message>
     <message>
-        <source>its faces are within about %1 mm</source>
-        <translation>seine Flächen liegen auf etwa %1 mm genau</translation>
+        <source>99 % of its surface is within %1 mm</source>
+        <translation>99 % seiner Oberfläche liegen innerhalb von %1 mm</translation>
     </message>
     <message>
         <source>it reaches beyond its piece: end it at the edge</source>

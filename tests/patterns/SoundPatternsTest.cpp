@@ -234,7 +234,7 @@ TEST(SoundPatterns, CutLinesThatAreDrawnOtherwiseAreTold)
     // One corner alone is cut off, at right angles to where it points.
     const Imported imported(
         drawingWith({lineOf("1", {{-10, -10}, {410, -10}, {410, 300}, {400, 310}, {-10, 310}}, true), sewn}));
-    EXPECT_TRUE(imported.tells("differs from that of the file by up to 7.1 mm"));
+    EXPECT_TRUE(imported.tells("differs from that of the file by up to 4.1 mm"));
     EXPECT_EQ(imported.patch().allowance->width, 10);
 }
 

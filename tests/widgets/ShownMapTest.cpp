@@ -117,7 +117,10 @@ TEST(ScanPoints, ShowsWhatIsCutAwayOfASelectedScanOnly)
     EXPECT_EQ(selected[1].points->size(), 1U);
     EXPECT_LT(selected[1].color.alphaF(), 1);
     EXPECT_FALSE(points.hasColors());
-    EXPECT_FALSE(plain[0].own) << "the file has none";
+    ASSERT_TRUE(plain[0].own) << "the file has none: one colour, shaded";
+    EXPECT_EQ(plain[0].own->size(), 2U);
+    EXPECT_EQ(points.looks({}, colors, {}, true)[0].own, plain[0].own) << "made once";
+    EXPECT_EQ(selected[0].own->size(), 2U);
     points.update(Design(), files);
     EXPECT_TRUE(points.looks({}, colors, {}, true).empty());
 }
