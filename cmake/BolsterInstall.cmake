@@ -3,6 +3,7 @@ include(GNUInstallDirs)
 
 install(TARGETS bolster RUNTIME)
 install(TARGETS bolster_image_decoder bolster_cad_reader bolster_scene_reader bolster_salvager bolster_bench_program RUNTIME DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/bolster")
+install(TARGETS bolster_imaging_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBEXECDIR}/bolster")
 install(FILES resources/bolster.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES resources/bolster-mime.xml DESTINATION "${CMAKE_INSTALL_DATADIR}/mime/packages" RENAME bolster.xml)
 install(FILES resources/icons/bolster.svg DESTINATION "${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps")

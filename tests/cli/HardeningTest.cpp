@@ -52,6 +52,17 @@ TEST(Hardening, ShippedProgramsAreHardened)
     }
 }
 
+TEST(Hardening, OnlyTheModuleBringsOpenImageIO)
+{
+    const QDir build(QFileInfo(QString::fromStdString(program())).absolutePath() + "/..");
+    const char* const brought = "[libOpenImageIO.so";
+    EXPECT_EQ(readElf(QString::fromStdString(program())).find(brought), std::string::npos)
+        << "each start would wait for more than two hundred libraries";
+    const std::string module = readElf(build.filePath("solver/look/painting/bolster-imaging.so"));
+    EXPECT_NE(module.find(brought), std::string::npos);
+    EXPECT_NE(module.find("GNU_RELRO"), std::string::npos);
+}
+
 #if !defined(BOLSTER_ADDRESS_SANITIZER) && defined(NDEBUG)
 /// Few of our calls need a check, so it does not show in the programs: the commands that compiled them tell.
 TEST(Hardening, EverythingShippedIsCompiledWithChecks)

@@ -2,8 +2,6 @@
 
 #include "Srgb.h"
 
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,24 +9,12 @@ namespace bolster {
 
 TextMask textMask(const std::string& text, int width, int height, TextAlign align, std::string& problem)
 {
-    using OIIO::ImageBufAlgo::TextAlignX;
     TextMask mask{width, height, {}};
     mask.share.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    const int size = std::max(8, height * 5 / 9);
-    const TextAlignX across = align == TextAlign::Left     ? TextAlignX::Left
-                              : align == TextAlign::Center ? TextAlignX::Center
-                                                           : TextAlignX::Right;
-    const int at = align == TextAlign::Left ? 0 : align == TextAlign::Center ? width / 2 : width - 1;
-    for (const char* const font : {"DejaVuSans", "LiberationSans-Regular", "NotoSans-Regular", "DroidSans"}) {
-        OIIO::ImageBuf strip(OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::FLOAT));
-        OIIO::ImageBufAlgo::zero(strip);
-        if (OIIO::ImageBufAlgo::render_text(strip, at, height / 2, text, size, font, {1.f}, across,
-                                            OIIO::ImageBufAlgo::TextAlignY::Center)) {
-            strip.get_pixels(OIIO::ROI::All(), OIIO::TypeDesc::FLOAT, mask.share.data());
+    const TextOrder order{text, width, height, std::max(8, height * 5 / 9), align};
+    for (const char* const font : {"DejaVuSans", "LiberationSans-Regular", "NotoSans-Regular", "DroidSans"})
+        if (imaging().drawText(order, font, mask.share.data()))
             return mask;
-        }
-        (void)strip.geterror();
-    }
     problem = "there is no font to write with; install DejaVu Sans";
     return mask;
 }

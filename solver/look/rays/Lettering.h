@@ -1,6 +1,7 @@
 // Text and plain colours over a picture that is drawn already.
 #pragma once
 
+#include "Imaging.h"
 #include "PreviewRenderer.h"
 
 #include <array>
@@ -16,7 +17,7 @@ struct TextMask {
     std::vector<float> share;
 };
 
-enum class TextAlign { Left, Center, Right };
+using TextAlign = TextOrder::Align;
 
 /// A strip of this size, the text in the middle of its height. `problem` says when there is no font; then nothing
 /// is covered. `text`: UTF-8.

@@ -1,9 +1,7 @@
 #include "PictureFile.h"
 
+#include "Imaging.h"
 #include "PictureTones.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,51 +24,34 @@ std::vector<float> shownLight(const PreviewImage& image)
     return all;
 }
 
-OIIO::ImageSpec specOf(const PreviewImage& image, PictureFormat format, const PictureNotes& notes)
+EncodeOrder orderFor(const PreviewImage& image, PictureFormat format, const PictureNotes& notes)
 {
-    const auto type = format == PictureFormat::Exr    ? OIIO::TypeDesc::HALF
-                      : format == PictureFormat::Tiff ? OIIO::TypeDesc::UINT16
-                                                      : OIIO::TypeDesc::UINT8;
-    OIIO::ImageSpec spec(image.width, image.height, 4, type);
+    EncodeOrder order;
+    order.width = image.width;
+    order.height = image.height;
+    order.format = format == PictureFormat::Exr ? "openexr" : format == PictureFormat::Tiff ? "tiff" : "png";
+    order.depth = format == PictureFormat::Exr    ? EncodeOrder::Depth::Halves
+                  : format == PictureFormat::Tiff ? EncodeOrder::Depth::Shorts
+                                                  : EncodeOrder::Depth::Bytes;
     // A TIFF would get it as an Exif directory, which the library cannot write to memory: it breaks the file.
     if (format != PictureFormat::Tiff)
-        spec.attribute("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", format == PictureFormat::Exr ? 0 : 1);
-    spec.attribute("Software", notes.program);
-    spec.attribute("DateTime",
-                   "    :  :     :  :  "); // unknown (Exif): else TIFF files would differ from run to run
+        order.words.emplace_back("oiio:ColorSpace", format == PictureFormat::Exr ? "Linear" : "sRGB");
+    order.numbers.emplace_back("oiio:UnassociatedAlpha", format == PictureFormat::Exr ? 0 : 1);
+    order.words.emplace_back("Software", notes.program);
+    order.words.emplace_back("DateTime",
+                             "    :  :     :  :  "); // unknown (Exif): else TIFF files would differ from run to run
     if (format != PictureFormat::Png)
-        spec.attribute("compression", "zip");
+        order.words.emplace_back("compression", "zip");
     if (!notes.project.empty())
-        spec.attribute("DocumentName", notes.project);
+        order.words.emplace_back("DocumentName", notes.project);
     std::string text;
     for (const auto& [name, value] :
          {std::pair("Project", &notes.project), {"Version", &notes.version}, {"View", &notes.view}})
         if (!value->empty())
             text.append(text.empty() ? "" : "\n").append(name).append(": ").append(*value);
     if (!text.empty())
-        spec.attribute("ImageDescription", text);
-    return spec;
-}
-
-/// Returns what went wrong, or "".
-std::string encode(const PreviewImage& image, PictureFormat format, const PictureNotes& notes,
-                   OIIO::Filesystem::IOVecOutput& bytes)
-{
-    const char* const plugin = format == PictureFormat::Exr    ? "openexr"
-                               : format == PictureFormat::Tiff ? "tiff"
-                                                               : "png";
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
-    if (!output)
-        return OIIO::geterror();
-    if (!output->set_ioproxy(&bytes) || !output->open("picture", specOf(image, format, notes)))
-        return output->geterror();
-    const bool good =
-        format == PictureFormat::Png
-            ? output->write_image(OIIO::TypeDesc::UINT8, image.rgba.data())
-            : output->write_image(OIIO::TypeDesc::FLOAT,
-                                  format == PictureFormat::Exr ? image.light.data() : shownLight(image).data());
-    return good && output->close() ? std::string() : output->geterror();
+        order.words.emplace_back("ImageDescription", text);
+    return order;
 }
 
 } // namespace
@@ -109,11 +90,22 @@ EncodedPicture encodePicture(const PreviewImage& image, PictureFormat format, co
 {
     if (image.empty() || (needsLight(format) && image.light.size() != image.rgba.size()))
         return {{}, {QT_TRANSLATE_NOOP("Message", "there is no picture to write"), {}}};
-    OIIO::Filesystem::IOVecOutput bytes;
-    const std::string why = encode(image, format, notes, bytes);
-    if (!why.empty() || bytes.buffer().empty())
-        return {{}, {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}}};
-    return {std::string(bytes.buffer().begin(), bytes.buffer().end()), {}};
+    EncodeOrder order = orderFor(image, format, notes);
+    std::vector<float> shown;
+    if (format == PictureFormat::Png) {
+        order.bytes = image.rgba.data();
+    } else if (format == PictureFormat::Exr) {
+        order.floats = image.light.data();
+    } else {
+        shown = shownLight(image);
+        order.floats = shown.data();
+    }
+    EncodedPicture encoded;
+    std::string why;
+    encoded.bytes = imaging().encode(order, why);
+    if (encoded.bytes.empty())
+        encoded.problem = {QT_TRANSLATE_NOOP("Message", "the picture cannot be encoded (%1)"), {why}};
+    return encoded;
 }
 
 } // namespace bolster

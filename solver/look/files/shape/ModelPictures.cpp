@@ -1,13 +1,10 @@
 #include "ModelPictures.h"
 
+#include "Imaging.h"
 #include "Srgb.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 namespace bolster {
@@ -22,22 +19,23 @@ struct Channels {
 
 std::string encodedChannels(const Channels& picture, bool jpeg, bool srgb)
 {
-    OIIO::Filesystem::IOVecOutput bytes;
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(jpeg ? "jpeg" : "png");
-    if (!output)
-        throw std::runtime_error(OIIO::geterror());
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    EncodeOrder order;
+    order.format = jpeg ? "jpeg" : "png";
+    order.width = picture.width;
+    order.height = picture.height;
+    order.channels = 3;
+    order.bytes = picture.bytes.data();
     if (jpeg) {
-        spec.attribute("Compression", "jpeg:90");
-        spec.attribute("jpeg:subsampling", "4:4:4"); // what is no colour must not be blurred like one
+        order.words = {{"Compression", "jpeg:90"},
+                       {"jpeg:subsampling", "4:4:4"}}; // what is no colour must not be blurred like one
     } else if (srgb) {
-        spec.attribute("oiio:ColorSpace", "sRGB");
+        order.words = {{"oiio:ColorSpace", "sRGB"}};
     }
-    const bool good = output->set_ioproxy(&bytes) && output->open("map", spec) &&
-                      output->write_image(OIIO::TypeDesc::UINT8, picture.bytes.data()) && output->close();
-    if (!good || bytes.buffer().empty())
-        throw std::runtime_error(output->geterror());
-    return {bytes.buffer().begin(), bytes.buffer().end()};
+    std::string problem;
+    std::string bytes = imaging().encode(order, problem);
+    if (bytes.empty())
+        throw std::runtime_error(problem);
+    return bytes;
 }
 
 /// Means of 2 x 2; of an odd number the last ones are left as they are.
