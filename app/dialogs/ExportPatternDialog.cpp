@@ -38,11 +38,9 @@ ExportPatternDialog::ExportPatternDialog(Design design, const QString& style, st
     , m_design(std::move(design))
     , m_style(style.toStdString())
     , m_takePicture(std::move(takePicture))
-    , m_layout(
-          [design = m_design](const LayoutOrder& order, const std::stop_token& stop) {
-              return laidOut(design, order, stop);
-          },
-          [this](const Layout& layout) { show(layout); })
+    , m_layout([design = m_design](const LayoutOrder& order,
+                                   const std::stop_token& stop) { return laidOut(design, order, stop); },
+               [this](const Layout& layout) { show(layout); })
     , m_job(
           [design = m_design](const CutOptions& options, const std::stop_token& stop) {
               const auto pattern = std::make_shared<const CutPattern>(cutPattern(design, options, stop));
@@ -263,7 +261,8 @@ ExportPatternDialog::Layout ExportPatternDialog::laidOut(const Design& design, c
     if (hasSheets(order.format))
         plan = planSheets(*wanted.pattern, {order.paper, order.landscape, order.layers}, stop);
     else if (order.format == PatternFormat::SewingSheet)
-        layout.pages = sewingPages(design, order, wanted.picture, pageWidth, mostPages, layout.allPages, {stop, {}});
+        layout.pages =
+            sewingPages(design, order, wanted.picture, pageWidth, mostPages, layout.allPages, {stop, {}});
     else
         plan.table =
             arranged(*wanted.pattern, order.format == PatternFormat::Hpgl ? tableWidth(order.paper, order.landscape)

@@ -158,9 +158,9 @@ void FileImportDialog::updatePicture()
     if (!m_content)
         return;
     const double fine = devicePixelRatioF();
-    QImage picture = m_content.mesh
-                         ? framePicture(*m_content.mesh, wantedParts(), placement().rotation, fine * pictureSize, m_colors)
-                         : scanPicture(*m_content.cloud, placement().rotation, fine * pictureSize);
+    QImage picture = m_content.mesh ? framePicture(*m_content.mesh, wantedParts(), placement().rotation,
+                                                   fine * pictureSize, m_colors)
+                                    : scanPicture(*m_content.cloud, placement().rotation, fine * pictureSize);
     picture.setDevicePixelRatio(fine);
     m_picture->setPixmap(QPixmap::fromImage(picture));
 }

@@ -69,10 +69,9 @@ public:
         const Eigen::Vector3f normal = (b - a).cross(c - a).normalized();
         const Eigen::Vector3f light = Eigen::Vector3f(-0.35F, -0.6F, 0.72F).normalized();
         const float bright = normal.allFinite() ? 0.35F + 0.65F * std::abs(normal.dot(light)) : 0.5F;
-        const QRgb color =
-            qRgb(static_cast<int>(static_cast<float>(lit.red()) * bright),
-                 static_cast<int>(static_cast<float>(lit.green()) * bright),
-                 static_cast<int>(static_cast<float>(lit.blue()) * bright));
+        const QRgb color = qRgb(static_cast<int>(static_cast<float>(lit.red()) * bright),
+                                static_cast<int>(static_cast<float>(lit.green()) * bright),
+                                static_cast<int>(static_cast<float>(lit.blue()) * bright));
         const float area = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
         if (area == 0 || !std::isfinite(area))
             return;

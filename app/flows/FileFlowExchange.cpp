@@ -273,7 +273,9 @@ void FileFlow::exportPattern(std::function<QImage()> takePicture)
         chooseTarget(tr("Export pattern"),
                      proposed(ending, order.format == PatternFormat::SewingSheet ? tr("-sewing") : tr("-pattern")),
                      tr("%1 (*.%2)").arg(ending.toUpper(), ending), {ending},
-                     [this, order, picture = dialog->picture()](const QString& path) { exportPatternTo(path, order, picture); });
+                     [this, order, picture = dialog->picture()](const QString& path) {
+                         exportPatternTo(path, order, picture);
+                     });
     });
     openDialog(dialog);
 }

@@ -163,7 +163,8 @@ QString FileFlow::name() const
 /// Where something else than a project goes: where the last one of this design went.
 QString FileFlow::exportFolder() const
 {
-    return m_exported.of == m_session.path() && QFileInfo(m_exported.folder).isDir() ? m_exported.folder : startFolder();
+    return m_exported.of == m_session.path() && QFileInfo(m_exported.folder).isDir() ? m_exported.folder
+                                                                                     : startFolder();
 }
 
 /// The title as a file in the usual folder.
@@ -171,7 +172,8 @@ QString FileFlow::proposed(const QString& ending, const QString& addition) const
 {
     QString name = this->name();
     name.replace(u'/', u'-');
-    return QDir(saveEndings.contains(ending) ? startFolder() : exportFolder()).filePath(name + addition + u'.' + ending);
+    return QDir(saveEndings.contains(ending) ? startFolder() : exportFolder())
+        .filePath(name + addition + u'.' + ending);
 }
 
 /// A file with one of the endings, the first one if none was typed. Never one of the design's files.

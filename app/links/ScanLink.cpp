@@ -172,29 +172,29 @@ void ScanLink::alignFrom(ElementId id, const Placement& start, AlignSubject subj
             },
             Qt::QueuedConnection);
     };
-    inBackground<std::optional<ScanAlignment>>(
-        [id, start, before, subject = std::move(subject), report, files = m_session.files(), surface = m_surface,
-         design = m_session.document().design(), stop = job.stop]() -> std::optional<ScanAlignment> {
-            const auto index = ScanIndexCache().index(id, before, files, stop.get_token());
-            if (!index)
-                return std::nullopt;
-            return alignScan(targetOf(subject, design, files, surface), *index, start, stop.get_token(), report);
-        })
-        .then(this, [this, id, before, job, verb, failure](const std::optional<ScanAlignment>& found) {
-            if (job.stop.stop_requested())
-                return;
-            Document& document = m_session.document();
-            const Scan* now = document.design().find<Scan>(id);
-            if (!found || !now || static_cast<const Placement&>(*now) != before) {
-                job.done(failure);
-                return;
-            }
-            const Message done = withResidual(verb, *found);
-            document.cancelGesture();
-            document.commit(
-                edits::replaceElement(document.design(), id, withPlacement(Element(*now), found->placement), done));
-            job.done(done);
-        });
+    inBackground<std::optional<ScanAlignment>>([id, start, before, subject = std::move(subject), report,
+                                                files = m_session.files(), surface = m_surface,
+                                                design = m_session.document().design(),
+                                                stop = job.stop]() -> std::optional<ScanAlignment> {
+        const auto index = ScanIndexCache().index(id, before, files, stop.get_token());
+        if (!index)
+            return std::nullopt;
+        return alignScan(targetOf(subject, design, files, surface), *index, start, stop.get_token(), report);
+    }).then(this, [this, id, before, job, verb, failure](const std::optional<ScanAlignment>& found) {
+        if (job.stop.stop_requested())
+            return;
+        Document& document = m_session.document();
+        const Scan* now = document.design().find<Scan>(id);
+        if (!found || !now || static_cast<const Placement&>(*now) != before) {
+            job.done(failure);
+            return;
+        }
+        const Message done = withResidual(verb, *found);
+        document.cancelGesture();
+        document.commit(
+            edits::replaceElement(document.design(), id, withPlacement(Element(*now), found->placement), done));
+        job.done(done);
+    });
 }
 
 void ScanLink::fitPlacement(ElementId id, const ScanJob& job)
@@ -205,17 +205,19 @@ void ScanLink::fitPlacement(ElementId id, const ScanJob& job)
         return;
     }
     if (scan->enabled) { // the cover has come to it: wherever it lies, it lies on the cover
-        job.done({QT_TRANSLATE_NOOP("Message", "The cover is pulled to the scan where it lies now: switch \"Fit the "
-                                               "cover to it\" off, place it, and switch that on again."),
-                  {}});
+        job.done(
+            {QT_TRANSLATE_NOOP("Message", "The cover is pulled to the scan where it lies now: switch \"Fit the "
+                                          "cover to it\" off, place it, and switch that on again."),
+             {}});
         return;
     }
-    alignFrom(id, *scan, {{}, true}, job,
-              {QT_TRANSLATE_NOOP("Message", "Place on the cover to %2 mm rms: %1 (%3 % of its points matched)"),
-               {scan->name}},
-              {QT_TRANSLATE_NOOP("Message", "The scan could not be placed: it is too far from the cover. Align it by "
-                                            "three places, or cut away what does not belong to it."),
-               {}});
+    alignFrom(
+        id, *scan, {{}, true}, job,
+        {QT_TRANSLATE_NOOP("Message", "Place on the cover to %2 mm rms: %1 (%3 % of its points matched)"),
+         {scan->name}},
+        {QT_TRANSLATE_NOOP("Message", "The scan could not be placed: it is too far from the cover. Align it by "
+                                      "three places, or cut away what does not belong to it."),
+         {}});
 }
 
 bool ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const ScanJob& job)
@@ -237,12 +239,13 @@ bool ScanLink::align(ElementId id, const std::vector<ScanMark>& marks, const Sca
              {}});
         return false;
     }
-    alignFrom(id, *start, subjectOf(marks), job,
-              {QT_TRANSLATE_NOOP("Message", "Align to %2 mm rms: %1 (%3 % of its points matched)"), {scan->name}},
-              {QT_TRANSLATE_NOOP("Message", "The scan could not be aligned: there are not enough of its points where "
-                                            "it would stand. Click other places, or bring back what is cut away of "
-                                            "it."),
-               {}});
+    alignFrom(
+        id, *start, subjectOf(marks), job,
+        {QT_TRANSLATE_NOOP("Message", "Align to %2 mm rms: %1 (%3 % of its points matched)"), {scan->name}},
+        {QT_TRANSLATE_NOOP("Message", "The scan could not be aligned: there are not enough of its points where "
+                                      "it would stand. Click other places, or bring back what is cut away of "
+                                      "it."),
+         {}});
     return true;
 }
 

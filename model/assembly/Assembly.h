@@ -50,8 +50,8 @@ struct Assembly {
 /// The tree without its meshes.
 struct PartOutline {
     std::string name;
-    std::optional<std::uint32_t> parent; ///< comes before its parts
-    std::uint64_t triangles = 0;         ///< its own
+    std::optional<std::uint32_t> parent;  ///< comes before its parts
+    std::uint64_t triangles = 0;          ///< its own
     std::optional<std::uint32_t> color{}; ///< 0xRRGGBB, for who chooses among them
 };
 

@@ -89,9 +89,10 @@ std::vector<FixationOff> fixationsOff(const Design& design, const PlacedMesh& be
     const MeshEdges oldEdges(before), edges(after);
     design.each<FixationCurve>([&](ElementId id, const FixationCurve& fixation) {
         const std::vector<Vec3> places = placesOf(fixation.curve);
-        const bool fromEdge = !edges.empty() && !places.empty() && std::ranges::all_of(places, [&](const Vec3& place) {
-            return oldEdges.distance(place, 2 * liesOnFrame) <= liesOnFrame;
-        });
+        const bool fromEdge =
+            !edges.empty() && !places.empty() && std::ranges::all_of(places, [&](const Vec3& place) {
+                return oldEdges.distance(place, 2 * liesOnFrame) <= liesOnFrame;
+            });
         double farthest = 0;
         for (const Vec3& place : places)
             if (!stop.stop_requested() && (fromEdge || old.distance(place, 2 * liesOnFrame) <= liesOnFrame))

@@ -24,7 +24,7 @@ struct FixationOff {
     bool fromEdge = false; ///< it ran along an edge: so far is the nearest edge of the new mesh
 };
 
-inline constexpr double liesOnFrame = 1;      ///< mm: a place of a curve that near to a mesh, or an edge, lies on it
+inline constexpr double liesOnFrame = 1; ///< mm: a place of a curve that near to a mesh, or an edge, lies on it
 inline constexpr double farthestLooked = 500; ///< mm: beyond that it does not matter how far
 
 /// Curves of which places that lay on `before` lie farther than `liesOnFrame` from `after`; the farthest first. Of

@@ -63,11 +63,11 @@ TEST(SvgPlaces, PiecesAreCalledAsTheirLinesAre)
     const auto rectangle = [](const std::string& attributes, int x) {
         return "<rect " + attributes + " x=\"" + std::to_string(x) + "\" width=\"100\" height=\"80\"/>";
     };
-    const FoundPattern found = findPieces(
-        drawnSvg(rectangle("xmlns:inkscape=\"i\" inkscape:label=\"Back left\" id=\"rect1\"", 0) +
-                 rectangle("data-name=\"Seat\" id=\"Seat-2\"", 200) + rectangle("id=\"wing\"", 400) +
-                 rectangle("id=\"rect12-3\"", 600) + rectangle("id=\"lost\" data-piece=\"Arm\"", 800)),
-        {1, "", 0});
+    const FoundPattern found =
+        findPieces(drawnSvg(rectangle("xmlns:inkscape=\"i\" inkscape:label=\"Back left\" id=\"rect1\"", 0) +
+                            rectangle("data-name=\"Seat\" id=\"Seat-2\"", 200) + rectangle("id=\"wing\"", 400) +
+                            rectangle("id=\"rect12-3\"", 600) + rectangle("id=\"lost\" data-piece=\"Arm\"", 800)),
+                   {1, "", 0});
     std::multiset<std::string> names;
     for (const FoundPiece& piece : found.pieces)
         names.insert(piece.name);

@@ -43,7 +43,8 @@ TEST_F(FixationsOffTest, WhatRanAlongAnEdgeIsComparedWithEdges)
 {
     // The frame becomes longer: the end of its top lies on its surface still, but no longer on its edge.
     const auto longer = [](double depth) {
-        PlacedMesh placed{std::make_shared<const TriangleMesh>(boxMesh({Vec3(0, 0, 0), Vec3(400, depth, 100)})), {}};
+        PlacedMesh placed{std::make_shared<const TriangleMesh>(boxMesh({Vec3(0, 0, 0), Vec3(400, depth, 100)})),
+                          {}};
         placed.edges = {{Vec3(0, depth, 100), Vec3(400, depth, 100)}, {Vec3(0, 0, 100), Vec3(400, 0, 100)}};
         return placed;
     };

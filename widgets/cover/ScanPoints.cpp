@@ -47,7 +47,8 @@ std::shared_ptr<const ScanPoints::Colors> ScanPoints::Tint::of(const QColor& col
     for (const float shade : shades) {
         const auto part = [shade](int value) {
             // Brighter than the colour itself, too: else dark ones show no form.
-            return static_cast<std::uint32_t>(std::clamp(1.45F * shade * (static_cast<float>(value) + 25), 0.F, 255.F));
+            return static_cast<std::uint32_t>(
+                std::clamp(1.45F * shade * (static_cast<float>(value) + 25), 0.F, 255.F));
         };
         colors.push_back(part(color.red()) << 16U | part(color.green()) << 8U | part(color.blue()));
     }
@@ -113,8 +114,8 @@ std::vector<ViewScene::PointsLook> ScanPoints::looks(const std::set<ElementId>& 
         const bool chosen = selected.contains(id);
         const std::shared_ptr<const Colors> given = chosen ? placed.keptColors : placed.fewColors;
         const QColor color = chosen ? colors.accent : plain;
-        const std::shared_ptr<const Colors> shown = given ? (own ? given : nullptr)
-                                                          : (chosen ? placed.keptTint : placed.fewTint).of(color);
+        const std::shared_ptr<const Colors> shown =
+            given ? (own ? given : nullptr) : (chosen ? placed.keptTint : placed.fewTint).of(color);
         looks.push_back({chosen ? placed.kept : placed.few, color, shown ? 2.2F : 1.6F, shown});
         if (!chosen)
             continue;

@@ -62,10 +62,13 @@ void ScanForm::addReport(PropertyForm& form, ElementId id) const
     const auto mm = [](double value) { return lengthText(value, 2); };
     const QString away = tr("Between the cover and the scan, where they are nearer than the threshold.");
     row(tr("Deviation"), away, [mm](const ScanFigures& f) { return tr("%1 rms").arg(mm(f.rms)); });
-    row(tr("Median, 95 %"), tr("Half of what is measured, and 95 % of it, is no farther from the scan than that."), [mm](const ScanFigures& f) { return tr("%1, %2").arg(mm(f.median), mm(f.p95)); });
+    row(tr("Median, 95 %"), tr("Half of what is measured, and 95 % of it, is no farther from the scan than that."),
+        [mm](const ScanFigures& f) { return tr("%1, %2").arg(mm(f.median), mm(f.p95)); });
     row(tr("Largest"), away, [mm](const ScanFigures& f) { return mm(f.max); });
-    row(tr("Coverage"), tr("How much of the cover has points of the scan near it."), [](const ScanFigures& f) { return percentText(f.coverage); });
-    row(tr("Points"), tr("Of the scan, without what is cut away."), [](const ScanFigures& f) { return QLocale().toString(static_cast<qlonglong>(f.points)); });
+    row(tr("Coverage"), tr("How much of the cover has points of the scan near it."),
+        [](const ScanFigures& f) { return percentText(f.coverage); });
+    row(tr("Points"), tr("Of the scan, without what is cut away."),
+        [](const ScanFigures& f) { return QLocale().toString(static_cast<qlonglong>(f.points)); });
 }
 
 void ScanForm::addCuts(PropertyForm& form, ElementId id) const

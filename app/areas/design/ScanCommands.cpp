@@ -188,11 +188,11 @@ void ScanCommands::askForPlaces(ElementId scan, const std::vector<ScanMark>& mar
 /// Places that don't fit are not lost: the last one can be given again, or more of them taken back.
 void ScanCommands::align(ElementId scan, const std::vector<ScanMark>& marks)
 {
-    const ScanJob job = watched(tr("Aligning the scan \u2026"), [](int iteration) {
-        return tr("Aligning the scan: step %1").arg(iteration);
-    });
+    const ScanJob job = watched(tr("Aligning the scan \u2026"),
+                                [](int iteration) { return tr("Aligning the scan: step %1").arg(iteration); });
     if (!m_scans.align(scan, marks, job)) // afterwards: the tool that was given them is still at work
-        QMetaObject::invokeMethod(this, [this, scan, marks] { askForPlaces(scan, marks); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, scan, marks] { askForPlaces(scan, marks); }, Qt::QueuedConnection);
 }
 
 } // namespace bolster

@@ -162,7 +162,10 @@ void FileCommands::addExchange(Commands& commands)
           .keys = {Qt::CTRL | Qt::ALT | Qt::Key_E},
           .places = {"file/4"},
           .enabled = patches,
-          .does = [this] { m_files.exportPattern([this] { return m_solver.surface() ? m_surface.grabCover() : QImage(); }); }},
+          .does =
+              [this] {
+                  m_files.exportPattern([this] { return m_solver.surface() ? m_surface.grabCover() : QImage(); });
+              }},
          {.id = "file.export-picture",
           .formerly = "export-picture",
           .text = tr("Export &picture \u2026"),

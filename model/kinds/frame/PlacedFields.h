@@ -242,8 +242,9 @@ struct Description<Scan> {
             {.key = "target",
              .label = QT_TRANSLATE_NOOP("Field", "Pull"),
              .meaning = "vertices are pulled along their normals and slide otherwise, or to the points themselves",
-             .tip = QT_TRANSLATE_NOOP("Field", "To its surface: the cover may slide along it. To its points: it may "
-                                               "not, which suits scans with few points."),
+             .tip =
+                 QT_TRANSLATE_NOOP("Field", "To its surface: the cover may slide along it. To its points: it may "
+                                            "not, which suits scans with few points."),
              .verb = QT_TRANSLATE_NOOP("Message", "Change how %1 pulls"),
              .cost = SolveCost::Retarget},
             Words{targets, targetLabels}, s.target...);

@@ -27,9 +27,9 @@ constexpr std::array notDrawn{"defs",   "symbol",         "metadata",       "nam
 /// Drawing programs give each shape an id, of its kind and a number: that is no name.
 bool isGeneratedId(std::string_view id)
 {
-    constexpr std::array kinds{"path",   "rect",    "circle", "ellipse", "line", "polyline", "polygon",
-                               "shape",  "curve",   "object", "svg",     "SVGID", "use",     "Path",
-                               "Shape",  "Line",    "Rectangle", "Polygon", "XMLID", "g",    "layer"};
+    constexpr std::array kinds{"path",  "rect",  "circle",    "ellipse", "line",  "polyline", "polygon",
+                               "shape", "curve", "object",    "svg",     "SVGID", "use",      "Path",
+                               "Shape", "Line",  "Rectangle", "Polygon", "XMLID", "g",        "layer"};
     id = id.substr(0, id.find_last_not_of("0123456789-_.") + 1);
     return id.empty() || std::ranges::find(kinds, id) != kinds.end();
 }

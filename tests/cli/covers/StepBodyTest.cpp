@@ -1,8 +1,8 @@
 // Bodies for CAD, as OpenCASCADE reads them.
 #include "StepBody.h"
-#include "Shells.h"
 #include "../../model/TestFiles.h"
 #include "MeshImport.h"
+#include "Shells.h"
 
 #include <gtest/gtest.h>
 

@@ -72,7 +72,7 @@ private:
     bool m_onSelectedEdge = false;
     std::optional<QPointF> m_lastClick; ///< where the button was let go without a drag
     bool m_clickedAgain = false;        ///< at the same place
-    bool m_alreadySelected = false; ///< a click without a drag then selects only this
+    bool m_alreadySelected = false;     ///< a click without a drag then selects only this
     std::unique_ptr<PatternDrag> m_drag;
 
     NudgeSeries<Vec2> m_nudges;

@@ -96,7 +96,8 @@ double farFrom(const TriangleMesh& solid, const std::vector<Vec3>& points, const
             distances.push_back(tree.distance(point, farthestOff));
     if (distances.empty())
         return 0;
-    const auto rank = distances.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(distances.size() - 1));
+    const auto rank =
+        distances.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(distances.size() - 1));
     std::nth_element(distances.begin(), rank, distances.end());
     return *rank;
 }
@@ -109,9 +110,9 @@ FewerFaces withFewerFaces(const TriangleMesh& solid, std::size_t faces, const st
         return {solid, 0};
     Mesh mesh = meshOfSolid(solid);
     try {
-        collapse::edge_collapse(mesh, collapse::Count_stop_predicate<Mesh>(faces * 3 / 2),
-                                CGAL::parameters::filter(collapse::Bounded_normal_change_filter<>())
-                                    .visitor(StopVisitor(stop)));
+        collapse::edge_collapse(
+            mesh, collapse::Count_stop_predicate<Mesh>(faces * 3 / 2),
+            CGAL::parameters::filter(collapse::Bounded_normal_change_filter<>()).visitor(StopVisitor(stop)));
     } catch (const NoLongerWanted&) {
         return {};
     }
