@@ -1,6 +1,7 @@
 #include "SeamDrawing.h"
 
 #include "PieceDrawing.h"
+#include "SegmentDistance.h"
 
 #include <QPainter>
 
@@ -54,13 +55,9 @@ private:
 double distanceTo(const std::vector<QPointF>& line, const QPointF& at)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const QPointF a = line[i] - at, way = line[(i + 1) % line.size()] - line[i];
-        const double square = QPointF::dotProduct(way, way);
-        const double share = square > 0 ? std::clamp(-QPointF::dotProduct(a, way) / square, 0.0, 1.0) : 0;
-        const QPointF off = a + share * way;
-        nearest = std::min(nearest, std::hypot(off.x(), off.y()));
-    }
+    const auto place = [](const QPointF& p) { return Vec2(p.x(), p.y()); };
+    for (std::size_t i = 0; i < line.size(); ++i)
+        nearest = std::min(nearest, segmentDistance(place(at), place(line[i]), place(line[(i + 1) % line.size()])));
     return nearest;
 }
 

@@ -3,6 +3,7 @@
 #include "CutMarks.h"
 #include "DesignCheck.h"
 #include "FoldedSeam.h"
+#include "SegmentDistance.h"
 #include "SewnPair.h"
 
 #include <algorithm>
@@ -174,7 +175,7 @@ private:
                 const Vec2 a = piece.shrunk(piece.sew[i].at);
                 const Vec2 b = piece.shrunk(piece.sew[(i + 1) % piece.sew.size()].at);
                 if ((a - tip).norm() > sameTip && (b - tip).norm() > sameTip)
-                    room = std::min(room, distanceToSegment(tip, a, b));
+                    room = std::min(room, segmentDistance(tip, a, b));
             }
             if (room < thinnest)
                 add(piece.patch, piece.patch, tip, {CutHarm::CannotBeCut, thinnest - room},
@@ -184,19 +185,11 @@ private:
         }
     }
 
-    static double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b)
-    {
-        const Vec2 way = b - a;
-        const double square = way.squaredNorm();
-        const double t = square > 0 ? std::clamp((point - a).dot(way) / square, 0.0, 1.0) : 0;
-        return (a + t * way - point).norm();
-    }
-
     static double distanceTo(const std::vector<LinePoint>& line, const Vec2& point)
     {
         double least = 1e9;
         for (std::size_t i = 0; i < line.size(); ++i)
-            least = std::min(least, distanceToSegment(point, line[i].at, line[(i + 1) % line.size()].at));
+            least = std::min(least, segmentDistance(point, line[i].at, line[(i + 1) % line.size()].at));
         return least;
     }
 

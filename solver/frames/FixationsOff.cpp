@@ -1,5 +1,6 @@
 #include "FixationsOff.h"
 
+#include "SegmentDistance.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -58,13 +59,8 @@ public:
         for (const Line& line : m_lines) {
             if (line.box.exteriorDistance(at) >= nearest)
                 continue;
-            for (std::size_t i = 1; i < line.points.size(); ++i) {
-                const Vec3& from = line.points[i - 1];
-                const Vec3 way = line.points[i] - from;
-                const double length = way.squaredNorm();
-                const double share = length > 0 ? std::clamp((at - from).dot(way) / length, 0.0, 1.0) : 0;
-                nearest = std::min(nearest, (from + share * way - at).norm());
-            }
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                nearest = std::min(nearest, segmentDistance(at, line.points[i - 1], line.points[i]));
         }
         return nearest;
     }

@@ -2,6 +2,7 @@
 
 #include "Relaxation.h"
 #include "Relief.h"
+#include "SegmentDistance.h"
 #include "TriangleStrain.h"
 
 #include <algorithm>
@@ -80,14 +81,6 @@ void measureSeams(const SewnMesh& mesh, const std::vector<Vec3>& positions, Solv
         }
 }
 
-double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b)
-{
-    const Vec3 edge = b - a;
-    const double length = edge.squaredNorm();
-    const double t = length > 0 ? std::clamp((p - a).dot(edge) / length, 0.0, 1.0) : 0;
-    return (a + t * edge - p).norm();
-}
-
 void measureFixations(const PreparedSheet& sheet, const std::vector<Vec3>& positions, SolveReport& report)
 {
     constexpr int probes = 8;
@@ -104,7 +97,7 @@ void measureFixations(const PreparedSheet& sheet, const std::vector<Vec3>& posit
             for (int probe = 1; probe < probes; ++probe) {
                 const Vec3 p = curve.at(t0 + (t1 - t0) * probe / probes);
                 report.fixationDeviation =
-                    std::max(report.fixationDeviation, distanceToSegment(p, place(k - 1), place(k)));
+                    std::max(report.fixationDeviation, segmentDistance(p, place(k - 1), place(k)));
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "Contour.h"
 
 #include "PointGrid.h"
+#include "SegmentDistance.h"
 
 #include <algorithm>
 #include <array>
@@ -11,14 +12,6 @@
 namespace bolster {
 
 namespace {
-
-double toSegment(const Vec2& p, const Vec2& a, const Vec2& b)
-{
-    const Vec2 way = b - a;
-    const double length = way.squaredNorm();
-    const double t = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0.0;
-    return (p - a - t * way).norm();
-}
 
 class Joiner {
 public:
@@ -260,7 +253,7 @@ double Contour::distance(const Vec2& point) const
 {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + (closed ? 0 : 1) < points.size(); ++i)
-        nearest = std::min(nearest, toSegment(point, points[i].at, points[(i + 1) % points.size()].at));
+        nearest = std::min(nearest, segmentDistance(point, points[i].at, points[(i + 1) % points.size()].at));
     return nearest;
 }
 

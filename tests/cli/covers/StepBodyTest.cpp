@@ -1,6 +1,7 @@
 // Bodies for CAD, as OpenCASCADE reads them.
 #include "StepBody.h"
 #include "../../model/TestFiles.h"
+#include "CoverSolid.h"
 #include "MeshImport.h"
 #include "Shells.h"
 
@@ -28,14 +29,6 @@ void addCube(TriangleMesh& mesh, const Vec3& middle, double half, bool outwards)
         }
 }
 
-double volume(const TriangleMesh& mesh)
-{
-    double six = 0;
-    for (const auto& [a, b, c] : mesh.triangles)
-        six += mesh.points[a].dot(mesh.points[b].cross(mesh.points[c]));
-    return six / 6;
-}
-
 using StepBody = TestFiles;
 
 TEST_F(StepBody, HasVoidsAndSeveralBodies)
@@ -44,10 +37,10 @@ TEST_F(StepBody, HasVoidsAndSeveralBodies)
     addCube(solid, Vec3::Zero(), 50, true);
     addCube(solid, Vec3(10, 0, 0), 20, false);
     addCube(solid, Vec3(200, 0, 0), 10, true);
-    ASSERT_NEAR(volume(solid), 1e6 - 64'000 + 8000, 1e-6);
+    ASSERT_NEAR(enclosedVolume(solid), 1e6 - 64'000 + 8000, 1e-6);
     const ImportedMesh read = importMesh(write(QStringLiteral("body.step"), stepBody("two \u00e4 bodies", solid)));
     ASSERT_TRUE(read.mesh) << read.problem.english();
-    EXPECT_NEAR(volume(*read.mesh), volume(solid), 1e-3);
+    EXPECT_NEAR(enclosedVolume(*read.mesh), enclosedVolume(solid), 1e-3);
     EXPECT_EQ(read.said.millimetresPerUnit, 1);
     EXPECT_EQ(read.mesh->triangles.size(), 36u);
     EXPECT_TRUE(read.mesh->boundingBox().isApprox(solid.boundingBox(), 1e-9));
@@ -63,7 +56,7 @@ TEST(Shells, CrumbsGo)
     solid.parts = {{"foam", 0, static_cast<std::uint32_t>(solid.triangles.size())}};
     EXPECT_EQ(shellsOf(solid).size(), 4u);
     EXPECT_EQ(dropSmallShells(solid, 1000), 1u) << "a void is no piece";
-    EXPECT_NEAR(volume(solid), 1e6 - 1728, 1e-6);
+    EXPECT_NEAR(enclosedVolume(solid), 1e6 - 1728, 1e-6);
     EXPECT_EQ(solid.points.size(), 16u);
     EXPECT_EQ(solid.parts[0].triangleCount, 24u);
     EXPECT_EQ(dropSmallShells(solid, 1e7), 1u);
