@@ -1,9 +1,11 @@
 #include "Voxelise.h"
 
 #include "CushionVoxels.h"
+#include "RowCrossings.h"
 
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 namespace bolster {
 
@@ -163,12 +165,94 @@ private:
     bool m_any = false;
 };
 
+/// Of a closed body: a row of which the steps are known.
+class CountedRow {
+public:
+    CountedRow(Voxels& voxels, const VoxelRange& range, int y, int z, const int* steps)
+        : m_inside(voxels.inside.data() + voxels.grid.index(range.begin[0], y, z))
+        , m_count(range.size(0))
+        , m_steps(steps)
+    {}
+
+    /// Whether it leaves the body as often as it comes in.
+    bool isSound() const { return std::accumulate(m_steps, m_steps + m_count + 1, 0) == 0; }
+    /// False when there is nothing to fill.
+    bool fill()
+    {
+        bool any = false;
+        int winding = 0;
+        for (std::size_t x = m_count; x-- > 0;) {
+            winding += m_steps[x + 1];
+            if (winding > 0)
+                m_inside[x] = 1;
+            any = any || winding > 0;
+        }
+        return any;
+    }
+
+private:
+    std::uint8_t* m_inside;
+    std::size_t m_count;
+    const int* m_steps;
+};
+
+/// All rows of a closed body.
+class CountedRows {
+public:
+    CountedRows(const FrameBody& body, Voxels& voxels, const VoxelRange& range, const std::stop_token& stop)
+        : m_voxels(voxels)
+        , m_range(range)
+        , m_crossings(body.tree.triangles(), voxels.grid, range.begin, range.end, stop)
+        , m_stop(stop)
+    {}
+
+    /// Whether each row leaves the body as often as it comes in: else it is not what it seems.
+    bool areSound(WorkerPool& pool) const
+    {
+        return !anyRow(pool, [](CountedRow row) { return !row.isSound(); });
+    }
+    bool fill(WorkerPool& pool) const
+    {
+        return anyRow(pool, [](CountedRow row) { return row.fill(); });
+    }
+
+private:
+    /// Calls it for every row.
+    template <class Is>
+    bool anyRow(WorkerPool& pool, const Is& is) const
+    {
+        std::atomic<bool> any = false;
+        pool.forTasks(m_range.end[2] - m_range.begin[2], [&](int task) {
+            if (m_stop.stop_requested())
+                return;
+            const int z = m_range.begin[2] + task;
+            const std::vector<int> steps = m_crossings.layer(z);
+            for (int y = m_range.begin[1]; y < m_range.end[1]; ++y) {
+                const std::size_t row = static_cast<std::size_t>(y - m_range.begin[1]);
+                if (is(CountedRow(m_voxels, m_range, y, z, steps.data() + m_crossings.stepsOfRow() * row)))
+                    any = true;
+            }
+        });
+        return any;
+    }
+
+    Voxels& m_voxels;
+    VoxelRange m_range;
+    RowCrossings m_crossings;
+    const std::stop_token& m_stop;
+};
+
 } // namespace
 
 bool fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop)
 {
     if (body.tree.box().isEmpty())
         return false;
+    if (body.closed) {
+        const CountedRows rows(body, voxels, rangeOf(body.tree.box(), voxels.grid), stop);
+        if (rows.areSound(pool))
+            return rows.fill(pool);
+    }
     std::atomic<bool> any = false;
     const Touched touched(body, voxels.grid, stop);
     const VoxelRange& range = touched.range();
@@ -188,6 +272,10 @@ std::optional<bool> hasInside(const FrameBody& body, double edge, int& looks)
         return box.isEmpty() ? std::optional(false) : std::nullopt;
     Voxels voxels{VoxelGrid::around(box, edge, 0), {}};
     voxels.inside.assign(voxels.grid.voxelCount(), 0);
+    if (body.closed) {
+        WorkerPool alone(1);
+        return fillInside(body, voxels, alone);
+    }
     const Touched touched(body, voxels.grid, {});
     for (int z = touched.range().begin[2]; z < touched.range().end[2]; ++z)
         for (int y = touched.range().begin[1]; y < touched.range().end[1]; ++y) {

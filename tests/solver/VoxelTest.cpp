@@ -161,6 +161,43 @@ TEST(Voxelise, AWallThatTwoBoxesShareIsInsideOfThem)
     expectBoxes(voxelsOf(both, 4), {box, above});
 }
 
+/// Rows through corners, along edges and within faces: none of them may leak.
+TEST(Voxelise, RowsThatMeetCornersAndEdgesEndWhereTheBodyDoes)
+{
+    // The middles of voxels lie at 2, 6, 10 ...
+    const Vec3 middle(50, 50, 50);
+    TriangleMesh octahedron;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-40.0, 40.0})
+            octahedron.points.push_back(middle + side * Vec3::Unit(axis));
+    for (const std::uint32_t x : {0U, 1U})
+        for (const std::uint32_t y : {2U, 3U})
+            for (const std::uint32_t z : {4U, 5U}) {
+                std::array<std::uint32_t, 3> corners{x, y, z};
+                if ((x + y + z) % 2 == 1)
+                    std::swap(corners[0], corners[1]);
+                octahedron.triangles.push_back(corners);
+            }
+    octahedron.parts = {{"Octahedron", 0, 8}};
+    for (const TriangleMesh& mesh : {octahedron, boxMesh(Box3(Vec3(2, 2, 2), Vec3(42, 30, 18)))}) {
+        const Voxels voxels = voxelsOf(mesh, 4);
+        ASSERT_TRUE(frameParts(mesh, {})[0][0].closed);
+        const TriangleTree& tree = frameParts(mesh, {})[0][0].tree;
+        int inside = 0, wrong = 0;
+        for (int z = 0; z < voxels.grid.size[2]; ++z)
+            for (int y = 0; y < voxels.grid.size[1]; ++y)
+                for (int x = 0; x < voxels.grid.size[0]; ++x) {
+                    const Vec3 centre = voxels.grid.centre(x, y, z);
+                    const bool filled = voxels.inside[voxels.grid.index(x, y, z)] != 0;
+                    inside += filled ? 1 : 0;
+                    if (tree.distance(centre, 1) > 0.01) // else either is right
+                        wrong += filled != (tree.windingNumber(centre) > 0.5) ? 1 : 0;
+                }
+        EXPECT_EQ(wrong, 0);
+        EXPECT_GT(inside, 100);
+    }
+}
+
 TEST(Voxelise, SaysWhenThereIsNothingInside)
 {
     WorkerPool pool(1);
