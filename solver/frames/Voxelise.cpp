@@ -199,25 +199,24 @@ private:
 /// All rows of a closed body.
 class CountedRows {
 public:
-    CountedRows(const FrameBody& body, Voxels& voxels, const VoxelRange& range, const std::stop_token& stop)
+    CountedRows(const TriangleTree& tree, Voxels& voxels, const VoxelRange& range, const std::stop_token& stop)
         : m_voxels(voxels)
         , m_range(range)
-        , m_crossings(body.tree.triangles(), voxels.grid, range.begin, range.end, stop)
+        , m_crossings(tree.triangles(), voxels.grid, range.begin, range.end, stop)
         , m_stop(stop)
     {}
 
     /// Whether each row leaves the body as often as it comes in: else it is not what it seems.
     bool areSound(WorkerPool& pool) const
     {
-        return !anyRow(pool, [](CountedRow row) { return !row.isSound(); });
+        return !anyRow(pool, [](CountedRow row, int, int) { return !row.isSound(); });
     }
     bool fill(WorkerPool& pool) const
     {
-        return anyRow(pool, [](CountedRow row) { return row.fill(); });
+        return anyRow(pool, [](CountedRow row, int, int) { return row.fill(); });
     }
 
-private:
-    /// Calls it for every row.
+    /// Calls `is(row, y, z)` for every row.
     template <class Is>
     bool anyRow(WorkerPool& pool, const Is& is) const
     {
@@ -229,13 +228,14 @@ private:
             const std::vector<int> steps = m_crossings.layer(z);
             for (int y = m_range.begin[1]; y < m_range.end[1]; ++y) {
                 const std::size_t row = static_cast<std::size_t>(y - m_range.begin[1]);
-                if (is(CountedRow(m_voxels, m_range, y, z, steps.data() + m_crossings.stepsOfRow() * row)))
+                if (is(CountedRow(m_voxels, m_range, y, z, steps.data() + m_crossings.stepsOfRow() * row), y, z))
                     any = true;
             }
         });
         return any;
     }
 
+private:
     Voxels& m_voxels;
     VoxelRange m_range;
     RowCrossings m_crossings;
@@ -249,7 +249,7 @@ bool fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const s
     if (body.tree.box().isEmpty())
         return false;
     if (body.closed) {
-        const CountedRows rows(body, voxels, rangeOf(body.tree.box(), voxels.grid), stop);
+        const CountedRows rows(body.tree, voxels, rangeOf(body.tree.box(), voxels.grid), stop);
         if (rows.areSound(pool))
             return rows.fill(pool);
     }
@@ -262,6 +262,21 @@ bool fillInside(const FrameBody& body, Voxels& voxels, WorkerPool& pool, const s
                 any = true;
     });
     return any;
+}
+
+void fillWithin(const TriangleTree& surface, Voxels& voxels, WorkerPool& pool, const std::stop_token& stop)
+{
+    if (surface.box().isEmpty())
+        return;
+    const VoxelRange range = rangeOf(surface.box(), voxels.grid);
+    CountedRows(surface, voxels, range, stop).anyRow(pool, [&](CountedRow row, int y, int z) {
+        if (row.isSound())
+            return row.fill();
+        for (int x = range.begin[0]; x < range.end[0]; ++x)
+            if (surface.windingNumber(voxels.grid.centre(x, y, z)) > 0.5)
+                voxels.inside[voxels.grid.index(x, y, z)] = 1;
+        return true;
+    });
 }
 
 std::optional<bool> hasInside(const FrameBody& body, double edge, int& looks)

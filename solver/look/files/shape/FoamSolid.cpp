@@ -4,6 +4,7 @@
 #include "CoverLids.h"
 #include "FramePieces.h"
 #include "IsoSurface.h"
+#include "Voxelise.h"
 #include "WorkerPool.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace bolster {
 namespace {
 
 constexpr int blockEdge = 4;                 ///< voxels that are looked at together where nothing is near
-constexpr std::size_t mostVoxels = 1U << 26; ///< 256 MB
+constexpr std::size_t mostVoxels = 1U << 26; ///< 384 MB
 
 class FoamGrid {
 public:
@@ -24,10 +25,11 @@ public:
              const std::stop_token& stop)
         : m_cover(trianglesOf(cover), stop)
         , m_lids(coverLids(cover), stop)
-        , m_closed(together(m_cover, m_lids), stop)
         , m_parts(partsOf(design, files, stop))
         , m_frames(bodiesOf(m_parts), stop)
         , m_grid(gridAround(cover.boundingBox(), order.edge))
+        , m_inCover{m_grid, std::vector<std::uint8_t>(m_grid.voxelCount(), 0)}
+        , m_inFrames(m_inCover)
         , m_below(order.below)
         , m_reach(2.5 * m_grid.edge)
     {}
@@ -36,6 +38,11 @@ public:
     {
         m_values.assign(m_grid.voxelCount(), -1);
         WorkerPool pool(0);
+        fillWithin(TriangleTree(together(m_cover, m_lids), stop), m_inCover, pool, stop);
+        for (const FrameParts& parts : m_parts)
+            for (const auto& part : parts)
+                for (const FrameBody& body : part)
+                    fillInside(body, m_inFrames, pool, stop);
         std::array<int, 3> blocks{};
         for (std::size_t k = 0; k < 3; ++k)
             blocks[k] = (m_grid.size[k] + blockEdge - 1) / blockEdge;
@@ -93,14 +100,16 @@ private:
         return bodies;
     }
 
-    /// How far inside of the foam a place is, mm, up to the reach; negative outside.
-    double value(const Vec3& p) const
+    /// How far inside of the foam the middle of a voxel is, mm, up to the reach; negative outside.
+    double value(int x, int y, int z) const
     {
+        const Vec3 p = m_grid.centre(x, y, z);
+        const std::size_t voxel = m_grid.index(x, y, z);
         const double toCover = m_cover.distance(p, m_reach), toLid = m_lids.distance(p, m_reach);
-        if (m_closed.windingNumber(p) <= 0.5)
+        if (!m_inCover.inside[voxel])
             return -std::min(toCover + m_below, toLid);
         const double toFrame = m_frames.distance(p, m_reach);
-        return std::min({toCover - m_below, toLid, m_frames.contains(p) ? -toFrame : toFrame});
+        return std::min({toCover - m_below, toLid, m_inFrames.inside[voxel] ? -toFrame : toFrame});
     }
 
     /// One look for all where neither cover nor frame is near.
@@ -110,14 +119,17 @@ private:
         const Vec3 middle = m_grid.centre(x0, y0, z0) + Vec3::Constant(0.5 * (blockEdge - 1) * m_grid.edge);
         const double reach = radius + m_reach;
         std::optional<double> all;
-        if (m_closed.distance(middle, reach) >= reach && m_frames.distance(middle, reach) >= reach)
-            all = m_closed.windingNumber(middle) > 0.5 && !m_frames.contains(middle) ? m_reach : -m_reach;
+        if (m_cover.distance(middle, reach) >= reach && m_lids.distance(middle, reach) >= reach &&
+            m_frames.distance(middle, reach) >= reach) {
+            const std::size_t voxel = m_grid.index(x0, y0, z0);
+            all = m_inCover.inside[voxel] && !m_inFrames.inside[voxel] ? m_reach : -m_reach;
+        }
         for (int z = z0; z < std::min(z0 + blockEdge, m_grid.size[2]); ++z)
             for (int y = y0; y < std::min(y0 + blockEdge, m_grid.size[1]); ++y)
                 for (int x = x0; x < std::min(x0 + blockEdge, m_grid.size[0]); ++x)
                     m_values[m_grid.index(x, y, z)] = static_cast<float>(onBorder(x, y, z) ? -m_reach
                                                                          : all             ? *all
-                                                                               : value(m_grid.centre(x, y, z)));
+                                                                                           : value(x, y, z));
     }
 
     bool onBorder(int x, int y, int z) const
@@ -129,10 +141,11 @@ private:
         return false;
     }
 
-    TriangleTree m_cover, m_lids, m_closed; ///< the third: both together
+    TriangleTree m_cover, m_lids;
     std::vector<FrameParts> m_parts;
     BodyTree m_frames;
     VoxelGrid m_grid;
+    Voxels m_inCover, m_inFrames;
     double m_below, m_reach;
     std::vector<float> m_values;
 };
