@@ -183,6 +183,10 @@ TriangleMesh withFewerTriangles(const Arguments& arguments, TriangleMesh mesh)
     SimplifiedMesh fewer = simplified(mesh, {}, most);
     printResult("simplified: from " + counted(static_cast<std::int64_t>(mesh.triangles.size()), "triangle") +
                 ", about " + QString::number(fewer.off, 'g', 2).toStdString() + " mm off");
+    if (fewer.mesh.triangles.size() > most + most / 10)
+        printError("warning: it keeps " +
+                   counted(static_cast<std::int64_t>(fewer.mesh.triangles.size()), "triangle") +
+                   ": the borders of its parts stay as they are");
     return std::move(fewer.mesh);
 }
 

@@ -53,7 +53,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
     , m_up(new QComboBox(this))
     , m_onFloor(new QCheckBox(tr("&Place it on the floor, in the middle"), this))
-    , m_said(new QLabel(saidText(said), this))
+    , m_said(new QLabel(saidText(file, said), this))
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
     , m_thinned(new QLabel(this))
@@ -172,8 +172,8 @@ QString FileImportDialog::aboutText(const QString& file) const
     const QString points = locale.toString(static_cast<qulonglong>(m_content.points().size()));
     if (!m_content.mesh)
         return tr("<b>%1</b><br>%2 points").arg(name, points);
-    return tr("<b>%1</b><br>%2 points, %3 triangles")
-        .arg(name, points, locale.toString(static_cast<qulonglong>(m_content.mesh->triangles.size())));
+    return tr("<b>%1</b><br>%2 points, %n triangles", nullptr, static_cast<int>(m_content.mesh->triangles.size()))
+        .arg(name, points);
 }
 
 void FileImportDialog::layOut(const QString& file)
@@ -189,9 +189,7 @@ void FileImportDialog::layOut(const QString& file)
     form->addRow(tr("&Unit of the file"), m_unit);
     form->addRow(tr("&Factor"), m_factor);
     form->addRow(tr("A&xes"), m_up);
-    m_said->setVisible(!m_said->text().isEmpty());
-    if (!m_said->text().isEmpty())
-        form->addRow(QString(), m_said);
+    form->addRow(QString(), m_said);
     form->addRow(QString(), m_onFloor);
     form->addRow(tr("Width, depth, height"), m_size);
     if (m_content.mesh && m_content.mesh->triangles.size() >= SimplifyChoice::fewest) {
@@ -245,13 +243,15 @@ void FileImportDialog::choose(const QString& file, const FileFacts& said)
     m_up->setCurrentIndex(static_cast<int>(said.up.value_or(guessUpAxis(QFileInfo(file).suffix()))));
 }
 
-QString FileImportDialog::saidText(const FileFacts& said) const
+QString FileImportDialog::saidText(const QString& file, const FileFacts& said) const
 {
-    if (said.millimetresPerUnit && said.up)
+    const bool unit = said.millimetresPerUnit || unitOf(QFileInfo(file).suffix());
+    if (unit && said.up)
         return tr("The file says its unit and its axes.");
-    if (said.millimetresPerUnit)
-        return tr("The file says its unit.");
-    return said.up ? tr("The file says its axes.") : QString();
+    if (unit)
+        return tr("The file says its unit; the axes are guessed.");
+    return said.up ? tr("The file says its axes; the unit is guessed.")
+                   : tr("Unit and axes are guessed: look at the picture and the size.");
 }
 
 /// What nobody could see is imported only on purpose.

@@ -48,7 +48,7 @@ private:
     void layOut(const QString& file);
     void connectFields();
     void choose(const QString& file, const FileFacts& said);
-    QString saidText(const FileFacts& said) const;
+    QString saidText(const QString& file, const FileFacts& said) const;
     void updateSize();
     std::vector<bool> wantedParts() const;
     void takeColors(const std::vector<PartOutline>& tree);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double fewestKept = 100;
 constexpr double usuallyKept = 100'000;
+constexpr std::size_t usuallySimplified = 1'000'000, alwaysSimplified = 3'000'000;
 
 } // namespace
 
@@ -32,6 +33,13 @@ SimplifyChoice::SimplifyChoice(std::size_t triangles, QWidget* parent)
     layout->addWidget(m_on);
     layout->addWidget(m_triangles, 1);
     connect(m_on, &QCheckBox::toggled, m_triangles, &QWidget::setEnabled);
+    // A cover touches a frame; with millions of triangles everything that is done to it takes minutes and
+    // gigabytes.
+    m_on->setChecked(triangles > usuallySimplified);
+    if (triangles > alwaysSimplified) {
+        m_on->setEnabled(false);
+        m_triangles->setMaximum(static_cast<double>(alwaysSimplified));
+    }
 }
 
 std::optional<std::size_t> SimplifyChoice::wanted() const

@@ -93,6 +93,13 @@ void FileFlow::finishCoverExport(const CoverFile& file, const QString& path)
     for (const Message& note : file.notes)
         said += QStringLiteral(": ") + translated(note);
     emit done(said);
+    if (file.notes.size() < 2)
+        return;
+    QStringList lines; // more than anybody reads in the status bar before it is gone
+    for (const Message& note : file.notes)
+        lines << asSentence(translated(note)) + u'.';
+    tell(m_window, QMessageBox::Information, tr("\"%1\" is written.").arg(QFileInfo(path).fileName()),
+         lines.join(u'\n'));
 }
 
 void FileFlow::exportSurface(const SurfaceMeshPtr& surface)

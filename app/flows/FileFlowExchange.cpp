@@ -193,7 +193,8 @@ void FileFlow::addPattern(const QString& path, const std::shared_ptr<const Found
             document.commit(imported.edit);
             emit patternImported(imported.patches);
             if (!notes.isEmpty())
-                tell(m_window, QMessageBox::Information, tr("Not all of the pattern could be taken."),
+                tell(m_window, QMessageBox::Information,
+                     tr("The pattern is imported. What is otherwise than in the file:"),
                      notes.mid(0, 12).join(u'\n'));
         });
 }

@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -42,7 +43,9 @@ void askWhetherToReplace(QWidget* window, const QString& path, const std::functi
 
 QString asSentence(const QString& text)
 {
-    return text.left(1).toUpper() + text.mid(1);
+    // Names of files stay as they are.
+    const QString first = text.section(QRegularExpression(QStringLiteral("[\\s:]")), 0, 0);
+    return first.contains(u'.') ? text : text.left(1).toUpper() + text.mid(1);
 }
 
 void openDialog(QDialog* dialog)

@@ -124,6 +124,7 @@ public:
             return;
         for (auto& [cell, sheet] : m_sheets)
             m_plan.sheets.push_back(std::move(sheet));
+        countUsed();
     }
 
 private:
@@ -132,6 +133,19 @@ private:
         const Box2 box = turnedBox(m_pattern.pieces[place.piece], place.angle);
         const Vec2 low = box.min() + place.offset, size = box.sizes();
         return {low.x(), m_plan.table.size.y() - low.y() - size.y(), size.x(), size.y()};
+    }
+
+    /// Nobody shall look for a row or a column of sheets on which nothing lies.
+    void countUsed()
+    {
+        SheetGrid& grid = m_plan.grid;
+        if (m_plan.sheets.empty())
+            return;
+        grid.rows = grid.columns = 0;
+        for (const Sheet& sheet : m_plan.sheets) {
+            grid.rows = std::max(grid.rows, sheet.row + 1);
+            grid.columns = std::max(grid.columns, sheet.column + 1);
+        }
     }
 
     void need(std::size_t index, const SheetSpan& span)

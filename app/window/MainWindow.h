@@ -19,6 +19,7 @@ namespace bolster {
 class Banner;
 class CommandPalette;
 class Commands;
+class CoverAtRest;
 class Docks;
 class ElementsView;
 class FabricCommands;
@@ -92,7 +93,7 @@ private:
     void addMessages();
     void addCommands();
     void addViewCommands();
-    void addDesignCommands();
+    void addDesignCommands(CoverAtRest& cover);
     void connectSession();
     void connectDocument();
     void connectSolver();

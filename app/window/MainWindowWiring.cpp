@@ -88,11 +88,11 @@ void MainWindow::addCommands()
     auto& cover = addArea<CoverAtRest>(document(), *m_solver, *m_status);
     addArea<FileCommands>(commands, *m_files, *m_session, *m_solver, cover, *m_surface, *m_fabricLink, *this);
     addArea<EditCommands>(commands, document(), m_selection, *m_docks, *m_elements, *m_history, *m_fabricCommands,
-                          *m_status);
+                          *m_status, [this] { return m_pattern->takeBack() || m_surface->takeBack(); });
     addViewCommands();
     addArea<InsertCommands>(commands, *m_session, m_selection, *m_solver, *m_status);
     addArea<ToolCommands>(commands, *m_pattern, *m_surface, *m_docks);
-    addDesignCommands();
+    addDesignCommands(cover);
     addArea<SurfaceCommands>(commands, *m_solver, cover, *this);
     addArea<WindowCommands>(commands, *m_docks, *m_inspector);
     auto& help = addArea<HelpCommands>(commands, *m_palette, *this);
@@ -120,7 +120,7 @@ void MainWindow::addViewCommands()
     addArea<ViewLink>(m_selection, m_surfaceSelection, *m_pattern, *m_surface, *commands["view.link"]);
 }
 
-void MainWindow::addDesignCommands()
+void MainWindow::addDesignCommands(CoverAtRest& cover)
 {
     Commands& commands = *m_commands;
     auto& pattern = addArea<PatternCommands>(document(), m_selection, commands);
@@ -141,7 +141,7 @@ void MainWindow::addDesignCommands()
     addArea<FrameEdgeCommands>(commands, *m_session, *m_surface, *m_status, *this);
     addArea<FixingCommands>(commands, document(), m_selection, *m_solver, *m_status);
     addArea<ScanCommands>(commands, document(), m_selection, *m_scans, *m_files, *m_surface, *m_inspector,
-                          *m_status, *this);
+                          *m_status, cover, *this);
 }
 
 void MainWindow::connectSession()
@@ -157,7 +157,7 @@ void MainWindow::connectSession()
     });
     connect(m_session.get(), &DesignSession::imported, this, [this](ElementId id) {
         m_selection.set({id});
-        if (!m_solver->surface())
+        if (!m_solver->surface() || document().design().find<Scan>(id)) // which may be anywhere
             m_surface->navigation().fitAll();
     });
     connect(m_session.get(), &DesignSession::problemsChanged, this, &MainWindow::updateProblems);

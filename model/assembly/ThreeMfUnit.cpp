@@ -138,14 +138,17 @@ private:
 
 } // namespace
 
-double threeMfUnit(std::string_view bytes)
+std::optional<double> threeMfUnit(std::string_view bytes)
 {
     constexpr std::pair<std::string_view, double> units[] = {
         {"micron", 1e-3}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}};
-    double unit = 1;
+    std::optional<double> unit = 1;
     ElementFinder model("<model", [&](std::string_view attributes) {
+        const std::string_view said = valueOf(attributes, "unit");
+        if (!said.empty())
+            unit.reset();
         for (const auto& [word, millimetres] : units)
-            if (valueOf(attributes, "unit") == word)
+            if (said == word)
                 unit = millimetres;
     });
     unpackModel(bytes, [&model](std::string_view piece) {

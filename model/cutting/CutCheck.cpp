@@ -185,14 +185,6 @@ private:
         }
     }
 
-    static double distanceTo(const std::vector<LinePoint>& line, const Vec2& point)
-    {
-        double least = 1e9;
-        for (std::size_t i = 0; i < line.size(); ++i)
-            least = std::min(least, segmentDistance(point, line[i].at, line[(i + 1) % line.size()].at));
-        return least;
-    }
-
     static bool isAlone(const CutNotch& notch) { return notch.element != noElement && notch.seam == noElement; }
 
     /// One row for all of a piece: of a pattern that is not sewn yet there are many.

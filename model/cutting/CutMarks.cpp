@@ -52,6 +52,7 @@ MarksByPatch cutMarks(const Design& design)
             if (const std::optional<FoldedSides> dart = foldedSides(design, *seam)) {
                 marks[dart->patch].mouthEnds.push_back({dart->first.from, true});
                 marks[dart->patch].mouthEnds.push_back({dart->second.to, false});
+                marks[dart->patch].darts.push_back({id, dart->first.from, dart->second.to, dart->tip});
             }
         } else if (const PatchCurve* line = patchCurve(*element)) {
             marks[line->patch].lines.emplace_back(id, line);

@@ -16,6 +16,13 @@ struct MouthEnd {
     bool ahead = true; ///< its leg begins there, else it ends there
 };
 
+/// Whose legs are sewn to each other.
+struct DartMark {
+    ElementId seam{};
+    double from = 0, to = 0; ///< parameters of the outline: where the mouth ends
+    Vec2 tip = Vec2::Zero(); ///< outline coordinates, mm
+};
+
 /// Of one patch. Widths are within the limits of the fields, whatever the design says.
 struct CutMarks {
     std::vector<EdgeAllowance> edges;
@@ -23,6 +30,7 @@ struct CutMarks {
     std::vector<std::pair<ElementId, const DrillHole*>> holes; ///< of the design
     std::vector<std::pair<ElementId, const PatchCurve*>> lines;
     std::vector<MouthEnd> mouthEnds;
+    std::vector<DartMark> darts;
 
     /// Of the edge at a parameter of the patch's outline, mm; `usual` where it has none of its own.
     double widthAt(const BSpline2& outline, double t, double usual) const;

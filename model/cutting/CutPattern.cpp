@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 namespace bolster {
 
@@ -71,6 +72,8 @@ public:
             addNotch(place);
         for (const auto& [hole, drilled] : m_marks.holes)
             m_piece.holes.push_back({m_grown * drilled->place.position, drilled->diameter, hole, drilled->name});
+        for (const DartMark& dart : m_marks.darts)
+            markTip(dart);
         for (const auto& [element, drawn] : m_marks.lines)
             addInner(element, *drawn);
         m_piece.grain = placeGrain(m_piece, m_patch.grain);
@@ -84,6 +87,24 @@ private:
         for (const Vec2& point : curve.points())
             points.push_back(m_grown * point);
         return curve.withPoints(std::move(points));
+    }
+
+    /// Where a dart ends nothing is cut: a hole says it, short of its tip, so that it lies within the fold. Not
+    /// where the fabric between the legs is cut out, and where the designer has drilled one.
+    void markTip(const DartMark& dart)
+    {
+        constexpr double shortOfTip = 10, diameter = 2, taken = 15; // mm
+        const Vec2 mouth = (m_patch.outline.at(dart.from) + m_patch.outline.at(dart.to)) / 2;
+        const double depth = (mouth - dart.tip).norm();
+        if (!(depth > 0))
+            return;
+        const Vec2 at = dart.tip + std::min(shortOfTip, depth / 4) / depth * (mouth - dart.tip);
+        for (const auto& [hole, drilled] : m_marks.holes)
+            if ((drilled->place.position - dart.tip).norm() < taken)
+                return;
+        const Vec2 place = m_grown * at;
+        if (isInside(m_piece.cut, place) && distanceTo(m_piece.cut, place) > diameter)
+            m_piece.holes.push_back({place, diameter, dart.seam, "dart"});
     }
 
     void addLines()
@@ -209,6 +230,21 @@ const T& ofPatch(const std::map<ElementId, T>& map, ElementId id)
     return found == map.end() ? none : found->second;
 }
 
+/// At spaces, in lines about so long as a name; a longer word stays whole.
+void addWrapped(const std::string& text, std::vector<std::string>& lines)
+{
+    constexpr std::size_t longest = 28; // bytes: of letters with accents there are fewer
+    std::istringstream words(text);
+    bool begun = false;
+    for (std::string word; words >> word;) {
+        if (begun && lines.back().size() + 1 + word.size() <= longest)
+            lines.back().append(" ").append(word);
+        else
+            lines.push_back(word);
+        begun = true;
+    }
+}
+
 std::vector<std::string> labelLines(const CutPiece& piece, const Patch& patch, const CutPattern& pattern,
                                     const CutWords& words)
 {
@@ -220,8 +256,7 @@ std::vector<std::string> labelLines(const CutPiece& piece, const Patch& patch, c
         article += (article.empty() ? "" : " ") + pattern.version;
     if (!article.empty())
         lines.push_back(std::move(article));
-    if (!patch.cutting.note.empty())
-        lines.push_back(patch.cutting.note);
+    addWrapped(patch.cutting.note, lines);
     return lines;
 }
 

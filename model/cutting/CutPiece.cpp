@@ -1,7 +1,10 @@
 #include "CutPiece.h"
 
+#include "SegmentDistance.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace bolster {
@@ -72,6 +75,14 @@ Box2 CutPiece::box() const
 std::string quantityText(const CutPiece& piece)
 {
     return std::to_string(piece.quantity).append(",").append(std::to_string(piece.pair ? piece.quantity : 0));
+}
+
+double distanceTo(const std::vector<LinePoint>& line, const Vec2& point)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < line.size(); ++i)
+        least = std::min(least, segmentDistance(point, line[i].at, line[(i + 1) % line.size()].at));
+    return least;
 }
 
 bool isInside(const std::vector<LinePoint>& line, const Vec2& point)

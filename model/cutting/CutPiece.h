@@ -92,6 +92,8 @@ struct CutPiece {
 std::string quantityText(const CutPiece& piece);
 /// Inside the closed line, by its winding.
 bool isInside(const std::vector<LinePoint>& line, const Vec2& point);
+/// From a place to the closed line, mm.
+double distanceTo(const std::vector<LinePoint>& line, const Vec2& point);
 /// Signed, of the closed line, mm2.
 double areaOf(const std::vector<LinePoint>& line);
 double lengthOf(const std::vector<LinePoint>& line, bool closed);

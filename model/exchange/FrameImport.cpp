@@ -45,8 +45,11 @@ ImportedAssembly importFrameParts(const QString& path, const ImportWatch& watch,
     ImportedAssembly parts{nullptr, std::move(imported.problem)};
     if (!imported.warning.empty())
         parts.warnings.push_back(std::move(imported.warning));
-    if (imported.mesh)
-        parts.assembly = std::make_shared<const Assembly>(assemblyOf(*imported.mesh));
+    if (imported.mesh) {
+        Assembly assembly = assemblyOf(*imported.mesh);
+        assembly.said = imported.said;
+        parts.assembly = std::make_shared<const Assembly>(std::move(assembly));
+    }
     return parts;
 }
 

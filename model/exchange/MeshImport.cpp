@@ -18,6 +18,16 @@ constexpr std::int64_t largestMeshFile = 2'000'000'000;
 
 constexpr MeshFormat meshFormats[] = {{"obj", readObj}, {"ply", readPly}, {"stl", readStl}, {"off", readOff}};
 
+/// What our own files say in their first lines.
+FileFacts factsByBolster(const FileBytes& bytes)
+{
+    FileWindow window(bytes.quietly());
+    const std::string_view begin = window.view(0, 300).substr(0, 300);
+    if (begin.find(" by Bolster: millimetres, z up") == std::string_view::npos)
+        return {};
+    return {1, UpAxis::Z};
+}
+
 ImportedMesh allOf(ImportedAssembly imported)
 {
     ImportedMesh all{nullptr, std::move(imported.problem)};
@@ -46,6 +56,7 @@ ImportedMesh importMesh(const QString& path, const ImportWatch& watch)
         ImportedMesh imported;
         imported.problem =
             readGuarded(path, largestMeshFile, warning(watch, path, imported.warning), [&](const FileBytes& bytes) {
+                imported.said = factsByBolster(bytes);
                 TriangleMesh mesh = format.read(bytes);
                 for (TriangleMesh::Part& part : mesh.parts)
                     part.name = cleanName(part.name);

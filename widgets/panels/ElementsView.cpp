@@ -120,7 +120,7 @@ ElementsView::ElementsView(Document& document, Selection& selection, ProblemSet&
     m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
     buildTree();
 
-    auto* search = new QLineEdit(this);
+    auto* search = m_search = new QLineEdit(this);
     search->setPlaceholderText(tr("Find an element"));
     search->setClearButtonEnabled(true);
     search->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
@@ -258,6 +258,7 @@ void ElementsView::reveal(ElementId id)
 
 void ElementsView::scrollToTop()
 {
+    m_search->clear(); // what was looked for was in the other one
     m_tree->scrollToTop();
 }
 

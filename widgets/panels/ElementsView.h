@@ -9,6 +9,7 @@
 #include <set>
 
 class QPoint;
+class QLineEdit;
 class QSortFilterProxyModel;
 class QTreeView;
 
@@ -57,6 +58,7 @@ private:
 
     Selection& m_selection;
     ElementsModel* m_model;
+    QLineEdit* m_search = nullptr;
     QSortFilterProxyModel* m_filter;
     QTreeView* m_tree;
     QSet<QString> m_collapsed; ///< kinds that the user has closed

@@ -143,12 +143,13 @@ QString HistoryModel::text(NodeId node) const
 QString HistoryModel::toolTip(NodeId node) const
 {
     const QString when =
+        text(node) + u'\n' +
         QLocale().toString(m_document.history().node(node).time.toLocalTime(), QLocale::ShortFormat);
     const QByteArray png = m_pictures ? m_pictures(node) : QByteArray();
     if (png.isEmpty())
         return when;
     return QStringLiteral("<img src=\"data:image/png;base64,%1\"><br>%2")
-        .arg(QString::fromLatin1(png.toBase64()), when.toHtmlEscaped());
+        .arg(QString::fromLatin1(png.toBase64()), when.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
 
 QString HistoryModel::timeText(NodeId node) const

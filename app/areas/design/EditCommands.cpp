@@ -25,6 +25,7 @@ EditCommands::EditCommands(Commands& commands, Document& document, Selection& se
     , m_history(history)
     , m_fabrics(fabrics)
     , m_status(status)
+    , m_takeBack(std::move(takeBack))
 {
     addHistory(commands);
     addSelection(commands);
@@ -44,7 +45,11 @@ void EditCommands::addHistory(Commands& commands)
           .enabled =
               [this] { return m_document.history().canUndo() || m_document.gestureRunning(); }, // a drag first
           .textNow = [this] { return undoText(); },
-          .does = [this] { m_document.undo(); }},
+          .does =
+              [this] {
+                  if (m_document.gestureRunning() || !m_takeBack())
+                      m_document.undo();
+              }},
          {.id = "edit.redo",
           .formerly = "redo",
           .text = tr("&Redo"),

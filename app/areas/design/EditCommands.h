@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QObject>
 
+#include <functional>
+
 namespace bolster {
 
 class Commands;
@@ -19,8 +21,10 @@ class EditCommands : public QObject {
     Q_DECLARE_TR_FUNCTIONS(EditCommands)
 
 public:
+    /// `takeBack`: a step of what a tool has begun, which comes before steps of the history; false when none has.
     EditCommands(Commands& commands, Document& document, Selection& selection, Docks& docks, ElementsView& elements,
-                 HistoryPanel& history, FabricCommands& fabrics, StatusLine& status);
+                 HistoryPanel& history, FabricCommands& fabrics, StatusLine& status,
+                 std::function<bool()> takeBack);
 
 private:
     void addHistory(Commands& commands);
@@ -39,6 +43,7 @@ private:
     HistoryPanel& m_history;
     FabricCommands& m_fabrics;
     StatusLine& m_status;
+    std::function<bool()> m_takeBack;
 };
 
 } // namespace bolster

@@ -2,6 +2,7 @@
 
 #include "Ask.h"
 #include "Commands.h"
+#include "CoverAtRest.h"
 #include "CoverView.h"
 #include "Document.h"
 #include "FileFlow.h"
@@ -21,8 +22,9 @@ namespace bolster {
 
 ScanCommands::ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans,
                            FileFlow& files, CoverView& surface, Inspector& inspector, StatusLine& status,
-                           QWidget& window)
+                           CoverAtRest& cover, QWidget& window)
     : m_commands(commands)
+    , m_cover(cover)
     , m_document(document)
     , m_selection(selection)
     , m_scans(scans)
@@ -174,9 +176,11 @@ ScanJob ScanCommands::watched(const QString& begun, const std::function<QString(
 
 void ScanCommands::fitPlacement(ElementId scan)
 {
-    m_scans.fitPlacement(scan, watched(tr("Placing the scan on the cover \u2026"), [](int iteration) {
-                             return tr("Placing the scan on the cover: step %1").arg(iteration);
-                         }));
+    m_cover.then([this, scan] { // one that still moves is not where the scan belongs
+        m_scans.fitPlacement(scan, watched(tr("Placing the scan on the cover \u2026"), [](int iteration) {
+                                 return tr("Placing the scan on the cover: step %1").arg(iteration);
+                             }));
+    });
 }
 
 void ScanCommands::askForPlaces(ElementId scan, const std::vector<ScanMark>& marks)

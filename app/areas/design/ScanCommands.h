@@ -12,6 +12,7 @@
 namespace bolster {
 
 class Commands;
+class CoverAtRest;
 class Document;
 class FileFlow;
 class Inspector;
@@ -28,7 +29,7 @@ class ScanCommands : public QObject {
 
 public:
     ScanCommands(Commands& commands, Document& document, Selection& selection, ScanLink& scans, FileFlow& files,
-                 CoverView& surface, Inspector& inspector, StatusLine& status, QWidget& window);
+                 CoverView& surface, Inspector& inspector, StatusLine& status, CoverAtRest& cover, QWidget& window);
 
 private:
     void add();
@@ -41,6 +42,7 @@ private:
     void align(ElementId scan, const std::vector<ScanMark>& marks);
 
     Commands& m_commands;
+    CoverAtRest& m_cover;
     Document& m_document;
     Selection& m_selection;
     ScanLink& m_scans;

@@ -115,6 +115,10 @@ int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, I
     for (const Wanted& wanted : m_wanted)
         made.push_back(covers.make(wanted.format, interrupt.token()));
     interrupt.beginWriting();
+    if (interrupt.token().stop_requested()) {
+        printError("error: interrupted");
+        return otherFailure;
+    }
     bool written = true;
     for (std::size_t w = 0; w < m_wanted.size(); ++w) {
         const CoverFile& file = made[w];

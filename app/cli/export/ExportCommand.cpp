@@ -112,6 +112,10 @@ std::optional<Design> exportedDesign(const OpenedDesign& opened, bool lenient)
     const auto known = static_cast<std::ptrdiff_t>(problems.size());
     if (opened.readable)
         addNew(problems, checkSolvable(opened.design));
+    // What is no error says something of the cover alone.
+    problems.erase(std::remove_if(problems.begin() + known, problems.end(),
+                                  [](const Problem& problem) { return problem.severity != Severity::Error; }),
+                   problems.end());
     std::for_each(problems.begin() + known, problems.end(),
                   [](Problem& problem) { problem.severity = Severity::Warning; });
     addMissingPatch(problems, opened.design);

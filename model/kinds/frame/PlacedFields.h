@@ -235,7 +235,7 @@ struct Description<Scan> {
                  .meaning = "`false`: the cover is only measured against it",
                  .tip = QT_TRANSLATE_NOOP("Field", "The cover is pulled to the scan. Without that it is only "
                                                    "measured. Align the scan first."),
-                 .verb = QT_TRANSLATE_NOOP("Message", "Switch the fit to %1"),
+                 .verb = QT_TRANSLATE_NOOP("Message", "Change whether the cover fits %1"),
                  .cost = SolveCost::Retarget},
                 Flag{}, s.enabled...);
         v.field(

@@ -133,7 +133,7 @@ private:
         if (piece.fabric.empty() && m_anyFabric.id != noElement)
             return m_anyFabric;
         Fabric fabric;
-        fabric.name = piece.fabric.empty() ? "Leather" : piece.fabric;
+        fabric.name = piece.fabric.empty() ? "Fabric" : piece.fabric;
         return {m_fresh(), nullptr, makeElement(std::move(fabric))};
     }
 

@@ -124,6 +124,8 @@ CoverFile CoverFiles::foam(CoverFormat format, const std::stop_token& stop) cons
     CoverFile file;
     TriangleMesh body = foamSolid(*m_subject.surface, m_subject.design, m_subject.files,
                                   {m_options.foamEdge, m_options.thickness}, stop);
+    if (stop.stop_requested())
+        throw Stopped();
     const std::size_t crumbs = dropSmallShells(body, smallestFoam);
     if (body.triangles.empty()) {
         file.problem = {QT_TRANSLATE_NOOP("Message", "there is no room for foam between the frame and the cover"),

@@ -2,6 +2,8 @@
 
 #include "Document.h"
 
+#include <QKeyEvent>
+
 #include <exception>
 
 namespace bolster {
@@ -31,6 +33,16 @@ bool ToolHost::guard(const std::function<bool()>& handle)
         refresh();
         return true;
     }
+}
+
+bool ToolHost::takeBack()
+{
+    for (const ToolKey& key : current().keys())
+        if (key.key == Qt::Key_Backspace) {
+            const QKeyEvent press(QEvent::KeyPress, Qt::Key_Backspace, Qt::NoModifier);
+            return guard([&] { return current().keyPress(press); });
+        }
+    return false;
 }
 
 void ToolHost::askForMenu(const QPoint& global, bool onSomething)

@@ -25,6 +25,8 @@ public:
     virtual void refresh() = 0;
     /// Handles an event. What is thrown then is said; the design is again what it was before the gesture.
     bool guard(const std::function<bool()>& handle);
+    /// The last step of what the tool has begun; false when nothing has.
+    bool takeBack();
     /// By the right button or the menu key, in the view.
     void askForMenu(const QPoint& global, bool onSomething);
 

@@ -20,7 +20,7 @@ constexpr double pairRadius = 6; // pixels
 /// One for each pair: both of its places have it.
 QColor pairColor(std::size_t pair)
 {
-    constexpr std::array<QRgb, wantedPairs> colors = {0xffd0342c, 0xff2c9a3f, 0xff2f6fd0};
+    constexpr std::array<QRgb, wantedPairs> colors = {0xffd0342c, 0xff2c9a3f, 0xffc02fb0};
     return QColor(colors[pair % colors.size()]);
 }
 
@@ -162,6 +162,8 @@ void ScanAlignTool::leave()
 
 QString ScanAlignTool::prompt() const
 {
+    if (!scan())
+        return tr("The scan is no longer there \u2013 Esc ends the tool");
     if (onTarget())
         return tr("Click on the frame or the cover where place %1 of the scan belongs \u2013 Backspace takes it "
                   "back")

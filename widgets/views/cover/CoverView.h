@@ -69,6 +69,7 @@ public:
 
     void setTool(bolster::CoverToolKind kind) { m_tools.setTool(kind); }
     CoverToolKind tool() const { return m_tools.kind(); }
+    bool takeBack() { return m_tools.takeBack(); } ///< as ToolHost has it
     /// The next drag cuts away, or keeps, a part of the scan.
     void startScanCut(bolster::ElementId scan, bool keep) { m_tools.startScanCut(scan, keep); }
     /// The next clicks say where three places of the scan belong, `marks` those of them that were given before.

@@ -48,6 +48,7 @@ public:
 
     void setTool(bolster::PatternToolKind kind) { m_tools.setTool(kind); }
     PatternToolKind tool() const { return m_tools.kind(); }
+    bool takeBack() { return m_tools.takeBack(); } ///< as ToolHost has it
     /// What can be done now, for the status bar.
     QString prompt() const { return m_tools.prompt(); }
     PatternHit hit(QPointF pixel) const { return m_tools.hit(pixel); }
