@@ -3913,10 +3913,6 @@
         <translation>die Schnitte lassen vom Scan nichts übrig; entfernen Sie einen davon</translation>
     </message>
     <message>
-        <source>Switch the fit to %1</source>
-        <translation>Die Anpassung an %1 umschalten</translation>
-    </message>
-    <message>
         <source>Change the threshold of %1</source>
         <translation>Die Schwelle von %1 ändern</translation>
     </message>
@@ -5532,6 +5528,10 @@
         <source>%1 pieces of less than 1 cm³ are left out</source>
         <translation>%1 Stücke unter 1 cm³ sind weggelassen</translation>
     </message>
+    <message>
+        <source>Change whether the cover fits %1</source>
+        <translation>Ändern, ob der Bezug an %1 angepasst wird</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -5971,6 +5971,10 @@
     <message>
         <source>%1: on the scan</source>
         <translation>%1: auf dem Scan</translation>
+    </message>
+    <message>
+        <source>The scan is no longer there – Esc ends the tool</source>
+        <translation>Der Scan ist nicht mehr da – Esc beendet das Werkzeug</translation>
     </message>
 </context>
 <context>
@@ -7918,10 +7922,6 @@
         <translation>Schnitte (%1)</translation>
     </message>
     <message>
-        <source>Not all of the pattern could be taken.</source>
-        <translation>Nicht alles vom Schnitt konnte übernommen werden.</translation>
-    </message>
-    <message>
         <source>-sewing</source>
         <translation>-naehplan</translation>
     </message>
@@ -7960,6 +7960,14 @@
     <message>
         <source>Simplifying %1 …</source>
         <translation>%1 wird vereinfacht …</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is written.</source>
+        <translation>„%1“ ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>The pattern is imported. What is otherwise than in the file:</source>
+        <translation>Der Schnitt ist importiert. Was anders ist als in der Datei:</translation>
     </message>
 </context>
 <context>
@@ -8003,10 +8011,6 @@
     <message>
         <source>y points up</source>
         <translation>y zeigt nach oben</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %3 triangles</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %3 Dreiecke</translation>
     </message>
     <message>
         <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points</source>
@@ -8073,16 +8077,27 @@
         <translation>x zeigt nach oben</translation>
     </message>
     <message>
-        <source>The file says its unit.</source>
-        <translation>Die Einheit steht in der Datei.</translation>
-    </message>
-    <message>
-        <source>The file says its axes.</source>
-        <translation>Die Achsen stehen in der Datei.</translation>
-    </message>
-    <message>
         <source>The file says its unit and its axes.</source>
         <translation>Einheit und Achsen stehen in der Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %n triangles</source>
+        <translation>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %n Dreieck</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file says its unit; the axes are guessed.</source>
+        <translation>Die Datei nennt ihre Einheit; die Achsen sind geraten.</translation>
+    </message>
+    <message>
+        <source>The file says its axes; the unit is guessed.</source>
+        <translation>Die Datei nennt ihre Achsen; die Einheit ist geraten.</translation>
+    </message>
+    <message>
+        <source>Unit and axes are guessed: look at the picture and the size.</source>
+        <translation>Einheit und Achsen sind geraten: Sehen Sie auf Bild und Größe.</translation>
     </message>
 </context>
 <context>

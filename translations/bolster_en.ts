@@ -155,6 +155,16 @@
     </message>
 </context>
 <context>
+    <name>bolster::FileImportDialog</name>
+    <message numerus="yes">
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %n triangles</source>
+        <translation>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %n triangle</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %n triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bolster::ImportPatternDialog</name>
     <message numerus="yes">
         <source>, %n pairs</source>
