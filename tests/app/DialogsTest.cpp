@@ -9,7 +9,9 @@
 #include "NextStep.h"
 #include "NumberBox.h"
 #include "RenderDialog.h"
+#include "SimplifyChoice.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -384,6 +386,18 @@ TEST_F(DialogsTest, AFinishedPictureLeavesNothingToCancel)
     EXPECT_TRUE(has(QStringLiteral("Close")));
     EXPECT_FALSE(has(QStringLiteral("Cancel")));
     dialog->close();
+}
+
+TEST(SimplifyChoiceTest, MillionsOfTrianglesAreSimplifiedUnlessSomebodyWantsThem)
+{
+    EXPECT_FALSE(SimplifyChoice(500'000).wanted());
+    SimplifyChoice large(2'000'000);
+    EXPECT_EQ(large.wanted(), 100'000u);
+    large.findChild<QCheckBox*>()->click();
+    EXPECT_FALSE(large.wanted());
+    const SimplifyChoice tooLarge(10'000'000);
+    EXPECT_TRUE(tooLarge.wanted());
+    EXPECT_FALSE(tooLarge.findChild<QCheckBox*>()->isEnabled());
 }
 
 TEST(NextStepTest, BesideAFrameACoverIsFixedToIt)

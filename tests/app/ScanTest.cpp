@@ -221,6 +221,28 @@ TEST_F(ScanTest, PlacesThatDoNotFitAreKept)
         << "the right one is taken instead";
 }
 
+TEST_F(ScanTest, UndoTakesBackWhatTheToolHasBegunFirst)
+{
+    ASSERT_TRUE(open(sample("armchair-scan")));
+    ASSERT_TRUE(waitUntilSolved());
+    Scan moved = scan();
+    moved.enabled = false;
+    window.document().commit(edits::replaceElement(window.document().design(), scanId(), makeElement(moved), {}));
+    ASSERT_TRUE(waitUntilSolved());
+    CoverView& view = window.coverView();
+    const auto places =
+        farPlaces(view, *window.solver().surface(), *window.session().files().clouds.at(scanId()), scan());
+    ASSERT_FALSE(places.empty());
+    wish(ScanWish::Align);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, places[0].second.toPoint());
+    ASSERT_TRUE(view.prompt().contains(QStringLiteral("belongs"))) << view.prompt().toStdString();
+    window.command("edit.undo")->trigger();
+    EXPECT_FALSE(view.prompt().contains(QStringLiteral("belongs"))) << view.prompt().toStdString();
+    EXPECT_FALSE(scan().enabled) << "the step before stays";
+    window.command("edit.undo")->trigger();
+    EXPECT_TRUE(scan().enabled) << "then that";
+}
+
 TEST_F(ScanTest, ShowAllShowsAScanThatIsElsewhere)
 {
     ASSERT_TRUE(open(sample("armchair-scan")));

@@ -108,6 +108,8 @@ TEST(Sheets, ThatNoPartOfAPieceLiesOnAreLeftOut)
     const SheetPlan plan = planSheets(pattern, {});
     EXPECT_LT(plan.sheets.size(), 10u) << "5 beside and 4 above each other";
     EXPECT_GE(plan.sheets.size(), 8u);
+    EXPECT_EQ(plan.grid.rows, 1 + std::ranges::max(plan.sheets, {}, &Sheet::row).row) << "nobody looks for more";
+    EXPECT_EQ(plan.grid.columns, 1 + std::ranges::max(plan.sheets, {}, &Sheet::column).column);
     for (const Sheet& sheet : plan.sheets) {
         EXPECT_EQ(sheet.pieces.size(), 1u);
         EXPECT_TRUE(sheet.left || sheet.right || sheet.above || sheet.below) << "it is put together with others";

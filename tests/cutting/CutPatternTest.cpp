@@ -1,6 +1,8 @@
 #include "CutPattern.h"
 
 #include "CutCheck.h"
+#include "DartEdits.h"
+#include "ElementEdits.h"
 #include "Growth.h"
 #include "Panels.h"
 
@@ -27,6 +29,36 @@ Design withSettings(const Design& design, const DesignCutting& cutting)
 }
 
 } // namespace
+
+TEST(CutPattern, AHoleSaysWhereADartEnds)
+{
+    const Design design = twoPanels();
+    const Design narrow = design.with(edits::addDart(design, {left, 0.45, 0.55, {100, 60}}));
+    const CutPiece piece = pieceOf(cutPattern(narrow, {}), left);
+    ASSERT_EQ(piece.holes.size(), 1u);
+    EXPECT_NEAR((piece.holes[0].at - Vec2(100, 60)).norm(), 10, 1e-6) << "short of the tip";
+    EXPECT_LT(piece.holes[0].at.y(), 60) << "between the legs";
+    // One that somebody has drilled there is enough.
+    const Design own =
+        narrow.with(edits::addElement(narrow, makeElement(DrillHole{"Tip", {left, Vec2(100, 58)}, 3})));
+    const CutPiece drilled = pieceOf(cutPattern(own, {}), left);
+    ASSERT_EQ(drilled.holes.size(), 1u);
+    EXPECT_EQ(drilled.holes[0].name, "Tip");
+}
+
+TEST(CutPattern, NotesAreBrokenIntoLines)
+{
+    Design design = twoPanels();
+    Patch noted = *design.find<Patch>(left);
+    noted.cutting.note = "Tie-down strip 12 mm on the inside; watch scars and mirror";
+    design = with(design, left, noted);
+    const CutPiece piece = pieceOf(cutPattern(design, {}), left);
+    const std::vector<std::string>& lines = piece.label.lines;
+    const auto begin = std::ranges::find(lines, "Tie-down strip 12 mm on the");
+    ASSERT_NE(begin, lines.end());
+    EXPECT_EQ(std::vector<std::string>(begin + 1, lines.end()),
+              (std::vector<std::string>{"inside; watch scars and", "mirror"}));
+}
 
 TEST(CutPattern, TakesTheAllowanceThatIsNearest)
 {

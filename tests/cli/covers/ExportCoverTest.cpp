@@ -223,6 +223,8 @@ TEST_F(ExportCover, WritesObjWithItsMaterials)
     EXPECT_NE(mtl.find("map_Kd my_chair-fabric-1-weave-sand-color.jpg\n"), std::string::npos) << mtl;
     EXPECT_FALSE(read("my_chair-fabric-1-weave-sand-color.jpg").empty());
     const ImportedMesh again = importMesh(path("my chair.obj"));
+    EXPECT_EQ(again.said.up, UpAxis::Z) << "its first line says it";
+    EXPECT_EQ(again.said.millimetresPerUnit, 1);
     ASSERT_TRUE(again.mesh) << again.problem.english();
     EXPECT_GE(again.mesh->parts.size(), 7u);
     EXPECT_NEAR(again.mesh->boundingBox().sizes().x(), 540, 60) << "millimetres";
