@@ -20,17 +20,6 @@ SewingLine polygon(const std::vector<Vec2>& points, double width, CornerJoin joi
 
 const std::vector<Vec2> square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
 
-double distanceTo(const std::vector<LinePoint>& line, const Vec2& p)
-{
-    double nearest = 1e9;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const Vec2 &a = line[i].at, &b = line[(i + 1) % line.size()].at;
-        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (p - a - t * (b - a)).norm());
-    }
-    return nearest;
-}
-
 std::vector<LinePoint> asLine(const SewingLine& sewn)
 {
     std::vector<LinePoint> line;
