@@ -17,7 +17,7 @@ namespace bolster {
 
 EditCommands::EditCommands(Commands& commands, Document& document, Selection& selection, Docks& docks,
                            ElementsView& elements, HistoryPanel& history, FabricCommands& fabrics,
-                           StatusLine& status)
+                           StatusLine& status, std::function<bool()> takeBack)
     : m_document(document)
     , m_selection(selection)
     , m_docks(docks)
