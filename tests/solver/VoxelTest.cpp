@@ -181,8 +181,9 @@ TEST(Voxelise, RowsThatMeetCornersAndEdgesEndWhereTheBodyDoes)
     octahedron.parts = {{"Octahedron", 0, 8}};
     for (const TriangleMesh& mesh : {octahedron, boxMesh(Box3(Vec3(2, 2, 2), Vec3(42, 30, 18)))}) {
         const Voxels voxels = voxelsOf(mesh, 4);
-        ASSERT_TRUE(frameParts(mesh, {})[0][0].closed);
-        const TriangleTree& tree = frameParts(mesh, {})[0][0].tree;
+        const FrameParts parts = frameParts(mesh, {});
+        ASSERT_TRUE(parts[0][0].closed);
+        const TriangleTree& tree = parts[0][0].tree;
         int inside = 0, wrong = 0;
         for (int z = 0; z < voxels.grid.size[2]; ++z)
             for (int y = 0; y < voxels.grid.size[1]; ++y)
