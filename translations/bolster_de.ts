@@ -8081,10 +8081,10 @@
         <translation>Einheit und Achsen stehen in der Datei.</translation>
     </message>
     <message numerus="yes">
-        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %n triangles</source>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 points, %Ln triangles</source>
         <translation>
-            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %n Dreieck</numerusform>
-            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %n Dreiecke</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %Ln Dreieck</numerusform>
+            <numerusform>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2 Punkte, %Ln Dreiecke</numerusform>
         </translation>
     </message>
     <message>

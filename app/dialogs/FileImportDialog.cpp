@@ -172,7 +172,7 @@ QString FileImportDialog::aboutText(const QString& file) const
     const QString points = locale.toString(static_cast<qulonglong>(m_content.points().size()));
     if (!m_content.mesh)
         return tr("<b>%1</b><br>%2 points").arg(name, points);
-    return tr("<b>%1</b><br>%2 points, %n triangles", nullptr, static_cast<int>(m_content.mesh->triangles.size()))
+    return tr("<b>%1</b><br>%2 points, %Ln triangles", nullptr, static_cast<int>(m_content.mesh->triangles.size()))
         .arg(name, points);
 }
 
