@@ -108,6 +108,7 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow()
 {
     disconnect(qApp, nullptr, this, nullptr); // a dialog that goes with the window changes the focus
+    hide(); // the views lose the keyboard by that, and end what they have begun: as long as there is what they use
 }
 
 void MainWindow::open(const QString& path)
