@@ -13,9 +13,10 @@
 
 namespace bolster {
 
-/// Of the program alone: Qt paints large areas with threads of the global one and waits for them, so a window would
-/// stand still while others have them. What runs at the end of the program is waited for.
-inline QThreadPool& backgroundPool()
+/// Threads of the program alone: Qt paints large areas with threads of the global pool and waits for them, so a
+/// window would stand still while others have them. What runs at the end of the program is waited for.
+template <int Which>
+QThreadPool& poolWaitedFor()
 {
     static QThreadPool pool;
     static const bool waits = [] {
@@ -24,6 +25,17 @@ inline QThreadPool& backgroundPool()
     }();
     (void)waits;
     return pool;
+}
+
+inline QThreadPool& backgroundPool()
+{
+    return poolWaitedFor<0>();
+}
+
+/// For what keeps people's work: it must not stand behind pictures that are being made.
+inline QThreadPool& savingPool()
+{
+    return poolWaitedFor<1>();
 }
 
 /// Work that was begun.
@@ -52,14 +64,14 @@ private:
     QFuture<Result> m_future;
 };
 
-/// Runs `work` on a thread of it. `work` must not throw.
+/// Runs `work` on a thread of the pool. `work` must not throw.
 template <class Result>
-Background<Result> inBackground(std::function<Result()> work)
+Background<Result> inBackground(std::function<Result()> work, QThreadPool& pool = backgroundPool())
 {
     auto promise = std::make_shared<QPromise<Result>>();
     Background<Result> begun(promise->future());
     promise->start();
-    backgroundPool().start([promise, work = std::move(work)] {
+    pool.start([promise, work = std::move(work)] {
         promise->addResult(work());
         promise->finish();
     });

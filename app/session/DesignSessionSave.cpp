@@ -130,22 +130,21 @@ void DesignSession::writeProject(const QString& file, const Writing& writing, co
 void DesignSession::writeFromStandIn(const QString& file, const Writing& writing, const Done& done)
 {
     using StandIn = std::shared_ptr<WorkJournal::StandIn>;
-    inBackground<StandIn>([make = m_journal.standIns(), file] {
-        return make(file);
-    }).then(this, [=, this, generation = m_generation](const StandIn& made) {
-        if (generation != m_generation)
-            return;
-        if (!made->problem.empty()) {
-            done(made->problem);
-            return;
-        }
-        const std::shared_ptr<Journal> journal(made, made->journal.get());
-        writeFrom(journal, writing, [this, journal, done](const Message& problem) {
-            if (problem.empty())
-                m_journal.savedBy(*journal);
-            done(problem);
+    inBackground<StandIn>([make = m_journal.standIns(), file] { return make(file); }, savingPool())
+        .then(this, [=, this, generation = m_generation](const StandIn& made) {
+            if (generation != m_generation)
+                return;
+            if (!made->problem.empty()) {
+                done(made->problem);
+                return;
+            }
+            const std::shared_ptr<Journal> journal(made, made->journal.get());
+            writeFrom(journal, writing, [this, journal, done](const Message& problem) {
+                if (problem.empty())
+                    m_journal.savedBy(*journal);
+                done(problem);
+            });
         });
-    });
 }
 
 void DesignSession::writeFrom(const std::shared_ptr<Journal>& journal, const Writing& writing, const Done& done)
@@ -226,12 +225,11 @@ void DesignSession::endSaving(const QString& file, const std::optional<HeldHisto
 void DesignSession::besideEdits(const std::shared_ptr<Journal>& journal,
                                 const std::function<Message(Journal&)>& work, const Done& done)
 {
-    inBackground<Message>([journal, work] {
-        return work(*journal);
-    }).then(this, [this, generation = m_generation, done](const Message& problem) {
-        if (generation == m_generation)
-            done(problem);
-    });
+    inBackground<Message>([journal, work] { return work(*journal); }, savingPool())
+        .then(this, [this, generation = m_generation, done](const Message& problem) {
+            if (generation == m_generation)
+                done(problem);
+        });
 }
 
 /// The files that any version uses become part of the project.
@@ -302,14 +300,16 @@ void DesignSession::saveText(const QString& file, const Done& done)
     const int generation = m_generation;
     const HeldHistory held{{node, 1, {}}, true};
     using Written = std::pair<Message, FileStamp>;
-    inBackground<Written>([file, design = m_document.committed()] {
+    const auto write = [file, design = m_document.committed()] {
         Message why = saveDesign(design, file);
         return Written(std::move(why), stampOf(file, true));
-    }).then(this, [this, file, held, generation, done](const Written& written) {
-        if (generation != m_generation)
-            return;
-        endSaving(file, held, written.first, written.second, done);
-    });
+    };
+    inBackground<Written>(write, savingPool())
+        .then(this, [this, file, held, generation, done](const Written& written) {
+            if (generation != m_generation)
+                return;
+            endSaving(file, held, written.first, written.second, done);
+        });
 }
 
 } // namespace bolster

@@ -38,7 +38,7 @@ protected:
             problem = why;
             done = true;
         });
-        return QTest::qWaitFor([&] { return done; }, 10000) && problem.empty();
+        return QTest::qWaitFor([&] { return done; }, 60000) && problem.empty();
     }
 
     void changeSomething()
@@ -104,6 +104,20 @@ TEST_F(FilesTest, SavedDesignsComeBackWithTheirFrames)
     EXPECT_TRUE(window.document().design() == saved);
     EXPECT_EQ(window.session().files().meshes.size(), 1U);
     EXPECT_FALSE(window.banner().shown());
+}
+
+TEST_F(FilesTest, ASaveDoesNotStandBehindOtherWork)
+{
+    ASSERT_TRUE(open(sample("box-cushion")));
+    changeSomething();
+    QSemaphore end;
+    for (int n = 0; n < 2 * backgroundPool().maxThreadCount(); ++n)
+        backgroundPool().start([&end] { end.acquire(); });
+    EXPECT_TRUE(save(folder.filePath("kept.json")));
+    changeSomething();
+    EXPECT_TRUE(save(folder.filePath("kept.bolster")));
+    end.release(2 * backgroundPool().maxThreadCount());
+    backgroundPool().waitForDone();
 }
 
 TEST_F(FilesTest, AnotherFileOfTheSameNameIsNotOverwritten)
