@@ -108,7 +108,7 @@ void printMeasures(const Drawing& drawing, const FoundPattern& pattern, const Im
 {
     Vec2 size = Vec2::Zero();
     for (const std::size_t place : made.taken)
-        if (const Vec2 sizes = pattern.pieces[place].cut.box().sizes(); sizes.maxCoeff() > size.maxCoeff())
+        if (const Vec2 sizes = pattern.pieces[place].cut.box().sizes(); sizes.prod() > size.prod())
             size = sizes;
     std::string line("largest piece: ");
     line.append(figure(size.x())).append(" x ").append(figure(size.y())).append(" mm");

@@ -65,16 +65,19 @@ Json json(const std::vector<SolveReport::Cushion>& cushions)
 Json json(const std::vector<SolveReport::ScanFit>& scans)
 {
     Json list = Json::array();
-    for (const SolveReport::ScanFit& scan : scans)
+    for (const SolveReport::ScanFit& scan : scans) {
+        const bool met = scan.figures.coverage > 0; // else there is nothing that these could be figures of
+        const auto figure = [met](double value) { return met ? Json(value) : Json(); };
         list.push_back({{"element", number(scan.scan)},
                         {"name", scan.name},
                         {"points", scan.figures.points},
                         {"deviation_mm",
-                         {{"rms", scan.figures.rms},
-                          {"median", scan.figures.median},
-                          {"p95", scan.figures.p95},
-                          {"max", scan.figures.max}}},
+                         {{"rms", figure(scan.figures.rms)},
+                          {"median", figure(scan.figures.median)},
+                          {"p95", figure(scan.figures.p95)},
+                          {"max", figure(scan.figures.max)}}},
                         {"coverage", scan.figures.coverage}});
+    }
     return list;
 }
 

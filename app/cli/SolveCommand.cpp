@@ -69,10 +69,15 @@ void printSummary(const SolveResult& result)
                 numberText(100 * report.strain.max, 3) + " % at most; fixation error " +
                 numberText(report.fixationError.max, 3) + " mm, seam gap " + numberText(report.seamGap.max, 3) +
                 " mm, " + counted(report.flippedTriangles, "flipped triangle"));
-    for (const SolveReport::ScanFit& scan : report.scans)
+    for (const SolveReport::ScanFit& scan : report.scans) {
+        if (scan.figures.coverage == 0) {
+            printResult("scan \"" + scan.name + "\": no point of it is near the cover");
+            continue;
+        }
         printResult("scan \"" + scan.name + "\": " + numberText(scan.figures.rms, 3) + " mm rms, " +
                     numberText(scan.figures.p95, 3) + " mm within 95 %, over " +
                     numberText(100 * scan.figures.coverage, 3) + " % of the cover");
+    }
 }
 
 } // namespace

@@ -48,6 +48,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_picture(new QLabel(this))
     , m_besidePicture(new QHBoxLayout)
     , m_replaced(std::move(replaced))
+    , m_saidUnit(said.millimetresPerUnit)
     , m_keep(new QCheckBox(tr("&Keep scale, position and rotation"), this))
     , m_unit(new QComboBox(this))
     , m_factor(new NumberBox({tr(" mm per unit"), 6, 1e-6, 1e6, 1}, this))
@@ -56,6 +57,7 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     , m_said(new QLabel(saidText(file, said), this))
     , m_size(new QLabel(this))
     , m_hint(new QLabel(this))
+    , m_warning(new QLabel(this))
     , m_thinned(new QLabel(this))
 {
     setWindowTitle(m_content.cloud ? tr("Import scan") : tr("Import frame"));
@@ -67,6 +69,9 @@ FileImportDialog::FileImportDialog(const QString& file, FileContent content, std
     large.setWeight(QFont::DemiBold);
     m_size->setFont(large);
     m_hint->setWordWrap(true);
+    m_warning->setWordWrap(true);
+    m_warning->setTextFormat(Qt::PlainText);
+    m_warning->hide();
     m_thinned->setWordWrap(true);
     m_thinned->setVisible(m_content.cloud && m_content.cloud->thinnedFrom > 0);
 
@@ -206,6 +211,7 @@ void FileImportDialog::layOut(const QString& file)
     layout->setContentsMargins(18, 18, 18, 14);
     layout->setSpacing(14);
     layout->addWidget(about);
+    layout->addWidget(m_warning);
     layout->addWidget(m_thinned);
     m_picture->setAlignment(Qt::AlignCenter);
     m_besidePicture->setSpacing(14);
@@ -277,6 +283,42 @@ void FileImportDialog::accept()
     });
 }
 
+void FileImportDialog::warn(const QString& text)
+{
+    m_warning->setText(text);
+    m_warning->setVisible(!text.isEmpty());
+}
+
+double FileImportDialog::largestWith(double scale) const
+{
+    Placement placement;
+    placement.scale = scale;
+    const Box3 box = placedBox(m_shown, placement);
+    return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+namespace {
+
+/// Nobody changes a frame that much.
+bool isAnother(double size, double before)
+{
+    constexpr double most = 3;
+    return before > 0 && size > 0 && (size > most * before || before > most * size);
+}
+
+} // namespace
+
+void FileImportDialog::replaces(double largest)
+{
+    m_oldSize = largest;
+    if (m_replaced && m_saidUnit && isAnother(largestWith(m_replaced->scale), largest) &&
+        !isAnother(largestWith(*m_saidUnit), largest)) {
+        m_replaced->scale = *m_saidUnit;
+        m_keep->setText(tr("&Keep position and rotation"));
+    }
+    updateSize();
+}
+
 void FileImportDialog::setUnit(FileUnit unit)
 {
     m_unit->setCurrentIndex(static_cast<int>(unit));
@@ -317,6 +359,15 @@ double FileImportDialog::largestSize() const
     return m_content.cloud ? largestScan : largestFurniture;
 }
 
+QString FileImportDialog::oddity(double largest) const
+{
+    if (isAnother(largest, m_oldSize))
+        return tr("It was %1 large and becomes %2: check the unit.")
+            .arg(lengthText(m_oldSize, 4), lengthText(largest, 4));
+    const bool odd = largest < 200 || largest > 1.5 * largestSize();
+    return odd && m_oldSize == 0 ? tr("That is unusual for a piece of furniture: check the unit.") : QString();
+}
+
 void FileImportDialog::updateSize()
 {
     const auto unit = static_cast<FileUnit>(m_unit->currentIndex());
@@ -330,8 +381,7 @@ void FileImportDialog::updateSize()
     const Vec3 size = box.isEmpty() ? Vec3::Zero().eval() : box.sizes().eval();
     m_size->setText(tr("%1 \u00d7 %2 \u00d7 %3 mm").arg(figure(size.x()), figure(size.y()), figure(size.z())));
     showThinning();
-    const bool odd = size.maxCoeff() < 200 || size.maxCoeff() > 1.5 * largestSize();
-    m_hint->setText(odd ? tr("That is unusual for a piece of furniture: check the unit.") : QString());
+    m_hint->setText(oddity(size.maxCoeff()));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, ViewColors::of(colors).error);
     m_hint->setPalette(colors);

@@ -32,6 +32,12 @@ public:
     /// belong, if the file says it.
     void offerParts(std::vector<PartOutline> tree, const std::vector<std::string>& unwanted);
 
+    /// The largest size (mm) of what was there before. Where the kept scale would make something else of it and the
+    /// unit that the file says would not, the file's unit is taken and only position and rotation are kept.
+    void replaces(double largest);
+    /// What is odd about the file.
+    void warn(const QString& text);
+
     /// As chosen.
     Placement placement() const;
     /// Names of parts that are not to be there.
@@ -56,6 +62,8 @@ private:
     void updatePicture();
     void showThinning();
     double largestSize() const; ///< mm: what is usual
+    double largestWith(double scale) const;
+    QString oddity(double largest) const;
 
     FileContent m_content;
     std::vector<Vec3> m_shown; ///< file units: points of the parts that are wanted
@@ -65,6 +73,8 @@ private:
     PartsTree* m_parts = nullptr;
     SimplifyChoice* m_simplify = nullptr;
     std::optional<Placement> m_replaced;
+    std::optional<double> m_saidUnit; ///< mm
+    double m_oldSize = 0;             ///< mm; 0: unknown
     QCheckBox* m_keep;
     QComboBox* m_unit;
     NumberBox* m_factor;
@@ -73,6 +83,7 @@ private:
     QLabel* m_said;
     QLabel* m_size;
     QLabel* m_hint;
+    QLabel* m_warning;
     QLabel* m_thinned; ///< why there are fewer points than in the file
 };
 

@@ -38,7 +38,7 @@ Vec2 largestPiece(const FoundPattern& pattern, const std::set<std::size_t>& chos
     Vec2 largest = Vec2::Zero();
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i)
         if (const Vec2 size = pattern.pieces[i].cut.box().sizes();
-            size.maxCoeff() > largest.maxCoeff() && (chosen.empty() || chosen.contains(i)))
+            size.prod() > largest.prod() && (chosen.empty() || chosen.contains(i)))
             largest = size;
     return largest;
 }

@@ -213,6 +213,11 @@ void FileFlow::place(const QString& path, const ImportedFile& file, const Elemen
     auto* dialog = new FileImportDialog(path, file.content, before, file.said, m_window);
     if (const Frame* const frame = std::get_if<Frame>(&element))
         dialog->offerParts(file.tree, frame->hiddenParts);
+    if (old.mesh) {
+        const Box3 size = placedBox(old.mesh->points, {.scale = old.placement.scale});
+        dialog->replaces(size.isEmpty() ? 0 : size.sizes().maxCoeff());
+    }
+    dialog->warn(asSentence(translated(file.warning)));
     connect(dialog, &QDialog::accepted, this, [=, this] {
         const Element placed = *withPlacement(element, dialog->placement());
         const std::vector<std::string> unwanted = dialog->unwantedParts();

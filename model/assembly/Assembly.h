@@ -72,6 +72,8 @@ enum class AssemblyVerdict : std::uint32_t {
     TooManyParts,
     TooFar,      ///< a part is beyond farthestAssemblyPoint; the text names it
     FileMissing, ///< one that belongs to it; the text names it
+    TooMuchMemory,
+    DecimalCommas,
 };
 
 /// What is odd of a file that is read nevertheless.
@@ -82,6 +84,7 @@ enum class AssemblyOddity : std::uint32_t {
     TooDeep,       ///< parts deeper than the tree may be, left out
     FileElsewhere, ///< a file that it refers to and that is not read; the text names it
     FileBeside,    ///< a file of its own folder that was read with it; the text names it
+    NoPoint,       ///< triangles left out that name points which are not there; how many
 };
 
 struct AssemblyWarning {

@@ -177,7 +177,7 @@ bool AssemblyStream::takeWarning(std::string_view bytes)
     std::uint32_t oddity = 0;
     double count = 0;
     if (!taken(bytes, oddity) || !taken(bytes, count) || !(count >= 0 && count <= 1e12) ||
-        oddity > static_cast<std::uint32_t>(AssemblyOddity::FileBeside) || bytes.size() > longestPartName)
+        oddity > static_cast<std::uint32_t>(AssemblyOddity::NoPoint) || bytes.size() > longestPartName)
         return false;
     if (m_warnings.size() < mostWarnings)
         m_warnings.push_back(
@@ -197,7 +197,7 @@ bool AssemblyStream::takeProgress(std::string_view bytes)
 bool AssemblyStream::takeEnd(std::string_view bytes)
 {
     std::uint32_t verdict = 0;
-    if (!taken(bytes, verdict) || verdict > static_cast<std::uint32_t>(AssemblyVerdict::FileMissing) ||
+    if (!taken(bytes, verdict) || verdict > static_cast<std::uint32_t>(AssemblyVerdict::DecimalCommas) ||
         bytes.size() > longestPartName || (verdict == 0 && m_triangles == 0))
         return false;
     m_verdict = static_cast<AssemblyVerdict>(verdict);

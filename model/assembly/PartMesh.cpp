@@ -2,8 +2,26 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 namespace bolster {
+namespace {
+
+bool hadNoMemory = false;
+
+/// Libraries catch what `new` throws, and say that the file is damaged.
+void noteWantOfMemory()
+{
+    hadNoMemory = true;
+    throw std::bad_alloc();
+}
+
+AssemblyVerdict why(AssemblyVerdict verdict)
+{
+    return hadNoMemory && verdict == AssemblyVerdict::Damaged ? AssemblyVerdict::TooMuchMemory : verdict;
+}
+
+} // namespace
 
 std::int64_t PartMesh::addPoint(const Vec3& point, std::string_view part)
 {
@@ -40,13 +58,16 @@ void PartMesh::send(AssemblyWriter& writer, std::uint32_t part)
 int writeAssembly(const AssemblyWriter::Sink& sink, const std::function<void(AssemblyWriter&)>& read)
 {
     AssemblyWriter writer(sink);
+    std::set_new_handler(noteWantOfMemory);
     try {
         read(writer);
         writer.end(writer.triangleCount() > 0 ? AssemblyVerdict::Read : AssemblyVerdict::NoFaces);
     } catch (const AssemblyRefused& refused) {
-        writer.end(refused.verdict, refused.text);
+        writer.end(why(refused.verdict), refused.text);
     } catch (const FileRefused&) { // MeshBuilder, of more than it takes
         writer.end(AssemblyVerdict::TooLarge);
+    } catch (const std::bad_alloc&) {
+        writer.end(AssemblyVerdict::TooMuchMemory);
     } catch (const std::exception&) {
         return 3;
     }

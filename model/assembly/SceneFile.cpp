@@ -14,6 +14,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace bolster {
 namespace {
@@ -69,8 +70,9 @@ FileFacts colladaFacts(const Eigen::Matrix4d& root)
     // The root is the unit in metres times what turns the file's up axis to y.
     FileFacts said;
     const double metres = asWritten(static_cast<float>(root.block<3, 1>(0, 0).norm()));
-    if (std::isfinite(metres) && metres > 0)
-        said.millimetresPerUnit = 1000 * metres;
+    if (!std::isfinite(metres) || metres <= 0)
+        return said;
+    said.millimetresPerUnit = 1000 * metres;
     const auto isUp = [&](int column) { return root(1, column) > 0.5 * metres; };
     said.up = isUp(2) ? UpAxis::Z : isUp(0) ? UpAxis::X : UpAxis::Y;
     return said;
@@ -122,12 +124,39 @@ FileFacts factsOf(std::string_view bytes, const std::string& ending, aiScene& sc
     return {1000, UpAxis::Y}; // glTF: metres
 }
 
+/// What the library would read as something else, or take for ever to read.
+ThreeMfObjects checkedObjects(std::string_view bytes)
+{
+    ThreeMfObjects objects = threeMfObjects(bytes);
+    if (objects.placed > static_cast<double>(mostAssemblyParts))
+        throw AssemblyRefused{AssemblyVerdict::TooManyParts, {}};
+    if (objects.hasDecimalCommas)
+        throw AssemblyRefused{AssemblyVerdict::DecimalCommas, {}};
+    if (objects.hasWrongIndices)
+        throw AssemblyRefused{};
+    return objects;
+}
+
+/// The library makes room for what the header of the first chunk promises.
+void checkGlb(std::string_view bytes)
+{
+    constexpr std::size_t lengthAt = 12, header = 20;
+    std::uint32_t length = 0;
+    if (bytes.size() >= header)
+        std::memcpy(&length, bytes.data() + lengthAt, sizeof length);
+    if (bytes.starts_with("glTF") && length > bytes.size())
+        throw AssemblyRefused{};
+}
+
 } // namespace
 
 /// Nothing of the library is ever put away: its tidying up may crash on what it has read, and the program is short.
 void readScene(std::string_view bytes, const SceneOrder& order, AssemblyWriter& writer)
 {
     const std::string name = "scene." + order.ending;
+    const ThreeMfObjects objects = order.ending == "3mf" ? checkedObjects(bytes) : ThreeMfObjects();
+    if (order.ending == "glb")
+        checkGlb(bytes);
     auto* const files = new GivenIO(name, bytes, order);
     auto& importer = *new Assimp::Importer;
     importer.SetIOHandler(files);
@@ -145,9 +174,7 @@ void readScene(std::string_view bytes, const SceneOrder& order, AssemblyWriter& 
     if (!files->beside().empty())
         writer.warn(AssemblyOddity::FileBeside, 1, files->beside());
     writer.facts(factsOf(bytes, order.ending, scene));
-    writeSceneParts(scene, order,
-                    order.ending == "3mf" ? threeMfNames(bytes) : std::map<std::string, std::string, std::less<>>(),
-                    writer);
+    writeSceneParts(scene, order, objects.names, writer);
 }
 
 } // namespace bolster

@@ -60,6 +60,8 @@ public:
         }
         if (m_notFinite > 0)
             m_writer.warn(AssemblyOddity::NotFinite, m_notFinite);
+        if (m_noPoint > 0)
+            m_writer.warn(AssemblyOddity::NoPoint, m_noPoint);
         if (m_noSize > 0)
             m_writer.warn(AssemblyOddity::NoSize, m_noSize, m_firstWithoutSize);
         if (m_tooDeep > 0)
@@ -131,6 +133,8 @@ private:
             for (unsigned corner = 0; corner < face.mNumIndices; ++corner)
                 if (face.mIndices[corner] < m_points.size())
                     m_corners.push_back(m_points[face.mIndices[corner]]);
+            if (m_corners.size() != face.mNumIndices)
+                ++m_noPoint;
             if (m_corners.size() < 3 || m_corners.size() != face.mNumIndices) // lines and points are no frame
                 continue;
             if (mirrored)
@@ -160,6 +164,7 @@ private:
     std::vector<std::int64_t> m_points;  // scratch
     std::vector<std::int64_t> m_corners; // scratch
     std::uint64_t m_notFinite = 0;
+    std::uint64_t m_noPoint = 0;
     std::uint64_t m_noSize = 0;
     std::uint64_t m_tooDeep = 0;
     std::string m_firstWithoutSize;

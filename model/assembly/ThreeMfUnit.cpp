@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -102,38 +103,76 @@ std::string withoutEntities(std::string_view text)
     return plain;
 }
 
-/// Calls `hear` with the attributes of each element that begins so.
+/// Calls `hear` with the name of each element that begins, and its attributes.
 class ElementFinder {
 public:
-    /// `begin`: "<element".
-    ElementFinder(std::string_view begin, std::function<void(std::string_view attributes)> hear)
-        : m_begin(begin)
-        , m_hear(std::move(hear))
+    using Hear = std::function<void(std::string_view name, std::string_view attributes)>;
+
+    explicit ElementFinder(Hear hear)
+        : m_hear(std::move(hear))
     {}
 
     void take(std::string_view piece)
     {
         m_text += piece;
         std::size_t from = 0;
-        for (std::size_t at = m_text.find(m_begin); at != std::string::npos; at = m_text.find(m_begin, from)) {
+        for (std::size_t at = m_text.find('<'); at != std::string::npos; at = m_text.find('<', from)) {
             const std::size_t end = m_text.find('>', at);
-            if (end == std::string::npos && m_text.size() - at < longestElement) {
-                m_text.erase(0, at);
+            if (end == std::string::npos) {
+                from = m_text.size() - at < longestElement ? at : m_text.size();
+                m_text.erase(0, from);
                 return;
             }
-            from = std::min(end, at + m_begin.size());
-            if (end != std::string::npos)
-                m_hear(std::string_view(m_text).substr(from, end - from));
+            tell(std::string_view(m_text).substr(at + 1, end - at - 1));
+            from = end + 1;
         }
-        m_text.erase(0, m_text.size() - std::min(m_text.size() - from, m_begin.size()));
+        m_text.clear();
     }
 
 private:
     static constexpr std::size_t longestElement = 1 << 16;
 
-    std::string m_begin;
-    std::function<void(std::string_view)> m_hear;
+    void tell(std::string_view element) const
+    {
+        const std::size_t end = std::min(element.find_first_of(" \t\r\n/"), element.size());
+        m_hear(element.substr(0, end), element.substr(end));
+    }
+
+    Hear m_hear;
     std::string m_text; // that has not been looked at yet
+};
+
+bool isIndex(std::string_view word)
+{
+    std::uint32_t index = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    return error == std::errc() && end == word.data() + word.size();
+}
+
+/// Adds up how often the build places objects and what they consist of.
+class PlacementCounter {
+public:
+    double placed() const { return m_placed; }
+
+    void object(std::string_view id) { m_object = &m_parts.emplace(id, 1).first->second; }
+    void component(std::string_view id)
+    {
+        if (m_object)
+            *m_object += partsOf(id);
+    }
+    void item(std::string_view id) { m_placed += partsOf(id); }
+
+private:
+    /// Objects come before those that consist of them.
+    double partsOf(std::string_view id) const
+    {
+        const auto known = m_parts.find(id);
+        return known == m_parts.end() ? 1 : known->second;
+    }
+
+    std::map<std::string, double, std::less<>> m_parts; // each object and all below it
+    double* m_object = nullptr;                         // that has begun last
+    double m_placed = 0;
 };
 
 } // namespace
@@ -143,7 +182,11 @@ std::optional<double> threeMfUnit(std::string_view bytes)
     constexpr std::pair<std::string_view, double> units[] = {
         {"micron", 1e-3}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}};
     std::optional<double> unit = 1;
-    ElementFinder model("<model", [&](std::string_view attributes) {
+    bool found = false;
+    ElementFinder model([&](std::string_view name, std::string_view attributes) {
+        if (found || name != "model")
+            return;
+        found = true;
         const std::string_view said = valueOf(attributes, "unit");
         if (!said.empty())
             unit.reset();
@@ -151,26 +194,40 @@ std::optional<double> threeMfUnit(std::string_view bytes)
             if (said == word)
                 unit = millimetres;
     });
-    unpackModel(bytes, [&model](std::string_view piece) {
+    unpackModel(bytes, [&](std::string_view piece) {
         model.take(piece);
-        return false; // it is the first element
+        return !found;
     });
     return unit;
 }
 
-std::map<std::string, std::string, std::less<>> threeMfNames(std::string_view bytes)
+ThreeMfObjects threeMfObjects(std::string_view bytes)
 {
-    std::map<std::string, std::string, std::less<>> names;
-    ElementFinder objects("<object", [&](std::string_view attributes) {
-        const std::string_view id = valueOf(attributes, "id"), name = valueOf(attributes, "name");
-        if (!id.empty() && !name.empty() && names.size() < mostAssemblyParts)
-            names.emplace(id, withoutEntities(name.substr(0, longestPartName)));
+    ThreeMfObjects objects;
+    PlacementCounter places;
+    ElementFinder elements([&](std::string_view name, std::string_view attributes) {
+        if (name == "vertex") {
+            objects.hasDecimalCommas |= attributes.find(',') != std::string_view::npos;
+        } else if (name == "triangle") {
+            for (const std::string_view corner : {"v1", "v2", "v3"})
+                objects.hasWrongIndices |= !isIndex(valueOf(attributes, corner));
+        } else if (name == "object") {
+            const std::string_view id = valueOf(attributes, "id"), given = valueOf(attributes, "name");
+            places.object(id);
+            if (!id.empty() && !given.empty() && objects.names.size() < mostAssemblyParts)
+                objects.names.emplace(id, withoutEntities(given.substr(0, longestPartName)));
+        } else if (name == "component") {
+            places.component(valueOf(attributes, "objectid"));
+        } else if (name == "item") {
+            places.item(valueOf(attributes, "objectid"));
+        }
     });
-    unpackModel(bytes, [&objects](std::string_view piece) {
-        objects.take(piece);
-        return true;
+    unpackModel(bytes, [&](std::string_view piece) {
+        elements.take(piece);
+        return places.placed() <= static_cast<double>(mostAssemblyParts);
     });
-    return names;
+    objects.placed = places.placed();
+    return objects;
 }
 
 } // namespace bolster

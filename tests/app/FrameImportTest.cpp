@@ -141,6 +141,36 @@ TEST(FileImport, KeepsThePlacementOfAReplacedFrame)
     EXPECT_EQ(dialog.placement().scale, 1000);
 }
 
+/// One of inches is replaced by one of millimetres.
+TEST(FileImport, AReplacedFrameOfAnotherUnitKeepsItsSize)
+{
+    Placement before;
+    before.scale = 25.4;
+    before.position = {1, 2, 3};
+    FileImportDialog dialog(QStringLiteral("seat.obj"), box(127, 64, 35), before, {1.0, UpAxis::Z});
+    dialog.replaces(127);
+    EXPECT_EQ(dialog.placement().scale, 1);
+    EXPECT_EQ(dialog.placement().position, before.position);
+
+    FileImportDialog silent(QStringLiteral("seat.obj"), box(127, 64, 35), before);
+    silent.replaces(127);
+    EXPECT_EQ(silent.placement(), before) << "nobody says a unit";
+    const auto labels = silent.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->text().startsWith("It was 127 mm large and becomes 3226 mm");
+    }));
+}
+
+TEST(FileImport, TellsWhatIsOddAboutAFile)
+{
+    FileImportDialog dialog(QStringLiteral("seat.obj"), box(127, 64, 35));
+    dialog.warn(QStringLiteral("2 points are left out."));
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->text() == "2 points are left out." && !label->isHidden();
+    }));
+}
+
 TEST(FileImport, SaysThatAScanWasThinnedOutAndHowMuch)
 {
     auto cloud = std::make_shared<PointCloud>();

@@ -118,6 +118,33 @@ TEST_F(AssemblyHostileTest, DeepTreesAndLoopsEndInAMessage)
             .assembly);
 }
 
+/// Beside the four of its body.
+TEST_F(AssemblyHostileTest, TrianglesOfPointsThatAreNotThereAreTold)
+{
+    const ImportedAssembly imported =
+        importAssembly(QString::fromStdString(test::dataFolder() + "/frames/wrong-index.3mf"));
+    ASSERT_TRUE(imported.assembly) << imported.problem.english();
+    ASSERT_EQ(imported.warnings.size(), 1U);
+    EXPECT_EQ(imported.warnings[0].english(),
+              "wrong-index.3mf: 2 triangles are left out: they name points that are not in the file");
+}
+
+/// Then it is not said that there are no faces.
+TEST_F(AssemblyHostileTest, WhatIsLeftOutIsToldWhereNothingElseIsThere)
+{
+    GltfScene scene;
+    scene.nodes = R"([{"name": "Flat", "mesh": 0, "scale": [1, 0, 1]}])";
+    expectProblem(importAssembly(write("flat.glb", glbBytes(scene))),
+                  "flat.glb: parts are left out that are scaled to nothing: 1, the first is \"Flat\"");
+    std::string nodes;
+    for (int i = 0; i < 1100; ++i)
+        nodes += "<node>";
+    nodes += R"(<instance_geometry url="#g"/>)";
+    for (int i = 0; i < 1100; ++i)
+        nodes += "</node>";
+    expectProblem(importAssembly(write("deep.dae", colladaText("", "", nodes, {}))), "too deep in the tree");
+}
+
 /// A chair that is a part of itself.
 TEST_F(AssemblyHostileTest, AssembliesInThemselvesEnd)
 {
@@ -167,7 +194,7 @@ TEST_F(AssemblyHostileTest, PartsThatMultiplyAreTooMany)
     AssemblyReaders readers;
     readers.limits.memory = 1'000'000'000;
     readers.limits.processor = std::chrono::seconds(20);
-    expectProblem(importAssembly(file, {}, {}, readers), "many.dae");
+    expectProblem(importAssembly(file, {}, {}, readers), "many.dae\" needs too much memory: it has too many parts");
 }
 
 TEST_F(AssemblyHostileTest, MemoryIsLimited)

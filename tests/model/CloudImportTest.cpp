@@ -30,6 +30,16 @@ protected:
 
 const std::vector<Vec3> expected = {{1, 2, 3}, {-4, 0.5, 6}};
 
+TEST_F(CloudImportTest, PointsWithoutAPlaceAreCounted)
+{
+    const ImportedCloud cloud = importCloud(write("a.xyz", "1 2 3\nnan nan nan\n-4 0.5 6\n1 inf 3\n"));
+    EXPECT_EQ(cloud.warning.english(),
+              "a.xyz: 2 points are left out: they have no place, as where a scanner saw nothing");
+    EXPECT_EQ(importCloud(write("c.xyz", "nan nan nan\n")).problem.english(),
+              "c.xyz: none of its 1 points has a place");
+    EXPECT_TRUE(importCloud(write("b.xyz", "1 2 3\n-4 0.5 6\n")).warning.empty());
+}
+
 TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
 {
     EXPECT_EQ(import("a.xyz", "# scanner\n1 2 3\n\n-4\t0.5 6e0 255 0 0 # red\n"), expected);
@@ -37,6 +47,9 @@ TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
     EXPECT_EQ(import("a.xyz", "1 2 3\nnan nan nan\n-4 0.5 6"), expected) << "what is not finite is left out";
     expectRefused("a.xyz", "1 2 3\n4 5\n", "a.xyz:2: a number is missing");
     expectRefused("a.xyz", "1 2 x\n", "a.xyz:1: \"x\" is not a number");
+    expectRefused("a.xyz", "1 2 0,5\n", "a.xyz:1: \"0,5\" has a decimal comma; export with decimal points");
+    expectRefused("a.xyz", std::string_view("\xFF\xFE" "1\0 \0" "2\0", 8), "a.xyz is text in UTF-16");
+    expectRefused("a.off", "", "a.off: the file does not begin with OFF");
     expectRefused("a.xyz", "# nothing\n", "no points");
     expectRefused("a.xyz", "1 2 3e8\n", "beyond 10,000,000");
     expectRefused("a.abc", "1 2 3\n", "PCD, OBJ, STL, OFF");

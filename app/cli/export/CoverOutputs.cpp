@@ -28,14 +28,25 @@ bool endsWith(const QString& path, const char* ending)
     return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
 }
 
+/// A name with another ending would not be read as what it is. Without any it may be a device or a pipe.
+void requireEnding(const std::string& option, const QString& path)
+{
+    const std::string ending = "." + option.substr(2);
+    if (!QFileInfo(path).suffix().isEmpty() && !endsWith(path, ending.c_str()) &&
+        !(option == "--html" && endsWith(path, ".htm")) && !(option == "--step" && endsWith(path, ".stp")))
+        throw UsageError(option + " must end in " + ending + ", and \"" + path.toStdString() + "\" does not");
+}
+
 CoverFormat formatOf(const std::string& option, const QString& path)
 {
     static const std::map<std::string, CoverFormat> formats = {
         {"--glb", CoverFormat::Glb},   {"--usdz", CoverFormat::Usdz}, {"--obj", CoverFormat::Obj},
         {"--html", CoverFormat::Page}, {"--stl", CoverFormat::Stl},   {"--3mf", CoverFormat::ThreeMf},
         {"--step", CoverFormat::Step}};
-    if (const auto found = formats.find(option); found != formats.end())
+    if (const auto found = formats.find(option); found != formats.end()) {
+        requireEnding(option, path);
         return found->second;
+    }
     if (endsWith(path, ".stl"))
         return CoverFormat::FoamStl;
     if (endsWith(path, ".3mf"))
@@ -100,7 +111,8 @@ void CoverOutputs::protectInputs(const QString& designPath, const Design& design
     m_files.protectInputs(designPath, design);
 }
 
-int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt) const
+int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt,
+                        const std::function<bool()>& writeOthers) const
 {
     const SolveResult solved = solveOpened(opened, {}, interrupt.token());
     printNewFindings(solved, opened.problems);
@@ -119,7 +131,7 @@ int CoverOutputs::write(const QString& designPath, const OpenedDesign& opened, I
         printError("error: interrupted");
         return otherFailure;
     }
-    bool written = true;
+    bool written = writeOthers();
     for (std::size_t w = 0; w < m_wanted.size(); ++w) {
         const CoverFile& file = made[w];
         written &= m_files.write(m_wanted[w].option, [&](const QString& path) {

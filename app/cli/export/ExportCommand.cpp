@@ -310,7 +310,7 @@ int exportPattern(std::span<const std::string> words)
     if (!covers.canBeWritten() || !writable)
         return otherFailure;
     if (files.empty())
-        return covers.write(path, opened, interrupt);
+        return covers.write(path, opened, interrupt, [] { return true; });
     const std::optional<Design> design = exportedDesign(opened, order.lenient);
     if (!design)
         return badInput;
@@ -333,13 +333,18 @@ int exportPattern(std::span<const std::string> words)
     if (files.has("--sheet"))
         bytes.makeSewingSheet(*design, options,
                               coverPictures(path, opened, *design, order.lenient, interrupt.token()));
+    const auto write = [&] {
+        const bool written = bytes.write();
+        if (written)
+            printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
+        return written;
+    };
+    if (!covers.empty())
+        return covers.write(path, opened, interrupt, write);
     interrupt.beginWriting();
     if (interrupt.token().stop_requested())
         return interrupted();
-    if (!bytes.write())
-        return otherFailure;
-    printResult(counted(static_cast<std::int64_t>(pattern.pieces.size()), "piece"));
-    return covers.empty() ? done : covers.write(path, opened, interrupt);
+    return write() ? done : otherFailure;
 }
 
 } // namespace bolster::cli

@@ -57,11 +57,10 @@ void Interrupt::watch(const std::stop_token& end)
 
 void Interrupt::endUnlessBack(const std::stop_token& end)
 {
-    constexpr int rounds = 10;
-    for (int round = 0; !end.stop_requested(); ++round) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    while (!end.stop_requested()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
         const std::scoped_lock lock(m_mutex); // so that nobody begins to write meanwhile
-        if (round >= rounds && !end.stop_requested() && mayEnd())
+        if (!end.stop_requested() && mayEnd())
             endHere();
     }
 }

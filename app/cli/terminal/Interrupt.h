@@ -11,9 +11,9 @@ namespace bolster::cli {
 
 /// From construction on, SIGINT, SIGTERM and SIGHUP stop the token instead of the program; a second one ends the
 /// program. Those that are ignored (nohup) stay so.
-/// Who does not come back within half a second is in the middle of something long that nobody needs to end in
-/// order, or writes to a pipe that nobody reads: then the program ends here, and what it has not finished is
-/// removed. Make it before any other thread is started: they inherit that the signals are not theirs.
+/// Who does not come back within 10 ms is in the middle of something long that nobody needs to end in order, or
+/// writes to a pipe that nobody reads: then the program ends here, and what it has not finished is removed. Make it
+/// before any other thread is started: they inherit that the signals are not theirs.
 class Interrupt {
 public:
     Interrupt();

@@ -83,6 +83,13 @@ Message assemblyRefusal(AssemblyVerdict verdict, const std::string& text, const 
                                   "\"%1\" needs the file \"%2\" in its own folder; copy it there, or export "
                                   "as GLB, which is one file"),
                 {file, text}};
+    case AssemblyVerdict::TooMuchMemory:
+        return {QT_TRANSLATE_NOOP("Message",
+                                  "\"%1\" needs too much memory: it has too many parts, or places them too often; "
+                                  "export those that the cover touches"),
+                {file}};
+    case AssemblyVerdict::DecimalCommas:
+        return {QT_TRANSLATE_NOOP("Message", "\"%1\" has decimal commas; export it with decimal points"), {file}};
     case AssemblyVerdict::Damaged:
     case AssemblyVerdict::Read:
         break;
@@ -109,6 +116,10 @@ Message oddityMessage(const AssemblyWarning& warning, const std::string& file)
                 {file, count}};
     case AssemblyOddity::TooDeep:
         return {QT_TRANSLATE_NOOP("Message", "%1: %2 parts are left out that lie too deep in the tree"),
+                {file, count}};
+    case AssemblyOddity::NoPoint:
+        return {QT_TRANSLATE_NOOP("Message",
+                                  "%1: %2 triangles are left out: they name points that are not in the file"),
                 {file, count}};
     case AssemblyOddity::FileElsewhere:
     case AssemblyOddity::FileBeside:
@@ -149,8 +160,17 @@ HelperOrder helperOrder(const AssemblyFormat& format, const AssemblyOrder& order
     return helper;
 }
 
+/// Faces that are there, as opposed to files.
+bool leavesOut(const AssemblyWarning& warning)
+{
+    return warning.oddity != AssemblyOddity::FileBeside && warning.oddity != AssemblyOddity::FileElsewhere;
+}
+
 ImportedAssembly assemblyOutcome(AssemblyStream& stream, const std::string& name)
 {
+    if (stream.verdict() == AssemblyVerdict::NoFaces)
+        if (const auto why = std::ranges::find_if(stream.warnings(), leavesOut); why != stream.warnings().end())
+            return {nullptr, oddityMessage({why->oddity, why->count, cleanName(why->text)}, name)};
     if (stream.verdict() != AssemblyVerdict::Read)
         return {nullptr, assemblyRefusal(stream.verdict(), cleanName(stream.text()), name)};
     ImportedAssembly imported;

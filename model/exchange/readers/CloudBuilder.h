@@ -15,7 +15,8 @@ inline constexpr std::size_t mostCloudPoints = 5'000'000;         ///< that are 
 class CloudBuilder {
 public:
     explicit CloudBuilder(const FileBytes& bytes)
-        : m_thinner(mostCloudPoints, bytes.watch())
+        : m_watch(bytes.watch())
+        , m_thinner(mostCloudPoints, m_watch)
     {}
 
     /// Makes room for points that a header promises and the file has the bytes for.
@@ -28,8 +29,10 @@ public:
     /// Leaves out what is not finite; refuses what is too large, and more points than the limit.
     void addPoint(const Vec3& point, FilePlace place, std::optional<std::uint32_t> color = {})
     {
-        if (!point.allFinite())
+        if (!point.allFinite()) {
+            ++m_leftOut;
             return;
+        }
         if (!(point.array().abs() <= largestMeshCoordinate).all())
             refuseFile(place, QT_TRANSLATE_NOOP("Message", "%1: the point is not finite, or beyond 10,000,000"));
         requireRoom(m_thinner.count() + 1, place);
@@ -39,12 +42,19 @@ public:
     /// Refuses an empty one.
     PointCloud finish()
     {
+        if (m_thinner.count() == 0 && m_leftOut > 0)
+            refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1: none of its %2 points has a place"),
+                       {std::to_string(m_leftOut)});
         if (m_thinner.count() == 0)
             refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 holds no points"));
         PointCloud cloud = m_thinner.take();
         // Some programs write black for what they do not know; of three numbers behind a point some are normals.
         if (std::ranges::none_of(cloud.colors, [](std::uint32_t color) { return (color & 0xfefefeU) != 0; }))
             cloud.colors = {};
+        if (m_leftOut > 0 && m_watch.warn)
+            m_watch.warn(QT_TRANSLATE_NOOP("Message", "%1: %2 points are left out: they have no place, as where a "
+                                                      "scanner saw nothing"),
+                         std::to_string(m_leftOut));
         return cloud;
     }
 
@@ -56,7 +66,9 @@ private:
                        {std::to_string(largestCloudCount)});
     }
 
+    const ImportWatch& m_watch;
     CloudThinner m_thinner;
+    std::uint64_t m_leftOut = 0;
 };
 
 } // namespace bolster

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <stop_token>
+#include <string>
 
 namespace bolster {
 
@@ -13,8 +14,9 @@ struct ImportWatch {
     std::stop_token stop{};
     /// Called on the reading thread with how much is done, 0 to 1, every few milliseconds.
     std::function<void(double done)> progress{};
-    /// Called with what is odd of a file that is read nevertheless; in the sentence %1 stands for the file.
-    std::function<void(const char* sentence)> warn{};
+    /// Called with what is odd of a file that is read nevertheless; in the sentence %1 stands for the file and %2,
+    /// if it is there, for the figure.
+    std::function<void(const char* sentence, const std::string& figure)> warn{};
 
     /// Throws ImportStopped.
     void checkStop() const

@@ -17,7 +17,8 @@ void PlyBody::warnOfSurplus() const
     if (m_surplus && m_bytes.watch().warn)
         m_bytes.watch().warn(QT_TRANSLATE_NOOP("Message",
                                                "%1: the rows hold more than the header of the file says; "
-                                               "what is too much in each was left out"));
+                                               "what is too much in each was left out"),
+                             {});
 }
 
 /// A file that is not written line by line may have several rows on one.

@@ -34,6 +34,23 @@ bool parse(std::string_view word, Number& value)
     return error == std::errc() && end == word.data() + word.size();
 }
 
+bool hasDecimalComma(std::string_view word)
+{
+    const std::size_t comma = word.find(',');
+    if (comma == std::string_view::npos)
+        return false;
+    std::string pointed(word);
+    pointed[comma] = '.';
+    double value = 0;
+    return parse(pointed, value);
+}
+
+/// By its byte order mark.
+bool isUtf16(std::string_view text)
+{
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
 } // namespace
 
 std::string excerpt(std::string_view word)
@@ -51,6 +68,8 @@ TextScanner::TextScanner(FileBytes text)
     fetchLines();
     if (std::string_view(m_begin, m_end).starts_with("\xEF\xBB\xBF")) // a byte order mark
         m_at += 3;
+    else if (isUtf16({m_begin, m_end}))
+        refuseFile({}, QT_TRANSLATE_NOOP("Message", "%1 is text in UTF-16, which is not read; save it as UTF-8"));
 }
 
 bool TextScanner::nextLine()
@@ -111,6 +130,10 @@ double TextScanner::number(std::string_view word) const
     double value = 0;
     if (word.empty())
         refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
+    if (!parse(word, value) && hasDecimalComma(word))
+        refuseFile(place(),
+                   QT_TRANSLATE_NOOP("Message", "%1: \"%2\" has a decimal comma; export with decimal points"),
+                   {excerpt(word)});
     if (!parse(word, value))
         refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a number"), {excerpt(word)});
     return value;

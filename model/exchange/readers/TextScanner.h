@@ -32,7 +32,8 @@ public:
     std::uint64_t count() { return count(word()); }
     std::uint64_t count(std::string_view word) const;
 
-    FilePlace place() const { return {FilePlace::Unit::Line, m_line}; }
+    /// The line; before the first one the file as a whole.
+    FilePlace place() const { return {m_line > 0 ? FilePlace::Unit::Line : FilePlace::Unit::File, m_line}; }
     std::uint64_t bytesLeft() const { return m_window.size() - offset(); }
     /// Leaves this line; the byte that follows it.
     std::uint64_t offsetOfNextLine();
