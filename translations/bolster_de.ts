@@ -5532,6 +5532,34 @@
         <source>Change whether the cover fits %1</source>
         <translation>Ändern, ob der Bezug an %1 angepasst wird</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; needs too much memory: it has too many parts, or places them too often; export those that the cover touches</source>
+        <translation>„%1“ braucht zu viel Speicher: Sie hat zu viele Teile oder setzt sie zu oft; exportieren Sie die, die der Bezug berührt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has decimal commas; export it with decimal points</source>
+        <translation>„%1“ hat Dezimalkommas; exportieren Sie sie mit Dezimalpunkten</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles are left out: they name points that are not in the file</source>
+        <translation>%1: %2 Dreiecke fehlen hier: Sie nennen Punkte, die nicht in der Datei stehen</translation>
+    </message>
+    <message>
+        <source>%1: none of its %2 points has a place</source>
+        <translation>%1: Keiner der %2 Punkte hat einen Ort</translation>
+    </message>
+    <message>
+        <source>%1: %2 points are left out: they have no place, as where a scanner saw nothing</source>
+        <translation>%1: %2 Punkte sind weggelassen: Sie haben keinen Ort, wie dort, wo ein Scanner nichts gesehen hat</translation>
+    </message>
+    <message>
+        <source>%1 is text in UTF-16, which is not read; save it as UTF-8</source>
+        <translation>%1 ist Text in UTF-16, der nicht gelesen wird; speichern Sie ihn als UTF-8</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; has a decimal comma; export with decimal points</source>
+        <translation>%1: „%2“ hat ein Dezimalkomma; exportieren Sie mit Dezimalpunkten</translation>
+    </message>
 </context>
 <context>
     <name>NotchForm</name>
@@ -8098,6 +8126,14 @@
     <message>
         <source>Unit and axes are guessed: look at the picture and the size.</source>
         <translation>Einheit und Achsen sind geraten: Sehen Sie auf Bild und Größe.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep position and rotation</source>
+        <translation>Lage und Drehung &amp;behalten</translation>
+    </message>
+    <message>
+        <source>It was %1 mm large and becomes %2 mm: check the unit.</source>
+        <translation>Es war %1 mm groß und wird %2 mm groß: Prüfen Sie die Einheit.</translation>
     </message>
 </context>
 <context>

@@ -362,8 +362,7 @@ double FileImportDialog::largestSize() const
 QString FileImportDialog::oddity(double largest) const
 {
     if (isAnother(largest, m_oldSize))
-        return tr("It was %1 large and becomes %2: check the unit.")
-            .arg(lengthText(m_oldSize, 4), lengthText(largest, 4));
+        return tr("It was %1 mm large and becomes %2 mm: check the unit.").arg(figure(m_oldSize), figure(largest));
     const bool odd = largest < 200 || largest > 1.5 * largestSize();
     return odd && m_oldSize == 0 ? tr("That is unusual for a piece of furniture: check the unit.") : QString();
 }

@@ -39,6 +39,8 @@ protected:
         EXPECT_NE(imported.problem.english().find(why), std::string::npos) << imported.problem.english();
     }
 
+    static QString real(const char* name) { return QString::fromStdString(test::dataFolder() + "/frames/" + name); }
+
     std::string bytesOf(const char* name)
     {
         QFile file(QString::fromStdString(test::dataFolder() + "/frames/" + name));
@@ -121,8 +123,7 @@ TEST_F(AssemblyHostileTest, DeepTreesAndLoopsEndInAMessage)
 /// Beside the four of its body.
 TEST_F(AssemblyHostileTest, TrianglesOfPointsThatAreNotThereAreTold)
 {
-    const ImportedAssembly imported =
-        importAssembly(QString::fromStdString(test::dataFolder() + "/frames/wrong-index.3mf"));
+    const ImportedAssembly imported = importAssembly(real("wrong-index.3mf"));
     ASSERT_TRUE(imported.assembly) << imported.problem.english();
     ASSERT_EQ(imported.warnings.size(), 1U);
     EXPECT_EQ(imported.warnings[0].english(),
@@ -143,6 +144,41 @@ TEST_F(AssemblyHostileTest, WhatIsLeftOutIsToldWhereNothingElseIsThere)
     for (int i = 0; i < 1100; ++i)
         nodes += "</node>";
     expectProblem(importAssembly(write("deep.dae", colladaText("", "", nodes, {}))), "too deep in the tree");
+}
+
+/// The files are those of tests/data/frames, with another model in them.
+TEST_F(AssemblyHostileTest, ThreeMfThatWouldBeReadAsSomethingElseIsRefused)
+{
+    expectProblem(importAssembly(real("decimal-commas.3mf")), "has decimal commas; export it with decimal points");
+    expectProblem(importAssembly(real("index-beyond.3mf")), "damaged or incomplete");
+    expectProblem(importAssembly(real("placed-often.3mf")), "has more than 100000 parts");
+}
+
+TEST_F(AssemblyHostileTest, ThreeMfOfOrdinarySizeIsRead)
+{
+    const ImportedAssembly imported = importAssembly(real("cube_and_sphere_same_name.3mf"));
+    ASSERT_TRUE(imported.assembly) << imported.problem.english();
+    EXPECT_TRUE(imported.warnings.empty());
+}
+
+/// The library would make room for 2 GB.
+TEST_F(AssemblyHostileTest, AGlbThatPromisesMoreThanItHoldsIsRefused)
+{
+    std::string bytes = glbBytes({});
+    for (std::size_t i = 12; i < 16; ++i)
+        bytes[i] = i == 15 ? '\x7f' : '\xff';
+    AssemblyReaders readers;
+    readers.limits.memory = 400'000'000;
+    expectProblem(importAssembly(write("promises.glb", bytes), {}, {}, readers), "damaged or incomplete");
+}
+
+TEST_F(AssemblyHostileTest, AColladaUnitOfNothingSaysNothing)
+{
+    const ImportedAssembly imported =
+        importAssembly(write("unit.dae", colladaText("<unit meter=\"0\"/>", "<up_axis>Z_UP</up_axis>")));
+    ASSERT_TRUE(imported.assembly) << imported.problem.english();
+    EXPECT_FALSE(imported.assembly->said.millimetresPerUnit);
+    EXPECT_FALSE(imported.assembly->said.up);
 }
 
 /// A chair that is a part of itself.

@@ -250,6 +250,18 @@ TEST_F(CommandLine, SolvesAndWritesEverything)
     EXPECT_DOUBLE_EQ(numbers["rest_area_mm2"], 300 * 360.0);
 }
 
+TEST_F(CommandLine, AScanThatIsNowhereNearHasNoFigures)
+{
+    write("room.xyz", "90000 0 0\n90000 10 0\n90000 0 10\n");
+    const Json scanned = with(hammock(), {{"id", 40}, {"kind", "scan"}, {"name", "Room"}, {"file", "room.xyz"}});
+    const ProgramRun run = runProgram({"solve", design("far.json", scanned), "--report", path("report.json")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "scan \"Room\": no point of it is near the cover")) << run.out;
+    const Json scan = report()["scans"][0];
+    EXPECT_EQ(scan["coverage"], 0.0);
+    EXPECT_TRUE(scan["deviation_mm"]["rms"].is_null());
+}
+
 TEST_F(CommandLine, ReportsExactlyTheDocumentedKeys)
 {
     const auto expectKeys = [&] {

@@ -453,6 +453,24 @@ TEST_F(Export, InterruptedLeavesNothing)
     EXPECT_EQ(QDir(path(".")).entryList(QDir::Files | QDir::Hidden), QStringList{"panels.json"});
 }
 
+/// The pattern is ready long before the cover.
+TEST_F(Export, InterruptedWhileTheCoverIsSolvedLeavesNoPattern)
+{
+    Json large = huge();
+    large["settings"]["edge_length"] = 3;
+    write(QStringLiteral("panels.json"), large.dump());
+    QProcess process;
+    process.setProcessEnvironment(bareEnvironment());
+    process.start(QString::fromStdString(test::program()),
+                  {"export", m_design, "--svg", path("p.svg"), "--stl", path("c.stl")});
+    if (!process.waitForFinished(3000)) {
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        ASSERT_TRUE(process.waitForFinished(60000));
+        EXPECT_EQ(process.exitCode(), 1);
+        EXPECT_EQ(QDir(path(".")).entryList(QDir::Files | QDir::Hidden), QStringList{"panels.json"});
+    }
+}
+
 TEST_F(Export, WritesToAPipeAloneWhatWasAskedFor)
 {
     const QString command = QStringLiteral("\"%1\" export \"%2\" --svg /dev/stdout | cat > \"%3\"")

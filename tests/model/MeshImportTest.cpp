@@ -117,7 +117,7 @@ TEST_F(MeshImportTest, RefusesBrokenObjWithTheLine)
 {
     expectRefused("a.obj", "v 0 0\n", "a.obj:1: a number is missing");
     expectRefused("a.obj", "v 0 0 0\n\nv 0 x 0\n", "a.obj:3: \"x\" is not a number");
-    expectRefused("a.obj", "v 0 0 0,5\n", "\"0,5\" is not a number");
+    expectRefused("a.obj", "v 0 0 0,5\n", "\"0,5\" has a decimal comma");
     expectRefused("a.obj", "v nan 0 0\n", "a.obj:1: the point is not finite");
     expectRefused("a.obj", "v 0 inf 0\n", "not finite");
     expectRefused("a.obj", "v 0 0 1e999\n", "a.obj:1");

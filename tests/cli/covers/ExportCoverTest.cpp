@@ -90,6 +90,16 @@ const Json* material(const Json& read, const std::string& name)
     return nullptr;
 }
 
+/// Nothing would read it by that name.
+TEST_F(ExportCover, RefusesOtherEndings)
+{
+    const ProgramRun exported = run({"--glb", path("c.gltf")});
+    EXPECT_EQ(exported.exitCode, 2);
+    EXPECT_NE(exported.err.find("--glb must end in .glb"), std::string::npos) << exported.err;
+    EXPECT_EQ(run({"--stl", path("c.obj")}).exitCode, 2);
+    EXPECT_FALSE(QFile::exists(path("c.gltf")));
+}
+
 TEST_F(ExportCover, WritesGltfThatKeepsToTheSpecification)
 {
     const ProgramRun exported = run({"--glb", path("c.glb")});
