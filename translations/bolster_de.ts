@@ -5541,6 +5541,10 @@
         <translation>„%1“ hat Dezimalkommas; exportieren Sie sie mit Dezimalpunkten</translation>
     </message>
     <message>
+        <source>%1: triangles are left out that name points which are not in the file</source>
+        <translation>%1: Dreiecke sind weggelassen, die Punkte nennen, die nicht in der Datei stehen</translation>
+    </message>
+    <message>
         <source>%1: %2 triangles are left out: they name points that are not in the file</source>
         <translation>%1: %2 Dreiecke fehlen hier: Sie nennen Punkte, die nicht in der Datei stehen</translation>
     </message>

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace bolster::cli {
@@ -218,7 +219,7 @@ int convert(std::span<const std::string> words)
     const std::vector<QString> files = convertFiles(arguments);
     const FileFacts asked = askedFor(arguments);
     const AssemblyOrder order{arguments.number("--tolerance", usualTolerance, finestTolerance, coarsest), false};
-    Interrupt interrupt;
+    Interrupt interrupt(std::chrono::milliseconds(10)); // nothing is to be tidied up before it writes
     ImportedAssembly imported = readParts(files[0], order, interrupt.token());
     if (!imported.assembly) {
         printError("error: " + (imported.problem.empty() ? "interrupted" : imported.problem.english()));

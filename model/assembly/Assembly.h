@@ -84,7 +84,7 @@ enum class AssemblyOddity : std::uint32_t {
     TooDeep,       ///< parts deeper than the tree may be, left out
     FileElsewhere, ///< a file that it refers to and that is not read; the text names it
     FileBeside,    ///< a file of its own folder that was read with it; the text names it
-    NoPoint,       ///< triangles left out that name points which are not there; how many
+    NoPoint,       ///< triangles left out that name points which are not there; how many, 0: unknown
 };
 
 struct AssemblyWarning {

@@ -5,7 +5,9 @@
 #include "ThreeMfUnit.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/ProgressHandler.hpp>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -33,6 +35,27 @@ public:
 
 private:
     AssemblyWriter& m_writer;
+};
+
+/// Hears whether the library has left faces out, which it tells nobody else.
+class DroppedFaces : public Assimp::LogStream {
+public:
+    /// For as long as the program runs: the logger keeps it.
+    static const DroppedFaces& listening()
+    {
+        auto* const stream = new DroppedFaces;
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0)->attachStream(stream, Assimp::Logger::Warn);
+        return *stream;
+    }
+
+    void write(const char* message) override
+    {
+        m_some = m_some || std::string_view(message).find("out-of-range indices") != std::string_view::npos;
+    }
+    bool some() const { return m_some; }
+
+private:
+    bool m_some = false;
 };
 
 /// None but those for this ending: by its first bytes a file could choose any of fifty.
@@ -161,6 +184,7 @@ void readScene(std::string_view bytes, const SceneOrder& order, AssemblyWriter& 
     auto& importer = *new Assimp::Importer;
     importer.SetIOHandler(files);
     importer.SetProgressHandler(new ReadingProgress(writer));
+    const DroppedFaces& dropped = DroppedFaces::listening();
     keepReadersOf(order.ending, importer);
     choose(importer);
     const bool read = importer.ReadFile(name, 0) != nullptr;
@@ -171,6 +195,8 @@ void readScene(std::string_view bytes, const SceneOrder& order, AssemblyWriter& 
     aiScene& scene = *importer.GetOrphanedScene();
     if (!scene.mRootNode)
         throw AssemblyRefused{};
+    if (dropped.some())
+        writer.warn(AssemblyOddity::NoPoint, 0);
     if (!files->beside().empty())
         writer.warn(AssemblyOddity::FileBeside, 1, files->beside());
     writer.facts(factsOf(bytes, order.ending, scene));

@@ -130,6 +130,18 @@ TEST_F(AssemblyHostileTest, TrianglesOfPointsThatAreNotThereAreTold)
               "wrong-index.3mf: 2 triangles are left out: they name points that are not in the file");
 }
 
+TEST_F(AssemblyHostileTest, TrianglesThatTheLibraryLeavesOutAreTold)
+{
+    std::string bytes = glbBytes({});
+    const std::size_t corner = bytes.size() - 2; // of the last triangle
+    bytes[corner] = '\x40';
+    const ImportedAssembly imported = importAssembly(write("beyond.glb", bytes));
+    ASSERT_TRUE(imported.assembly) << imported.problem.english();
+    ASSERT_EQ(imported.warnings.size(), 1U);
+    EXPECT_EQ(imported.warnings[0].english(),
+              "beyond.glb: triangles are left out that name points which are not in the file");
+}
+
 /// Then it is not said that there are no faces.
 TEST_F(AssemblyHostileTest, WhatIsLeftOutIsToldWhereNothingElseIsThere)
 {

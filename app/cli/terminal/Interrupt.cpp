@@ -14,7 +14,8 @@
 
 namespace bolster::cli {
 
-Interrupt::Interrupt()
+Interrupt::Interrupt(std::chrono::milliseconds patience)
+    : m_patience(patience)
 {
     sigemptyset(&m_signals);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
@@ -57,10 +58,11 @@ void Interrupt::watch(const std::stop_token& end)
 
 void Interrupt::endUnlessBack(const std::stop_token& end)
 {
+    const auto since = std::chrono::steady_clock::now();
     while (!end.stop_requested()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         const std::scoped_lock lock(m_mutex); // so that nobody begins to write meanwhile
-        if (!end.stop_requested() && mayEnd())
+        if (std::chrono::steady_clock::now() - since >= m_patience && !end.stop_requested() && mayEnd())
             endHere();
     }
 }

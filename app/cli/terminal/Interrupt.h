@@ -1,6 +1,7 @@
 // Ctrl+C as a stop token.
 #pragma once
 
+#include <chrono>
 #include <csignal>
 #include <functional>
 #include <mutex>
@@ -11,12 +12,13 @@ namespace bolster::cli {
 
 /// From construction on, SIGINT, SIGTERM and SIGHUP stop the token instead of the program; a second one ends the
 /// program. Those that are ignored (nohup) stay so.
-/// Who does not come back within 10 ms is in the middle of something long that nobody needs to end in order, or
-/// writes to a pipe that nobody reads: then the program ends here, and what it has not finished is removed. Make it
-/// before any other thread is started: they inherit that the signals are not theirs.
+/// Who does not come back within `patience` is in the middle of something long that nobody needs to end in order,
+/// or writes to a pipe that nobody reads: then the program ends here, and what it has not finished is removed. Make
+/// it before any other thread is started: they inherit that the signals are not theirs.
 class Interrupt {
 public:
-    Interrupt();
+    /// `patience`: time for tidying up. Who opens a project has unpacked it somewhere.
+    explicit Interrupt(std::chrono::milliseconds patience = std::chrono::milliseconds(500));
     ~Interrupt();
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
@@ -33,6 +35,7 @@ private:
     bool mayEnd();
     [[noreturn]] void endHere();
 
+    std::chrono::milliseconds m_patience;
     sigset_t m_signals;
     sigset_t m_before;
     std::stop_source m_source;

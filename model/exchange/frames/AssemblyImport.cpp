@@ -118,6 +118,10 @@ Message oddityMessage(const AssemblyWarning& warning, const std::string& file)
         return {QT_TRANSLATE_NOOP("Message", "%1: %2 parts are left out that lie too deep in the tree"),
                 {file, count}};
     case AssemblyOddity::NoPoint:
+        if (warning.count == 0)
+            return {QT_TRANSLATE_NOOP("Message",
+                                      "%1: triangles are left out that name points which are not in the file"),
+                    {file}};
         return {QT_TRANSLATE_NOOP("Message",
                                   "%1: %2 triangles are left out: they name points that are not in the file"),
                 {file, count}};
