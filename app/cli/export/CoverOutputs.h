@@ -22,8 +22,8 @@ public:
     bool empty() const { return m_wanted.empty(); }
     void protectInputs(const QString& designPath, const Design& design) const;
     bool canBeWritten() const { return m_files.canBeWritten(); }
-    /// Solves, and writes all that is wanted, with a line about each. `writeOthers` comes first, when everything has
-    /// been made, and returns whether it was done. Returns the exit code.
+    /// Solves, and writes all that is wanted, with a line about each. `writeOthers` comes first, when everything
+    /// has been made, and returns whether it was done. Returns the exit code.
     int write(const QString& designPath, const OpenedDesign& opened, Interrupt& interrupt,
               const std::function<bool()>& writeOthers) const;
 
