@@ -130,13 +130,13 @@ double TextScanner::number(std::string_view word) const
     double value = 0;
     if (word.empty())
         refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: a number is missing"));
-    if (!parse(word, value) && hasDecimalComma(word))
+    if (parse(word, value))
+        return value;
+    if (hasDecimalComma(word))
         refuseFile(place(),
                    QT_TRANSLATE_NOOP("Message", "%1: \"%2\" has a decimal comma; export with decimal points"),
                    {excerpt(word)});
-    if (!parse(word, value))
-        refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a number"), {excerpt(word)});
-    return value;
+    refuseFile(place(), QT_TRANSLATE_NOOP("Message", "%1: \"%2\" is not a number"), {excerpt(word)});
 }
 
 std::int64_t TextScanner::integer(std::string_view word) const
