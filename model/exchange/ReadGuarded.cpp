@@ -27,7 +27,8 @@ std::string placeText(const std::string& file, const FilePlace& place)
 
 ImportWatch warning(ImportWatch watch, const QString& path, Message& odd)
 {
-    watch.warn = [name = QFileInfo(path).fileName().toStdString(), &odd](const char* sentence, const std::string& figure) {
+    watch.warn = [name = QFileInfo(path).fileName().toStdString(), &odd](const char* sentence,
+                                                                         const std::string& figure) {
         odd = {sentence, {name}};
         if (!figure.empty())
             odd.args.push_back(figure);

@@ -48,7 +48,12 @@ TEST_F(CloudImportTest, ReadsXyzWithCommentsColoursAndCounts)
     expectRefused("a.xyz", "1 2 3\n4 5\n", "a.xyz:2: a number is missing");
     expectRefused("a.xyz", "1 2 x\n", "a.xyz:1: \"x\" is not a number");
     expectRefused("a.xyz", "1 2 0,5\n", "a.xyz:1: \"0,5\" has a decimal comma; export with decimal points");
-    expectRefused("a.xyz", std::string_view("\xFF\xFE" "1\0 \0" "2\0", 8), "a.xyz is text in UTF-16");
+    expectRefused("a.xyz",
+                  std::string_view("\xFF\xFE"
+                                   "1\0 \0"
+                                   "2\0",
+                                   8),
+                  "a.xyz is text in UTF-16");
     expectRefused("a.off", "", "a.off: the file does not begin with OFF");
     expectRefused("a.xyz", "# nothing\n", "no points");
     expectRefused("a.xyz", "1 2 3e8\n", "beyond 10,000,000");
