@@ -340,7 +340,7 @@ TEST_F(AnyWork, IsInTheFileOrUnderUnsavedWorkOrWasGivenUpByName)
     saveAs(path);
     const QMessageBox::StandardButton answers[] = {QMessageBox::Save, QMessageBox::Discard,
                                                    QMessageBox::YesToAll /* keep for later */};
-    for (int round = 0; round < 24; ++round) {
+    for (int round = 0; round < 12; ++round) {
         SCOPED_TRACE(round);
         work(pick(3) == 0 ? 2 : 25);
         if (pick(4) == 0)

@@ -335,7 +335,7 @@ protected:
         return found.problem.empty() ? found.history.count() : 0;
     }
 
-    static constexpr int edits = 300; // more than one page: the log does not hold them all
+    static constexpr int edits = 120; // more than one page: the log does not hold them all
     QString path;
     QString journal;
     Design saved;

@@ -122,19 +122,20 @@ std::vector<std::pair<Vec3, QPointF>> farPlaces(const CoverView& view, const Sur
                                                 const PointCloud& cloud, const Placement& placement)
 {
     const Camera& camera = view.navigation().camera();
+    const auto scanned = [&](const Vec3& at) {
+        return std::ranges::any_of(cloud.points, [&, file = placement.filePoint(at)](const Vec3& point) {
+            return placement.scale * (point - file).norm() < 8;
+        });
+    };
     std::vector<std::pair<Vec3, QPointF>> seen;
-    for (std::size_t v = 0; v < surface.positions.size(); v += 11) {
+    for (std::size_t v = 0; v < surface.positions.size(); v += 47) {
         const Vec3& at = surface.positions[v];
         const std::optional<Vec2> pixel = camera.pixel(at);
         if (!pixel || !QRectF(view.rect()).adjusted(90, 90, -90, -90).contains({pixel->x(), pixel->y()}))
             continue;
         const QPointF there(pixel->x(), pixel->y());
         const CoverHit hit = view.hit(there);
-        const bool scanned =
-            std::ranges::any_of(cloud.points, [&, file = placement.filePoint(at)](const Vec3& point) {
-                return placement.scale * (point - file).norm() < 8;
-            });
-        if (scanned && hit && (hit.position - at).norm() < 5)
+        if (hit && (hit.position - at).norm() < 5 && scanned(at))
             seen.emplace_back(at, there);
     }
     if (seen.size() < 3)

@@ -2,10 +2,32 @@
 #include "ProgramThatDies.h"
 #include "WatchedApplication.h"
 
-#include <QStandardPaths>
+#include <QDir>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
+
+namespace {
+
+/// Each test begins as at the first start: what one before has left in the settings or among unsaved work is gone.
+class FirstStart : public testing::EmptyTestEventListener {
+public:
+    explicit FirstStart(const QTemporaryDir& home)
+        : m_home(home)
+    {}
+    void OnTestStart(const testing::TestInfo&) override
+    {
+        QSettings().clear();
+        for (const char* const place : {"config", "data"})
+            QDir(m_home.filePath(place)).removeRecursively();
+    }
+
+private:
+    const QTemporaryDir& m_home;
+};
+
+} // namespace
 
 int main(int argc, char* argv[])
 {
@@ -24,5 +46,8 @@ int main(int argc, char* argv[])
     bolster::WatchedApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("BolsterTests"));
     QCoreApplication::setApplicationName(QStringLiteral("Bolster"));
-    return dying.isEmpty() ? RUN_ALL_TESTS() : bolster::ProgramThatDies::workAndDie(dying);
+    if (!dying.isEmpty())
+        return bolster::ProgramThatDies::workAndDie(dying);
+    testing::UnitTest::GetInstance()->listeners().Append(new FirstStart(home)); // which owns it
+    return RUN_ALL_TESTS();
 }

@@ -325,16 +325,17 @@ TEST_F(Export, WritesPagesWhoseSquaresMeasure100Millimetres)
 {
     for (const char* const paper : {"A4", "letter", "roll:400"}) {
         QStringList words{"--pdf", path("p.pdf"), "--paper", paper};
-        if (QLatin1String(paper).startsWith(QLatin1String("roll")))
+        const bool all = QLatin1String(paper) == QLatin1String("A4");
+        if (!all) // images of more than 128 MB, as a roll would be, are not read
             words << "--piece"
-                  << "Sitz links"; // images of more than 128 MB are not read
+                  << "Sitz links";
         ASSERT_EQ(run(words).exitCode, 0);
         for (const QString& old : QDir(path(".")).entryList({"page*.png"}))
             QFile::remove(path(old));
         output("pdftoppm",
                {"-r", "254", "-gray", "-png", path("p.pdf"), path("page")}); // 10 pixels for a millimetre
         const QStringList pages = QDir(path(".")).entryList({"page*.png"}, QDir::Files, QDir::Name);
-        ASSERT_GE(pages.size(), QLatin1String(paper).startsWith(QLatin1String("roll")) ? 1 : 5) << paper;
+        ASSERT_GE(pages.size(), all ? 5 : 1) << paper;
         for (const QString& name : pages) {
             const QImage page(path(name));
             const SquareSearch search(page);

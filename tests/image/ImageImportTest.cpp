@@ -253,7 +253,7 @@ TEST_F(ImageImportTest, SurvivesDamagedFiles)
     for (const char* name : {"a.jpg", "a.png", "a.tif", "a.exr"}) {
         paintGradient(name);
         const std::string whole = read(name);
-        for (int i = 0; i < 8; ++i) {
+        for (int i = 0; i < 3; ++i) { // fuzz_image_stream does this by the thousand
             std::string damaged = whole;
             for (int k = 0; k < 4; ++k)
                 damaged[8 + random() % (damaged.size() - 8)] = static_cast<char>(random());

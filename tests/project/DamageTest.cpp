@@ -66,7 +66,7 @@ TEST_F(DamageTest, FlippedBitsAreNoticedOrChangeNothing)
 {
     std::mt19937 random(1);
     int noticed = 0;
-    const int wanted = rounds("BOLSTER_BIT_FLIPS", 5'000);
+    const int wanted = rounds("BOLSTER_BIT_FLIPS", 2'000);
     QFile file(path("a.bolster"));
     ASSERT_TRUE(file.open(QIODevice::ReadWrite | QIODevice::Unbuffered));
     const auto put = [&](std::size_t place, char byte) {

@@ -69,7 +69,7 @@ private:
 
 TEST(Faults, APowerCutLosesNothingThatWasAcknowledged)
 {
-    const int wanted = rounds("BOLSTER_POWER_CUTS", 1'000);
+    const int wanted = rounds("BOLSTER_POWER_CUTS", 500);
     std::mt19937 random(1);
     for (int done = 0; done < wanted;) {
         FaultDisk disk(name);
@@ -94,7 +94,7 @@ TEST(Faults, APowerCutLosesNothingThatWasAcknowledged)
 /// The disk is that of the journal; the project lies on another one.
 TEST(Faults, APowerCutWhileSavingAmongEditsLosesNothingThatWasAcknowledged)
 {
-    const int wanted = rounds("BOLSTER_POWER_CUTS", 1'000) / 10;
+    const int wanted = rounds("BOLSTER_POWER_CUTS", 500) / 10;
     const QTemporaryDir folder(quickFolder());
     const QString project = folder.filePath("a.bolster");
     std::mt19937 random(3);

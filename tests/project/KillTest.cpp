@@ -135,7 +135,7 @@ protected:
 
 TEST_F(KillTest, NoAcknowledgedEditIsLost)
 {
-    const int wanted = rounds("BOLSTER_KILLS", 100);
+    const int wanted = rounds("BOLSTER_KILLS", 50);
     int edits = 0;
     for (int round = 0; round < wanted; ++round) {
         if (round > 0 && round % 200 == 0)
@@ -155,7 +155,7 @@ TEST_F(KillTest, NoAcknowledgedEditIsLost)
 
 TEST_F(KillTest, WhenSavingIsKilledTheFileIsTheOldOrTheNewOne)
 {
-    const int wanted = rounds("BOLSTER_SAVE_KILLS", 200);
+    const int wanted = rounds("BOLSTER_SAVE_KILLS", 80);
     std::string lastSaved;
     for (int round = 0; round < wanted; ++round) {
         if (round % 200 == 0) {
@@ -186,7 +186,7 @@ TEST_F(KillTest, WhenSavingIsKilledTheFileIsTheOldOrTheNewOne)
 
 TEST_F(KillTest, EditsThatCameWhileSavingAreThere)
 {
-    const int wanted = rounds("BOLSTER_KILLS", 100);
+    const int wanted = rounds("BOLSTER_KILLS", 50);
     for (int round = 0; round < wanted; ++round) {
         Child child([&](const auto& acknowledge) {
             std::thread saver;

@@ -43,7 +43,7 @@ TEST_P(RandomSteps, InMemoryTheHashIsThatOfTheReplay)
     const Design start = smallDesign();
     DesignHash hash;
     int done = 0;
-    const int wanted = rounds("BOLSTER_MEMORY_STEPS", 1'000'000) / parts;
+    const int wanted = rounds("BOLSTER_MEMORY_STEPS", 300'000) / parts;
     for (unsigned seed = firstSeed(); done < wanted; ++seed) {
         Document document;
         document.reset(start);
