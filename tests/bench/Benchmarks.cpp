@@ -5,7 +5,9 @@
 #include "FactoredSystem.h"
 #include "PatternDrag.h"
 #include "ReadBandwidth.h"
+#include "RestingSolve.h"
 #include "Rig.h"
+#include "SampleScene.h"
 #include "Scenes.h"
 #include "SheetMatrices.h"
 #include "SolvePeers.h"
@@ -168,6 +170,21 @@ Benchmark release(std::string name, int vertices)
             }};
 }
 
+/// A sample from nothing to rest, as `bolster solve` does it. Edges in mm, 0: the design's.
+Benchmark cold(std::string name, const std::string& sample, double edge)
+{
+    return {std::move(name), {}, [sample, edge] {
+                const auto input = std::make_shared<SolveInput>(sampleScene(sample, edge));
+                return std::vector{repeated([input] {
+                    SolveOptions options;
+                    options.threads = threads;
+                    const SolveResult result = solveResting(*input, options);
+                    if (result.status != SolveResult::Status::Solved)
+                        throw std::runtime_error("a benchmark failed: " + result.reason.english());
+                })};
+            }};
+}
+
 /// The share of the time of a solve that reading the factor twice takes.
 Benchmark floorFraction(std::string name, int vertices)
 {
@@ -193,7 +210,8 @@ Benchmark growth(std::string name, int vertices, const std::string& to, int more
 
 std::vector<Benchmark> benchmarks(Extent extent)
 {
-    const int part = extent == Extent::Smoke ? 40 : 1;
+    const bool smoke = extent == Extent::Smoke;
+    const int part = smoke ? 40 : 1;
     const auto scaled = [part](int vertices) { return vertices / part; };
     const int n11k = scaled(size11k), n45k = scaled(size45k), n180k = scaled(size180k);
     const int scanned = scaled(8026), scanPoints = 105'126;
@@ -210,14 +228,24 @@ std::vector<Benchmark> benchmarks(Extent extent)
         setup("setup_11k", n11k),
         drag("drag_11k", n11k),
         release("release_11k", n11k),
+        drag("drag_45k", n45k),
+        drag("drag_180k", n180k),
+        release("release_45k", n45k),
+        release("release_180k", n180k),
+        cold("cold_armchair_12", "armchair/armchair", smoke ? 60 : 12),
+        cold("cold_car_seat", "car-seat/car-seat", smoke ? 60 : 0),
+        cold("cold_car_seat_cushioned", "car-seat-cushioned/car-seat-cushioned", smoke ? 60 : 0),
         floorFraction("floor_fraction_45k", n45k),
         growth("growth_11k_45k", n11k, "45k", n45k),
         growth("growth_45k_180k", n45k, "180k", n180k),
         iterationAlone("iteration_3k", scaled(size3k)),
         iterationAlone("iteration_180k", n180k),
     };
-    if (extent == Extent::Full)
+    if (extent == Extent::Full) {
+        all.push_back(cold("cold_armchair_6", "armchair/armchair", 6));
+        all.push_back(cold("cold_armchair_4", "armchair/armchair", 4));
         all.push_back(iterationAlone("iteration_700k", size700k));
+    }
     return all;
 }
 
