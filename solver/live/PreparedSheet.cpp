@@ -8,15 +8,28 @@
 
 namespace bolster {
 
-const PatchMesh& TriangulationCache::mesh(const OutlineSampling::Outline& outline, double edgeLength)
+void TriangulationCache::triangulate(const std::vector<OutlineSampling::Outline>& outlines, double edgeLength,
+                                     WorkerPool& pool, const std::stop_token& stop)
 {
-    Entry& entry = m_entries[outline.patch];
-    std::vector<InnerLine> lines;
-    for (const OutlineSampling::Line& line : outline.lines)
-        lines.push_back(line.shape);
-    if (entry.edgeLength != edgeLength || entry.boundary != outline.points || entry.lines != lines)
-        entry = {outline.points, lines, edgeLength, triangulatePatch(outline.points, edgeLength, lines)};
-    return entry.mesh;
+    std::vector<Entry*> changed;
+    for (const OutlineSampling::Outline& outline : outlines) {
+        std::vector<InnerLine> lines;
+        for (const OutlineSampling::Line& line : outline.lines)
+            lines.push_back(line.shape);
+        Entry& entry = m_entries[outline.patch];
+        if (entry.edgeLength == edgeLength && entry.boundary == outline.points && entry.lines == lines)
+            continue;
+        entry = {outline.points, std::move(lines), 0, {}};
+        changed.push_back(&entry);
+    }
+    // The longest outlines first, so that no thread waits for one that was begun last.
+    std::ranges::stable_sort(changed, std::ranges::greater(), [](const Entry* e) { return e->boundary.size(); });
+    pool.forTasks(static_cast<int>(changed.size()), [&](int k) {
+        if (stop.stop_requested())
+            return;
+        changed[k]->mesh = triangulatePatch(changed[k]->boundary, edgeLength, changed[k]->lines);
+        changed[k]->edgeLength = edgeLength; // only now, in case that there was no memory
+    });
 }
 
 void TriangulationCache::forgetOthers(const OutlineSampling& sampling)
@@ -31,13 +44,14 @@ namespace {
 
 /// Patches that the samples cut so short that their polygon crosses itself.
 Problems triangulateAll(const Design& design, const OutlineSampling& sampling, TriangulationCache& cache,
-                        std::vector<PatchMesh>& meshes, const std::stop_token& stop)
+                        std::vector<PatchMesh>& meshes, WorkerPool& pool, const std::stop_token& stop)
 {
     Problems problems;
+    cache.triangulate(sampling.outlines, design.settings().edgeLength, pool, stop);
     for (const auto& outline : sampling.outlines) {
         if (stop.stop_requested())
             break;
-        meshes.push_back(cache.mesh(outline, design.settings().edgeLength));
+        meshes.push_back(cache.mesh(outline.patch));
         if (!meshes.back().triangles.empty())
             continue;
         for (const OutlineSampling::Line& line : outline.lines)
@@ -75,7 +89,14 @@ bool leaveOut(PreparedSheet& sheet, const Problems& problems)
 
 } // namespace
 
-std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache, std::stop_token stop)
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache)
+{
+    WorkerPool alone(1);
+    return prepareSheet(input, cache, alone);
+}
+
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache, WorkerPool& pool,
+                                          const std::stop_token& stop)
 {
     PreparedSheet sheet;
     sheet.files = input.files;
@@ -98,7 +119,7 @@ std::optional<PreparedSheet> prepareSheet(const SolveInput& input, Triangulation
             continue;
         }
         meshes.clear();
-        const Problems narrow = triangulateAll(sheet.design, sheet.sampling, cache, meshes, stop);
+        const Problems narrow = triangulateAll(sheet.design, sheet.sampling, cache, meshes, pool, stop);
         if (stop.stop_requested())
             return std::nullopt;
         if (narrow.empty() || !leaveOut(sheet, narrow))
@@ -106,7 +127,7 @@ std::optional<PreparedSheet> prepareSheet(const SolveInput& input, Triangulation
     }
     cache.forgetOthers(sheet.sampling);
     sheet.triangulateTime = watch.restart();
-    sheet.mesh = buildSewnMesh(sheet.design, sheet.sampling, meshes);
+    sheet.mesh = buildSewnMesh(sheet.design, sheet.sampling, meshes, pool);
     sheet.assembleTime = watch.elapsed();
     return sheet;
 }

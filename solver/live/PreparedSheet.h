@@ -15,7 +15,10 @@ namespace bolster {
 /// Triangulations by patch, kept while a patch's outline samples and inner lines stay as they are.
 class TriangulationCache {
 public:
-    const PatchMesh& mesh(const OutlineSampling::Outline& outline, double edgeLength);
+    /// Those that have changed. When stopped some are missing.
+    void triangulate(const std::vector<OutlineSampling::Outline>& outlines, double edgeLength, WorkerPool& pool,
+                     const std::stop_token& stop = {});
+    const PatchMesh& mesh(ElementId patch) const { return m_entries.at(patch).mesh; }
     void forgetOthers(const OutlineSampling& sampling);
 
 private:
@@ -41,7 +44,9 @@ struct PreparedSheet {
 };
 
 /// Checks, samples, triangulates and sews; bad elements are left out and named. Nothing when stopped.
-std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache,
-                                          std::stop_token stop = {});
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache, WorkerPool& pool,
+                                          const std::stop_token& stop = {});
+/// On one thread.
+std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache);
 
 } // namespace bolster

@@ -66,7 +66,8 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
     Stopwatch watch;
     SolveResult result;
     TriangulationCache cache;
-    std::optional<PreparedSheet> sheet = prepareSheet(input, cache, stop);
+    WorkerPool pool(options.threads);
+    std::optional<PreparedSheet> sheet = prepareSheet(input, cache, pool, stop);
     if (!sheet) {
         result.status = SolveResult::Status::Cancelled;
         return result;
@@ -82,7 +83,6 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
             std::move(result),
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
-    WorkerPool pool(options.threads);
     GhostCache ghostCache;
     Relaxation relaxation(
         sheet->mesh, pool, options.tolerance,

@@ -114,7 +114,7 @@ void SolverWorker::begin(Request request)
 std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const SolveInput& input, double tolerance)
 {
     const std::stop_token stop = m_preparing.get_token();
-    std::optional<PreparedSheet> prepared = prepareSheet(input, m_triangulations, stop);
+    std::optional<PreparedSheet> prepared = prepareSheet(input, m_triangulations, m_pool, stop);
     if (!prepared)
         return nullptr;
     auto sheet = std::make_unique<Sheet>();

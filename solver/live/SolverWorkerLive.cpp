@@ -149,9 +149,9 @@ bool SolverWorker::warpLive(const OutlineSampling& sampling)
     SewnMesh& mesh = m_live->prepared.mesh;
     if (!m_live->warp)
         m_live->warp.emplace(mesh);
-    std::optional<std::vector<Vec2>> pattern = m_live->warp->warped(mesh, sampling);
+    std::optional<std::vector<Vec2>> pattern = m_live->warp->warped(mesh, sampling, m_pool);
     if (pattern)
-        reshape(mesh, std::move(*pattern));
+        reshape(mesh, std::move(*pattern), m_pool);
     return pattern.has_value();
 }
 

@@ -26,22 +26,35 @@ std::vector<char> followers(const SewnMesh& mesh, int part)
 
 } // namespace
 
-double distortion(const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Vec2>& before,
-                  const std::vector<Vec2>& after)
+namespace {
+
+double distortionOf(const std::array<std::uint32_t, 3>& triangle, const std::vector<Vec2>& before,
+                    const std::vector<Vec2>& after)
 {
-    double most = 1;
-    for (const auto& [a, b, c] : triangles) {
-        Eigen::Matrix2d from, to;
-        from << before[b] - before[a], before[c] - before[a];
-        to << after[b] - after[a], after[c] - after[a];
-        const double growth = to.determinant() / from.determinant(); // s1 s2 of the singular values
-        if (!(growth > 0))
-            return std::numeric_limits<double>::infinity();
-        // s1 / s2 is what cotangent weights can grow by, s1 s2 what areas grow by.
-        const double sum = (to * from.inverse()).squaredNorm() / (2 * growth); // (s1 / s2 + s2 / s1) / 2
-        most = std::max({most, growth, sum + std::sqrt(std::max(0.0, sum * sum - 1))});
-    }
-    return most;
+    const auto& [a, b, c] = triangle;
+    Eigen::Matrix2d from, to;
+    from << before[b] - before[a], before[c] - before[a];
+    to << after[b] - after[a], after[c] - after[a];
+    const double growth = to.determinant() / from.determinant(); // s1 s2 of the singular values
+    if (!(growth > 0))
+        return std::numeric_limits<double>::infinity();
+    // s1 / s2 is what cotangent weights can grow by, s1 s2 what areas grow by.
+    const double sum = (to * from.inverse()).squaredNorm() / (2 * growth); // (s1 / s2 + s2 / s1) / 2
+    return std::max({1.0, growth, sum + std::sqrt(std::max(0.0, sum * sum - 1))});
+}
+
+} // namespace
+
+double distortion(const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Vec2>& before,
+                  const std::vector<Vec2>& after, WorkerPool& pool)
+{
+    const int count = static_cast<int>(triangles.size());
+    std::vector<double> most(1 + WorkerPool::chunkCount(count), 1);
+    pool.forChunks(count, [&](int chunk, int begin, int end) {
+        for (int t = begin; t < end; ++t)
+            most[chunk] = std::max(most[chunk], distortionOf(triangles[t], before, after));
+    });
+    return *std::ranges::max_element(most);
 }
 
 PatternWarp::PatternWarp(const SewnMesh& mesh)
@@ -116,7 +129,8 @@ bool PatternWarp::follow(const SewnMesh& mesh, const OutlineSampling& sampling, 
     return moved;
 }
 
-std::optional<std::vector<Vec2>> PatternWarp::warped(const SewnMesh& mesh, const OutlineSampling& sampling)
+std::optional<std::vector<Vec2>> PatternWarp::warped(const SewnMesh& mesh, const OutlineSampling& sampling,
+                                                     WorkerPool& pool)
 {
     std::vector<Vec2> moves(m_base.size(), Vec2::Zero());
     for (int part = 0; part < std::ssize(mesh.parts); ++part) {
@@ -131,7 +145,7 @@ std::optional<std::vector<Vec2>> PatternWarp::warped(const SewnMesh& mesh, const
     std::vector<Vec2> pattern = m_base;
     for (std::size_t v = 0; v < pattern.size(); ++v)
         pattern[v] += moves[v];
-    if (distortion(m_triangles, m_base, pattern) > mostWarp)
+    if (distortion(m_triangles, m_base, pattern, pool) > mostWarp)
         return std::nullopt;
     return pattern;
 }

@@ -15,7 +15,7 @@ namespace bolster {
 /// quadratic forms of the one, as they are in L1 and L2, can exceed those of the other. Infinite where a triangle
 /// has been turned over.
 double distortion(const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Vec2>& before,
-                  const std::vector<Vec2>& after);
+                  const std::vector<Vec2>& after, WorkerPool& pool);
 
 /// Harmonic displacements of the vertices between outlines and inner lines, always from the pattern as it was
 /// triangulated: where a drag ends does not depend on its way.
@@ -25,7 +25,8 @@ public:
 
     /// The pattern with the samples' points where they are now. Nothing when it would be so distorted that it must
     /// be triangulated again.
-    std::optional<std::vector<Vec2>> warped(const SewnMesh& mesh, const OutlineSampling& sampling);
+    std::optional<std::vector<Vec2>> warped(const SewnMesh& mesh, const OutlineSampling& sampling,
+                                            WorkerPool& pool);
 
 private:
     /// The vertices between those that follow outline and lines.

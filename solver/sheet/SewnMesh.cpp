@@ -110,58 +110,98 @@ void openSewnCorners(SurfaceTopology& topology)
         }
 }
 
-/// Where in a list of half edges those of each vertex begin: two for each of its triangles.
-std::vector<int> halfEdgeStarts(const SurfaceTopology& topology)
+/// Which triangles each vertex has.
+void collectCorners(SewnMesh& mesh, const SurfaceTopology& topology)
 {
-    std::vector<int> start(topology.pattern.size() + 1, 0);
+    mesh.cornerStart.assign(topology.pattern.size() + 1, 0);
     for (const auto& triangle : topology.triangles)
         for (const std::uint32_t vertex : triangle)
-            start[vertex + 1] += 2;
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    return start;
+            ++mesh.cornerStart[vertex + 1];
+    std::partial_sum(mesh.cornerStart.begin(), mesh.cornerStart.end(), mesh.cornerStart.begin());
+    std::vector<int> next(mesh.cornerStart.begin(), mesh.cornerStart.end() - 1);
+    mesh.corners.resize(3 * topology.triangles.size());
+    for (std::uint32_t t = 0; t < topology.triangles.size(); ++t)
+        for (const std::uint32_t vertex : topology.triangles[t])
+            mesh.corners[next[vertex]++] = t;
 }
 
-/// The half edges of one vertex become its ring: those to the same neighbour are one edge.
-void appendRing(std::span<SewnMesh::RingEdge> halves, std::vector<SewnMesh::RingEdge>& ring)
-{
-    std::ranges::sort(halves, {}, &SewnMesh::RingEdge::vertex);
-    for (std::size_t k = 0; k < halves.size();) {
-        SewnMesh::RingEdge edge = halves[k];
-        for (++k; k < halves.size() && halves[k].vertex == edge.vertex; ++k)
-            edge.weight += halves[k].weight;
-        edge.weight = std::max(0.0, edge.weight);
-        ring.push_back(edge);
-    }
-}
-
-/// Cotangent weights, clamped at 0, and a third of each triangle's area for its corners.
-void measureRestShape(SewnMesh& mesh, const SurfaceTopology& topology)
-{
-    mesh.area.assign(topology.pattern.size(), 0);
-    mesh.ring.clear();
-    mesh.ringStart.clear();
-    const std::vector<int> start = halfEdgeStarts(topology);
-    std::vector<int> next(start.begin(), start.end() - 1);
-    std::vector<SewnMesh::RingEdge> halves(static_cast<std::size_t>(start.back()));
-    for (const auto& triangle : topology.triangles) {
-        for (int k = 0; k < 3; ++k) {
-            const int a = static_cast<int>(triangle[k]), b = static_cast<int>(triangle[(k + 1) % 3]);
-            const Vec2& apex = topology.pattern[triangle[(k + 2) % 3]];
-            const Vec2 u = topology.pattern[a] - apex, v = topology.pattern[b] - apex;
-            const double doubleArea = std::abs(cross(u, v));
-            const double halfCot = 0.5 * u.dot(v) / doubleArea;
-            const Vec2 e = topology.pattern[b] - topology.pattern[a];
-            halves[next[a]++] = {b, halfCot, e};
-            halves[next[b]++] = {a, halfCot, -e};
-            mesh.area[a] += doubleArea / 6;
+/// The ring of a vertex, and its area: cotangent weights, clamped at 0, and a third of each triangle's area.
+class Ring {
+public:
+    void measure(SewnMesh& mesh, const SurfaceTopology& topology, int vertex)
+    {
+        m_halves.clear();
+        double& area = mesh.area[vertex] = 0;
+        for (int c = mesh.cornerStart[vertex]; c < mesh.cornerStart[vertex + 1]; ++c) {
+            const auto& triangle = topology.triangles[mesh.corners[c]];
+            for (int k = 0; k < 3; ++k) {
+                const int a = static_cast<int>(triangle[k]), b = static_cast<int>(triangle[(k + 1) % 3]);
+                if (a != vertex && b != vertex)
+                    continue;
+                const Vec2& apex = topology.pattern[triangle[(k + 2) % 3]];
+                const Vec2 u = topology.pattern[a] - apex, v = topology.pattern[b] - apex;
+                const double doubleArea = std::abs(cross(u, v));
+                const Vec2 edge = topology.pattern[b] - topology.pattern[a];
+                m_halves.push_back({a == vertex ? b : a, 0.5 * u.dot(v) / doubleArea, a == vertex ? edge : -edge});
+                if (a == vertex)
+                    area += doubleArea / 6;
+            }
         }
+        join();
     }
-    mesh.ring.reserve(halves.size() / 2 + topology.pattern.size());
-    for (std::size_t v = 0; v < topology.pattern.size(); ++v) {
-        mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
-        appendRing(std::span(halves).subspan(start[v], start[v + 1] - start[v]), mesh.ring);
+    const std::vector<SewnMesh::RingEdge>& edges() const { return m_halves; }
+
+private:
+    /// Half edges to the same neighbour are one edge.
+    void join()
+    {
+        std::ranges::sort(m_halves, {}, &SewnMesh::RingEdge::vertex);
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < m_halves.size(); ++count) {
+            SewnMesh::RingEdge edge = m_halves[k];
+            for (++k; k < m_halves.size() && m_halves[k].vertex == edge.vertex; ++k)
+                edge.weight += m_halves[k].weight;
+            edge.weight = std::max(0.0, edge.weight);
+            m_halves[count] = edge;
+        }
+        m_halves.resize(count);
     }
-    mesh.ringStart.push_back(static_cast<int>(mesh.ring.size()));
+
+    std::vector<SewnMesh::RingEdge> m_halves;
+};
+
+void collectRings(SewnMesh& mesh, const SurfaceTopology& topology, WorkerPool& pool)
+{
+    collectCorners(mesh, topology);
+    const int vertices = static_cast<int>(topology.pattern.size());
+    mesh.area.resize(topology.pattern.size());
+    mesh.ringStart.assign(topology.pattern.size() + 1, 0);
+    std::vector<std::vector<SewnMesh::RingEdge>> rings(WorkerPool::chunkCount(vertices)); // of a chunk's vertices
+    pool.forChunks(vertices, [&](int chunk, int begin, int end) {
+        Ring ring;
+        for (int v = begin; v < end; ++v) {
+            ring.measure(mesh, topology, v);
+            mesh.ringStart[v + 1] = static_cast<int>(ring.edges().size());
+            rings[chunk].insert(rings[chunk].end(), ring.edges().begin(), ring.edges().end());
+        }
+    });
+    std::partial_sum(mesh.ringStart.begin(), mesh.ringStart.end(), mesh.ringStart.begin());
+    mesh.ring.resize(static_cast<std::size_t>(mesh.ringStart.back()));
+    pool.forChunks(vertices, [&](int chunk, int begin, int) {
+        std::ranges::copy(rings[chunk], mesh.ring.begin() + mesh.ringStart[begin]);
+    });
+}
+
+/// The same rings on another rest shape.
+void measureRings(SewnMesh& mesh, const SurfaceTopology& topology, WorkerPool& pool)
+{
+    pool.forChunks(mesh.vertexCount(), [&](int, int begin, int end) {
+        Ring ring;
+        for (int v = begin; v < end; ++v) {
+            ring.measure(mesh, topology, v);
+            std::ranges::copy(ring.edges(), mesh.ring.begin() + mesh.ringStart[v]);
+        }
+    });
 }
 
 void measureParts(SewnMesh& mesh)
@@ -259,7 +299,8 @@ double SewnMesh::Part::bendingSquared() const
     return std::max(0.0, material.bendingLength * material.bendingLength - meshBending * meanEdge * meanEdge);
 }
 
-SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes)
+SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes,
+                       WorkerPool& pool)
 {
     SewnMesh mesh;
     auto topology = std::make_shared<SurfaceTopology>();
@@ -292,7 +333,7 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     collectLines(mesh, *topology, sampling, meshes);
     numberUnknowns(mesh, *topology, sampling);
     openSewnCorners(*topology);
-    measureRestShape(mesh, *topology);
+    collectRings(mesh, *topology, pool);
     findComponents(mesh, sampling);
     measureParts(mesh);
     measureComponents(mesh);
@@ -304,11 +345,11 @@ SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, co
     return mesh;
 }
 
-void reshape(SewnMesh& mesh, std::vector<Vec2> pattern)
+void reshape(SewnMesh& mesh, std::vector<Vec2> pattern, WorkerPool& pool)
 {
     auto topology = std::make_shared<SurfaceTopology>(*mesh.topology);
     topology->pattern = std::move(pattern);
-    measureRestShape(mesh, *topology);
+    measureRings(mesh, *topology, pool);
     measureParts(mesh);
     measureComponents(mesh);
     mesh.topology = std::move(topology);

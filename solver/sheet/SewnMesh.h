@@ -5,6 +5,7 @@
 #include "OutlineSampling.h"
 #include "PatchTriangulator.h"
 #include "SurfaceMesh.h"
+#include "WorkerPool.h"
 
 #include <memory>
 
@@ -64,8 +65,10 @@ struct SewnMesh {
 
     std::shared_ptr<const SurfaceTopology> topology;
     std::vector<Part> parts;
-    std::vector<double> area;   ///< A_i, mm^2
-    std::vector<int> ringStart; ///< CSR over `ring`, one more than vertices
+    std::vector<double> area;           ///< A_i, mm^2
+    std::vector<int> cornerStart;       ///< CSR over `corners`, one more than vertices
+    std::vector<std::uint32_t> corners; ///< the triangles of each vertex, increasing
+    std::vector<int> ringStart;         ///< CSR over `ring`, one more than vertices
     std::vector<RingEdge> ring;
     std::vector<Continuity> continuity; ///< of the topology's seams
     int freeCount = 0;
@@ -83,10 +86,11 @@ struct SewnMesh {
 };
 
 /// One mesh per outline of the sampling.
-SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes);
+SewnMesh buildSewnMesh(const Design& design, const OutlineSampling& sampling, const std::vector<PatchMesh>& meshes,
+                       WorkerPool& pool);
 
 /// The same triangles with another rest shape.
-void reshape(SewnMesh& mesh, std::vector<Vec2> pattern);
+void reshape(SewnMesh& mesh, std::vector<Vec2> pattern, WorkerPool& pool);
 
 /// Direction in which a chain of vertices runs at its k-th one, in the pattern plane.
 Vec2 chainTangent(const std::vector<Vec2>& rest, const std::vector<std::uint32_t>& chain, std::size_t k);

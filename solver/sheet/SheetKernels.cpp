@@ -592,39 +592,43 @@ void fitSlowly(const SheetRings& rings, const Columns& positions, const Columns&
 
 } // namespace
 
-SheetRings::SheetRings(const SewnMesh& mesh)
+void SheetRings::measure(const SewnMesh& mesh, WorkerPool& pool)
 {
     const auto& unknown = mesh.topology->unknown;
     const std::size_t padded = mesh.area.size() + 8; // whole registers are read
-    edges.reserve(mesh.ring.size());
-    vertices.reserve(mesh.area.size() + 1);
-    area.assign(padded, 1);
+    edges.resize(mesh.ring.size());
+    vertices.resize(mesh.area.size() + 1);
+    area.resize(padded, 1);
     for (auto& numbers : inverse)
-        numbers.assign(padded, 1);
-    weight.assign(padded, 0);
-    pull.assign(mesh.area.size(), Vec2::Zero());
-    for (int v = 0; v < mesh.vertexCount(); ++v) {
-        vertices.push_back({static_cast<int>(unknown[v]), static_cast<int>(edges.size())});
-        Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
-        for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
-            const SewnMesh::RingEdge& ring = mesh.ring[k];
-            const Vec2 towards = ring.weight * ring.rest;
-            edges.push_back({ring.vertex,
-                             static_cast<int>(unknown[ring.vertex]),
-                             static_cast<float>(ring.weight),
-                             {static_cast<float>(towards.x()), static_cast<float>(towards.y())}});
-            // Of what was rounded, or a sum of differences is no longer the difference of sums.
-            weight[v] += static_cast<double>(edges.back().weight);
-            pull[v] += Eigen::Vector2f(edges.back().pull[0], edges.back().pull[1]).cast<double>();
-            rest += towards * ring.rest.transpose();
+        numbers.resize(padded, 1);
+    weight.resize(padded, 0);
+    pull.resize(mesh.area.size());
+    pool.forChunks(mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            vertices[v] = {static_cast<int>(unknown[v]), mesh.ringStart[v]};
+            weight[v] = 0;
+            pull[v] = Vec2::Zero();
+            Eigen::Matrix2d rest = ringRegularisation * mesh.area[v] * Eigen::Matrix2d::Identity();
+            for (int k = mesh.ringStart[v]; k < mesh.ringStart[v + 1]; ++k) {
+                const SewnMesh::RingEdge& ring = mesh.ring[k];
+                const Vec2 towards = ring.weight * ring.rest;
+                edges[k] = {ring.vertex,
+                            static_cast<int>(unknown[ring.vertex]),
+                            static_cast<float>(ring.weight),
+                            {static_cast<float>(towards.x()), static_cast<float>(towards.y())}};
+                // Of what was rounded, or a sum of differences is no longer the difference of sums.
+                weight[v] += static_cast<double>(edges[k].weight);
+                pull[v] += Eigen::Vector2f(edges[k].pull[0], edges[k].pull[1]).cast<double>();
+                rest += towards * ring.rest.transpose();
+            }
+            const Eigen::Matrix2f inverted = rest.inverse().cast<float>();
+            inverse[0][v] = inverted(0, 0);
+            inverse[1][v] = inverted(0, 1);
+            inverse[2][v] = inverted(1, 1);
+            area[v] = static_cast<float>(mesh.area[v]);
         }
-        const Eigen::Matrix2f inverted = rest.inverse().cast<float>();
-        inverse[0][v] = inverted(0, 0);
-        inverse[1][v] = inverted(0, 1);
-        inverse[2][v] = inverted(1, 1);
-        area[v] = static_cast<float>(mesh.area[v]);
-    }
-    vertices.push_back({0, static_cast<int>(edges.size())});
+    });
+    vertices.back() = {0, static_cast<int>(edges.size())};
 }
 
 bool fitFrames(const SheetRings& rings, const Columns& positions, const Columns& frames, double poisson,

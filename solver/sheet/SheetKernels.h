@@ -3,6 +3,7 @@
 
 #include "SewnMesh.h"
 #include "SheetState.h"
+#include "WorkerPool.h"
 
 #include <array>
 #include <vector>
@@ -15,7 +16,8 @@ namespace bolster {
 
 /// What the loops need of the mesh, packed. Symbols are those of docs/solver.md.
 struct SheetRings {
-    explicit SheetRings(const SewnMesh& mesh);
+    /// Measures the rings of a mesh; room is made only for one of another size.
+    void measure(const SewnMesh& mesh, WorkerPool& pool);
 
     struct Edge {
         int vertex = 0;

@@ -29,7 +29,6 @@ SheetOptimizer::SheetOptimizer(const SewnMesh& mesh, WorkerPool& pool, Ghosts gh
     : m_mesh(mesh)
     , m_pool(pool)
     , m_ghosts(std::move(ghosts))
-    , m_rings(mesh)
 {
     precomputeRings();
     updateGhostWeights();
@@ -67,9 +66,8 @@ bool SheetOptimizer::factor()
 
 bool SheetOptimizer::reshape()
 {
-    m_rings = SheetRings(m_mesh);
     measureRings();
-    m_distortion = distortion(m_mesh.topology->triangles, m_factored, m_mesh.rest());
+    m_distortion = distortion(m_mesh.topology->triangles, m_factored, m_mesh.rest(), m_pool);
     return m_distortion < mostDistortion ? ok() : factor();
 }
 
@@ -168,10 +166,15 @@ void SheetOptimizer::numberSlots()
 /// All that depends on the rest shape but the matrices.
 void SheetOptimizer::measureRings()
 {
-    m_rest.assign(m_mesh.vertexCount(), Eigen::Matrix2d::Zero());
-    for (int v = 0; v < m_mesh.vertexCount(); ++v)
-        for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
-            m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
+    m_rings.measure(m_mesh, m_pool);
+    m_rest.resize(m_mesh.vertexCount());
+    m_pool.forChunks(m_mesh.vertexCount(), [&](int, int begin, int end) {
+        for (int v = begin; v < end; ++v) {
+            m_rest[v].setZero();
+            for (int k = m_mesh.ringStart[v]; k < m_mesh.ringStart[v + 1]; ++k)
+                m_rest[v] += m_mesh.ring[k].weight * m_mesh.ring[k].rest * m_mesh.ring[k].rest.transpose();
+        }
+    });
     m_smoothSeams.emplace(m_mesh, m_rest);
     m_freeBodies.clear();
     std::vector<std::vector<int>> parts(m_mesh.anchored.size()); // of each component

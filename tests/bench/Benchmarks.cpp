@@ -142,10 +142,10 @@ Benchmark setup(std::string name, int vertices)
                     std::make_shared<PreparedSheet>(*prepareSheet(SolveInput(seat(vertices)), cache));
                 std::vector<PatchMesh> meshes;
                 for (const auto& outline : sheet->sampling.outlines)
-                    meshes.push_back(cache.mesh(outline, sheet->design.settings().edgeLength));
+                    meshes.push_back(cache.mesh(outline.patch));
                 const auto pool = std::make_shared<WorkerPool>(threads);
                 return std::vector{repeated([sheet, meshes, pool] {
-                    const SewnMesh mesh = buildSewnMesh(sheet->design, sheet->sampling, meshes);
+                    const SewnMesh mesh = buildSewnMesh(sheet->design, sheet->sampling, meshes, *pool);
                     Relaxation(mesh, *pool, 0).startCanonically();
                 })};
             }};

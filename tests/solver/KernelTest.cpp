@@ -71,13 +71,15 @@ TEST(SheetKernels, FitFramesLikeTheLocalStepOfOneVertex)
     TriangulationCache cache;
     const std::optional<PreparedSheet> sheet = prepareSheet(test::tube(200, 100, 20, 10), cache);
     ASSERT_TRUE(sheet);
+    WorkerPool pool(2);
     for (const double scale : {1e-8, 1e-5, 1e-3, 1.0, 1e3, 3e3, 1e4, 1e6}) {
         SewnMesh mesh = sheet->mesh;
         for (SewnMesh::RingEdge& edge : mesh.ring)
             edge.rest *= scale;
         for (double& area : mesh.area)
             area *= scale * scale;
-        const SheetRings rings(mesh);
+        SheetRings rings;
+        rings.measure(mesh, pool);
         const int count = mesh.vertexCount();
         std::mt19937 random(5);
         std::uniform_real_distribution<double> unit(-1, 1);

@@ -51,11 +51,12 @@ Vec2 longer(const Vec2& p)
 SewnMesh bent(PreparedSheet sheet, const Design& design)
 {
     EXPECT_TRUE(resample(sheet.sampling, design));
+    WorkerPool pool(2);
     PatternWarp warp(sheet.mesh);
-    std::optional<std::vector<Vec2>> pattern = warp.warped(sheet.mesh, sheet.sampling);
+    std::optional<std::vector<Vec2>> pattern = warp.warped(sheet.mesh, sheet.sampling, pool);
     EXPECT_TRUE(pattern);
     if (pattern)
-        reshape(sheet.mesh, std::move(*pattern));
+        reshape(sheet.mesh, std::move(*pattern), pool);
     updateTargets(sheet.mesh, sheet.sampling);
     return sheet.mesh;
 }
@@ -74,7 +75,8 @@ TEST(Distortion, IsWhatQuadraticFormsGrowBy)
         std::vector<Vec2> after;
         for (const Vec2& p : before)
             after.push_back(map * p + Vec2(5, -7));
-        return distortion(triangle, before, after);
+        WorkerPool pool(1);
+        return distortion(triangle, before, after, pool);
     };
     EXPECT_NEAR(mapped(Eigen::Rotation2Dd(0.7).toRotationMatrix()), 1, 1e-7);
     EXPECT_NEAR(mapped(Eigen::DiagonalMatrix<double, 2>(1.2, 1)), 1.2, 1e-9);
@@ -124,7 +126,8 @@ TEST(PatternWarp, RefusesToFoldThePattern)
     ASSERT_FALSE(resample(before.sampling, sheet.with([](const Vec2& p) { return Vec2(0.4 * p.x(), p.y()); })));
     PreparedSheet narrow = prepared(sheet.design);
     ASSERT_TRUE(resample(narrow.sampling, sheet.with([](const Vec2& p) { return Vec2(0.56 * p.x(), p.y()); })));
-    EXPECT_FALSE(PatternWarp(narrow.mesh).warped(narrow.mesh, narrow.sampling));
+    WorkerPool pool(1);
+    EXPECT_FALSE(PatternWarp(narrow.mesh).warped(narrow.mesh, narrow.sampling, pool));
 }
 
 /// Old matrices with new forces end where new matrices do, and every distortion that they are kept for converges.
