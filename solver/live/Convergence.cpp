@@ -10,6 +10,10 @@ namespace {
 
 constexpr int window = 8; // accelerated moves go up and down within a few iterations
 constexpr double slowest = 0.9995;
+constexpr int enough = 3; // in a row
+// Of the samples the true distance is up to ten times what this estimate says of momentum, and up to three times
+// what mixing says of itself: so both end as near to rest.
+constexpr double mixedShare = 3.0 / 10;
 constexpr int stage = 200; // iterations between two looks for a stall
 constexpr int plainIterations = 100;
 constexpr int fitSteps = 10;
@@ -17,8 +21,11 @@ constexpr double fitChange = 1e-3;
 
 } // namespace
 
-bool Convergence::add(double move)
+bool Convergence::add(double move, double left)
 {
+    m_mixedInARow = mixedShare * left * move < m_tolerance ? m_mixedInARow + 1 : 0;
+    if (m_mixedInARow >= enough)
+        return true;
     watchForStall(move);
     m_moves.push_back(move);
     if (m_moves.size() > 2 * window)
@@ -36,7 +43,7 @@ bool Convergence::add(double move)
         m_estimate = newer / (1 - rho);
     }
     m_inARow = m_estimate < m_tolerance ? m_inARow + 1 : 0;
-    return m_inARow >= 3;
+    return m_inARow >= enough;
 }
 
 bool FitConvergence::add(double misfit)

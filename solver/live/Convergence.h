@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 
 namespace bolster {
 
@@ -13,8 +14,9 @@ public:
         : m_tolerance(tolerance)
     {}
 
-    /// `move` of one more iteration, relative to D. Returns whether the iteration has converged.
-    bool add(double move);
+    /// `move` of one more iteration, relative to D, and how much is left as mixing sees it, in moves. Returns
+    /// whether the iteration has converged.
+    bool add(double move, double left = std::numeric_limits<double>::infinity());
     double estimate() const { return m_estimate; }
     /// The moves have not become smaller for long; stays true for some iterations.
     bool stalled() const { return m_plainLeft > 0; }
@@ -25,6 +27,7 @@ private:
     double m_tolerance;
     double m_estimate = 1;
     int m_inARow = 0;
+    int m_mixedInARow = 0;
     int m_count = 0;
     double m_largestOfStage = 0;
     double m_largestBefore = 0;

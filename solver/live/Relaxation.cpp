@@ -12,6 +12,13 @@ namespace {
 
 // Relative to D: how near to rest a cover must be before it is fitted.
 constexpr double restBeforeFit = 1e-4;
+// How little a cover must move in an iteration before mixing begins: which of its folds it takes must be decided,
+// since mixing goes to any shape at rest. One that was at rest on other triangles has them.
+constexpr double mixBelow = 1e-4;
+constexpr double mixBelowNear = 1e-3;
+constexpr double lessWhenLost = 10;
+constexpr int manyBeforeMixing = 20; // iterations
+constexpr int fewBeforeMixing = 5;
 
 } // namespace
 
@@ -49,6 +56,13 @@ void Relaxation::startFrom(SheetState state, bool torn)
     if (torn)
         m_optimizer.relaxPositions();
     begin();
+}
+
+void Relaxation::startNear(SheetState state)
+{
+    startFrom(std::move(state), false);
+    m_near = true;
+    m_mixBelow = mixBelowNear;
 }
 
 void Relaxation::retarget(Ghosts ghosts)
@@ -90,7 +104,7 @@ void Relaxation::iterate()
 {
     if (m_phase != Phase::Running)
         return;
-    m_optimizer.setAccelerated(!m_convergence.stalled());
+    m_optimizer.setAcceleration(acceleration());
     m_watch.restart();
     const std::optional<double> move = m_optimizer.iterate();
     m_iterateTime += m_watch.elapsed();
@@ -102,13 +116,29 @@ void Relaxation::iterate()
     }
     m_movement = *move;
     ++m_iterations;
-    const bool atRest = m_convergence.add(m_movement);
+    const bool atRest = m_convergence.add(m_movement, m_optimizer.left());
     if (!m_fitting && hasFits()) {
         if (atRest)
             beginFit();
     } else if (atRest || (m_fitting && m_fitConvergence.add(misfit()))) {
         m_phase = Phase::Converged;
     }
+}
+
+SheetOptimizer::Acceleration Relaxation::acceleration()
+{
+    using enum SheetOptimizer::Acceleration;
+    if (m_convergence.stalled()) {
+        m_mixing = false;
+        return None;
+    }
+    if (m_mixing && m_optimizer.lost()) {
+        m_mixing = false;
+        m_mixBelow /= lessWhenLost;
+    }
+    const bool begins = m_iterations >= (m_near ? fewBeforeMixing : manyBeforeMixing) && m_movement < m_mixBelow;
+    m_mixing = !m_fitting && (m_mixing || begins);
+    return m_mixing ? Mixing : Momentum;
 }
 
 bool Relaxation::hasFits() const
@@ -151,6 +181,8 @@ void Relaxation::begin()
     m_phase = Phase::Running;
     m_iterations = 0;
     m_iterateTime = 0;
+    m_mixing = m_near = false;
+    m_mixBelow = mixBelow;
     beginConvergence();
 }
 

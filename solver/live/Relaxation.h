@@ -7,7 +7,8 @@
 
 namespace bolster {
 
-/// Callers can stop between iterations, show progress, or go on after a change. When the moves stop shrinking it
+/// Callers can stop between iterations, show progress, or go on after a change. It begins with momentum and goes on
+/// by mixing when it is near to rest. When the moves stop shrinking it
 /// iterates without acceleration until they do again: an accelerated iteration can circle around a kink of the
 /// energy. Ghosts that are fits wait until the cover has come to rest without them.
 class Relaxation {
@@ -24,6 +25,8 @@ public:
     /// From any other state. `torn`: seams or fixations are new to it, so that its frames say more than its
     /// positions.
     void startFrom(SheetState state, bool torn);
+    /// From where it came to rest on other triangles.
+    void startNear(SheetState state);
     /// After updateTargets() or updateMaterials() on the mesh.
     void retarget(Ghosts ghosts = {});
     /// The same when matrices change too.
@@ -53,6 +56,7 @@ private:
     void begin();
     bool hasFits() const;
     double misfit() const;
+    SheetOptimizer::Acceleration acceleration();
     void beginFit();
     void replaceGhosts(Ghosts ghosts, bool refactor);
     void beginConvergence();
@@ -64,6 +68,9 @@ private:
     Convergence m_convergence;
     FitConvergence m_fitConvergence;
     bool m_fitting = false; // fits act
+    bool m_near = false;
+    bool m_mixing = false;
+    double m_mixBelow = 0; // movement
     Phase m_phase = Phase::Running;
     int m_iterations = 0;
     double m_movement = 0;

@@ -1,5 +1,6 @@
 #include "RestingSolve.h"
 
+#include "CoarseStart.h"
 #include "DesignCheck.h"
 #include "MakeGhosts.h"
 #include "OutlineSampling.h"
@@ -91,7 +92,10 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    relaxation.startCanonically();
+    if (options.levels == 1)
+        relaxation.startCanonically();
+    else
+        startFromDesign(*sheet, relaxation, ghostCache, pool, stop);
     while (relaxation.phase() == Relaxation::Phase::Running && relaxation.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
             result.status = SolveResult::Status::Cancelled;

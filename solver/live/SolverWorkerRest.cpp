@@ -1,4 +1,5 @@
 // How the solver thread finds the surface that follows from a design alone, whatever was shown before.
+#include "CoarseStart.h"
 #include "CoverMove.h"
 #include "SolverWorker.h"
 #include "StateTransfer.h"
@@ -133,6 +134,10 @@ void SolverWorker::startResting(const SolveInput& input)
     std::unique_ptr<Sheet> sheet;
     try {
         sheet = makeSheet(input, restingTolerance);
+        if (sheet && sheet->relaxation)
+            startFromDesign(sheet->prepared, *sheet->relaxation, m_ghostCache, m_pool, m_preparing.get_token());
+        if (m_preparing.stop_requested())
+            sheet.reset();
     } catch (...) {
         preparesRest(false);
         throw;
@@ -147,7 +152,6 @@ void SolverWorker::startResting(const SolveInput& input)
                                  sheet->prepared.warnings.end());
     }
     if (sheet->relaxation) {
-        sheet->relaxation->startCanonically();
         m_resting = std::move(sheet);
         m_rateWatch.restart();
     } else if (!m_gesture) {

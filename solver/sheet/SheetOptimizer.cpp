@@ -266,14 +266,26 @@ std::optional<double> SheetOptimizer::iterate()
 {
     if (m_overshot)
         startHere();
-    m_momentum = nextMomentum();
+    const bool mixes = m_acceleration == Acceleration::Mixing;
+    if (!mixes)
+        m_momentum = nextMomentum();
     if (!m_signsAgree)
         for (const int v : alignSigns(m_mesh, m_pool, m_ahead.frames))
             m_back.frames.col(v) *= -1;
     fit();
     solveFrames();
     solvePositions();
-    return movePositions(stableStep());
+    if (!mixes || m_mesh.freeCount == 0)
+        return movePositions(stableStep());
+    m_mixing.mix(stableStep(), m_pool, m_positions->x());
+    return movePositions(1);
+}
+
+void SheetOptimizer::setAcceleration(Acceleration acceleration)
+{
+    if (acceleration != m_acceleration)
+        startHere();
+    m_acceleration = acceleration;
 }
 
 /// Without acceleration, from the present state.
@@ -281,6 +293,7 @@ void SheetOptimizer::startHere()
 {
     m_momentum = 1;
     m_overshot = false;
+    m_mixing.forget();
     const auto returnTo = [&](Columns& ahead, Eigen::Matrix4Xf& back, int begin, int end) {
         if (begin < end) {
             ahead.middleCols(begin, end - begin) += back.middleCols(begin, end - begin).cast<double>();
@@ -302,7 +315,7 @@ double SheetOptimizer::nextMomentum() const
 /// Of the step that is being made, the share to go further (Nesterov).
 double SheetOptimizer::beta() const
 {
-    return m_accelerated ? (m_momentum - 1) / nextMomentum() : 0;
+    return m_acceleration == Acceleration::Momentum ? (m_momentum - 1) / nextMomentum() : 0;
 }
 
 /// The local step, and the residual of L2.

@@ -4,6 +4,7 @@
 #include "FactoredSystem.h"
 #include "FreeBody.h"
 #include "Ghosts.h"
+#include "Mixing.h"
 #include "SewnMesh.h"
 #include "SheetKernels.h"
 #include "SheetState.h"
@@ -47,8 +48,15 @@ public:
     /// Accepts moved targets and changed pressure or Poisson parameters; positions go on from where they are.
     void retarget();
 
-    /// Off: plain iterations, slower but never circling.
-    void setAccelerated(bool on) { m_accelerated = on; }
+    enum class Acceleration {
+        None,     ///< plain iterations, slower but never circling
+        Momentum, ///< Nesterov's
+        Mixing,   ///< Anderson's: near to rest it needs fewer iterations than momentum does
+    };
+    void setAcceleration(Acceleration acceleration);
+    /// See Mixing; of other accelerations nothing is known.
+    bool lost() const { return m_mixing.lost(); }
+    double left() const { return m_mixing.left(); }
 
     /// One iteration. Returns the largest move of a vertex relative to D, or nothing when a move is not finite or
     /// leaves every bound; vertices that would make one stay where they are.
@@ -117,7 +125,8 @@ private:
     };
     Ahead m_ahead; // y: the extrapolated state from which an iteration starts
     Back m_back;   // from there to the present state
-    bool m_accelerated = true;
+    Acceleration m_acceleration = Acceleration::Momentum;
+    Mixing m_mixing;
     bool m_signsAgree = false;
     double m_momentum = 1;          // t_k of Nesterov's scheme
     bool m_overshot = false;        // the next iteration starts from the present state
