@@ -179,6 +179,8 @@ void collectRings(SewnMesh& mesh, const SurfaceTopology& topology, WorkerPool& p
     std::vector<std::vector<SewnMesh::RingEdge>> rings(WorkerPool::chunkCount(vertices)); // of a chunk's vertices
     pool.forChunks(vertices, [&](int chunk, int begin, int end) {
         Ring ring;
+        constexpr int mostNeighbours = 7; // but for few
+        rings[chunk].reserve(static_cast<std::size_t>(mostNeighbours * (end - begin)));
         for (int v = begin; v < end; ++v) {
             ring.measure(mesh, topology, v);
             mesh.ringStart[v + 1] = static_cast<int>(ring.edges().size());

@@ -4,6 +4,8 @@
 #include "Stopwatch.h"
 
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace bolster::bench {
@@ -27,8 +29,9 @@ double PatternDrag::move()
 double PatternDrag::release()
 {
     const std::uint64_t dragged = m_topology;
-    // Not where a surface was wanted last, or there might be nothing to do.
-    const double share = farthest * (0.5 + 0.1 * (m_moves % 2));
+    // Never where it was released before: of that the surface is kept.
+    const double golden = std::numbers::phi * ++m_releases;
+    const double share = farthest * (0.3 + 0.5 * (golden - std::floor(golden)));
     return request(withLongerInsert(m_seat, share), false, [dragged](const SolverOutput& output) {
         return output.surface && output.surface->topology->serial != dragged;
     });

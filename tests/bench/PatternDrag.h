@@ -26,6 +26,7 @@ private:
 
     Design m_seat;
     int m_moves = 0;
+    int m_releases = 0;
     std::uint64_t m_revision = 0;
     std::uint64_t m_topology = 0; // serial of the last surface's
     std::counting_semaphore<> m_woken{0};

@@ -1,0 +1,98 @@
+// Covers of many triangles, which begin on fewer.
+#include "TestDesigns.h"
+
+#include "ElementEdits.h"
+#include "RestingSolve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bolster::test {
+namespace {
+
+Design withEdge(const Design& design, double edge)
+{
+    Settings settings = design.settings();
+    settings.edgeLength = edge;
+    return design.with(edits::changeSettings(design, settings));
+}
+
+SolveResult solve(const Design& design, int levels, int threads = 2, std::stop_token stop = {})
+{
+    SolveOptions options;
+    options.levels = levels;
+    options.threads = threads;
+    return solveResting(design, options, std::move(stop));
+}
+
+double farthest(const SurfaceMesh& a, const SurfaceMesh& b)
+{
+    double most = 0;
+    for (std::size_t v = 0; v < a.positions.size(); ++v)
+        most = std::max(most, (a.positions[v] - b.positions[v]).norm());
+    return most;
+}
+
+struct Case {
+    const char* name;
+    double edge; ///< mm, for some 20,000 vertices
+};
+
+class CoarseStart : public testing::TestWithParam<Case> {};
+
+/// In fewer iterations.
+TEST_P(CoarseStart, LeadsWhereOneLevelLeads)
+{
+    const Design design = withEdge(sample(GetParam().name), GetParam().edge);
+    const SolveResult one = solve(design, 1), several = solve(design, 0);
+    ASSERT_EQ(one.status, SolveResult::Status::Solved) << one.reason.english();
+    ASSERT_EQ(several.status, SolveResult::Status::Solved) << several.reason.english();
+    ASSERT_GT(one.surface->positions.size(), 18'000U) << "else there is one level";
+    EXPECT_LT(farthest(*one.surface, *several.surface), 0.1);
+    EXPECT_LT(several.report.iterations, 0.85 * one.report.iterations);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, CoarseStart,
+                         testing::Values(Case{"box-cushion", 5}, Case{"pillow", 4.5}, Case{"car-seat", 7},
+                                         Case{"trapezoid-cushion", 3}),
+                         [](const auto& one) {
+                             std::string name = one.param.name;
+                             std::erase(name, '-');
+                             return name;
+                         });
+
+TEST(CoarseStart, IsTheSameOnAnyNumberOfThreads)
+{
+    const Design design = withEdge(sample("box-cushion"), 5);
+    const SolveResult one = solve(design, 0, 1), three = solve(design, 0, 3);
+    ASSERT_TRUE(one.surface && three.surface);
+    EXPECT_EQ(one.surface->positions, three.surface->positions);
+}
+
+/// However fine the triangles are.
+TEST(CoarseStart, KeepsTheFoldsOfACover)
+{
+    const Design trapezoid = sample("trapezoid");
+    const SolveResult coarse = solve(withEdge(trapezoid, 5.2), 0), fine = solve(withEdge(trapezoid, 3), 0);
+    ASSERT_TRUE(coarse.surface && fine.surface);
+    double most = 0;
+    for (const Vec3& place : coarse.surface->positions) {
+        double nearest = 1e9;
+        for (const Vec3& other : fine.surface->positions)
+            nearest = std::min(nearest, (other - place).norm());
+        most = std::max(most, nearest);
+    }
+    EXPECT_LT(most, 5) << "other folds are 20 mm and more away";
+}
+
+TEST(CoarseStart, EndsSoonWhenStopped)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_EQ(solve(withEdge(sample("box-cushion"), 5), 0, 2, stop.get_token()).status,
+              SolveResult::Status::Cancelled);
+}
+
+} // namespace
+} // namespace bolster::test
