@@ -1,5 +1,6 @@
 #include "PackedFactor.h"
 
+#include "LargePages.h"
 #include "Multifrontal.h"
 
 #include <algorithm>
@@ -36,9 +37,12 @@ void PackedFactor::Free::operator()(float* memory) const
 PackedFactor::Memory PackedFactor::allocate(std::size_t count)
 {
     const std::size_t lines = count / lineSize + 2; // with room behind the last
-    auto* memory = static_cast<float*>(std::aligned_alloc(64, lines * 64));
+    const std::size_t page = lines * 64 < largePage ? 64 : largePage;
+    const std::size_t bytes = (lines * 64 + page - 1) / page * page;
+    auto* memory = static_cast<float*>(std::aligned_alloc(page, bytes));
     if (!memory)
         throw std::bad_alloc();
+    wishLargePages(memory, bytes);
     std::fill_n(memory, lines * lineSize, 0.0F);
     return Memory(memory);
 }
