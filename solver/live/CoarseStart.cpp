@@ -11,6 +11,7 @@ namespace bolster {
 namespace {
 
 constexpr double coarsestVertices = 6000;   // about
+constexpr double fewVertices = 40'000;      // to set coarser levels up would take longer than they save
 constexpr double worthIt = 3;               // times as many vertices as the coarser level
 constexpr double levelTolerance = 1e-5;     // relative to D: what is left then is less than levels differ by
 constexpr int mostIterationsOfLevel = 1000; // what takes longer finds no rest
@@ -24,6 +25,8 @@ std::vector<double> levelsOf(const SewnMesh& mesh, double edge)
     const double ofTriangle = std::sqrt(0.75); // area that a vertex has, of the edge's square
     const auto vertices = [&](double length) { return area / (ofTriangle * length * length); };
     std::vector<double> levels;
+    if (vertices(edge) < fewVertices)
+        return levels;
     for (double length = std::sqrt(area / (ofTriangle * coarsestVertices));
          vertices(edge) > worthIt * vertices(length); length /= 2)
         levels.push_back(length);
