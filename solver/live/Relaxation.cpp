@@ -137,7 +137,7 @@ SheetOptimizer::Acceleration Relaxation::acceleration()
         m_mixBelow /= lessWhenLost;
     }
     const bool begins = m_iterations >= (m_near ? fewBeforeMixing : manyBeforeMixing) && m_movement < m_mixBelow;
-    m_mixing = !m_fitting && (m_mixing || begins);
+    m_mixing = m_mayMix && !m_fitting && (m_mixing || begins);
     return m_mixing ? Mixing : Momentum;
 }
 

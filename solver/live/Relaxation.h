@@ -20,6 +20,8 @@ public:
     Relaxation(const SewnMesh& mesh, WorkerPool& pool, double tolerance, Ghosts ghosts = {},
                const std::stop_token& stop = {});
 
+    /// Momentum all the way, to compare with.
+    void doNotMix() { m_mayMix = false; }
     /// From the start that depends on the design alone.
     void startCanonically();
     /// From any other state. `torn`: seams or fixations are new to it, so that its frames say more than its
@@ -68,6 +70,7 @@ private:
     Convergence m_convergence;
     FitConvergence m_fitConvergence;
     bool m_fitting = false; // fits act
+    bool m_mayMix = true;
     bool m_near = false;
     bool m_mixing = false;
     double m_mixBelow = 0; // movement

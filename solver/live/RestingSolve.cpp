@@ -92,10 +92,12 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    if (options.levels == 1)
+    if (options.levels == 1) {
+        relaxation.doNotMix();
         relaxation.startCanonically();
-    else
+    } else {
         startFromDesign(*sheet, relaxation, ghostCache, pool, stop);
+    }
     while (relaxation.phase() == Relaxation::Phase::Running && relaxation.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
             result.status = SolveResult::Status::Cancelled;

@@ -81,7 +81,7 @@ three that are needed in double precision. CHOLMOD keeps the best of AMD, METIS 
 triangles and the first iteration. `drag_...` and `release_...` go through the solver's thread like the workbench's
 drags: the time until the surface for the newest pattern is there, and until the first one on new triangles, which is the
 resting one. `cold_...` solve a sample from nothing to rest, with edges of so many mm; "one level" does so on its own
-triangles alone.
+triangles alone and with momentum all the way.
 `floor_fraction_45k` compares a solve with two reads of an array of the factor's size by the same threads: the ratio is
 the share of the solve that cannot be avoided. The ratio of `growth_...` is that of the times of an iteration on meshes
 of four times as many vertices.

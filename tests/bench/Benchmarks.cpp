@@ -170,8 +170,8 @@ Benchmark release(std::string name, int vertices)
             }};
 }
 
-/// A sample from nothing to rest, as `bolster solve` does it, beside the same on the design's triangles alone.
-/// Edges in mm, 0: the design's.
+/// A sample from nothing to rest, as `bolster solve` does it, beside the same on the design's triangles alone and
+/// with momentum alone. Edges in mm, 0: the design's.
 Benchmark cold(std::string name, const std::string& sample, double edge)
 {
     return {std::move(name), {"one level"}, [sample, edge] {

@@ -42,7 +42,7 @@ struct Case {
 class CoarseStart : public testing::TestWithParam<Case> {};
 
 /// In fewer iterations.
-TEST_P(CoarseStart, LeadsWhereOneLevelLeads)
+TEST_P(CoarseStart, LeadsWhereMomentumLeadsAlone)
 {
     const Design design = withEdge(sample(GetParam().name), GetParam().edge);
     const SolveResult one = solve(design, 1), several = solve(design, 0);
