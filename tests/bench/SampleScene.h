@@ -7,8 +7,8 @@
 
 namespace bolster::bench {
 
-/// A design among the installed samples ("armchair/armchair"), or among those of the sources, with its files. Edges in
-/// mm, 0: as they are in it. Throws when it cannot be read.
+/// A design among the installed samples ("armchair/armchair"), or among those of the sources, with its files. Edges
+/// in mm, 0: as they are in it. Throws when it cannot be read.
 SolveInput sampleScene(const std::string& name, double edge);
 
 } // namespace bolster::bench
