@@ -12,13 +12,7 @@ namespace {
 
 // Relative to D: how near to rest a cover must be before it is fitted.
 constexpr double restBeforeFit = 1e-4;
-// How little a cover must move in an iteration before mixing begins: which of its folds it takes must be decided,
-// since mixing goes to any shape at rest. One that was at rest on other triangles has them.
-constexpr double mixBelow = 1e-4;
-constexpr double mixBelowNear = 1e-3;
-constexpr double lessWhenLost = 10;
-constexpr int manyBeforeMixing = 20; // iterations
-constexpr int fewBeforeMixing = 5;
+constexpr double lessWhenLost = 10; // a cover must move before it is mixed again
 
 } // namespace
 
@@ -61,8 +55,7 @@ void Relaxation::startFrom(SheetState state, bool torn)
 void Relaxation::startNear(SheetState state)
 {
     startFrom(std::move(state), false);
-    m_near = true;
-    m_mixBelow = mixBelowNear;
+    m_mixFrom = {5, 1e-3}; // its folds are there
 }
 
 void Relaxation::retarget(Ghosts ghosts)
@@ -134,9 +127,9 @@ SheetOptimizer::Acceleration Relaxation::acceleration()
     }
     if (m_mixing && m_optimizer.lost()) {
         m_mixing = false;
-        m_mixBelow /= lessWhenLost;
+        m_mixFrom.movement /= lessWhenLost;
     }
-    const bool begins = m_iterations >= (m_near ? fewBeforeMixing : manyBeforeMixing) && m_movement < m_mixBelow;
+    const bool begins = m_iterations >= m_mixFrom.iterations && m_movement < m_mixFrom.movement;
     m_mixing = m_mayMix && !m_fitting && (m_mixing || begins);
     return m_mixing ? Mixing : Momentum;
 }
@@ -181,8 +174,8 @@ void Relaxation::begin()
     m_phase = Phase::Running;
     m_iterations = 0;
     m_iterateTime = 0;
-    m_mixing = m_near = false;
-    m_mixBelow = mixBelow;
+    m_mixing = false;
+    m_mixFrom = {20, 1e-4}; // first it must be decided which folds a cover takes: mixing goes to any shape at rest
     beginConvergence();
 }
 

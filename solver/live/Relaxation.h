@@ -8,9 +8,9 @@
 namespace bolster {
 
 /// Callers can stop between iterations, show progress, or go on after a change. It begins with momentum and goes on
-/// by mixing when it is near to rest. When the moves stop shrinking it
-/// iterates without acceleration until they do again: an accelerated iteration can circle around a kink of the
-/// energy. Ghosts that are fits wait until the cover has come to rest without them.
+/// by mixing when it is near to rest. When the moves stop shrinking it iterates without acceleration until they do
+/// again: an accelerated iteration can circle around a kink of the energy. Ghosts that are fits wait until the
+/// cover has come to rest without them.
 class Relaxation {
 public:
     enum class Phase { Running, Converged, Failed };
@@ -70,10 +70,15 @@ private:
     Convergence m_convergence;
     FitConvergence m_fitConvergence;
     bool m_fitting = false; // fits act
+    /// When mixing begins.
+    struct MixFrom {
+        int iterations = 0;
+        double movement = 0; ///< at most
+    };
+
     bool m_mayMix = true;
-    bool m_near = false;
     bool m_mixing = false;
-    double m_mixBelow = 0; // movement
+    MixFrom m_mixFrom;
     Phase m_phase = Phase::Running;
     int m_iterations = 0;
     double m_movement = 0;

@@ -92,7 +92,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    if (options.levels == 1) {
+    if (options.oneLevel) {
         relaxation.doNotMix();
         relaxation.startCanonically();
     } else {

@@ -13,9 +13,9 @@ namespace bolster {
 struct SolveOptions {
     double tolerance = 1e-6; ///< estimated distance to the limit, relative to D, at which the solve ends
     int maxIterations = 5000;
-    int threads = 0;      ///< 0: as many as the machine has; the result does not depend on it
-    int levels = 0;       ///< 1: on the design's triangles alone and with momentum alone, to compare with
-    bool lenient = false; ///< leave bad elements out instead of failing
+    int threads = 0;       ///< 0: as many as the machine has; the result does not depend on it
+    bool oneLevel = false; ///< on the design's triangles alone and with momentum alone, to compare with
+    bool lenient = false;  ///< leave bad elements out instead of failing
 };
 
 struct SolveResult {

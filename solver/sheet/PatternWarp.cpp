@@ -24,10 +24,6 @@ std::vector<char> followers(const SewnMesh& mesh, int part)
     return follows;
 }
 
-} // namespace
-
-namespace {
-
 double distortionOf(const std::array<std::uint32_t, 3>& triangle, const std::vector<Vec2>& before,
                     const std::vector<Vec2>& after)
 {

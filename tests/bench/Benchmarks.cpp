@@ -176,17 +176,17 @@ Benchmark cold(std::string name, const std::string& sample, double edge)
 {
     return {std::move(name), {"one level"}, [sample, edge] {
                 const auto input = std::make_shared<SolveInput>(sampleScene(sample, edge));
-                const auto solve = [input](int levels) {
-                    return repeated([input, levels] {
+                const auto solve = [input](bool oneLevel) {
+                    return repeated([input, oneLevel] {
                         SolveOptions options;
                         options.threads = threads;
-                        options.levels = levels;
+                        options.oneLevel = oneLevel;
                         const SolveResult result = solveResting(*input, options);
                         if (result.status != SolveResult::Status::Solved)
                             throw std::runtime_error("a benchmark failed: " + result.reason.english());
                     });
                 };
-                return std::vector{solve(0), solve(1)};
+                return std::vector{solve(false), solve(true)};
             }};
 }
 

@@ -18,10 +18,10 @@ Design withEdge(const Design& design, double edge)
     return design.with(edits::changeSettings(design, settings));
 }
 
-SolveResult solve(const Design& design, int levels, int threads = 2, std::stop_token stop = {})
+SolveResult solve(const Design& design, bool oneLevel, int threads = 2, std::stop_token stop = {})
 {
     SolveOptions options;
-    options.levels = levels;
+    options.oneLevel = oneLevel;
     options.threads = threads;
     return solveResting(design, options, std::move(stop));
 }
@@ -45,7 +45,7 @@ class CoarseStart : public testing::TestWithParam<Case> {};
 TEST_P(CoarseStart, LeadsWhereMomentumLeadsAlone)
 {
     const Design design = withEdge(sample(GetParam().name), GetParam().edge);
-    const SolveResult one = solve(design, 1), several = solve(design, 0);
+    const SolveResult one = solve(design, true), several = solve(design, false);
     ASSERT_EQ(one.status, SolveResult::Status::Solved) << one.reason.english();
     ASSERT_EQ(several.status, SolveResult::Status::Solved) << several.reason.english();
     ASSERT_GT(one.surface->positions.size(), 42'000U) << "else there is one level";
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, CoarseStart,
 TEST(CoarseStart, IsTheSameOnAnyNumberOfThreads)
 {
     const Design design = withEdge(sample("box-cushion"), 3.3);
-    const SolveResult one = solve(design, 0, 1), three = solve(design, 0, 3);
+    const SolveResult one = solve(design, false, 1), three = solve(design, false, 3);
     ASSERT_TRUE(one.surface && three.surface);
     EXPECT_EQ(one.surface->positions, three.surface->positions);
 }
@@ -74,7 +74,8 @@ TEST(CoarseStart, IsTheSameOnAnyNumberOfThreads)
 TEST(CoarseStart, KeepsTheFoldsOfACover)
 {
     const Design trapezoid = sample("trapezoid");
-    const SolveResult coarse = solve(withEdge(trapezoid, 5.2), 0), fine = solve(withEdge(trapezoid, 1.9), 0);
+    const SolveResult coarse = solve(withEdge(trapezoid, 5.2), false),
+                      fine = solve(withEdge(trapezoid, 1.9), false);
     ASSERT_TRUE(coarse.surface && fine.surface);
     double most = 0;
     for (const Vec3& place : coarse.surface->positions) {
@@ -90,7 +91,7 @@ TEST(CoarseStart, EndsSoonWhenStopped)
 {
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_EQ(solve(withEdge(sample("box-cushion"), 3.3), 0, 2, stop.get_token()).status,
+    EXPECT_EQ(solve(withEdge(sample("box-cushion"), 3.3), false, 2, stop.get_token()).status,
               SolveResult::Status::Cancelled);
 }
 
