@@ -306,6 +306,7 @@ TEST_F(DialogsTest, CtrlPMakesAPictureAndPauseHasOtherKeys)
     EXPECT_FALSE(window.solver().paused());
     QTest::keyClick(dialog, Qt::Key_Escape);
     EXPECT_TRUE(QTest::qWaitFor([&] { return window.findChildren<RenderDialog*>().isEmpty(); }));
+    takeKeyboard();
     QTest::keyClick(&window.patternView(), Qt::Key_Period, Qt::ControlModifier);
     EXPECT_TRUE(window.solver().paused());
 }

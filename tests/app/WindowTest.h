@@ -30,9 +30,20 @@ protected:
     {
         window.resize(1400, 900);
         window.show();
-        window.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        (void)QTest::qWaitForWindowActive(&window); // else nobody has the keyboard yet
+        takeKeyboard();
+    }
+
+    /// Shortcuts and focus need an active window; who closed the one before may still be asked to take it over, so
+    /// that asking once is not enough.
+    void takeKeyboard()
+    {
+        for (int tries = 0; tries < 30 && !window.isActiveWindow(); ++tries) {
+            window.raise();
+            window.activateWindow();
+            (void)QTest::qWaitFor([&] { return window.isActiveWindow(); }, 1000);
+        }
+        ASSERT_TRUE(window.isActiveWindow()) << "no keyboard: is there a window manager?";
     }
 
     void TearDown() override
@@ -54,6 +65,7 @@ protected:
         window.open(path);
         const bool done = QTest::qWaitFor([&] { return opened; }, 120000);
         QObject::disconnect(connection);
+        takeKeyboard(); // from the progress that was shown if opening took its time
         return done;
     }
 
