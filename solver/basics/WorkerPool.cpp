@@ -61,6 +61,7 @@ WorkerPool::WorkerPool(int threads)
     if (threads <= 0)
         threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     m_shares = std::vector<Share>(static_cast<std::size_t>(threads));
+    m_used = threads;
     for (int i = 1; i < threads; ++i)
         m_threads.emplace_back([this, i] { work(i); });
 }
@@ -72,6 +73,11 @@ WorkerPool::~WorkerPool()
     m_region.notify_all();
 }
 
+void WorkerPool::use(int count)
+{
+    m_used = std::clamp(count, 1, threads());
+}
+
 void WorkerPool::forChunks(int count, const std::function<void(int, int, int)>& body, int size)
 {
     forTasks(chunkCount(count, size),
@@ -80,7 +86,8 @@ void WorkerPool::forChunks(int count, const std::function<void(int, int, int)>& 
 
 void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
 {
-    if (m_threads.empty() || count <= 1) {
+    const int threads = m_used.load(std::memory_order_relaxed);
+    if (threads == 1 || count <= 1) {
         for (int task = 0; task < count; ++task)
             body(task);
         return;
@@ -89,7 +96,6 @@ void WorkerPool::forTasks(int count, const std::function<void(int)>& body)
     m_body.store(&body, std::memory_order_relaxed);
     m_done.store(0, std::memory_order_relaxed);
     m_count.store(count, std::memory_order_relaxed);
-    const int threads = static_cast<int>(m_shares.size());
     for (int i = 0; i < threads; ++i) {
         const auto begin = static_cast<int>(std::int64_t{count} * i / threads);
         const auto end = static_cast<int>(std::int64_t{count} * (i + 1) / threads);
@@ -119,8 +125,11 @@ void WorkerPool::work(int thread)
 /// The own share first, then what others have left.
 void WorkerPool::runTasks(std::uint32_t region, int thread)
 {
-    for (std::size_t i = 0; i < m_shares.size(); ++i)
-        runShare(region, m_shares[(static_cast<std::size_t>(thread) + i) % m_shares.size()].next);
+    const int threads = m_used.load(std::memory_order_relaxed); // a latecomer's: then there is nothing to claim
+    if (thread >= threads)
+        return;
+    for (int i = 0; i < threads; ++i)
+        runShare(region, m_shares[static_cast<std::size_t>((thread + i) % threads)].next);
 }
 
 void WorkerPool::runShare(std::uint32_t region, std::atomic<std::uint64_t>& share)

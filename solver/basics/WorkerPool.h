@@ -18,6 +18,10 @@ public:
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
 
+    /// How many threads work as of the next loop: at least the caller, at most all.
+    void use(int threads);
+    int threads() const { return static_cast<int>(m_shares.size()); } ///< all
+
     static constexpr int chunkSize = 512;
     static int chunkCount(int count, int size = chunkSize) { return (count + size - 1) / size; }
 
@@ -40,6 +44,7 @@ private:
         std::atomic<std::uint64_t> next{0};
     };
     std::vector<Share> m_shares; // of each thread
+    std::atomic<int> m_used{1};  // threads
     std::atomic<const std::function<void(int)>*> m_body{nullptr};
     std::atomic<int> m_count{0};
     std::atomic<int> m_done{0};

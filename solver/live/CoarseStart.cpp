@@ -33,14 +33,6 @@ std::vector<double> levelsOf(const SewnMesh& mesh, double edge)
     return levels;
 }
 
-SolveInput withEdge(const PreparedSheet& sheet, double edge)
-{
-    Settings settings = sheet.design.settings();
-    settings.edgeLength = edge;
-    return {sheet.design.with({{}, {{settingsId, sheet.design.element(settingsId), makeElement(settings)}}}),
-            sheet.files};
-}
-
 /// A cover on coarser triangles.
 class Level {
 public:
@@ -88,7 +80,7 @@ void startFromDesign(const PreparedSheet& sheet, Relaxation& relaxation, GhostCa
     std::unique_ptr<Level> last;
     for (const double edge : levelsOf(sheet.mesh, sheet.design.settings().edgeLength)) {
         TriangulationCache triangles;
-        std::optional<PreparedSheet> coarse = prepareSheet(withEdge(sheet, edge), triangles, pool, stop);
+        std::optional<PreparedSheet> coarse = prepareSheet(withEdgeLength({sheet.design, sheet.files}, edge), triangles, pool, stop);
         if (stop.stop_requested())
             return;
         // Patches may be too narrow for such edges.

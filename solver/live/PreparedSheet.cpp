@@ -89,6 +89,14 @@ bool leaveOut(PreparedSheet& sheet, const Problems& problems)
 
 } // namespace
 
+SolveInput withEdgeLength(const SolveInput& input, double length)
+{
+    Settings settings = input.design.settings();
+    settings.edgeLength = length;
+    return {input.design.with({{}, {{settingsId, input.design.element(settingsId), makeElement(settings)}}}),
+            input.files};
+}
+
 std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache)
 {
     WorkerPool alone(1);

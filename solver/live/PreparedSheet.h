@@ -46,6 +46,8 @@ struct PreparedSheet {
 /// Checks, samples, triangulates and sews; bad elements are left out and named. Nothing when stopped.
 std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache, WorkerPool& pool,
                                           const std::stop_token& stop = {});
+/// The same with edges of another length, mm.
+SolveInput withEdgeLength(const SolveInput& input, double length);
 /// On one thread.
 std::optional<PreparedSheet> prepareSheet(const SolveInput& input, TriangulationCache& cache);
 

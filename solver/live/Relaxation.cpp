@@ -58,6 +58,13 @@ void Relaxation::startNear(SheetState state)
     m_mixFrom = {5, 1e-3}; // its folds are there
 }
 
+void Relaxation::startStill(SheetState state)
+{
+    startFrom(std::move(state), false);
+    if (m_phase != Phase::Failed)
+        m_optimizer.standStill();
+}
+
 void Relaxation::retarget(Ghosts ghosts)
 {
     replaceGhosts(std::move(ghosts), false);

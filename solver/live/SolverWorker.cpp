@@ -85,6 +85,8 @@ bool SolverWorker::step()
         endResting();
     else if (m_shownKept && !m_live)
         continueKept();
+    else if (m_atRest && prepareStandIn())
+        ;
     else
         return false;
     return true;
@@ -95,6 +97,7 @@ void SolverWorker::begin(Request request)
     if (std::exchange(m_opening, request.opening) != request.opening) {
         m_live.reset();
         m_lastWhole.reset();
+        m_standIn.reset();
         m_resting.reset();
         m_surface.reset();
         m_shownKept.reset();
@@ -104,6 +107,8 @@ void SolverWorker::begin(Request request)
         m_status = {};
         m_report = {};
     }
+    // While somebody drags the window has to draw.
+    m_pool.use(request.passing ? m_pool.threads() / 2 : m_pool.threads());
     if (request.passing)
         beginLive(std::move(request));
     else
@@ -113,16 +118,30 @@ void SolverWorker::begin(Request request)
 /// Null when it was given up.
 std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeSheet(const SolveInput& input, double tolerance)
 {
-    const std::stop_token stop = m_preparing.get_token();
-    std::optional<PreparedSheet> prepared = prepareSheet(input, m_triangulations, m_pool, stop);
+    std::unique_ptr<Sheet> sheet = prepare(input, m_triangulations);
+    return sheet && factor(*sheet, tolerance) ? std::move(sheet) : nullptr;
+}
+
+/// Its triangles. Null when it was given up.
+std::unique_ptr<SolverWorker::Sheet> SolverWorker::prepare(const SolveInput& input,
+                                                           TriangulationCache& triangulations)
+{
+    std::optional<PreparedSheet> prepared = prepareSheet(input, triangulations, m_pool, m_preparing.get_token());
     if (!prepared)
         return nullptr;
     auto sheet = std::make_unique<Sheet>();
     sheet->prepared = std::move(*prepared);
-    if (!sheet->prepared.mesh.parts.empty())
-        sheet->relaxation = std::make_unique<Relaxation>(
-            sheet->prepared.mesh, m_pool, tolerance, ghostsFor(sheet->prepared, sheet->prepared.warnings), stop);
-    return stop.stop_requested() ? nullptr : std::move(sheet);
+    return sheet;
+}
+
+/// Its equations, unless there is nothing to solve. False when it was given up.
+bool SolverWorker::factor(Sheet& sheet, double tolerance)
+{
+    const std::stop_token stop = m_preparing.get_token();
+    if (!sheet.prepared.mesh.parts.empty())
+        sheet.relaxation = std::make_unique<Relaxation>(sheet.prepared.mesh, m_pool, tolerance,
+                                                        ghostsFor(sheet.prepared, sheet.prepared.warnings), stop);
+    return !stop.stop_requested();
 }
 
 Ghosts SolverWorker::ghostsFor(const PreparedSheet& sheet, Problems& problems)
@@ -161,6 +180,7 @@ void SolverWorker::fail(SolveFailure failure)
     m_resting.reset();
     m_live.reset(); // the next request starts anew; the published surface stays
     m_lastWhole.reset();
+    m_standIn.reset();
     m_shownKept.reset();
     m_atRest = false;
     m_designRevision = m_takenRevision;

@@ -43,18 +43,26 @@ public:
     void run(std::stop_token stop);
 
 private:
+    static constexpr double liveTolerance = 1e-5; // relative to D
+
     /// A cover with its solver state.
     struct Sheet {
         PreparedSheet prepared;
         std::unique_ptr<Relaxation> relaxation;
         std::optional<PatternWarp> warp; ///< once outlines have been dragged
         bool stale = false;              ///< its samples belong to curves as they were before a drag
+        bool standsIn = false;           ///< for one with more triangles, as long as a gesture is running
+        bool alone = false;              ///< none can stand in for it
+
+        int vertices() const { return prepared.mesh.vertexCount(); }
     };
 
     std::optional<Request> takeRequest();
     static bool running(const Sheet& sheet);
     bool step();
     void begin(Request request);
+    std::unique_ptr<Sheet> prepare(const SolveInput& input, TriangulationCache& triangulations);
+    bool factor(Sheet& sheet, double tolerance);
     std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);
     Ghosts ghostsFor(const PreparedSheet& sheet, Problems& problems);
 
@@ -68,13 +76,23 @@ private:
     void iterateLive();
     void endLive();
 
+    // Fewer triangles for the live surface of a large design.
+    bool tooLarge(const Sheet& sheet) const;
+    double standInEdge(const Sheet& sheet) const;
+    std::unique_ptr<Sheet> makeStandIn(const SolveInput& input, double edge);
+    std::unique_ptr<Sheet> makeLive(const SolveInput& input);
+    bool standIn();
+    bool prepareStandIn();
+    void learnStepTime();
+
     // The resting surface.
     void beginRest(Request request);
     bool restsAlready(const SolveInput& input);
     void showKept(RestingSurfacePtr kept, const SolveInput& input, bool atOnce);
     bool continueKept();
     void keepResting();
-    void startResting(const SolveInput& input);
+    void startResting(const SolveInput& input, bool afterGesture);
+    void showOnNewTriangles(const Sheet& sheet);
     void iterateResting();
     void endResting();
     void adoptResting();
@@ -98,8 +116,9 @@ private:
     bool m_preparesRest = false;  // which no gesture waits for
     std::function<void()> m_wake;
 
-    WorkerPool m_pool{1}; // the other cores belong to the window
+    WorkerPool m_pool{0};
     TriangulationCache m_triangulations;
+    TriangulationCache m_standInTriangulations;
     GhostCache m_ghostCache;
     bool m_keptIsShared; // and somebody else's
     std::shared_ptr<RestingCache> m_kept;
@@ -108,10 +127,13 @@ private:
     int m_opening = 0;
     bool m_gesture = false; // the request taken last belongs to one
 
-    std::unique_ptr<Sheet> m_live;         // from which a gesture goes on: the surface that is shown
-    SolveInput m_liveInput;                // its design, bad elements included
+    std::unique_ptr<Sheet> m_live; // from which a gesture goes on: the surface that is shown, or of fewer triangles
+    SolveInput m_liveInput;        // its design, bad elements included
     SolvePlan m_owed = SolvePlan::Nothing; // by a light change that was given up halfway
     bool m_liveEnded = false;              // it has converged during the gesture
+    std::unique_ptr<Sheet> m_standIn;      // for m_live when the next gesture begins; may be null
+    SolveInput m_standInInput;             // its design, but for the length of edges
+    double m_stepTime = 5e-4;              // ms that a step of a gesture takes for each vertex, about
     std::unique_ptr<Sheet> m_lastWhole;    // before patches had to be left out: they come back to where they were
 
     std::unique_ptr<Sheet> m_resting; // on its way from the canonical start

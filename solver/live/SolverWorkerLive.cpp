@@ -12,7 +12,6 @@ namespace bolster {
 
 namespace {
 
-constexpr double liveTolerance = 1e-5; // relative to D
 constexpr double publishInterval = 15; // ms: nobody sees more
 
 bool sameElements(const Design& a, const Design& b)
@@ -66,6 +65,10 @@ bool SolverWorker::startLive(const SolveInput& input)
         return true;
     }
     const bool light = plan < SolvePlan::Rebuild;
+    if (light && plan != SolvePlan::Republish && !standIn()) {
+        m_owed = plan;
+        return false;
+    }
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
     if (!light && m_status.state != SolverStatus::State::Moving)
@@ -104,11 +107,13 @@ bool SolverWorker::republishLive(const Design& design)
 
 /// Keeps triangles, and samples but for their points. False when the change asks for more after all, or when it was
 /// given up.
-bool SolverWorker::retargetLive(const SolveInput& input, SolvePlan plan)
+bool SolverWorker::retargetLive(const SolveInput& asked, SolvePlan plan)
 {
+    PreparedSheet& prepared = m_live->prepared;
+    const SolveInput input =
+        m_live->standsIn ? withEdgeLength(asked, prepared.design.settings().edgeLength) : asked;
     Problems problems = checkDesign(input.design);
     const Design usable = usablePart(input.design, problems);
-    PreparedSheet& prepared = m_live->prepared;
     if (!sameElements(usable, prepared.design))
         return false;
     OutlineSampling sampling = prepared.sampling;
@@ -159,7 +164,7 @@ bool SolverWorker::warpLive(const OutlineSampling& sampling)
 bool SolverWorker::rebuildLive(const SolveInput& input, bool torn)
 {
     const bool first = !m_live;
-    std::unique_ptr<Sheet> next = makeSheet(input, liveTolerance);
+    std::unique_ptr<Sheet> next = makeLive(input);
     if (!next)
         return false;
     m_status.problems = next->prepared.errors;
@@ -198,6 +203,7 @@ void SolverWorker::iterateLive()
         failIn(*m_live);
         return;
     }
+    learnStepTime();
     ++m_rateCount;
     const bool first = m_status.iterations == 0;
     m_status.iterations = relaxation.iterations();
@@ -212,7 +218,7 @@ void SolverWorker::iterateLive()
 /// The pointer stands still, and so does the surface: find out what the resting one will be.
 void SolverWorker::endLive()
 {
-    if (m_live->stale) {
+    if (m_live->stale && !m_live->standsIn) {
         // The samples catch up with curves that have moved; the surface goes on from where it is.
         if (rebuildLive(m_liveInput, false) && !m_live)
             publish(SolverStatus::State::Idle);
@@ -223,7 +229,7 @@ void SolverWorker::endLive()
     reportLive();
     publish(SolverStatus::State::Settled);
     if (!m_resting)
-        startResting(m_liveInput);
+        startResting(m_liveInput, false);
 }
 
 } // namespace bolster

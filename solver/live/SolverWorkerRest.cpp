@@ -13,7 +13,6 @@ namespace bolster {
 namespace {
 
 constexpr double restingTolerance = 1e-6; // relative to D
-constexpr double kickOffTolerance = 1e-5; // of a drag from a kept surface
 constexpr double visibleDistance = 0.5;   // mm: a resting surface this near replaces the live one during a gesture
 constexpr double springDistance = 5;      // mm: more than anybody takes for lagging behind the pointer
 constexpr double wayInterval = 15;        // ms: between surfaces of a cover that nothing is known of yet
@@ -48,7 +47,7 @@ void SolverWorker::beginRest(Request request)
     m_resting.reset();
     m_status.iterations = 0;
     publish(SolverStatus::State::Preparing);
-    startResting(request.input);
+    startResting(request.input, afterGesture);
 }
 
 /// Whether the surface that is shown is the answer, perhaps with another depth of its fancy seams.
@@ -75,6 +74,7 @@ void SolverWorker::showKept(RestingSurfacePtr kept, const SolveInput& input, boo
 {
     const SurfaceMeshPtr before = m_surface;
     m_live.reset();
+    m_standIn.reset();
     m_resting.reset();
     m_field.reset();
     auto surface = std::make_shared<SurfaceMesh>(*kept->surface);
@@ -97,7 +97,7 @@ void SolverWorker::showKept(RestingSurfacePtr kept, const SolveInput& input, boo
 /// Makes a sheet of the kept surface that is shown, from which a gesture can go on. False when it was given up.
 bool SolverWorker::continueKept()
 {
-    std::unique_ptr<Sheet> sheet = makeSheet(m_restInput, kickOffTolerance);
+    std::unique_ptr<Sheet> sheet = makeSheet(m_restInput, liveTolerance);
     if (!sheet)
         return false;
     const SheetState& state = m_shownKept->state;
@@ -123,7 +123,8 @@ void SolverWorker::keepResting()
     m_restKept = true;
 }
 
-void SolverWorker::startResting(const SolveInput& input)
+/// `afterGesture`: the live surface is of this design.
+void SolverWorker::startResting(const SolveInput& input, bool afterGesture)
 {
     const auto preparesRest = [this](bool on) {
         const std::lock_guard lock(m_requestMutex);
@@ -133,7 +134,11 @@ void SolverWorker::startResting(const SolveInput& input)
     preparesRest(true);
     std::unique_ptr<Sheet> sheet;
     try {
-        sheet = makeSheet(input, restingTolerance);
+        sheet = prepare(input, m_triangulations);
+        if (sheet && afterGesture)
+            showOnNewTriangles(*sheet);
+        if (sheet && !factor(*sheet, restingTolerance))
+            sheet.reset();
         if (sheet && sheet->relaxation)
             startFromDesign(sheet->prepared, *sheet->relaxation, m_ghostCache, m_pool, m_preparing.get_token());
         if (m_preparing.stop_requested())
@@ -158,6 +163,19 @@ void SolverWorker::startResting(const SolveInput& input)
         publishSurface(makeSurface(sheet->prepared.mesh, {}, ++m_surfaceRevision));
         restEmpty();
     }
+}
+
+/// Where a gesture has led, on the triangles of what will be at rest.
+void SolverWorker::showOnNewTriangles(const Sheet& sheet)
+{
+    const SewnMesh& mesh = sheet.prepared.mesh;
+    if (!m_live || !m_live->relaxation || m_live->prepared.mesh.parts.size() != mesh.parts.size() ||
+        !sheet.prepared.leftOut.empty())
+        return;
+    publishSurface(makeSurface(mesh, transferState(m_live->prepared.mesh, m_live->relaxation->state(), mesh),
+                               ++m_surfaceRevision));
+    m_designRevision = m_takenRevision;
+    publish(SolverStatus::State::Preparing);
 }
 
 /// On the way to the first surface of a design each is shown that somebody could see; later the last one stays.
@@ -188,8 +206,9 @@ void SolverWorker::endResting()
         m_resting.reset();
     } else if (relaxation.phase() == Relaxation::Phase::Failed) {
         failIn(*m_resting);
-    } else if (m_gesture && surfaceDistance(m_live->prepared.mesh, m_live->relaxation->state(),
-                                            m_resting->prepared.mesh, relaxation.state()) >= visibleDistance) {
+    } else if (m_gesture &&
+               surfaceDistance(m_live->prepared.mesh, m_live->relaxation->state(), m_resting->prepared.mesh,
+                               relaxation.state()) >= (m_live->standsIn ? springDistance : visibleDistance)) {
         m_restingWaits = true;
     } else {
         if (!converged)
@@ -203,10 +222,17 @@ void SolverWorker::adoptResting()
 {
     const SurfaceMeshPtr before = m_surface;
     const SurfaceMeshPtr after = surfaceOf(*m_resting);
-    const bool seen = !m_gesture && before && (m_live || m_shownKept); // as it was, else only on the way
+    const bool stoodIn = m_live && m_live->standsIn;
+    const bool seen =
+        (!m_gesture || stoodIn) && before && (m_live || m_shownKept); // as it was, else only on the way
     CoverMove move = seen ? moveBetween(*before, *after) : CoverMove();
     if (strandedDistance(move.distance) > springDistance)
         m_status.sprang = move.distance;
+    m_standIn.reset();
+    if (m_gesture && stoodIn) {
+        m_standIn = std::move(m_live);
+        m_standInInput = m_liveInput;
+    }
     m_live = std::move(m_resting);
     m_liveInput = m_restingInput;
     m_owed = SolvePlan::Nothing;

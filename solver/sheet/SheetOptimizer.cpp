@@ -227,7 +227,23 @@ void SheetOptimizer::restart(SheetState state)
     m_ahead.frames = std::move(state.frames);
     m_back.positions.setZero(4, m_ahead.positions.cols());
     m_back.frames.setZero(4, m_ahead.frames.cols());
+    m_drift.resize(4, 0);
     retarget();
+}
+
+void SheetOptimizer::standStill()
+{
+    constexpr int rounds = 20; // in which frames come to rest where positions don't move
+    m_drift.resize(4, 0);
+    for (int round = 0; round < rounds; ++round) {
+        startHere();
+        alignFrames();
+        fit();
+        solveFrames();
+    }
+    startHere();
+    solvePositions();
+    m_drift = m_positions->x();
 }
 
 void SheetOptimizer::retarget()
@@ -269,9 +285,7 @@ std::optional<double> SheetOptimizer::iterate()
     const bool mixes = m_acceleration == Acceleration::Mixing;
     if (!mixes)
         m_momentum = nextMomentum();
-    if (!m_signsAgree)
-        for (const int v : alignSigns(m_mesh, m_pool, m_ahead.frames))
-            m_back.frames.col(v) *= -1;
+    alignFrames();
     fit();
     solveFrames();
     solvePositions();
@@ -279,6 +293,13 @@ std::optional<double> SheetOptimizer::iterate()
         return movePositions(stableStep());
     m_mixing.mix(stableStep(), m_pool, m_positions->x());
     return movePositions(1);
+}
+
+void SheetOptimizer::alignFrames()
+{
+    if (!m_signsAgree)
+        for (const int v : alignSigns(m_mesh, m_pool, m_ahead.frames))
+            m_back.frames.col(v) *= -1;
 }
 
 void SheetOptimizer::setAcceleration(Acceleration acceleration)
@@ -385,6 +406,8 @@ void SheetOptimizer::solvePositions()
         body.balance(m_ahead.positions, m_positions->slots(), moves);
     if (m_mesh.freeCount > 0)
         m_positions->solve(m_pool);
+    if (m_drift.cols() > 0)
+        moves -= m_drift;
 }
 
 /// Ghosts and pressure.

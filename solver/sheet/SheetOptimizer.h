@@ -45,6 +45,9 @@ public:
     /// Moves positions to where the present frames want them, without fitting frames first: a start whose rings are
     /// torn by sewing and fixing says nothing about frames yet.
     void relaxPositions();
+    /// Makes the present positions those at rest, until the next restart: from now on each step goes without what
+    /// L1 would move them by now, which is a load that stays.
+    void standStill();
     /// Accepts moved targets and changed pressure or Poisson parameters; positions go on from where they are.
     void retarget();
 
@@ -77,6 +80,7 @@ private:
     void startHere();
     double nextMomentum() const;
     double beta() const;
+    void alignFrames();
     void fit();
     void correctFits();
     void solveFrames();
@@ -130,6 +134,7 @@ private:
     bool m_signsAgree = false;
     double m_momentum = 1;          // t_k of Nesterov's scheme
     bool m_overshot = false;        // the next iteration starts from the present state
+    Eigen::Matrix4Xf m_drift;       // of standStill(), in the order of the factor; else empty
     std::vector<Moved> m_moved;     // per chunk of free unknowns
     Eigen::Matrix4Xf m_map;         // the two columns of R(q_i) T_i, per vertex
     Eigen::Matrix4Xf m_forces;      // per vertex, where several have one unknown

@@ -27,6 +27,21 @@ Vec3 positionAt(const SewnMesh& mesh, const SheetState& state, const PatternPlac
     return sum;
 }
 
+/// The same on the curved surface that the frames of the corners describe: half way to their tangent planes, which
+/// is right for any constant curvature (Boubekeur and Alexa, Phong tessellation, 2008). Without it a finer mesh
+/// would begin with the facets of a coarser one.
+Vec3 curvedPositionAt(const SewnMesh& mesh, const SheetState& state, const PatternPlace& at)
+{
+    const Vec3 flat = positionAt(mesh, state, at);
+    Vec3 raised = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 normal = rotationOf(state.frames.col(at.corners[k])).col(2);
+        const Vec3 corner = state.positions.col(mesh.topology->unknown[at.corners[k]]);
+        raised += at.weights[k] * normal.dot(corner - flat) * normal;
+    }
+    return flat + 0.5 * raised;
+}
+
 Eigen::Vector4d frameAt(const SheetState& state, const PatternPlace& at)
 {
     Eigen::Index nearest = 0;
@@ -58,7 +73,7 @@ public:
         for (int v = part.firstVertex; v < part.firstVertex + part.vertexCount; ++v) {
             const PatternPlace at = locator.locate(m_to.rest()[v]);
             const auto unknown = m_to.topology->unknown[v];
-            m_sum.col(unknown) += positionAt(from, state, at);
+            m_sum.col(unknown) += curvedPositionAt(from, state, at);
             ++m_count[unknown];
             result.frames.col(v) = frameAt(state, at);
         }
