@@ -80,7 +80,8 @@ void startFromDesign(const PreparedSheet& sheet, Relaxation& relaxation, GhostCa
     std::unique_ptr<Level> last;
     for (const double edge : levelsOf(sheet.mesh, sheet.design.settings().edgeLength)) {
         TriangulationCache triangles;
-        std::optional<PreparedSheet> coarse = prepareSheet(withEdgeLength({sheet.design, sheet.files}, edge), triangles, pool, stop);
+        std::optional<PreparedSheet> coarse =
+            prepareSheet(withEdgeLength({sheet.design, sheet.files}, edge), triangles, pool, stop);
         if (stop.stop_requested())
             return;
         // Patches may be too narrow for such edges.

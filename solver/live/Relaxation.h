@@ -29,7 +29,8 @@ public:
     void startFrom(SheetState state, bool torn);
     /// From where it came to rest on other triangles.
     void startNear(SheetState state);
-    /// The same, to stay there until something changes: what these triangles would make of it otherwise is left out.
+    /// The same, to stay there until something changes: what these triangles would make of it otherwise is left
+    /// out.
     void startStill(SheetState state);
     /// After updateTargets() or updateMaterials() on the mesh.
     void retarget(Ghosts ghosts = {});

@@ -21,6 +21,11 @@ void SolverThread::drawField(bool on)
     m_worker->drawField(on);
 }
 
+void SolverThread::setStepBudget(double ms)
+{
+    m_worker->setStepBudget(ms);
+}
+
 std::optional<SolverOutput> SolverThread::take()
 {
     std::optional<SolverOutput> output = m_worker->out().take();

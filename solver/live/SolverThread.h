@@ -70,6 +70,8 @@ public:
     void request(SolveInput input, std::uint64_t designRevision, bool passing = false);
     /// Whether answers have a picture of the forces, as of the next one.
     void drawField(bool on);
+    /// How long a step of a gesture should take, ms: large designs have fewer triangles then. As of the next one.
+    void setStepBudget(double ms);
     /// The newest output, once.
     std::optional<SolverOutput> take();
     const std::shared_ptr<RestingCache>& kept() const;

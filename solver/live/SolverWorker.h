@@ -37,6 +37,7 @@ public:
     void request(Request request);
     /// From another thread, as of the next answer.
     void drawField(bool on) { m_drawsField = on; }
+    void setStepBudget(double ms) { m_stepBudget = ms; }
     Mailbox<SolverOutput>& out() { return m_out; }
     const std::shared_ptr<RestingCache>& kept() const { return m_kept; }
     /// Until stopped.
@@ -79,6 +80,7 @@ private:
     // Fewer triangles for the live surface of a large design.
     bool tooLarge(const Sheet& sheet) const;
     double standInEdge(const Sheet& sheet) const;
+    double standInVertices() const;
     std::unique_ptr<Sheet> makeStandIn(const SolveInput& input, double edge);
     std::unique_ptr<Sheet> makeLive(const SolveInput& input);
     bool standIn();
@@ -147,7 +149,8 @@ private:
     bool m_restKept = false;       // and is among those that are kept
 
     std::atomic<bool> m_drawsField{false};
-    FieldPicturePtr m_field; // of the live surface; null until it is drawn
+    std::atomic<double> m_stepBudget{16}; // ms
+    FieldPicturePtr m_field;              // of the live surface; null until it is drawn
     SurfaceMeshPtr m_surface;
     SurfaceMeshPtr m_from; // as in SolverOutput, of m_surface
     std::uint64_t m_surfaceRevision = 0;

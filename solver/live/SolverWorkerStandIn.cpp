@@ -9,25 +9,27 @@ namespace bolster {
 
 namespace {
 
-constexpr double stepBudget = 16;         // ms
 constexpr double overBudget = 1.25;       // times the budget
-constexpr double fewestVertices = 15'000; // of a stand-in
-constexpr double iterationsOfStep = 3;    // what a step takes, its only iteration, targets and surface together
+constexpr double fewestVertices = 20'000; // of a stand-in
+constexpr double iterationsOfStep = 5;    // what a step takes, its only iteration, targets and surface together
 constexpr int measured = 10;              // iterations, to learn how long one takes
 
 } // namespace
 
 bool SolverWorker::tooLarge(const Sheet& sheet) const
 {
-    return !sheet.standsIn && !sheet.alone &&
-           sheet.vertices() > overBudget * std::max(stepBudget / m_stepTime, fewestVertices);
+    return !sheet.standsIn && !sheet.alone && sheet.vertices() > overBudget * standInVertices();
+}
+
+double SolverWorker::standInVertices() const
+{
+    return std::max(m_stepBudget / m_stepTime, fewestVertices);
 }
 
 /// mm, of a sheet that is too large.
 double SolverWorker::standInEdge(const Sheet& sheet) const
 {
-    return sheet.prepared.design.settings().edgeLength *
-           std::sqrt(sheet.vertices() / std::max(stepBudget / m_stepTime, fewestVertices));
+    return sheet.prepared.design.settings().edgeLength * std::sqrt(sheet.vertices() / standInVertices());
 }
 
 /// Null when it was given up, or when patches would be too narrow.
