@@ -6,6 +6,7 @@
 
 #include <QDebug>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -16,7 +17,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto restAfter = 120ms;
-constexpr std::uint32_t mostForTwoLevels = 25000; ///< vertices: more give more triangles than pixels
+// Vertices: more give more triangles than pixels.
+constexpr std::uint32_t mostForTwoLevels = 25'000, mostForOneLevel = 100'000;
+constexpr double longEdge = 6; ///< pixels: where many triangles are looked at from near
 
 } // namespace
 
@@ -29,11 +32,15 @@ public:
             Made made;
             const SurfaceTopology& topology = *wanted.surface->topology;
             if (topology.vertexCount() == 0)
-                return {}; // OpenSubdiv would complain on the terminal
-            if (m_last.cover && m_last.cover->surface == wanted.surface)
+                return {};                                      // OpenSubdiv would complain on the terminal
+            const bool trimmed = SeamTrims::any(wanted.design); // trims lie on a refined cover
+            const int levels = std::max(wanted.levels, trimmed ? 1 : 0);
+            if (levels == 0)
+                return {};
+            if (m_last.cover && m_last.cover->surface == wanted.surface && m_last.cover->topology->levels == levels)
                 made.cover = m_last.cover;
             else
-                made.cover = m_refiner.refine(wanted.surface, topology.vertexCount() <= mostForTwoLevels ? 2 : 1);
+                made.cover = m_refiner.refine(wanted.surface, levels);
             made.cover = sewn(wanted.design, made.cover);
             made.trims = m_trims.make(wanted.design, *made.cover, stop);
             if (!stop.stop_requested())
@@ -104,9 +111,26 @@ void CoverLink::setDesign(const Design& design)
         m_rest.start();
 }
 
+void CoverLink::setPixelSize(double mm)
+{
+    m_pixelSize = mm;
+    if (m_surface && !m_rest.isActive() && levels() > m_asked)
+        m_rest.start();
+}
+
+/// Of subdivision.
+int CoverLink::levels() const
+{
+    const std::uint32_t vertices = m_surface->topology->vertexCount();
+    if (vertices <= mostForTwoLevels)
+        return 2;
+    return vertices <= mostForOneLevel || m_design.settings().edgeLength > longEdge * m_pixelSize ? 1 : 0;
+}
+
 void CoverLink::ask()
 {
-    m_job.request({m_surface, m_design}, true);
+    m_asked = levels();
+    m_job.request({m_surface, m_design, m_asked}, true);
 }
 
 } // namespace bolster

@@ -21,6 +21,8 @@ public:
 
 public slots:
     void setSurface(const bolster::SurfaceMeshPtr& surface);
+    /// mm that a pixel of the picture shows: triangles that are small enough on the screen are not divided.
+    void setPixelSize(double mm);
     /// Whose seams are trimmed.
     void setDesign(const bolster::Design& design);
 
@@ -32,6 +34,7 @@ private:
     struct Wanted {
         SurfaceMeshPtr surface;
         Design design;
+        int levels = 0;
     };
     struct Made {
         CoverMeshPtr cover;
@@ -39,10 +42,13 @@ private:
     };
     class Maker;
 
+    int levels() const;
     void ask();
 
     SurfaceMeshPtr m_surface;
     Design m_design;
+    double m_pixelSize = 0; ///< 0: not known
+    int m_asked = 0;        ///< levels
     QTimer m_rest;
     LatestJob<Wanted, Made> m_job; ///< last: it uses the others
 };

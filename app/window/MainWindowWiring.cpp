@@ -198,6 +198,8 @@ void MainWindow::connectSolver()
     });
     connect(m_solver.get(), &SolverLink::surfaceShown, &m_surface->shown(), &ShownScene::setSurface);
     connect(m_solver.get(), &SolverLink::surfaceShown, m_covers.get(), &CoverLink::setSurface);
+    connect(&m_surface->navigation(), &CoverNavigation::moved, m_covers.get(),
+            [this](const Camera& camera) { m_covers->setPixelSize(camera.pixelSize()); });
     connect(m_solver.get(), &SolverLink::sprang, this, [this](double distance) {
         m_status->flashNext(
             tr("The cover sprang by %1.").arg(lengthText(distance)),

@@ -170,6 +170,7 @@ TEST_F(ImportPatternTest, OpenOutlinesAreToldAndClosed)
     EXPECT_TRUE(told.contains(QStringLiteral("3.00 mm"))) << told.toStdString();
     EXPECT_TRUE(told.contains(QStringLiteral("image"))) << "nothing is left out silently: " << told.toStdString();
     auto* gap = dialog->findChild<QAbstractSpinBox*>(QStringLiteral("gap"));
+    takeKeyboard(*dialog);
     gap->setFocus();
     gap->selectAll();
     QTest::keyClicks(gap, QStringLiteral("5"));

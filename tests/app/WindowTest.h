@@ -36,14 +36,15 @@ protected:
 
     /// Shortcuts and focus need an active window; who closed the one before may still be asked to take it over, so
     /// that asking once is not enough.
-    void takeKeyboard()
+    void takeKeyboard() { takeKeyboard(window); }
+    static void takeKeyboard(QWidget& by)
     {
-        for (int tries = 0; tries < 30 && !window.isActiveWindow(); ++tries) {
-            window.raise();
-            window.activateWindow();
-            (void)QTest::qWaitFor([&] { return window.isActiveWindow(); }, 1000);
+        for (int tries = 0; tries < 30 && !by.isActiveWindow(); ++tries) {
+            by.raise();
+            by.activateWindow();
+            (void)QTest::qWaitFor([&] { return by.isActiveWindow(); }, 1000);
         }
-        ASSERT_TRUE(window.isActiveWindow()) << "no keyboard: is there a window manager?";
+        ASSERT_TRUE(by.isActiveWindow()) << "no keyboard: is there a window manager?";
     }
 
     void TearDown() override

@@ -3,8 +3,10 @@
 // Needs OpenGL, a software one will do: xvfb-run -a bolster_orbit ...
 #include "CoverRefiner.h"
 #include "DesignFile.h"
+#include "FrameSkin.h"
 #include "GlPainter.h"
 #include "MeshShape.h"
+#include "PreparedSheet.h"
 #include "RestingSolve.h"
 #include "TestFabric.h"
 
@@ -20,6 +22,23 @@
 namespace {
 
 using namespace bolster;
+
+/// The frames as they are, not pressed.
+void addFrames(ViewScene& scene, const Design& design, const DesignFiles& files)
+{
+    std::size_t triangles = 0;
+    design.each<Frame>([&](ElementId id, const Frame& frame) {
+        const auto mesh = files.meshes.find(id);
+        if (mesh == files.meshes.end())
+            return;
+        Scene::FrameLook look{mesh->second};
+        look.placement = frame;
+        look.skin = FrameSkins(nullptr).skin(*mesh->second, frame);
+        triangles += look.skin->corners.size() / 3;
+        scene.frames.push_back(look);
+    });
+    std::printf("frames: %zu triangles\n", triangles);
+}
 
 ViewScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const QCommandLineParser& options)
 {
@@ -58,7 +77,7 @@ ViewScene sceneOf(const Design& design, const SurfaceMeshPtr& surface, const QCo
     return scene;
 }
 
-void orbit(GlPainter& painter, GlPainter::Request request)
+void orbit(GlPainter& painter, GlPainter::Request request, const QString& file)
 {
     std::vector<double> times;
     request.moving = true;
@@ -67,7 +86,9 @@ void orbit(GlPainter& painter, GlPainter::Request request)
         ++request.version;
         QElapsedTimer clock;
         clock.start();
-        painter.paint(request, {});
+        const QImage image = painter.paint(request, {}).image;
+        if (frame == 40 && !file.isEmpty())
+            image.save(file);
         if (frame >= 8) // the painter finds its pace
             times.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
     }
@@ -100,6 +121,8 @@ int main(int argc, char* argv[])
     options.addHelpOption();
     options.addPositionalArgument("design", "a design file");
     options.addOptions({{"size", "of the picture, pixels", "WxH", "1280x800"},
+                        {"edge", "of the solver's triangles, mm", "length"},
+                        {"frames", "with the frames"},
                         {"coarse", "the cover as it is solved"},
                         {"fabric", "with the maps of a woven fabric"},
                         {"checker", "with the checker"},
@@ -107,21 +130,27 @@ int main(int argc, char* argv[])
                         {"azimuth", "from where, degrees from three quarters", "degrees", "0"},
                         {"elevation", "degrees more", "degrees", "0"},
                         {"zoom", "times nearer", "factor", "1"},
-                        {"image", "writes the finest picture", "file"}});
+                        {"image", "writes the finest picture", "file"},
+                        {"moving-image", "writes one while the camera moves", "file"}});
     options.process(application);
     if (options.positionalArguments().size() != 1)
         options.showHelp(2);
     const OpenedDesign opened = openDesign(options.positionalArguments().front());
+    SolveInput input{opened.design, opened.files};
+    if (options.isSet("edge"))
+        input = withEdgeLength(input, options.value("edge").toDouble());
     SolveOptions lenient;
     lenient.lenient = true;
     lenient.tolerance = 1e-5;
-    const SolveResult solved = solveResting({opened.design, opened.files}, lenient);
+    const SolveResult solved = solveResting(input, lenient);
     if (!solved.surface) {
         std::fprintf(stderr, "bolster_orbit: no surface\n");
         return 1;
     }
     GlPainter::Request request;
     request.scene = sceneOf(opened.design, solved.surface, options);
+    if (options.isSet("frames"))
+        addFrames(request.scene, opened.design, opened.files);
     const QStringList size = options.value("size").split('x');
     request.size = {size.value(0).toInt(), size.value(1).toInt()};
     request.camera.size = {request.size.width(), request.size.height()};
@@ -139,6 +168,6 @@ int main(int argc, char* argv[])
     std::printf("%zu vertices, %zu shown\n", solved.surface->positions.size(),
                 request.scene.cover ? request.scene.cover->points.size() : solved.surface->positions.size());
     finest(painter, request, options.value("image"));
-    orbit(painter, request);
+    orbit(painter, request, options.value("moving-image"));
     return 0;
 }

@@ -62,6 +62,16 @@ void GlCover::setCloth(const ViewScene& scene, ElementId patch, bool quick)
 
 void GlCover::draw(const ViewScene& scene, const GlView& view, bool quick)
 {
+    draw(scene, view, quick, quick ? GlCoverMesh::Detail::Fewer : GlCoverMesh::Detail::Refined);
+}
+
+void GlCover::drawDepth(const ViewScene& scene, const GlView& view, bool quick)
+{
+    draw(scene, view, true, quick ? GlCoverMesh::Detail::Fewer : GlCoverMesh::Detail::Solved);
+}
+
+void GlCover::draw(const ViewScene& scene, const GlView& view, bool quick, GlCoverMesh::Detail detail)
+{
     GlCoverMesh& mesh = shown(scene);
     if (!scene.surface || mesh.empty())
         return;
@@ -84,7 +94,7 @@ void GlCover::draw(const ViewScene& scene, const GlView& view, bool quick)
             m_gl.glPolygonOffset(1, 1 + placeStep * static_cast<float>(drawn++ % places));
             setCloth(scene, range.patch, quick);
         },
-        quick);
+        detail);
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

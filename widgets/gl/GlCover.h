@@ -15,10 +15,13 @@ public:
     void update(const ViewScene& scene);
     /// `quick`: something moves; fewer triangles, and plainer cloth.
     void draw(const ViewScene& scene, const GlView& view, bool quick);
+    /// How near it is, where its looks are not seen.
+    void drawDepth(const ViewScene& scene, const GlView& view, bool quick);
     void drawEdges(const ViewScene& scene, const GlView& view, const QColor& color);
 
 private:
     GlCoverMesh& shown(const ViewScene& scene) { return scene.cover ? m_refined : m_solved; }
+    void draw(const ViewScene& scene, const GlView& view, bool quick, GlCoverMesh::Detail detail);
     void updateRelief(const ViewScene& scene);
     void setCloth(const ViewScene& scene, ElementId patch, bool quick);
 

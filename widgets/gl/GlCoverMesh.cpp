@@ -1,5 +1,6 @@
 #include "GlCoverMesh.h"
 
+#include "FewerTriangles.h"
 #include "SurfaceEdges.h"
 
 #include <algorithm>
@@ -90,7 +91,18 @@ void GlCoverMesh::putTopology(const std::vector<Eigen::Vector2f>& cloth,
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_triangles.put(all, QOpenGLBuffer::StaticDraw);
     m_coarseTriangles.put(m_coarse->triangles, QOpenGLBuffer::StaticDraw);
+    m_fewerOf.clear();
     m_edgeCount = 0;
+}
+
+/// Once for each topology, when something moves.
+void GlCoverMesh::putFewer()
+{
+    if (!m_fewerOf.empty())
+        return;
+    FewerTriangles fewer = fewerTriangles(*m_coarse, mostMovingTriangles);
+    m_fewerTriangles.put(fewer.triangles, QOpenGLBuffer::StaticDraw);
+    m_fewerOf = std::move(fewer.firstOf);
 }
 
 void GlCoverMesh::putMap(const VertexMapPtr& map)
@@ -151,15 +163,28 @@ GlCoverMesh::Ranges GlCoverMesh::patches(const SurfaceTopology& shown) const
 }
 
 void GlCoverMesh::draw(const Ranges& patches, const std::function<void(const SurfaceTopology::PatchRange&)>& begin,
-                       bool coarsely)
+                       Detail detail)
 {
-    const std::size_t each = m_fine && !coarsely ? m_fine->trianglesPerCoarse() : 1;
+    const bool fewer = detail == Detail::Fewer &&
+                       static_cast<double>(m_coarse->triangles.size()) > worthFewer * mostMovingTriangles;
+    const bool refined = detail == Detail::Refined;
+    const std::size_t each = m_fine && refined ? m_fine->trianglesPerCoarse() : 1;
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
-    (coarsely ? m_coarseTriangles : m_triangles).bind();
+    if (fewer)
+        putFewer();
+    (fewer ? m_fewerTriangles : refined ? m_triangles : m_coarseTriangles).bind();
     for (const SurfaceTopology::PatchRange& range : patches) {
         begin(range);
-        m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * each * range.triangleCount), GL_UNSIGNED_INT,
-                            reinterpret_cast<const void*>(3 * sizeof(std::uint32_t) * each * range.firstTriangle));
+        std::size_t first = each * range.firstTriangle, count = each * range.triangleCount;
+        if (fewer) {
+            const auto place =
+                std::ranges::lower_bound(m_coarse->patches, range.patch, {}, &SurfaceTopology::PatchRange::patch) -
+                m_coarse->patches.begin();
+            first = m_fewerOf[static_cast<std::size_t>(place)];
+            count = m_fewerOf[static_cast<std::size_t>(place) + 1] - first;
+        }
+        m_gl.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                            reinterpret_cast<const void*>(3 * sizeof(std::uint32_t) * first));
     }
 }
 

@@ -33,13 +33,19 @@ public:
     using Ranges = std::vector<SurfaceTopology::PatchRange>;
     /// Of those patches of the mesh that `shown` has.
     Ranges patches(const SurfaceTopology& shown) const;
-    /// Calls `begin` before each patch. `coarsely`: the solver's triangles on the refined vertices.
+    enum class Detail {
+        Fewer,  ///< than the solver's triangles, where there are too many for something that moves
+        Solved, ///< the solver's triangles on the refined vertices
+        Refined
+    };
+    /// Calls `begin` before each patch.
     void draw(const Ranges& patches, const std::function<void(const SurfaceTopology::PatchRange&)>& begin,
-              bool coarsely);
+              Detail detail);
     void drawEdges(const Ranges& patches);
 
 private:
     void putTopology(const std::vector<Eigen::Vector2f>& cloth, const std::vector<CoverTopology::Triangle>& all);
+    void putFewer();
     void putEdges(const Ranges& patches);
     template <class T>
     std::vector<T> ofVertices(std::vector<T> ofCoarse) const;
@@ -55,6 +61,8 @@ private:
     GlBuffer m_seamShapes;
     GlBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
     GlBuffer m_coarseTriangles{QOpenGLBuffer::IndexBuffer};
+    GlBuffer m_fewerTriangles{QOpenGLBuffer::IndexBuffer};
+    std::vector<std::size_t> m_fewerOf; ///< as in FewerTriangles; empty until something moves
     GlBuffer m_edges{QOpenGLBuffer::IndexBuffer};
     GLsizei m_edgeCount = 0;
     std::vector<ElementId> m_edgesOf;

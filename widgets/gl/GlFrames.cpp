@@ -1,5 +1,7 @@
 #include "GlFrames.h"
 
+#include "FewerTriangles.h"
+
 #include <algorithm>
 
 namespace bolster {
@@ -22,17 +24,34 @@ Eigen::Matrix4f movedSince(const Placement& then, const Placement& now)
 
 } // namespace
 
-GlFrames::GlFrames(GlFunctions& gl)
-    : m_gl(gl)
-    , m_program("frame.vert", "frame.frag")
+GlFrames::Skins::Skins(GlFunctions& gl)
 {
-    m_array.create();
-    const QOpenGLVertexArrayObject::Binder bound(&m_array);
-    bindColumns(gl, m_corners, sizeof(FrameSkin::Corner),
+    array.create();
+    const QOpenGLVertexArrayObject::Binder bound(&array);
+    bindColumns(gl, corners, sizeof(FrameSkin::Corner),
                 {{0, 3, GL_FLOAT, offsetof(FrameSkin::Corner, position)},
                  {1, 3, GL_FLOAT, offsetof(FrameSkin::Corner, normal)},
                  {2, 3, GL_FLOAT, offsetof(FrameSkin::Corner, grain)}});
 }
+
+void GlFrames::Skins::put(const std::vector<std::vector<FrameSkin::Corner>>& skins)
+{
+    firstOf.clear();
+    std::vector<FrameSkin::Corner> all;
+    for (const std::vector<FrameSkin::Corner>& skin : skins) {
+        firstOf.push_back(all.size());
+        all.insert(all.end(), skin.begin(), skin.end());
+    }
+    firstOf.push_back(all.size());
+    corners.put(all, QOpenGLBuffer::StaticDraw);
+}
+
+GlFrames::GlFrames(GlFunctions& gl)
+    : m_gl(gl)
+    , m_program("frame.vert", "frame.frag")
+    , m_all(gl)
+    , m_fewer(gl)
+{}
 
 void GlFrames::update(const ViewScene& scene)
 {
@@ -42,11 +61,31 @@ void GlFrames::update(const ViewScene& scene)
     if (m_skins == skins)
         return;
     m_skins = std::move(skins);
-    std::vector<FrameSkin::Corner> corners;
+    std::vector<std::vector<FrameSkin::Corner>> corners;
     for (const FrameSkinPtr& skin : m_skins)
-        if (skin)
-            corners.insert(corners.end(), skin->corners.begin(), skin->corners.end());
-    m_corners.put(corners, QOpenGLBuffer::StaticDraw);
+        corners.push_back(skin ? skin->corners : std::vector<FrameSkin::Corner>());
+    m_all.put(corners);
+    m_fewer.firstOf.clear();
+}
+
+/// Once, when something moves.
+void GlFrames::putFewer()
+{
+    if (!m_fewer.firstOf.empty())
+        return;
+    const double share = static_cast<double>(mostMovingTriangles) / static_cast<double>(triangles());
+    std::vector<std::vector<FrameSkin::Corner>> corners;
+    for (const FrameSkinPtr& skin : m_skins)
+        corners.push_back(
+            skin ? fewerCorners(skin->corners,
+                                static_cast<std::size_t>(share * static_cast<double>(skin->corners.size()) / 3))
+                 : std::vector<FrameSkin::Corner>());
+    m_fewer.put(corners);
+}
+
+std::size_t GlFrames::triangles() const
+{
+    return m_all.firstOf.empty() ? 0 : m_all.firstOf.back() / 3;
 }
 
 GlFrames::Part GlFrames::partOf(const ViewScene& scene, std::size_t frame)
@@ -63,31 +102,31 @@ bool GlFrames::has(const ViewScene& scene, Part part) const
     return false;
 }
 
-void GlFrames::drawAll(const ViewScene& scene, Part part)
+void GlFrames::drawAll(const ViewScene& scene, Part part, Skins& skins)
 {
-    const QOpenGLVertexArrayObject::Binder bound(&m_array);
-    std::size_t first = 0;
+    const QOpenGLVertexArrayObject::Binder bound(&skins.array);
     for (std::size_t f = 0; f < std::min(m_skins.size(), scene.frames.size()); ++f) {
-        if (!m_skins[f])
+        if (!m_skins[f] || partOf(scene, f) != part)
             continue;
         const Scene::FrameLook& frame = scene.frames[f];
-        const std::size_t count = m_skins[f]->corners.size();
-        if (partOf(scene, f) == part) {
-            m_program.set("moved", movedSince(m_skins[f]->placement, frame.placement));
-            m_program.set("material", linearLight(colorOf(colorShown(frame.material))));
-            m_program.set("kind", static_cast<int>(frame.material.kind));
-            m_program.set("opacity",
-                          part == Part::Solid ? 1.F : static_cast<float>(frame.opacity * scene.frameOpacity));
-            m_gl.glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
-        }
-        first += count;
+        m_program.set("moved", movedSince(m_skins[f]->placement, frame.placement));
+        m_program.set("material", linearLight(colorOf(colorShown(frame.material))));
+        m_program.set("kind", static_cast<int>(frame.material.kind));
+        m_program.set("opacity",
+                      part == Part::Solid ? 1.F : static_cast<float>(frame.opacity * scene.frameOpacity));
+        m_gl.glDrawArrays(GL_TRIANGLES, static_cast<GLint>(skins.firstOf[f]),
+                          static_cast<GLsizei>(skins.firstOf[f + 1] - skins.firstOf[f]));
     }
 }
 
-void GlFrames::draw(const ViewScene& scene, const GlView& view, Part part)
+void GlFrames::draw(const ViewScene& scene, const GlView& view, Part part, bool quick)
 {
     if (!has(scene, part))
         return;
+    const bool fewer = quick && static_cast<double>(triangles()) > worthFewer * mostMovingTriangles;
+    if (fewer)
+        putFewer();
+    Skins& skins = fewer ? m_fewer : m_all;
     m_program.use();
     view.setTransforms(m_program);
     view.setLights(m_program);
@@ -98,11 +137,11 @@ void GlFrames::draw(const ViewScene& scene, const GlView& view, Part part)
     m_gl.glPolygonOffset(2, stepsBehindCover);
     if (part == Part::SeeThrough) { // first how near it is, then its looks there
         m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-        drawAll(scene, part);
+        drawAll(scene, part, skins);
         m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         m_gl.glEnable(GL_BLEND);
     }
-    drawAll(scene, part);
+    drawAll(scene, part, skins);
     m_gl.glDisable(GL_BLEND);
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 }

@@ -61,9 +61,9 @@ void SceneRenderer::draw(const ViewScene& scene, const Camera& camera, const QSi
         m_cover.drawEdges(scene, view, QColor(10, 10, 10, 90));
         m_gl.glDisable(GL_BLEND);
     }
-    m_frames.draw(scene, view, GlFrames::Part::Solid);
+    m_frames.draw(scene, view, GlFrames::Part::Solid, quick);
     if (m_frames.has(scene, GlFrames::Part::SeeThrough))
-        drawSeeThrough(scene, view);
+        drawSeeThrough(scene, view, quick);
     m_gl.glDisable(GL_CLIP_DISTANCE0);
     m_points.draw(view);
     m_marks.draw(view, true);
@@ -71,13 +71,13 @@ void SceneRenderer::draw(const ViewScene& scene, const Camera& camera, const QSi
 }
 
 /// What is see-through hides no lines: afterwards depths are again those without it.
-void SceneRenderer::drawSeeThrough(const ViewScene& scene, const GlView& view)
+void SceneRenderer::drawSeeThrough(const ViewScene& scene, const GlView& view, bool quick)
 {
-    m_frames.draw(scene, view, GlFrames::Part::SeeThrough);
+    m_frames.draw(scene, view, GlFrames::Part::SeeThrough, quick);
     m_gl.glClear(GL_DEPTH_BUFFER_BIT);
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    m_cover.draw(scene, view, true);
-    m_frames.draw(scene, view, GlFrames::Part::Solid);
+    m_cover.drawDepth(scene, view, quick);
+    m_frames.draw(scene, view, GlFrames::Part::Solid, quick);
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

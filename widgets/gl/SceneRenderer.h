@@ -24,7 +24,7 @@ public:
 
 private:
     static GlFunctions& functions();
-    void drawSeeThrough(const ViewScene& scene, const GlView& view);
+    void drawSeeThrough(const ViewScene& scene, const GlView& view, bool quick);
 
     GlFunctions& m_gl;
     GlGround m_ground;

@@ -88,6 +88,11 @@ bool SeamTrims::prepared(const Design& design, const CoverMesh& cover) const
     return m_places && m_places->cover() == cover.topology && m_of == concerned(design);
 }
 
+bool SeamTrims::any(const Design& design)
+{
+    return !concerned(design).empty();
+}
+
 void SeamTrims::prepare(const Design& design, const CoverMesh& cover, const std::stop_token& stop)
 {
     m_of = concerned(design);

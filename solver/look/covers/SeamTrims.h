@@ -14,6 +14,8 @@ namespace bolster {
 /// alone. Not to be used by two threads at once.
 class SeamTrims {
 public:
+    /// Whether a design has stitches or piping.
+    static bool any(const Design& design);
     /// Null when no seam has any, or when it was stopped. What belongs to patches that the cover does not have is
     /// left out.
     TrimMeshPtr make(const Design& design, const CoverMesh& cover, const std::stop_token& stop = {});
