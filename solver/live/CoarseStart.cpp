@@ -1,5 +1,6 @@
 #include "CoarseStart.h"
 
+#include "Relaxation.h"
 #include "StateTransfer.h"
 
 #include <cmath>
@@ -74,8 +75,8 @@ private:
 
 } // namespace
 
-void startFromDesign(const PreparedSheet& sheet, Relaxation& relaxation, GhostCache& ghosts, WorkerPool& pool,
-                     const std::stop_token& stop)
+std::optional<SheetState> coarseStart(const PreparedSheet& sheet, GhostCache& ghosts, WorkerPool& pool,
+                                      const std::stop_token& stop)
 {
     std::unique_ptr<Level> last;
     for (const double edge : levelsOf(sheet.mesh, sheet.design.settings().edgeLength)) {
@@ -83,7 +84,7 @@ void startFromDesign(const PreparedSheet& sheet, Relaxation& relaxation, GhostCa
         std::optional<PreparedSheet> coarse =
             prepareSheet(withEdgeLength({sheet.design, sheet.files}, edge), triangles, pool, stop);
         if (stop.stop_requested())
-            return;
+            return std::nullopt;
         // Patches may be too narrow for such edges.
         if (!coarse || coarse->mesh.parts.size() != sheet.mesh.parts.size() || !coarse->leftOut.empty())
             continue;
@@ -91,10 +92,15 @@ void startFromDesign(const PreparedSheet& sheet, Relaxation& relaxation, GhostCa
         if (level->comeToRest(last.get(), stop))
             last = std::move(level);
         if (stop.stop_requested())
-            return;
+            return std::nullopt;
     }
-    if (last)
-        relaxation.startNear(last->stateOn(sheet.mesh));
+    return last ? std::optional(last->stateOn(sheet.mesh)) : std::nullopt;
+}
+
+void startFromDesign(Relaxation& relaxation, std::optional<SheetState> coarse)
+{
+    if (coarse)
+        relaxation.startNear(std::move(*coarse));
     else
         relaxation.startCanonically();
 }

@@ -61,14 +61,20 @@ SolveResult failed(SolveResult result, Message reason)
     return result;
 }
 
+/// Its triangles are not wanted again.
+std::optional<PreparedSheet> prepareOnce(const SolveInput& input, WorkerPool& pool, const std::stop_token& stop)
+{
+    TriangulationCache cache;
+    return prepareSheet(input, cache, pool, stop);
+}
+
 SolveResult solve(const SolveInput& input, const SolveOptions& options, const std::stop_token& stop,
                   const std::function<void(int, double)>& progress)
 {
     Stopwatch watch;
     SolveResult result;
-    TriangulationCache cache;
     WorkerPool pool(options.threads);
-    std::optional<PreparedSheet> sheet = prepareSheet(input, cache, pool, stop);
+    std::optional<PreparedSheet> sheet = prepareOnce(input, pool, stop);
     if (!sheet) {
         result.status = SolveResult::Status::Cancelled;
         return result;
@@ -85,6 +91,9 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
             {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}});
 
     GhostCache ghostCache;
+    std::optional<SheetState> coarse;
+    if (!options.oneLevel)
+        coarse = coarseStart(*sheet, ghostCache, pool, stop);
     Relaxation relaxation(
         sheet->mesh, pool, options.tolerance,
         makeGhosts({sheet->design, sheet->files}, sheet->mesh, ghostCache, result.warnings, pool, stop), stop);
@@ -92,12 +101,9 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options, const st
         result.status = SolveResult::Status::Cancelled;
         return result;
     }
-    if (options.oneLevel) {
+    if (options.oneLevel)
         relaxation.doNotMix();
-        relaxation.startCanonically();
-    } else {
-        startFromDesign(*sheet, relaxation, ghostCache, pool, stop);
-    }
+    startFromDesign(relaxation, std::move(coarse));
     while (relaxation.phase() == Relaxation::Phase::Running && relaxation.iterations() < options.maxIterations) {
         if (stop.stop_requested()) {
             result.status = SolveResult::Status::Cancelled;

@@ -94,6 +94,7 @@ private:
     bool continueKept();
     void keepResting();
     void startResting(const SolveInput& input, bool afterGesture);
+    std::unique_ptr<Sheet> sheetAtStart(const SolveInput& input, bool afterGesture);
     void showOnNewTriangles(const Sheet& sheet);
     void iterateResting();
     void endResting();

@@ -134,15 +134,7 @@ void SolverWorker::startResting(const SolveInput& input, bool afterGesture)
     preparesRest(true);
     std::unique_ptr<Sheet> sheet;
     try {
-        sheet = prepare(input, m_triangulations);
-        if (sheet && afterGesture)
-            showOnNewTriangles(*sheet);
-        if (sheet && !factor(*sheet, restingTolerance))
-            sheet.reset();
-        if (sheet && sheet->relaxation)
-            startFromDesign(sheet->prepared, *sheet->relaxation, m_ghostCache, m_pool, m_preparing.get_token());
-        if (m_preparing.stop_requested())
-            sheet.reset();
+        sheet = sheetAtStart(input, afterGesture);
     } catch (...) {
         preparesRest(false);
         throw;
@@ -163,6 +155,26 @@ void SolverWorker::startResting(const SolveInput& input, bool afterGesture)
         publishSurface(makeSurface(sheet->prepared.mesh, {}, ++m_surfaceRevision));
         restEmpty();
     }
+}
+
+/// Null when it was given up.
+std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput& input, bool afterGesture)
+{
+    std::unique_ptr<Sheet> sheet = prepare(input, m_triangulations);
+    if (!sheet)
+        return nullptr;
+    if (afterGesture)
+        showOnNewTriangles(*sheet);
+    std::optional<SheetState> coarse = coarseStart(sheet->prepared, m_ghostCache, m_pool, m_preparing.get_token());
+    if (coarse && !m_gesture && !m_live && !m_shownKept) { // nothing else is to be seen yet
+        publishSurface(makeSurface(sheet->prepared.mesh, *coarse, ++m_surfaceRevision));
+        publish(SolverStatus::State::Preparing);
+    }
+    if (!factor(*sheet, restingTolerance))
+        return nullptr;
+    if (sheet->relaxation)
+        startFromDesign(*sheet->relaxation, std::move(coarse));
+    return m_preparing.stop_requested() ? nullptr : std::move(sheet);
 }
 
 /// Where a gesture has led, on the triangles of what will be at rest.

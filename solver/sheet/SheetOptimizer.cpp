@@ -127,7 +127,6 @@ void SheetOptimizer::precomputeRings()
 
     m_map.setZero(4, 2 * vertices);
     m_forces.setZero(4, vertices);
-    m_displacements.setZero(4, vertices);
     m_stretch.setZero(4, vertices);
     m_moved.resize(WorkerPool::chunkCount(m_mesh.freeCount));
 }
@@ -421,6 +420,8 @@ void SheetOptimizer::addOuterForces()
     m_outer.resize(4, m_mesh.vertexCount());
     m_results.outer = m_outer.data();
     const SheetMoment sheet{m_mesh, m_ahead.positions, m_ahead.frames, &m_back.frames};
+    if (pulled && m_displacements.cols() == 0)
+        m_displacements.setZero(4, m_mesh.vertexCount());
     for (const auto& source : m_ghosts)
         if (acts(*source))
             source->follow(sheet, m_pool);
