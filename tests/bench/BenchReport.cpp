@@ -78,9 +78,9 @@ factor. `converge_bend_11k` is a strip bent by turning one clamped end, from fla
 L and L^T of L1, in the order of the factor: Bolster with four right-hand sides in single precision, the others with the
 three that are needed in double precision. CHOLMOD keeps the best of AMD, METIS and nested dissection; Eigen uses AMD.
 `table1_...` are iterations on a car seat with the paper's numbers of vertices. `setup_11k` is what lies between the
-triangles and the first iteration. `drag_...` and `release_...` go through the solver's thread like the workbench's
-drags: the time until the surface for the newest pattern is there, and until the first one on new triangles, which is the
-resting one. `cold_...` solve a sample from nothing to rest, with edges of so many mm; "one level" does so on its own
+triangles and the first iteration. `drag_...`, `release_...` and `rest_...` go through the solver's thread like
+the workbench's drags: the time until the surface for the newest pattern is there (on fewer triangles where the design has many),
+from the release until where the drag has led is there on new triangles, and from the release until the cover is at rest. `cold_...` solve a sample from nothing to rest, with edges of so many mm; "one level" does so on its own
 triangles alone and with momentum all the way.
 `floor_fraction_45k` compares a solve with two reads of an array of the factor's size by the same threads: the ratio is
 the share of the solve that cannot be avoided. The ratio of `growth_...` is that of the times of an iteration on meshes

@@ -159,13 +159,13 @@ Benchmark drag(std::string name, int vertices)
             }};
 }
 
-Benchmark release(std::string name, int vertices)
+Benchmark release(std::string name, int vertices, PatternDrag::Until until)
 {
-    return {std::move(name), {}, [vertices] {
-                return std::vector{Lap([drag = std::make_shared<PatternDrag>(seat(vertices))] {
+    return {std::move(name), {}, [vertices, until] {
+                return std::vector{Lap([until, drag = std::make_shared<PatternDrag>(seat(vertices))] {
                     for (int move = 0; move < 3; ++move)
                         drag->move();
-                    return drag->release();
+                    return drag->release(until);
                 })};
             }};
 }
@@ -232,11 +232,14 @@ std::vector<Benchmark> benchmarks(Extent extent)
         table("table1_fit", 10, [=] { return scannedSeat(scanned, scanPoints); }),
         setup("setup_11k", n11k),
         drag("drag_11k", n11k),
-        release("release_11k", n11k),
+        release("release_11k", n11k, PatternDrag::Until::NewTriangles),
+        release("rest_11k", n11k, PatternDrag::Until::Rest),
         drag("drag_45k", n45k),
         drag("drag_180k", n180k),
-        release("release_45k", n45k),
-        release("release_180k", n180k),
+        release("release_45k", n45k, PatternDrag::Until::NewTriangles),
+        release("release_180k", n180k, PatternDrag::Until::NewTriangles),
+        release("rest_45k", n45k, PatternDrag::Until::Rest),
+        release("rest_180k", n180k, PatternDrag::Until::Rest),
         cold("cold_armchair_12", "armchair/armchair", smoke ? 60 : 12),
         cold("cold_car_seat", "car-seat/car-seat", smoke ? 60 : 0),
         cold("cold_car_seat_cushioned", "car-seat-cushioned/car-seat-cushioned", smoke ? 60 : 0),

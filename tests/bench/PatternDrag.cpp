@@ -26,14 +26,15 @@ double PatternDrag::move()
                    [](const SolverOutput& output) { return output.surface != nullptr; });
 }
 
-double PatternDrag::release()
+double PatternDrag::release(Until until)
 {
     const std::uint64_t dragged = m_topology;
     // Never where it was released before: of that the surface is kept.
     const double golden = std::numbers::phi * ++m_releases;
     const double share = farthest * (0.3 + 0.5 * (golden - std::floor(golden)));
-    return request(withLongerInsert(m_seat, share), false, [dragged](const SolverOutput& output) {
-        return output.surface && output.surface->topology->serial != dragged;
+    return request(withLongerInsert(m_seat, share), false, [dragged, until](const SolverOutput& output) {
+        return output.surface && output.surface->topology->serial != dragged &&
+               (until == Until::NewTriangles || output.status.resting);
     });
 }
 

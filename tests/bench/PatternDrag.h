@@ -15,8 +15,9 @@ public:
 
     /// Moves the pointer and returns how long the surface for it took, ms. To and fro, up to a warp of 15 %.
     double move();
-    /// Releases the button and returns how long the surface on the new triangulation took, ms.
-    double release();
+    enum class Until { NewTriangles, Rest };
+    /// Releases the button and returns how long the first surface on the new triangles took, or the one at rest, ms.
+    double release(Until until);
 
 private:
     double request(Design design, bool passing, const std::function<bool(const SolverOutput&)>& answered);
