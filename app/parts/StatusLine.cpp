@@ -243,11 +243,11 @@ StatusLine::Mood StatusLine::mood() const
         return Mood::Failed;
     if (m_status.state != State::Settled || !m_status.resting)
         return Mood::Busy;
-    if (!m_status.problems.empty() || !m_status.reason.empty())
+    if (!m_status.reason.empty())
         return Mood::Worried;
     if (!m_findingsKnown)
         return Mood::Busy;
-    return m_findings.empty() ? Mood::Good : Mood::Worried;
+    return m_status.problems.empty() && m_findings.empty() ? Mood::Good : Mood::Worried;
 }
 
 QString StatusLine::stateText() const
@@ -267,14 +267,14 @@ QString StatusLine::stateText() const
     }
     if (!m_status.resting)
         return tr("Following the drag");
+    if (mood() == Mood::Busy) // what is not seen yet is not called solved, not in part either
+        return tr("Drawing and checking \u2026");
     if (hasErrors(m_status.problems))
         return tr("Solved in part");
     if (restless())
         return translated(m_status.reason);
     if (m_findingsKnown && !m_findings.empty())
         return translated(m_findings.front().text);
-    if (mood() == Mood::Busy)
-        return tr("Drawing and checking \u2026");
     if (hasWarnings(m_status.problems))
         return tr("Solved, with warnings");
     return tr("Solved \u2013 %1 iterations").arg(QLocale().toString(m_status.iterations));

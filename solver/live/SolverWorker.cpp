@@ -5,6 +5,8 @@
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
 
+#include <malloc.h>
+
 #include <exception>
 #include <new>
 #include <utility>
@@ -92,21 +94,32 @@ bool SolverWorker::step()
     return true;
 }
 
+/// Of the design before nothing stays, not even its memory: it may have been a large one.
+void SolverWorker::forgetAll()
+{
+    m_live.reset();
+    m_lastWhole.reset();
+    m_standIn.reset();
+    m_resting.reset();
+    m_surface.reset();
+    m_from.reset();
+    m_field.reset();
+    m_shownKept.reset();
+    m_triangulations = {};
+    m_standInTriangulations = {};
+    m_liveInput = m_restingInput = m_restInput = m_standInInput = {};
+    if (!m_keptIsShared)
+        m_kept->clear();
+    m_atRest = false;
+    m_status = {};
+    m_report = {};
+    malloc_trim(0);
+}
+
 void SolverWorker::begin(Request request)
 {
-    if (std::exchange(m_opening, request.opening) != request.opening) {
-        m_live.reset();
-        m_lastWhole.reset();
-        m_standIn.reset();
-        m_resting.reset();
-        m_surface.reset();
-        m_shownKept.reset();
-        if (!m_keptIsShared)
-            m_kept->clear();
-        m_atRest = false;
-        m_status = {};
-        m_report = {};
-    }
+    if (std::exchange(m_opening, request.opening) != request.opening)
+        forgetAll();
     // While somebody drags the window has to draw.
     m_pool.use(request.passing ? m_pool.threads() / 2 : m_pool.threads());
     if (request.passing)

@@ -62,6 +62,7 @@ private:
     static bool running(const Sheet& sheet);
     bool step();
     void begin(Request request);
+    void forgetAll();
     std::unique_ptr<Sheet> prepare(const SolveInput& input, TriangulationCache& triangulations);
     bool factor(Sheet& sheet, double tolerance);
     std::unique_ptr<Sheet> makeSheet(const SolveInput& input, double tolerance);

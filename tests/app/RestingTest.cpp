@@ -211,6 +211,22 @@ TEST_F(RestingTest, ACoverThatFindsNoRestSaysWhatCanBeDone)
     EXPECT_FALSE(why->isVisible());
 }
 
+TEST_F(RestingTest, WithWarningsItIsNotCalledSolvedEitherBeforeItIsSeen)
+{
+    StatusLine& line = window.statusLine();
+    SolverStatus status = window.solver().status();
+    for (const Severity severity : {Severity::Warning, Severity::Error}) {
+        status.problems = {{crease, "Crease", "curve", {"Something about it.", {}}, severity}};
+        line.setSolver(status, false);
+        line.setFindings({}, false);
+        EXPECT_EQ(line.mood(), StatusLine::Mood::Busy);
+        EXPECT_FALSE(line.solverText().contains(QStringLiteral("olved"))) << line.solverText().toStdString();
+        line.setFindings({}, true);
+        EXPECT_EQ(line.mood(), StatusLine::Mood::Worried);
+        EXPECT_TRUE(line.solverText().contains(QStringLiteral("olved"))) << line.solverText().toStdString();
+    }
+}
+
 TEST_F(RestingTest, AnExportWaitsForTheCoverOfTheDesign)
 {
     const Vec3 delta(0, 0, 12);

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
+#include <thread>
 
 namespace bolster {
 namespace {
@@ -281,6 +283,20 @@ TEST(WorkerPool, DoesEveryTaskOnceInShortRegions)
         for (int task = 0; task < std::ssize(done); ++task)
             ASSERT_EQ(done[static_cast<std::size_t>(task)], task < count ? 1 : 0) << round;
     }
+}
+
+TEST(WorkerPool, UsesNoMoreThreadsThanAsked)
+{
+    WorkerPool pool(4);
+    for (int round = 0; round < 2000; ++round) {
+        pool.use(round % 5); // 0 is 1
+        std::array<std::thread::id, 16> by;
+        pool.forTasks(16, [&](int task) { by[static_cast<std::size_t>(task)] = std::this_thread::get_id(); });
+        EXPECT_EQ(std::ranges::count(by, std::thread::id()), 0) << "each is done";
+        EXPECT_LE(std::ssize(std::set(by.begin(), by.end())), std::max(1, round % 5));
+    }
+    pool.use(100);
+    EXPECT_EQ(pool.threads(), 4);
 }
 
 TEST(WorkerPool, PassesOnWhatABodyThrows)
