@@ -151,6 +151,7 @@ void MainWindow::designOpened()
     lookAtOpened();
     updateTitle();
     m_commands->update();
+    m_afterOpening.start(); // the one before may have been large
 }
 
 /// From where it was looked at last; samples and new designs as they look best.

@@ -8,6 +8,7 @@
 #include "SolverLink.h"
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include <memory>
 #include <vector>
@@ -122,6 +123,7 @@ private:
     std::unique_ptr<MapLink> m_maps;
     std::unique_ptr<FindingsLink> m_findings;
     std::unique_ptr<CoverLink> m_covers;
+    QTimer m_afterOpening; ///< until all that belonged to the design before is gone
     std::unique_ptr<FabricLink> m_fabricLink;
     FabricCommands* m_fabricCommands;
     Commands* m_commands;

@@ -19,6 +19,7 @@
 #include "FirstSteps.h"
 #include "FixingCommands.h"
 #include "FrameEdgeCommands.h"
+#include "GiveMemoryBack.h"
 #include "HelpCommands.h"
 #include "InsertCommands.h"
 #include "Inspector.h"
@@ -147,6 +148,9 @@ void MainWindow::addDesignCommands(CoverAtRest& cover)
 void MainWindow::connectSession()
 {
     connect(m_session.get(), &DesignSession::opened, this, &MainWindow::designOpened);
+    m_afterOpening.setSingleShot(true);
+    m_afterOpening.setInterval(std::chrono::seconds(5));
+    connect(&m_afterOpening, &QTimer::timeout, this, &giveMemoryBack);
     connect(m_session.get(), &DesignSession::leaving, this, &MainWindow::keepCamera);
     connect(m_session.get(), &DesignSession::titleChanged, this, &MainWindow::updateTitle);
     connect(m_session.get(), &DesignSession::filesChanged, this, [this] {

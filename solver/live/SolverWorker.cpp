@@ -5,8 +5,6 @@
 #include "SurfaceMeasures.h"
 #include "SurfacePublisher.h"
 
-#include <malloc.h>
-
 #include <exception>
 #include <new>
 #include <utility>
@@ -94,7 +92,7 @@ bool SolverWorker::step()
     return true;
 }
 
-/// Of the design before nothing stays, not even its memory: it may have been a large one.
+/// Of the design before nothing stays: it may have been a large one.
 void SolverWorker::forgetAll()
 {
     m_live.reset();
@@ -113,7 +111,6 @@ void SolverWorker::forgetAll()
     m_atRest = false;
     m_status = {};
     m_report = {};
-    malloc_trim(0);
 }
 
 void SolverWorker::begin(Request request)

@@ -16,7 +16,8 @@ public:
     /// Moves the pointer and returns how long the surface for it took, ms. To and fro, up to a warp of 15 %.
     double move();
     enum class Until { NewTriangles, Rest };
-    /// Releases the button and returns how long the first surface on the new triangles took, or the one at rest, ms.
+    /// Releases the button and returns how long the first surface on the new triangles took, or the one at rest,
+    /// ms.
     double release(Until until);
 
 private:

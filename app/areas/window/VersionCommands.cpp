@@ -1,30 +1,14 @@
 #include "VersionCommands.h"
 
-#include "Background.h"
 #include "CompareWindow.h"
 #include "DesignSession.h"
+#include "GiveMemoryBack.h"
 #include "HistoryModel.h"
 #include "HistoryPanel.h"
 #include "HistoryView.h"
 #include "Thumbnails.h"
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 namespace bolster {
-
-namespace {
-
-/// What large objects have left lies between smaller ones that stay: the system gets it only when it is asked to.
-void giveMemoryBack()
-{
-#ifdef __GLIBC__
-    backgroundPool().start([] { malloc_trim(0); });
-#endif
-}
-
-} // namespace
 
 VersionCommands::VersionCommands(DesignSession& session, SolverLink& solver, FabricLink& fabrics,
                                  CoverView& surface, HistoryPanel& history, QWidget& window)
