@@ -9492,6 +9492,14 @@ Sie sehen den Stoff, wie er am Ende lag.</translation>
         <source>Drawing and checking …</source>
         <translation>Zeichnet und prüft …</translation>
     </message>
+    <message>
+        <source>Preparing: on fewer triangles …</source>
+        <translation>Vorbereitung: auf weniger Dreiecken …</translation>
+    </message>
+    <message>
+        <source>Preparing: forces and equations …</source>
+        <translation>Vorbereitung: Kräfte und Gleichungen …</translation>
+    </message>
 </context>
 <context>
     <name>bolster::ToolHost</name>

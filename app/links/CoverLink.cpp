@@ -31,11 +31,9 @@ public:
         try {
             Made made;
             const SurfaceTopology& topology = *wanted.surface->topology;
-            if (topology.vertexCount() == 0)
-                return {};                                      // OpenSubdiv would complain on the terminal
-            const bool trimmed = SeamTrims::any(wanted.design); // trims lie on a refined cover
-            const int levels = std::max(wanted.levels, trimmed ? 1 : 0);
-            if (levels == 0)
+            // Trims lie on a refined cover.
+            const int levels = std::max(wanted.levels, SeamTrims::any(wanted.design) ? 1 : 0);
+            if (levels == 0 || topology.vertexCount() == 0) // of which OpenSubdiv would complain on the terminal
                 return {};
             if (m_last.cover && m_last.cover->surface == wanted.surface && m_last.cover->topology->levels == levels)
                 made.cover = m_last.cover;

@@ -257,7 +257,7 @@ QString StatusLine::stateText() const
     case State::Idle:
         return m_paused ? tr("Paused") : tr("Nothing to sew yet");
     case State::Preparing:
-        return tr("Preparing \u2026");
+        return preparing();
     case State::Moving:
         return tr("Moving, %1/s").arg(QLocale().toString(std::lround(m_status.iterationsPerSecond)));
     case State::Failed:
@@ -278,6 +278,19 @@ QString StatusLine::stateText() const
     if (hasWarnings(m_status.problems))
         return tr("Solved, with warnings");
     return tr("Solved \u2013 %1 iterations").arg(QLocale().toString(m_status.iterations));
+}
+
+QString StatusLine::preparing() const
+{
+    switch (m_status.stage) {
+    case SolverStatus::Stage::Triangles:
+        break;
+    case SolverStatus::Stage::FewerTriangles:
+        return tr("Preparing: on fewer triangles \u2026");
+    case SolverStatus::Stage::Equations:
+        return tr("Preparing: forces and equations \u2026");
+    }
+    return tr("Preparing \u2026");
 }
 
 /// It has stopped without having come to rest.

@@ -68,6 +68,7 @@ private:
     void showPrompt();
     void showState();
     QString stateText() const;
+    QString preparing() const;
     bool restless() const;
     void goThere();
     void fillMenu();

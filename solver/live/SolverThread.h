@@ -24,7 +24,15 @@ struct SolverStatus {
         Failed     ///< `reason` says why; the last good surface stays
     };
 
+    /// What takes its time while a cover is prepared.
+    enum class Stage {
+        Triangles,      ///< checking, sampling, triangulating
+        FewerTriangles, ///< a large cover comes to rest on these first
+        Equations       ///< fields of cushions, factorising
+    };
+
     State state = State::Idle;
+    Stage stage = Stage::Triangles; ///< while preparing
     Message reason;
     ElementId culprit{}; ///< of a failure: the element that is most likely at fault; none: {}
     Problems problems;   ///< elements left out, and warnings

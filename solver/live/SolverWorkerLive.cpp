@@ -71,6 +71,7 @@ bool SolverWorker::startLive(const SolveInput& input)
     }
     // Still about the last design: its surface is there, but what follows may take its time.
     const SolverStatus statusBefore = m_status;
+    m_status.stage = SolverStatus::Stage::Triangles;
     if (!light && m_status.state != SolverStatus::State::Moving)
         publish(SolverStatus::State::Preparing);
     m_field.reset();

@@ -46,6 +46,7 @@ void SolverWorker::beginRest(Request request)
     }
     m_resting.reset();
     m_status.iterations = 0;
+    m_status.stage = SolverStatus::Stage::Triangles;
     publish(SolverStatus::State::Preparing);
     startResting(request.input, afterGesture);
 }
@@ -123,7 +124,6 @@ void SolverWorker::keepResting()
     m_restKept = true;
 }
 
-/// `afterGesture`: the live surface is of this design.
 void SolverWorker::startResting(const SolveInput& input, bool afterGesture)
 {
     const auto preparesRest = [this](bool on) {
@@ -163,13 +163,18 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput
     std::unique_ptr<Sheet> sheet = prepare(input, m_triangulations);
     if (!sheet)
         return nullptr;
-    if (afterGesture)
+    if (afterGesture && planSolve(m_liveInput, input) == SolvePlan::Nothing) // not cancelled
         showOnNewTriangles(*sheet);
+    const auto next = [this](SolverStatus::Stage stage) {
+        m_status.stage = stage;
+        if (!m_gesture) // whose surface is what the status is about
+            publish(SolverStatus::State::Preparing);
+    };
+    next(SolverStatus::Stage::FewerTriangles);
     std::optional<SheetState> coarse = coarseStart(sheet->prepared, m_ghostCache, m_pool, m_preparing.get_token());
-    if (coarse && !m_gesture && !m_live && !m_shownKept) { // nothing else is to be seen yet
+    if (coarse && !m_gesture && !m_live && !m_shownKept) // nothing else is to be seen yet
         publishSurface(makeSurface(sheet->prepared.mesh, *coarse, ++m_surfaceRevision));
-        publish(SolverStatus::State::Preparing);
-    }
+    next(SolverStatus::Stage::Equations);
     if (!factor(*sheet, restingTolerance))
         return nullptr;
     if (sheet->relaxation)

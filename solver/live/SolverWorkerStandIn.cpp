@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace bolster {
 
@@ -32,14 +33,19 @@ double SolverWorker::standInEdge(const Sheet& sheet) const
     return sheet.prepared.design.settings().edgeLength * std::sqrt(sheet.vertices() / standInVertices());
 }
 
-/// Null when it was given up, or when patches would be too narrow.
+/// Null when it was given up, or could not be made: it is not needed, only quicker.
 std::unique_ptr<SolverWorker::Sheet> SolverWorker::makeStandIn(const SolveInput& input, double edge)
 {
-    std::unique_ptr<Sheet> sheet = prepare(withEdgeLength(input, edge), m_standInTriangulations);
-    if (!sheet || !factor(*sheet, liveTolerance))
+    try {
+        std::unique_ptr<Sheet> sheet = prepare(withEdgeLength(input, edge), m_standInTriangulations);
+        if (!sheet || !factor(*sheet, liveTolerance) || !sheet->relaxation ||
+            sheet->relaxation->phase() == Relaxation::Phase::Failed)
+            return nullptr;
+        sheet->standsIn = true;
+        return sheet;
+    } catch (const std::exception&) { // no memory for both
         return nullptr;
-    sheet->standsIn = true;
-    return sheet;
+    }
 }
 
 /// For a design whose triangles are others than those of the live sheet. Null when it was given up.
