@@ -163,7 +163,7 @@ std::unique_ptr<SolverWorker::Sheet> SolverWorker::sheetAtStart(const SolveInput
     std::unique_ptr<Sheet> sheet = prepare(input, m_triangulations);
     if (!sheet)
         return nullptr;
-    if (afterGesture && planSolve(m_liveInput, input) == SolvePlan::Nothing) // not cancelled
+    if (afterGesture && planSolve(m_restInput, input) != SolvePlan::Nothing) // else it was cancelled
         showOnNewTriangles(*sheet);
     const auto next = [this](SolverStatus::Stage stage) {
         m_status.stage = stage;
