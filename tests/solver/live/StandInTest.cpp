@@ -47,6 +47,12 @@ std::optional<SolverOutput> rest(Listener& solver, const Design& design, std::ui
     return solver.waitFor([&](const SolverOutput& o) { return o.designRevision == revision && o.status.resting; });
 }
 
+PreparedSheet prepareOn(const Design& design)
+{
+    TriangulationCache cache;
+    return *prepareSheet({design, {}}, cache);
+}
+
 class StandIn : public testing::TestWithParam<std::pair<const char*, double>> {
 protected:
     Design design = large(GetParam().first, GetParam().second);
@@ -111,6 +117,22 @@ TEST_P(StandIn, FollowsOutlines)
     const auto after = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(after);
     EXPECT_EQ(after->surface->topology, first->surface->topology);
+}
+
+/// The pointer is quicker than the solver: what is released is seldom the last step that it has taken.
+TEST_P(StandIn, IsLeftAtOnceThoughTheLastStepWasNotTaken)
+{
+    ASSERT_TRUE(before);
+    const int points[] = {0};
+    const auto moved = [&](double x) {
+        return design.with(edits::movePatchPoints(design, firstPatch(design), points, Vec2(x, -1)));
+    };
+    ASSERT_TRUE(follow(solver, moved(-1), 2));
+    solver.request(moved(-2), 3);
+    const auto first = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 3; });
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(first->status.resting);
+    EXPECT_EQ(first->surface->topology->vertexCount(), prepareOn(moved(-2)).mesh.topology->vertexCount());
 }
 
 /// A gesture that begins before there is any surface.
