@@ -1,7 +1,7 @@
 #include "SampleScene.h"
 
 #include "DesignFile.h"
-#include "ElementEdits.h"
+#include "PreparedSheet.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -22,10 +22,8 @@ SolveInput sampleScene(const std::string& name, double edge)
     const OpenedDesign opened = openDesign(path);
     if (hasErrors(opened.problems) || opened.design.elements().empty())
         throw std::runtime_error("a benchmark failed: the sample " + name + " cannot be read");
-    Settings settings = opened.design.settings();
-    if (edge > 0)
-        settings.edgeLength = edge;
-    return {opened.design.with(edits::changeSettings(opened.design, settings)), opened.files};
+    const SolveInput input{opened.design, opened.files};
+    return edge > 0 ? withEdgeLength(input, edge) : input;
 }
 
 } // namespace bolster::bench

@@ -165,8 +165,7 @@ GlCoverMesh::Ranges GlCoverMesh::patches(const SurfaceTopology& shown) const
 void GlCoverMesh::draw(const Ranges& patches, const std::function<void(const SurfaceTopology::PatchRange&)>& begin,
                        Detail detail)
 {
-    const bool fewer = detail == Detail::Fewer &&
-                       static_cast<double>(m_coarse->triangles.size()) > worthFewer * mostMovingTriangles;
+    const bool fewer = detail == Detail::Fewer && tooManyToMove(m_coarse->triangles.size());
     const bool refined = detail == Detail::Refined;
     const std::size_t each = m_fine && refined ? m_fine->trianglesPerCoarse() : 1;
     const QOpenGLVertexArrayObject::Binder bound(&m_array);

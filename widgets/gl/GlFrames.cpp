@@ -3,6 +3,7 @@
 #include "FewerTriangles.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bolster {
 
@@ -34,15 +35,15 @@ GlFrames::Skins::Skins(GlFunctions& gl)
                  {2, 3, GL_FLOAT, offsetof(FrameSkin::Corner, grain)}});
 }
 
-void GlFrames::Skins::put(const std::vector<std::vector<FrameSkin::Corner>>& skins)
+void GlFrames::Skins::put(const std::vector<FrameSkinPtr>& skins, const CornersOf& cornersOf)
 {
-    firstOf.clear();
+    firstOf = {0};
     std::vector<FrameSkin::Corner> all;
-    for (const std::vector<FrameSkin::Corner>& skin : skins) {
+    for (const FrameSkinPtr& skin : skins) {
+        if (skin)
+            std::ranges::copy(cornersOf(*skin), std::back_inserter(all));
         firstOf.push_back(all.size());
-        all.insert(all.end(), skin.begin(), skin.end());
     }
-    firstOf.push_back(all.size());
     corners.put(all, QOpenGLBuffer::StaticDraw);
 }
 
@@ -61,10 +62,7 @@ void GlFrames::update(const ViewScene& scene)
     if (m_skins == skins)
         return;
     m_skins = std::move(skins);
-    std::vector<std::vector<FrameSkin::Corner>> corners;
-    for (const FrameSkinPtr& skin : m_skins)
-        corners.push_back(skin ? skin->corners : std::vector<FrameSkin::Corner>());
-    m_all.put(corners);
+    m_all.put(m_skins, [](const FrameSkin& skin) { return std::span(skin.corners); });
     m_fewer.firstOf.clear();
 }
 
@@ -74,13 +72,12 @@ void GlFrames::putFewer()
     if (!m_fewer.firstOf.empty())
         return;
     const double share = static_cast<double>(mostMovingTriangles) / static_cast<double>(triangles());
-    std::vector<std::vector<FrameSkin::Corner>> corners;
-    for (const FrameSkinPtr& skin : m_skins)
-        corners.push_back(
-            skin ? fewerCorners(skin->corners,
-                                static_cast<std::size_t>(share * static_cast<double>(skin->corners.size()) / 3))
-                 : std::vector<FrameSkin::Corner>());
-    m_fewer.put(corners);
+    std::vector<FrameSkin::Corner> fewer; // of the skin that is being put
+    m_fewer.put(m_skins, [&](const FrameSkin& skin) {
+        fewer = fewerCorners(skin.corners,
+                             static_cast<std::size_t>(share * static_cast<double>(skin.corners.size()) / 3));
+        return std::span<const FrameSkin::Corner>(fewer);
+    });
 }
 
 std::size_t GlFrames::triangles() const
@@ -123,7 +120,7 @@ void GlFrames::draw(const ViewScene& scene, const GlView& view, Part part, bool 
 {
     if (!has(scene, part))
         return;
-    const bool fewer = quick && static_cast<double>(triangles()) > worthFewer * mostMovingTriangles;
+    const bool fewer = quick && tooManyToMove(triangles());
     if (fewer)
         putFewer();
     Skins& skins = fewer ? m_fewer : m_all;

@@ -4,6 +4,9 @@
 #include "GlBuffer.h"
 #include "GlView.h"
 
+#include <functional>
+#include <span>
+
 namespace bolster {
 
 class GlFrames {
@@ -23,7 +26,8 @@ private:
     /// Skins on the graphics card, one after the other.
     struct Skins {
         explicit Skins(GlFunctions& gl);
-        void put(const std::vector<std::vector<FrameSkin::Corner>>& skins);
+        using CornersOf = std::function<std::span<const FrameSkin::Corner>(const FrameSkin&)>;
+        void put(const std::vector<FrameSkinPtr>& skins, const CornersOf& cornersOf);
 
         QOpenGLVertexArrayObject array;
         GlBuffer corners;

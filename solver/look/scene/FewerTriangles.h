@@ -12,7 +12,11 @@ namespace bolster {
 
 /// What whoever draws on processors can draw some thirty times a second.
 constexpr std::size_t mostMovingTriangles = 100'000;
-constexpr double worthFewer = 1.5; ///< times as many
+/// Whether there are so many that fewer are worth making.
+constexpr bool tooManyToMove(std::size_t triangles)
+{
+    return triangles > mostMovingTriangles + mostMovingTriangles / 2;
+}
 
 /// Fewer triangles on the same vertices, patch by patch.
 struct FewerTriangles {

@@ -1,7 +1,7 @@
 // Covers of many triangles, which begin on fewer.
 #include "TestDesigns.h"
 
-#include "ElementEdits.h"
+#include "PreparedSheet.h"
 #include "RestingSolve.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,7 @@ namespace {
 
 Design withEdge(const Design& design, double edge)
 {
-    Settings settings = design.settings();
-    settings.edgeLength = edge;
-    return design.with(edits::changeSettings(design, settings));
+    return withEdgeLength({design, {}}, edge).design;
 }
 
 SolveResult solve(const Design& design, bool oneLevel, int threads = 2, std::stop_token stop = {})

@@ -62,20 +62,11 @@ private:
     SolverThread m_solver{[this] { wake(); }, m_kept};
 };
 
-inline ElementId firstCurve(const Design& design)
+template <class Kind>
+ElementId firstOf(const Design& design)
 {
     ElementId result{};
-    design.each<FixationCurve>([&](ElementId id, const FixationCurve&) {
-        if (result == noElement)
-            result = id;
-    });
-    return result;
-}
-
-inline ElementId firstPatch(const Design& design)
-{
-    ElementId result{};
-    design.each<Patch>([&](ElementId id, const Patch&) {
+    design.each<Kind>([&](ElementId id, const Kind&) {
         if (result == noElement)
             result = id;
     });
@@ -85,7 +76,7 @@ inline ElementId firstPatch(const Design& design)
 inline Design withCurveMoved(const Design& design, const Vec3& delta)
 {
     const int points[] = {1};
-    return design.with(edits::moveCurvePoints(design, firstCurve(design), points, delta));
+    return design.with(edits::moveCurvePoints(design, firstOf<FixationCurve>(design), points, delta));
 }
 
 /// A sheet stretched between two curves: one shape only, whatever the way there.

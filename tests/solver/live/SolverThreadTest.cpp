@@ -25,7 +25,7 @@ using State = SolverStatus::State;
 Design withOutlineMoved(const Design& design, const Vec2& delta)
 {
     const int points[] = {0};
-    return design.with(edits::movePatchPoints(design, firstPatch(design), points, delta));
+    return design.with(edits::movePatchPoints(design, firstOf<Patch>(design), points, delta));
 }
 
 template <class T, class Change>
@@ -41,7 +41,7 @@ TEST(SolvePlan, AsksForAsLittleAsPossible)
     const Design design = box(200, 60, 20, 10, 0.3);
     ElementId fabric{};
     design.each<Fabric>([&](ElementId id, const Fabric&) { fabric = id; });
-    const ElementId patch = firstPatch(design);
+    const ElementId patch = firstOf<Patch>(design);
     EXPECT_EQ(planSolve(design, design), SolvePlan::Nothing);
     EXPECT_EQ(planSolve(design, changed<Fabric>(design, fabric, [](Fabric& f) { f.color = "#000000"; })),
               SolvePlan::Nothing);
@@ -100,8 +100,8 @@ TEST(SolvePlan, LooksAskForNothing)
           changed<Fabric>(design, fabric, [](Fabric& f) { f.limits.shear = 1; }),
           changed<Seam>(design, seam, [&](Seam& s) { s.trim = trim; }),
           changed<FixationSeam>(design, held, [&](FixationSeam& f) { f.trim = trim; }),
-          withNew(makeElement(OutlineTrim{{firstPatch(design), 0, 1}, trim})),
-          withNew(makeElement(Colourway{"Blue", {{firstPatch(design), fabric}}}))}) {
+          withNew(makeElement(OutlineTrim{{firstOf<Patch>(design), 0, 1}, trim})),
+          withNew(makeElement(Colourway{"Blue", {{firstOf<Patch>(design), fabric}}}))}) {
         EXPECT_FALSE(design == other);
         EXPECT_EQ(planSolve(design, other), SolvePlan::Nothing);
         EXPECT_EQ(planSolve(other, design), SolvePlan::Nothing);
@@ -242,7 +242,7 @@ TEST(SolverThread, LayoutChangesKeepTheSurface)
     solver.request(design, 1);
     const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
     ASSERT_TRUE(before);
-    solver.request(changed<Patch>(design, firstPatch(design), [](Patch& p) { p.position = Vec2(50, 50); }), 2);
+    solver.request(changed<Patch>(design, firstOf<Patch>(design), [](Patch& p) { p.position = Vec2(50, 50); }), 2);
     const auto after = solver.waitFor([](const SolverOutput& o) { return o.designRevision == 2; });
     ASSERT_TRUE(after);
     EXPECT_EQ(after->surface->revision, before->surface->revision);
@@ -251,7 +251,7 @@ TEST(SolverThread, LayoutChangesKeepTheSurface)
 TEST(SolverThread, ABadPatchIsLeftOutAndComesBackWhereItWas)
 {
     const Design good = box(200, 60, 15, 10, 0);
-    const ElementId top = firstPatch(good);
+    const ElementId top = firstOf<Patch>(good);
     Listener solver;
     solver.request(good, 1);
     const auto before = solver.waitFor([](const SolverOutput& o) { return o.status.resting; });
@@ -451,7 +451,7 @@ struct DrawnOn {
 
     DrawnOn()
     {
-        const ElementId patch = firstPatch(design);
+        const ElementId patch = firstOf<Patch>(design);
         FancySeam groove{{"Groove", patch, BSpline2(1, false, {{200, 0}, {200, 200}})}};
         HandleCurve bump{{"Bump", patch, BSpline2(1, false, {{60, 100}, {120, 100}})},
                          BSpline3(1, false, {{60, 105, 30}, {120, 105, 30}})};

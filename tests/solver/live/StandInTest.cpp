@@ -5,7 +5,6 @@
 
 #include "CoverMove.h"
 #include "CurveEdits.h"
-#include "ElementEdits.h"
 #include "PatchEdits.h"
 #include "PreparedSheet.h"
 #include "Relaxation.h"
@@ -24,10 +23,7 @@ using State = SolverStatus::State;
 /// Some 50,000 vertices.
 Design large(const char* name, double edge)
 {
-    const Design design = sample(name);
-    Settings settings = design.settings();
-    settings.edgeLength = edge;
-    return design.with(edits::changeSettings(design, settings));
+    return withEdgeLength({sample(name), {}}, edge).design;
 }
 
 std::size_t vertices(const SolverOutput& output)
@@ -104,7 +100,7 @@ TEST_P(StandIn, FollowsOutlines)
 {
     ASSERT_TRUE(before);
     const int points[] = {0};
-    const Design moved = design.with(edits::movePatchPoints(design, firstPatch(design), points, Vec2(-2, -1)));
+    const Design moved = design.with(edits::movePatchPoints(design, firstOf<Patch>(design), points, Vec2(-2, -1)));
     const auto live = follow(solver, moved, 2);
     ASSERT_TRUE(live);
     EXPECT_LT(vertices(*live), 0.5 * vertices(*before));
@@ -125,7 +121,7 @@ TEST_P(StandIn, IsLeftAtOnceThoughTheLastStepWasNotTaken)
     ASSERT_TRUE(before);
     const int points[] = {0};
     const auto moved = [&](double x) {
-        return design.with(edits::movePatchPoints(design, firstPatch(design), points, Vec2(x, -1)));
+        return design.with(edits::movePatchPoints(design, firstOf<Patch>(design), points, Vec2(x, -1)));
     };
     ASSERT_TRUE(follow(solver, moved(-1), 2));
     solver.request(moved(-2), 3);
