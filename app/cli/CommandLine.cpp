@@ -24,6 +24,8 @@ const char* const help = R"(Usage: bolster [DESIGN ...]         open the workben
                                     make a design of a pattern (DXF, SVG)
        bolster flatten SURFACE --out DESIGN.json
                                     make the pattern of a form (a mesh)
+       bolster fit-pattern DESIGN --to GOAL --out DESIGN.json
+                                    change a pattern until its cover fits a goal
        bolster history FILE         list the edits of a project
        bolster verify FILE          look for damage in a project
        bolster salvage FILE OUT     get out what is left of a damaged project
@@ -52,6 +54,7 @@ const Command commands[] = {{"solve", cli::solveHelp, cli::solve},
                             {"salvage", cli::salvageHelp, cli::salvage},
                             {"export", cli::exportHelp, cli::exportPattern},
                             {"flatten", cli::flattenHelp, cli::flattenForm},
+                            {"fit-pattern", cli::fitPatternHelp, cli::fitPattern},
                             {"convert", cli::convertHelp, cli::convert},
                             {"bench", cli::benchHelp, cli::bench}};
 

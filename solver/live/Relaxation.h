@@ -36,8 +36,8 @@ public:
     void retarget(Ghosts ghosts = {});
     /// The same when matrices change too.
     void refactor(Ghosts ghosts = {});
-    /// After reshape() of the mesh.
-    void reshape(Ghosts ghosts = {});
+    /// After reshape() of the mesh. Returns whether that was so much that the matrices are other ones now.
+    bool reshape(Ghosts ghosts = {});
 
     /// One iteration; does nothing unless running.
     void iterate();

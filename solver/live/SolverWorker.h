@@ -73,7 +73,6 @@ private:
     bool startLive(const SolveInput& input);
     bool republishLive(const Design& design);
     bool retargetLive(const SolveInput& input, SolvePlan plan);
-    bool warpLive(const OutlineSampling& sampling);
     bool rebuildLive(const SolveInput& input, bool torn);
     void iterateLive();
     void endLive();

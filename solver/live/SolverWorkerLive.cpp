@@ -1,6 +1,7 @@
 // How the solver thread follows a gesture: from the surface that is shown, with as little new as possible.
 #include "DesignCheck.h"
 #include "Relief.h"
+#include "SheetFollow.h"
 #include "SolverWorker.h"
 #include "StateTransfer.h"
 #include "SurfacePublisher.h"
@@ -13,12 +14,6 @@ namespace bolster {
 namespace {
 
 constexpr double publishInterval = 15; // ms: nobody sees more
-
-bool sameElements(const Design& a, const Design& b)
-{
-    return std::equal(a.elements().begin(), a.elements().end(), b.elements().begin(), b.elements().end(),
-                      [](const auto& x, const auto& y) { return x.first == y.first; });
-}
 
 } // namespace
 
@@ -113,28 +108,9 @@ bool SolverWorker::retargetLive(const SolveInput& asked, SolvePlan plan)
     PreparedSheet& prepared = m_live->prepared;
     const SolveInput input =
         m_live->standsIn ? withEdgeLength(asked, prepared.design.settings().edgeLength) : asked;
-    Problems problems = checkDesign(input.design);
-    const Design usable = usablePart(input.design, problems);
-    if (!sameElements(usable, prepared.design))
+    Problems problems;
+    if (!followDesign(prepared, m_live->warp, input, plan, m_pool, problems))
         return false;
-    OutlineSampling sampling = prepared.sampling;
-    if (plan == SolvePlan::Warp) {
-        if (!resample(sampling, usable) || !warpLive(sampling))
-            return false;
-    } else {
-        retarget(sampling, usable);
-        if (!sampling.problems.empty())
-            return false;
-    }
-    prepared.sampling = std::move(sampling);
-    prepared.design = usable;
-    prepared.files = input.files;
-    updateTargets(prepared.mesh, prepared.sampling);
-    updateMaterials(prepared.mesh, usable);
-    if (plan == SolvePlan::Warp)
-        prepared.mesh.reliefs = makeReliefs(prepared.mesh, prepared.sampling, usable);
-    else
-        updateReliefs(prepared.mesh, usable);
     m_live->stale = true;
     Ghosts ghosts = ghostsFor(prepared, problems);
     if (m_preparing.stop_requested())
@@ -147,18 +123,6 @@ bool SolverWorker::retargetLive(const SolveInput& asked, SolvePlan plan)
         m_live->relaxation->retarget(std::move(ghosts));
     m_status.problems = std::move(problems);
     return true;
-}
-
-/// False when the triangles would be too distorted.
-bool SolverWorker::warpLive(const OutlineSampling& sampling)
-{
-    SewnMesh& mesh = m_live->prepared.mesh;
-    if (!m_live->warp)
-        m_live->warp.emplace(mesh);
-    std::optional<std::vector<Vec2>> pattern = m_live->warp->warped(mesh, sampling, m_pool);
-    if (pattern)
-        reshape(mesh, std::move(*pattern), m_pool);
-    return pattern.has_value();
 }
 
 /// False when it was given up.

@@ -31,6 +31,8 @@ public:
     /// Takes a changed rest shape into the forces, and into the matrices when it has become too different from
     /// theirs: up to then their solutions are good steps. Returns ok().
     bool reshape();
+    /// Whether the matrices are of the present rest shape, and not of one that is near to it.
+    bool matricesAreNew() const { return m_distortion == 1; }
 
     /// Takes other soft targets. False when their weights differ from those in the matrix: refactor() must follow.
     bool replaceGhosts(Ghosts ghosts);

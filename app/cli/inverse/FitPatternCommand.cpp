@@ -1,0 +1,327 @@
+#include "CloudImport.h"
+#include "DesignJson.h"
+#include "Interrupt.h"
+#include "LengthUnits.h"
+#include "MeshImport.h"
+#include "Output.h"
+#include "PatternFit.h"
+#include "ProgressLine.h"
+#include "Solving.h"
+#include "Subcommands.h"
+#include "WholeFile.h"
+
+#include <QFileInfo>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <sstream>
+
+namespace bolster::cli {
+
+const char* const fitPatternHelp = R"(Usage: bolster fit-pattern DESIGN --to GOAL --out DESIGN.json [options]
+
+Changes a pattern until the cover at rest is as it is wished.
+
+Goals (--to may be given more than once):
+  --to FILE             the cover lies on this mesh or these points (OBJ, PLY, STL ...)
+  --to scan             the cover lies on the scan of the design
+  --to strain           the strain is below the limits of the fabrics, and the cover
+                        stays where it is
+
+Options:
+  --out FILE.json       the changed design; never replaced when it is there already
+  --freedom WORDS       what may change: outlines (the usual), foam, fixations, pressure,
+                        with commas between them
+  --lock WORDS          what stays: lengths (of seams against each other), straight
+                        (edges), corners (their angles), patch:NAME; lengths,straight
+                        without this. Grain, twins and notches always stay.
+  --patch NAME          only these patches shall come nearer to the goal (may repeat)
+  --max-change MM       how far a control point may move (20)
+  --limit PERCENT       of strain, instead of the limits of the fabrics
+  --unit mm|cm|m|in|ft  what the numbers in FILE are (mm)
+  --up y|z              what points up in FILE (z)
+  --threads N           use N threads (0: as many as the machine has)
+  --report FILE.json    what was reached, and what has moved
+
+Exit code:
+  0  done
+  1  an output cannot be written or is there already, interrupted, or no cover
+  2  the design or FILE cannot be used, or wrong usage
+)";
+
+namespace {
+
+constexpr std::array fitRules = {
+    OptionRule{"--to", true, true}, OptionRule{"--out", true},        OptionRule{"--freedom", true},
+    OptionRule{"--lock", true},     OptionRule{"--patch", true, true}, OptionRule{"--max-change", true},
+    OptionRule{"--limit", true},    OptionRule{"--unit", true},       OptionRule{"--up", true},
+    OptionRule{"--threads", true},  OptionRule{"--report", true}};
+
+/// Words with commas between them. Throws UsageError for an empty one.
+std::vector<std::string> wordsOf(const QString& text, const std::string& option)
+{
+    std::vector<std::string> words;
+    std::istringstream parts(text.toStdString());
+    for (std::string word; std::getline(parts, word, ',');)
+        words.push_back(word);
+    if (words.empty() || std::ranges::find(words, "") != words.end())
+        throw UsageError(option + " takes words with commas between them");
+    return words;
+}
+
+ElementId patchNamed(const Design& design, const std::string& name)
+{
+    ElementId found = noElement;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (patch.name == name)
+            found = id;
+    });
+    if (found == noElement)
+        throw UsageError("the design has no patch \"" + name + "\"");
+    return found;
+}
+
+struct Asked {
+    FitOrder order;
+    std::set<ElementId> held; // patches whose outlines stay
+};
+
+void readLocks(const Arguments& arguments, const Design& design, Asked& asked)
+{
+    if (!arguments.has("--lock"))
+        return;
+    asked.order.locks.lengths = asked.order.locks.straight = false;
+    for (const std::string& word : wordsOf(arguments.path("--lock"), "--lock")) {
+        if (word == "lengths")
+            asked.order.locks.lengths = true;
+        else if (word == "straight")
+            asked.order.locks.straight = true;
+        else if (word == "corners")
+            asked.order.locks.corners = true;
+        else if (word.starts_with("patch:"))
+            asked.held.insert(patchNamed(design, word.substr(6)));
+        else if (word != "grain" && word != "symmetry" && word != "notches" && word != "none")
+            throw UsageError("--lock knows lengths, straight, corners, grain, symmetry, notches, none and "
+                             "patch:NAME, not \"" +
+                             word + "\"");
+    }
+}
+
+void readFreedoms(const Arguments& arguments, const Design& design, Asked& asked)
+{
+    const QString text = arguments.has("--freedom") ? arguments.path("--freedom") : "outlines";
+    const auto add = [&](std::vector<Freedom> more) {
+        for (Freedom& freedom : more)
+            if (!asked.held.contains(freedom.element))
+                asked.order.freedoms.push_back(std::move(freedom));
+    };
+    for (const std::string& word : wordsOf(text, "--freedom")) {
+        if (word == "outlines")
+            add(outlineFreedoms(design));
+        else if (word == "foam")
+            add(foamFreedoms(design));
+        else if (word == "fixations")
+            add(fixationFreedoms(design));
+        else if (word == "pressure")
+            add(pressureFreedoms(design));
+        else
+            throw UsageError("--freedom knows outlines, foam, fixations and pressure, not \"" + word + "\"");
+    }
+    if (asked.order.freedoms.empty())
+        throw UsageError("the design has nothing of what --freedom names");
+}
+
+std::string asText(const Message& problem)
+{
+    return problem.empty() ? "interrupted" : problem.english();
+}
+
+/// Throws UsageError when the file holds nothing.
+FitTarget targetIn(const QString& path, const Arguments& arguments, const std::stop_token& stop)
+{
+    const double unit = saidUnit(arguments).value_or(1);
+    const bool upIsY = saysUpIsY(arguments).value_or(false);
+    const auto upright = [&](std::vector<Vec3> points) {
+        for (Vec3& point : points) {
+            point *= unit;
+            if (upIsY)
+                point = {point.x(), -point.z(), point.y()};
+        }
+        return points;
+    };
+    const ImportedMesh read = importMesh(path, {stop, {}, {}});
+    if (read.mesh && !read.mesh->triangles.empty()) {
+        TriangleMesh mesh = *read.mesh;
+        mesh.points = upright(std::move(mesh.points));
+        return targetOf(mesh);
+    }
+    const ImportedCloud cloud = importCloud(path, {stop, {}, {}});
+    if (!cloud.cloud)
+        throw UsageError(path.toStdString() + ": " + asText(read.mesh ? cloud.problem : read.problem));
+    PointCloud points = *cloud.cloud;
+    points.points = upright(std::move(points.points));
+    return targetOf(Scan{}, points);
+}
+
+/// Throws UsageError when the design has no scan, or several.
+FitTarget scanOf(const OpenedDesign& opened)
+{
+    FitTarget target;
+    int count = 0;
+    opened.design.each<Scan>([&](ElementId id, const Scan& scan) {
+        const auto cloud = opened.files.clouds.find(id);
+        if (cloud == opened.files.clouds.end())
+            return;
+        if (++count == 1)
+            target = targetOf(scan, *cloud->second);
+    });
+    if (count != 1)
+        throw UsageError(count == 0 ? "the design has no scan whose file can be read: give one with --to FILE"
+                                    : "the design has several scans: give the file of one with --to FILE");
+    return target;
+}
+
+Asked askedOf(const Arguments& arguments, const OpenedDesign& opened, const std::stop_token& stop)
+{
+    Asked asked;
+    readLocks(arguments, opened.design, asked);
+    readFreedoms(arguments, opened.design, asked);
+    FitGoals& goals = asked.order.goals;
+    for (const std::string& name : arguments.values("--patch"))
+        goals.patches.insert(patchNamed(opened.design, name));
+    for (const std::string& goal : arguments.values("--to")) {
+        if (goal == "strain")
+            goals.strain = true;
+        else if (!goals.target.empty())
+            throw UsageError("the cover can lie on one form alone");
+        else
+            goals.target = goal == "scan" ? scanOf(opened) : targetIn(exactText(goal), arguments, stop);
+    }
+    if (!goals.strain && goals.target.empty())
+        throw UsageError("to what? --to FILE, --to scan or --to strain");
+    if (arguments.has("--limit"))
+        goals.limit = arguments.number("--limit", 8, 0.01, 100);
+    goals.keepShape = goals.target.empty() ? 0.5 : 0;
+    asked.order.mostChange = arguments.number("--max-change", asked.order.mostChange, 0.01, 1000);
+    asked.order.threads = arguments.integer("--threads", 0, 0, 1024);
+    return asked;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json figuresJson(const FitFigures& figures)
+{
+    return {{"distance_mm", {{"rms", figures.distanceRms}, {"p95", figures.distanceP95}}},
+            {"covered", figures.covered},
+            {"over_limit", figures.overLimit},
+            {"strain_rms", figures.strainRms},
+            {"shape_change_mm", figures.shapeRms},
+            {"seam_difference_mm", figures.sewnMost}};
+}
+
+Json reportOf(const FitOrder& order, const FitResult& result)
+{
+    Json rounds = Json::array(), moved = Json::array();
+    for (const FitRound& round : result.rounds)
+        rounds.push_back({{"edge_mm", round.edgeLength},
+                          {"largest_change_mm", round.largestChange},
+                          {"reached", figuresJson(round.figures)}});
+    for (std::size_t k = 0; k < order.freedoms.size(); ++k)
+        if (const double value = result.values[static_cast<Eigen::Index>(k)]; value != 0)
+            moved.push_back({{"name", order.freedoms[k].name},
+                             {"element", number(order.freedoms[k].element)},
+                             {"change", value}});
+    return {{"before", figuresJson(result.before)},
+            {"after", figuresJson(result.after)},
+            {"largest_change_mm", largestChange(order.freedoms, result.values)},
+            {"jumped", result.jumped},
+            {"rounds", std::move(rounds)},
+            {"changes", std::move(moved)},
+            {"without_effect", result.idle}};
+}
+
+std::string reachedText(const FitGoals& goals, const FitFigures& figures)
+{
+    std::string text;
+    if (!goals.target.empty())
+        text += numberText(figures.distanceRms, 3) + " mm rms from the form, " + numberText(figures.distanceP95, 3) +
+                " mm within 95 %";
+    if (goals.strain)
+        text += (text.empty() ? "" : "; ") + numberText(100 * figures.overLimit, 3) + " % of the cover over the limit";
+    return text;
+}
+
+void printOutcome(const FitOrder& order, const FitResult& result)
+{
+    printResult("before: " + reachedText(order.goals, result.before));
+    printResult("after:  " + reachedText(order.goals, result.after));
+    printResult("points of the pattern have moved by " +
+                numberText(largestChange(order.freedoms, result.values), 3) + " mm at most, the cover by " +
+                numberText(result.after.shapeRms, 3) + " mm rms; sides of seams differ by " +
+                numberText(result.after.sewnMost, 2) + " mm more at most");
+    for (const Message& note : result.notes)
+        printError("warning: " + note.english());
+    if (!result.idle.empty())
+        printError("warning: " + counted(static_cast<std::int64_t>(result.idle.size()), "number") +
+                   " of those that may change does nothing to the goal, such as " + result.idle.front());
+    if (result.jumped)
+        printError("warning: a fold came or went on the way, so the result is less sure: look at the cover");
+    if (result.status == FitResult::Status::NothingToDo)
+        printError("warning: no change makes it better; the design is written as it was");
+}
+
+} // namespace
+
+int fitPattern(std::span<const std::string> words)
+{
+    const Arguments arguments(words, fitRules);
+    const QString path = arguments.onlyFile("DESIGN");
+    const QString out = arguments.path("--out"), report = arguments.path("--report");
+    if (out.isEmpty())
+        throw UsageError("where to? --out DESIGN.json");
+    if (QFileInfo::exists(out)) {
+        printError("error: \"" + out.toStdString() + "\" is there already; choose another name");
+        return otherFailure;
+    }
+    Interrupt interrupt;
+    const OpenedDesign opened = openedShown(path);
+    if (hasErrors(opened.problems)) {
+        for (const Problem& problem : opened.problems)
+            if (problem.severity == Severity::Error)
+                printError("error: " + problem.english());
+        return badInput;
+    }
+    const Asked asked = askedOf(arguments, opened, interrupt.token());
+    FitResult result;
+    {
+        ProgressLine line("preparing");
+        result = bolster::fitPattern(
+            {opened.design, opened.files}, asked.order,
+            [&](double share, const FitRound& round) {
+                line.say(numberText(std::floor(100 * share), 3) + " %, " +
+                         reachedText(asked.order.goals, round.figures));
+            },
+            interrupt.token());
+    }
+    if (result.status == FitResult::Status::Cancelled || result.status == FitResult::Status::Failed) {
+        printError("error: " + asText(result.reason));
+        return otherFailure;
+    }
+    printOutcome(asked.order, result);
+    interrupt.beginWriting();
+    for (const auto& [file, text] :
+         {std::pair(out, writeDesign(result.design)),
+          std::pair(report, report.isEmpty() ? "" : reportOf(asked.order, result).dump(1) + "\n")}) {
+        if (file.isEmpty())
+            continue;
+        if (const Message problem = replaceWholeFile(file, text); !problem.empty()) {
+            printError("error: " + problem.english());
+            return otherFailure;
+        }
+        printResult("wrote " + file.toStdString());
+    }
+    return done;
+}
+
+} // namespace bolster::cli

@@ -1,0 +1,296 @@
+#include "FitRows.h"
+
+#include "ArcLength.h"
+#include "ScanMeasure.h"
+#include "TriangleStrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bolster {
+
+namespace {
+
+constexpr double mmOfStrain = 100;   // 1 % over the limit counts like 1 mm
+constexpr double belowLimit = 0.95;  // of it: what is just below it would be over it with the next change
+constexpr double lengthWeight = 0.3; // of 1 mm that a seam's sides differ
+constexpr double straightWeight = 2;
+constexpr double cornerWeight = 50;   // mm: of a radian
+constexpr double straightWithin = 0.05; // mm
+constexpr double farthest = 60;       // mm: what is farther from the target does not belong to it
+constexpr double mostPoints = 1e6;    // of a target
+
+std::vector<double> areasOf(const SewnMesh& mesh, const std::vector<Vec3>& places)
+{
+    std::vector<double> areas(places.size(), 0);
+    for (const auto& t : mesh.topology->triangles) {
+        const double area = 0.5 * (places[t[1]] - places[t[0]]).cross(places[t[2]] - places[t[0]]).norm();
+        for (const std::uint32_t v : t)
+            areas[v] += area / 3;
+    }
+    return areas;
+}
+
+std::vector<Vec3> vertexPlaces(const WarmCover& cover)
+{
+    const Eigen::Matrix3Xd positions = cover.state().positions;
+    std::vector<Vec3> places;
+    places.reserve(cover.mesh().topology->unknown.size());
+    for (const std::uint32_t u : cover.mesh().topology->unknown)
+        places.emplace_back(positions.col(u));
+    return places;
+}
+
+/// Control points of a straight edge, its ends included.
+std::vector<std::vector<int>> straightEdges(const BSpline2& outline)
+{
+    std::vector<std::vector<int>> edges;
+    std::vector<int> ends;
+    for (const double corner : outline.corners())
+        ends.push_back(outline.pointAt(corner));
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+        std::vector<int> edge{ends[k]};
+        const int last = ends[(k + 1) % ends.size()];
+        for (int i = ends[k]; i != last || edge.size() == 1;) {
+            i = (i + 1) % outline.pointCount();
+            edge.push_back(i);
+            if (std::ssize(edge) > outline.pointCount())
+                break;
+        }
+        const Vec2 from = outline.points()[edge.front()], way = outline.points()[edge.back()] - from;
+        const auto off = [&](int i) {
+            const Vec2 at = outline.points()[i] - from;
+            return way.norm() > 0 ? std::abs(way.x() * at.y() - way.y() * at.x()) / way.norm() : at.norm();
+        };
+        if (edge.size() > 2 && std::ranges::all_of(edge, [&](int i) { return off(i) < straightWithin; }))
+            edges.push_back(std::move(edge));
+    }
+    return edges;
+}
+
+double cornerAngle(const BSpline2& outline, double corner)
+{
+    const double small = 1e-6 * outline.period();
+    const Vec2 in = outline.derivative(outline.wrapped(corner - small)), out = outline.derivative(corner);
+    return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
+double lengthOf(const Design& design, const Stretch& stretch)
+{
+    const auto* patch = design.find<Patch>(stretch.patch);
+    if (!patch)
+        return 0;
+    const BSpline2& outline = patch->outline;
+    const double end = unwrappedEnd(stretch.from, stretch.to, outline.domainStart(), outline.domainEnd());
+    return ArcLength2(outline).between(stretch.from, end);
+}
+
+} // namespace
+
+FitTarget targetOf(const TriangleMesh& mesh)
+{
+    double area = 0;
+    const auto corner = [&](const auto& t, int k) { return mesh.points[t[k]]; };
+    for (const auto& t : mesh.triangles)
+        area += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
+    const double spacing = std::max(2.5, std::sqrt(area / mostPoints));
+    PointCloud cloud;
+    for (const auto& t : mesh.triangles) {
+        const Vec3 a = corner(t, 0), b = corner(t, 1) - a, c = corner(t, 2) - a;
+        const int parts = static_cast<int>(std::ceil(std::max({b.norm(), c.norm(), (c - b).norm()}) / spacing));
+        for (int i = 0; i < parts; ++i) // middles of the triangle's small triangles
+            for (int j = 0; i + j < parts; ++j)
+                cloud.points.emplace_back(a + (i + 1.0 / 3) / parts * b + (j + 1.0 / 3) / parts * c);
+    }
+    Scan place;
+    place.threshold = farthest;
+    return {place, std::make_shared<ScanIndex>(cloud, place.cuts)};
+}
+
+FitTarget targetOf(const Scan& scan, const PointCloud& cloud)
+{
+    return {scan, std::make_shared<ScanIndex>(cloud, scan.cuts)};
+}
+
+FitRows::FitRows(const FitGoals& goals, const FitLocks& locks, const Design& design)
+    : m_goals(goals)
+    , m_locks(locks)
+    , m_design(design)
+    , m_differences(lengthDifferences(design))
+{}
+
+void FitRows::aim(const WarmCover& cover)
+{
+    m_aims.clear();
+    if (m_goals.target.empty())
+        return;
+    const SurfaceMeshPtr surface = cover.surface();
+    WorkerPool pool(0);
+    const ScanDeviation deviation = measureScan(*surface, m_goals.target.place, m_goals.target.index, pool);
+    const std::vector<double> areas = areasOf(cover.mesh(), surface->positions);
+    double all = 0;
+    for (const SurfaceTopology::PatchRange& range : surface->topology->patches) {
+        if (!isMeant(range.patch))
+            continue;
+        for (std::uint32_t v = range.firstVertex; v < range.firstVertex + range.vertexCount; ++v) {
+            if (std::isnan(deviation.ofVertex[v]))
+                continue;
+            const Vec3 normal = surface->normals[v].cast<double>();
+            m_aims.push_back({static_cast<int>(v), normal,
+                              normal.dot(surface->positions[v]) - deviation.ofVertex[v], areas[v]});
+            all += areas[v];
+        }
+    }
+    for (Aim& aim : m_aims)
+        aim.weight = m_goals.targetWeight * std::sqrt(aim.weight / all);
+}
+
+void FitRows::keep(const WarmCover& cover)
+{
+    m_kept.clear();
+    const SurfaceMeshPtr surface = cover.surface();
+    const std::vector<double> areas = areasOf(cover.mesh(), surface->positions);
+    double all = 0;
+    for (const double area : areas)
+        all += area;
+    for (std::size_t v = 0; v < areas.size(); ++v) {
+        const Vec3 normal = surface->normals[v].cast<double>();
+        m_kept.push_back(
+            {static_cast<int>(v), normal, normal.dot(surface->positions[v]), std::sqrt(areas[v] / all)});
+    }
+}
+
+/// visit(excess, strain, area): how far each of three strains is over its limit, all as shares.
+template <class Visit>
+void FitRows::eachStrain(const WarmCover& cover, const std::vector<Vec3>& places, const Visit& visit) const
+{
+    const SurfaceTopology& topology = *cover.mesh().topology;
+    for (const SurfaceTopology::PatchRange& range : topology.patches) {
+        const auto* patch = m_design.find<Patch>(range.patch);
+        if (!patch || !isMeant(range.patch))
+            continue;
+        const auto* fabric = m_design.find<Fabric>(patch->fabric);
+        StretchLimits limits = fabric ? fabric->limits : StretchLimits{};
+        if (m_goals.limit)
+            limits = {*m_goals.limit, *m_goals.limit, *m_goals.limit};
+        const double grain = patch->grain * std::numbers::pi / 180;
+        for (std::uint32_t t = range.firstTriangle; t < range.firstTriangle + range.triangleCount; ++t) {
+            std::array<Vec2, 3> rest;
+            std::array<Vec3, 3> place;
+            for (std::size_t k = 0; k < 3; ++k) {
+                rest[k] = topology.pattern[topology.triangles[t][k]];
+                place[k] = places[topology.triangles[t][k]];
+            }
+            const GrainStrain strain = grainStrain(rest, place, grain);
+            const Vec2 u = rest[1] - rest[0], v = rest[2] - rest[0];
+            visit(std::array{strain.along, strain.across, strain.shear},
+                  std::array{limits.along / 100, limits.across / 100, limits.shear / 100},
+                  0.5 * std::abs(u.x() * v.y() - u.y() * v.x()));
+        }
+    }
+}
+
+void FitRows::addStrain(const WarmCover& cover, const std::vector<Vec3>& places, std::vector<double>& rows) const
+{
+    const std::size_t first = rows.size();
+    std::vector<double> areas;
+    double all = 0;
+    eachStrain(cover, places, [&](const auto& strains, const auto& limits, double area) {
+        all += area;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double over = std::max(0.0, std::abs(strains[k]) - belowLimit * limits[k]);
+            rows.push_back(m_goals.strainWeight * mmOfStrain * std::copysign(over, strains[k]));
+            areas.push_back(area);
+        }
+    });
+    for (std::size_t k = 0; k < areas.size(); ++k)
+        rows[first + k] *= std::sqrt(areas[k] / all);
+}
+
+std::vector<double> FitRows::lengthDifferences(const Design& design) const
+{
+    std::vector<double> differences;
+    design.each<Seam>([&](ElementId, const Seam& seam) {
+        differences.push_back(lengthOf(design, seam.b) - lengthOf(design, seam.a));
+    });
+    return differences;
+}
+
+void FitRows::addPattern(const Design& design, std::vector<double>& rows) const
+{
+    if (m_locks.lengths) {
+        const std::vector<double> now = lengthDifferences(design);
+        for (std::size_t k = 0; k < now.size() && k < m_differences.size(); ++k)
+            rows.push_back(lengthWeight * (now[k] - m_differences[k]));
+    }
+    m_design.each<Patch>([&](ElementId id, const Patch& before) {
+        const auto* patch = design.find<Patch>(id);
+        if (!patch)
+            return;
+        if (m_locks.straight)
+            for (const std::vector<int>& edge : straightEdges(before.outline)) {
+                const Vec2 from = patch->outline.points()[edge.front()];
+                const Vec2 way = (patch->outline.points()[edge.back()] - from).normalized();
+                for (std::size_t k = 1; k + 1 < edge.size(); ++k) {
+                    const Vec2 at = patch->outline.points()[edge[k]] - from;
+                    rows.push_back(straightWeight * (way.x() * at.y() - way.y() * at.x()));
+                }
+            }
+        if (m_locks.corners)
+            for (const double corner : before.outline.corners())
+                rows.push_back(cornerWeight *
+                               (cornerAngle(patch->outline, corner) - cornerAngle(before.outline, corner)));
+    });
+}
+
+Eigen::VectorXd FitRows::rows(const WarmCover& cover, const Design& design) const
+{
+    const std::vector<Vec3> places = vertexPlaces(cover);
+    std::vector<double> rows;
+    for (const Aim& aim : m_aims)
+        rows.push_back(aim.weight * (aim.normal.dot(places[aim.vertex]) - aim.height));
+    if (m_goals.keepShape > 0)
+        for (const Aim& kept : m_kept)
+            rows.push_back(m_goals.keepShape * kept.weight * (kept.normal.dot(places[kept.vertex]) - kept.height));
+    if (m_goals.strain)
+        addStrain(cover, places, rows);
+    addPattern(design, rows);
+    return Eigen::Map<Eigen::VectorXd>(rows.data(), std::ssize(rows));
+}
+
+FitFigures FitRows::figures(const WarmCover& cover, const Design& design) const
+{
+    FitFigures figures;
+    const std::vector<Vec3> places = vertexPlaces(cover);
+    if (!m_goals.target.empty()) {
+        WorkerPool pool(0);
+        const ScanFigures found =
+            measureScan(*cover.surface(), m_goals.target.place, m_goals.target.index, pool).figures;
+        figures.distanceRms = found.rms;
+        figures.distanceP95 = found.p95;
+        figures.covered = found.coverage;
+    }
+    double all = 0, over = 0, squares = 0;
+    eachStrain(cover, places, [&](const auto& strains, const auto& limits, double area) {
+        bool isOver = false;
+        for (std::size_t k = 0; k < 3; ++k)
+            isOver = isOver || std::abs(strains[k]) > limits[k];
+        all += area;
+        over += isOver ? area : 0;
+        squares += area * (strains[0] * strains[0] + strains[1] * strains[1]) / 2;
+    });
+    figures.overLimit = all > 0 ? over / all : 0;
+    figures.strainRms = all > 0 ? std::sqrt(squares / all) : 0;
+    double moved = 0;
+    if (m_kept.size() == places.size())
+        for (const Aim& kept : m_kept)
+            moved += std::pow(kept.weight * (kept.normal.dot(places[kept.vertex]) - kept.height), 2);
+    figures.shapeRms = std::sqrt(moved);
+    const std::vector<double> now = lengthDifferences(design);
+    for (std::size_t k = 0; k < now.size() && k < m_differences.size(); ++k)
+        figures.sewnMost = std::max(figures.sewnMost, std::abs(now[k] - m_differences[k]));
+    return figures;
+}
+
+} // namespace bolster

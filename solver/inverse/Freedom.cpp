@@ -1,0 +1,243 @@
+#include "Freedom.h"
+
+#include "EditBuilder.h"
+#include "FollowEdits.h"
+#include "NumberField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace bolster {
+
+namespace {
+
+constexpr double edgeOn = 0.3; // cosine: edges that meet flatter than that have no corner to be prolonged to
+
+const char* const axisNames[] = {"x", "y", "z"};
+
+/// Whether it follows another one, so that its numbers are not free.
+template <class T>
+bool follows(const Design& design, const T& value)
+{
+    return value.twin && design.find<T>(value.twin->of);
+}
+
+/// Direction to the outside of an outline beside a place on it.
+struct Side {
+    Vec2 along, outward;
+};
+
+Side sideAt(const BSpline2& outline, double parameter, bool before)
+{
+    const double t = outline.wrapped(parameter + (before ? -1 : 1) * 1e-6 * outline.period());
+    const Vec2 along = outline.derivative(t).normalized();
+    const Vec2 right(along.y(), -along.x()); // outside, where it runs counter-clockwise
+    return {along, outline.signedArea() > 0 ? right : Vec2(-right)};
+}
+
+bool liesIn(const BSpline2& outline, double parameter, double from, double to)
+{
+    if (from == to)
+        return true;
+    const double period = outline.period(), slack = 1e-6 * period;
+    const double end = unwrappedEnd(from, to, outline.domainStart(), outline.domainEnd());
+    double at = parameter;
+    while (at < from - slack)
+        at += period;
+    return at <= end + slack;
+}
+
+/// Where control points go when the outline (or the edges on a part of it) lies 1 mm farther outside. Edges that
+/// stay are prolonged to the corners of those that go.
+std::vector<Vec2> outwardMoves(const BSpline2& outline, double from, double to)
+{
+    std::vector<Vec2> moves(outline.points().size(), Vec2::Zero());
+    const double small = 1e-4 * outline.period();
+    for (int k = 0; k < outline.pointCount(); ++k) {
+        const double at = outline.parameterOfPoint(k);
+        const Side before = sideAt(outline, at, true), after = sideAt(outline, at, false);
+        const bool goesBefore = liesIn(outline, outline.wrapped(at - small), from, to);
+        const bool goesAfter = liesIn(outline, outline.wrapped(at + small), from, to);
+        const double cosine = before.outward.dot(after.outward);
+        Vec2& move = moves[static_cast<std::size_t>(k)];
+        if (goesBefore && goesAfter)
+            move = (before.outward + after.outward) / std::max(1 + cosine, edgeOn);
+        else if (goesBefore || goesAfter) {
+            const Side& going = goesBefore ? before : after;
+            const Side& staying = goesBefore ? after : before;
+            const double reach = going.outward.dot(staying.along);
+            move = std::abs(reach) > edgeOn ? Vec2(staying.along / reach) : going.outward;
+        }
+    }
+    return moves;
+}
+
+class Mover {
+public:
+    explicit Mover(const Design& design)
+        : m_design(design)
+    {}
+
+    void move(const Freedom& freedom, double value)
+    {
+        using enum Freedom::Kind;
+        if (value == 0)
+            return;
+        switch (freedom.kind) {
+        case OutlinePoint:
+            if (std::vector<Vec2>* points = outline(freedom.element))
+                (*points)[static_cast<std::size_t>(freedom.index)][freedom.axis] += value;
+            break;
+        case Offset:
+            if (std::vector<Vec2>* points = outline(freedom.element)) {
+                const BSpline2& before = m_design.find<Patch>(freedom.element)->outline;
+                const std::vector<Vec2> moves = outwardMoves(before, freedom.from, freedom.to);
+                for (std::size_t k = 0; k < points->size(); ++k)
+                    (*points)[k] += value * moves[k];
+            }
+            break;
+        case Size:
+            if (std::vector<Vec2>* points = outline(freedom.element)) {
+                const Vec2 middle = m_design.find<Patch>(freedom.element)->outline.boundingBox().center();
+                for (Vec2& point : *points)
+                    point = middle + (1 + value / 100) * (point - middle);
+            }
+            break;
+        case CurvePlace:
+            m_shifts.emplace(freedom.element, Vec3::Zero()).first->second[freedom.axis] += value;
+            break;
+        case Number:
+            m_numbers[{freedom.element, freedom.field}] += value;
+            break;
+        }
+    }
+
+    Design result() const
+    {
+        Design moved = m_design;
+        const auto set = [&](ElementId id, ElementPtr element) {
+            moved = moved.with({{}, {{id, moved.element(id), std::move(element)}}});
+        };
+        for (const auto& [id, points] : m_outlines) {
+            Patch patch = *moved.find<Patch>(id);
+            patch.outline = patch.outline.withPoints(points);
+            set(id, makeElement(std::move(patch)));
+        }
+        for (const auto& [id, shift] : m_shifts) {
+            const auto* found = moved.find<FixationCurve>(id);
+            if (!found)
+                continue;
+            FixationCurve curve = *found;
+            std::vector<Vec3> points = curve.curve.points();
+            for (Vec3& point : points)
+                point += shift;
+            curve.curve = curve.curve.withPoints(std::move(points));
+            set(id, makeElement(std::move(curve)));
+        }
+        for (const auto& [place, value] : m_numbers) {
+            const ElementPtr element = moved.element(place.first);
+            if (!element)
+                continue;
+            const std::optional<double> now = numberAt(*element, place.second);
+            if (now)
+                set(place.first, withNumber(*element, place.second, *now + value));
+        }
+        return m_design.with(edits::withFollowers(m_design, editBetween(m_design, moved, {})));
+    }
+
+private:
+    std::vector<Vec2>* outline(ElementId id)
+    {
+        const auto* patch = m_design.find<Patch>(id);
+        return patch ? &m_outlines.emplace(id, patch->outline.points()).first->second : nullptr;
+    }
+
+    const Design& m_design;
+    std::map<ElementId, std::vector<Vec2>> m_outlines;
+    std::map<ElementId, Vec3> m_shifts;
+    std::map<std::pair<ElementId, std::string>, double> m_numbers;
+};
+
+} // namespace
+
+Design withFreedoms(const Design& design, std::span<const Freedom> freedoms, const Eigen::VectorXd& values)
+{
+    Mover mover(design);
+    for (std::size_t k = 0; k < freedoms.size(); ++k)
+        mover.move(freedoms[k], values[static_cast<Eigen::Index>(k)]);
+    return mover.result();
+}
+
+std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const ElementId> patches)
+{
+    std::vector<Freedom> freedoms;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (follows(design, patch) || (!patches.empty() && std::ranges::find(patches, id) == patches.end()))
+            return;
+        for (int k = 0; k < patch.outline.pointCount(); ++k)
+            for (int axis = 0; axis < 2; ++axis)
+                freedoms.push_back({.kind = Freedom::Kind::OutlinePoint,
+                                    .element = id,
+                                    .index = k,
+                                    .axis = axis,
+                                    .name = patch.name + ", point " + std::to_string(k) + ", " + axisNames[axis]});
+    });
+    return freedoms;
+}
+
+std::vector<Freedom> foamFreedoms(const Design& design)
+{
+    std::vector<Freedom> freedoms;
+    const auto add = [&](ElementId id, const std::string& name, double step) {
+        freedoms.push_back({.kind = Freedom::Kind::Number,
+                            .element = id,
+                            .field = "dilation_mm",
+                            .name = name + ", thickness",
+                            .step = step});
+    };
+    design.each<Cushion>([&](ElementId id, const Cushion& cushion) {
+        if (!cushion.enabled)
+            return;
+        add(id, cushion.name, cushion.voxel); // it grows by whole ones
+        design.each<Foam>([&](ElementId foamId, const Foam& foam) {
+            if (foam.cushion == id && !foam.cut)
+                add(foamId, foam.name, cushion.voxel);
+        });
+    });
+    return freedoms;
+}
+
+std::vector<Freedom> fixationFreedoms(const Design& design)
+{
+    std::set<ElementId> used;
+    design.each<FixationSeam>([&](ElementId, const FixationSeam& fixation) { used.insert(fixation.curve); });
+    std::vector<Freedom> freedoms;
+    design.each<FixationCurve>([&](ElementId id, const FixationCurve& curve) {
+        if (!used.contains(id) || follows(design, curve))
+            return;
+        for (int axis = 0; axis < 3; ++axis)
+            freedoms.push_back({.kind = Freedom::Kind::CurvePlace,
+                                .element = id,
+                                .axis = axis,
+                                .name = curve.name + ", " + axisNames[axis]});
+    });
+    return freedoms;
+}
+
+std::vector<Freedom> pressureFreedoms(const Design& design)
+{
+    std::vector<Freedom> freedoms;
+    design.each<Patch>([&](ElementId id, const Patch& patch) {
+        if (!follows(design, patch))
+            freedoms.push_back({.kind = Freedom::Kind::Number,
+                                .element = id,
+                                .field = "pressure",
+                                .name = patch.name + ", pressure",
+                                .step = 0.05});
+    });
+    return freedoms;
+}
+
+} // namespace bolster

@@ -1,0 +1,45 @@
+// What may change in a design, each by one number.
+#pragma once
+
+#include "Design.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bolster {
+
+/// One number, 0 in the design as it is.
+struct Freedom {
+    enum class Kind {
+        OutlinePoint, ///< control point `index` of patch `element` along `axis` of its plane, mm
+        Offset,       ///< the outline of patch `element` from `from` to `to`, outwards, mm; all of it when they are equal
+        Size,         ///< patch `element` about its middle, %
+        CurvePlace,   ///< fixation curve `element` as a whole along `axis`, mm
+        Number        ///< `field` of `element`, in its own unit
+    };
+
+    Kind kind = Kind::OutlinePoint;
+    ElementId element{};
+    int index = 0;
+    int axis = 0;
+    double from = 0, to = 0;
+    std::string field = {};
+    std::string name = {}; ///< for people
+    double step = 1;       ///< by which differences are taken: what is about 1 mm at the cover
+};
+
+/// The design with all of that changed, and what goes with it (twins, what lies on outlines).
+Design withFreedoms(const Design& design, std::span<const Freedom> freedoms, const Eigen::VectorXd& values);
+
+/// Of every control point of these patches (none: all), but for those of twins that follow.
+std::vector<Freedom> outlineFreedoms(const Design& design, std::span<const ElementId> patches = {});
+/// What cushions are thick: dilation of cushions that act, and of their foam.
+std::vector<Freedom> foamFreedoms(const Design& design);
+/// Of fixation curves that are in use, but for those of twins that follow.
+std::vector<Freedom> fixationFreedoms(const Design& design);
+std::vector<Freedom> pressureFreedoms(const Design& design);
+
+} // namespace bolster

@@ -1,0 +1,48 @@
+// A pattern that follows a goal: what of it may change, changes until the cover at rest is as it is wished.
+#pragma once
+
+#include "FitRows.h"
+
+namespace bolster {
+
+struct FitOrder {
+    FitGoals goals;
+    FitLocks locks;
+    std::vector<Freedom> freedoms;
+    double mostChange = 20; ///< mm that a control point may move; of other freedoms: 20 steps
+    int mostRounds = 8;     ///< of each triangulation
+    int threads = 0;        ///< 0: as many as the machine has
+};
+
+/// A step that was taken: for progress and reports.
+struct FitRound {
+    double edgeLength = 0; ///< of the triangles, mm
+    FitFigures figures;
+    double largestChange = 0; ///< mm, since the beginning
+};
+
+struct FitResult {
+    enum class Status { Done, NothingToDo, Failed, Cancelled };
+
+    Status status = Status::Failed;
+    Message reason; ///< when failed
+    Design design;
+    FitFigures before, after;
+    std::vector<FitRound> rounds;
+    Eigen::VectorXd values;        ///< of the freedoms
+    std::vector<std::string> idle; ///< names of freedoms that change nothing
+    std::vector<Message> notes;    ///< steps that were cut short, and why
+    bool jumped = false;           ///< folds came or went on the way
+};
+
+/// Gauss-Newton steps with Levenberg's damping, whose derivatives are differences of covers at rest; first on few
+/// triangles, then on those of the design. A step is taken only if the cover that comes to rest is better.
+/// `progress`: share of the work, about, and what was reached. Deterministic.
+FitResult fitPattern(const SolveInput& input, const FitOrder& order,
+                     const std::function<void(double, const FitRound&)>& progress = {},
+                     const std::stop_token& stop = {});
+
+/// How far the control points that an outline's freedoms move have moved, mm; of others their steps.
+double largestChange(std::span<const Freedom> freedoms, const Eigen::VectorXd& values);
+
+} // namespace bolster

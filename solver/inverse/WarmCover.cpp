@@ -1,0 +1,170 @@
+#include "WarmCover.h"
+
+#include "CoarseStart.h"
+#include "SheetFollow.h"
+#include "SolveFailure.h"
+#include "StateTransfer.h"
+#include "SurfacePublisher.h"
+
+#include <algorithm>
+
+namespace bolster {
+
+namespace {
+
+Message firstError(const Problems& problems)
+{
+    const auto error = std::ranges::find(problems, Severity::Error, &Problem::severity);
+    if (error == problems.end())
+        return {QT_TRANSLATE_NOOP("Message", "There is no patch to solve. Add a patch to the pattern."), {}};
+    return {QT_TRANSLATE_NOOP("Message", "%1: %2"), {error->label, error->message.english()}};
+}
+
+} // namespace
+
+WarmCover::WarmCover(const SolveInput& input, const WarmOrder& order, const std::stop_token& stop)
+    : m_order(order)
+    , m_files(input.files)
+    , m_pool(std::make_unique<WorkerPool>(order.threads))
+{
+    if (!prepare(asWanted(input.design), stop))
+        return;
+    const bool asDesigned = m_order.edgeLength <= 0;
+    startFromDesign(*m_relaxation,
+                    asDesigned ? coarseStart(*m_sheet, m_ghostCache, *m_pool, stop) : std::nullopt);
+    if (comeToRest(stop)) {
+        makeHome();
+        m_factorsAreHome = true;
+    }
+}
+
+/// On the triangles that were ordered, and without what would pull the cover to where it is measured.
+SolveInput WarmCover::asWanted(const Design& design) const
+{
+    Design wanted = design;
+    if (!m_order.fitsScans)
+        design.each<Scan>([&](ElementId id, const Scan& scan) {
+            Scan still = scan;
+            still.enabled = false;
+            wanted = wanted.with({{}, {{id, wanted.element(id), makeElement(std::move(still))}}});
+        });
+    const SolveInput input{wanted, m_files};
+    return m_order.edgeLength > 0 ? withEdgeLength(input, m_order.edgeLength) : input;
+}
+
+bool WarmCover::prepare(const SolveInput& input, const std::stop_token& stop)
+{
+    TriangulationCache triangles;
+    std::optional<PreparedSheet> sheet = prepareSheet(input, triangles, *m_pool, stop);
+    if (!sheet)
+        return false;
+    if (hasErrors(sheet->errors) || sheet->mesh.parts.empty()) {
+        m_problem = firstError(sheet->errors);
+        return false;
+    }
+    m_relaxation.reset();
+    m_warp.reset();
+    m_sheet = std::make_unique<PreparedSheet>(std::move(*sheet));
+    m_relaxation = std::make_unique<Relaxation>(m_sheet->mesh, *m_pool, m_order.tolerance, ghosts(stop), stop);
+    m_now = input;
+    m_factorsAreHome = true;
+    return !stop.stop_requested();
+}
+
+Ghosts WarmCover::ghosts(const std::stop_token& stop)
+{
+    Problems said; // who solves the design tells them
+    return makeGhosts({m_sheet->design, m_sheet->files}, m_sheet->mesh, m_ghostCache, said, *m_pool, stop);
+}
+
+/// The same triangles for another design. What is asked of the matrices follows from both designs alone.
+bool WarmCover::adapt(const SolveInput& input, const std::stop_token& stop)
+{
+    const SolvePlan plan = together(planSolve(m_now, input), planSolve(m_homeInput, input));
+    // Outlines and matrix values together ask for a new triangulation in a gesture; here they have the time.
+    const bool both = plan == SolvePlan::Rebuild &&
+                      m_now.design.settings().edgeLength == input.design.settings().edgeLength;
+    if (plan > SolvePlan::Warp && !both)
+        return false;
+    Problems problems;
+    if (!followDesign(*m_sheet, m_warp, input, both ? SolvePlan::Warp : plan, *m_pool, problems))
+        return false;
+    m_now = input;
+    if (hasErrors(problems)) {
+        m_problem = firstError(problems);
+        return false;
+    }
+    const bool refactors = both || plan == SolvePlan::Refactor;
+    if (both || plan == SolvePlan::Warp)
+        m_factorsAreHome = !m_relaxation->reshape(ghosts(stop)) && m_factorsAreHome;
+    if (refactors)
+        m_relaxation->refactor(ghosts(stop));
+    else if (plan != SolvePlan::Warp && plan != SolvePlan::Nothing)
+        m_relaxation->retarget(ghosts(stop));
+    m_factorsAreHome = m_factorsAreHome && !refactors;
+    return true;
+}
+
+bool WarmCover::follow(const Design& design, const std::stop_token& stop)
+{
+    m_problem = {};
+    if (!m_relaxation)
+        return false;
+    if (!m_factorsAreHome) {
+        if (!adapt(m_homeInput, stop))
+            return false;
+        m_relaxation->refactor(ghosts(stop));
+        m_factorsAreHome = true;
+    }
+    if (!adapt(asWanted(design), stop))
+        return false;
+    m_relaxation->startNear(m_home);
+    return comeToRest(stop);
+}
+
+bool WarmCover::moveHome(const Design& design, const std::stop_token& stop)
+{
+    if (follow(design, stop)) {
+        makeHome();
+        return true;
+    }
+    if (!m_relaxation || stop.stop_requested())
+        return false;
+    const SewnMesh before = m_sheet->mesh;
+    if (!prepare(asWanted(design), stop))
+        return false;
+    m_problem = {};
+    m_relaxation->startNear(transferState(before, m_home, m_sheet->mesh));
+    if (!comeToRest(stop))
+        return false;
+    makeHome();
+    return true;
+}
+
+bool WarmCover::comeToRest(const std::stop_token& stop)
+{
+    while (m_relaxation->phase() == Relaxation::Phase::Running &&
+           m_relaxation->iterations() < m_order.mostIterations && !stop.stop_requested())
+        m_relaxation->iterate();
+    if (m_relaxation->phase() == Relaxation::Phase::Converged)
+        return true;
+    if (m_relaxation->phase() == Relaxation::Phase::Failed)
+        m_problem = explainFailure(*m_relaxation, m_sheet->design).reason;
+    else if (!stop.stop_requested())
+        m_problem = {QT_TRANSLATE_NOOP("Message", "The cover does not come to rest."), {}};
+    return false;
+}
+
+void WarmCover::makeHome()
+{
+    m_home = m_relaxation->state();
+    m_homeInput = m_now;
+    m_factorsAreHome = false; // they are near, but of another design
+}
+
+SurfaceMeshPtr WarmCover::surface() const
+{
+    return makeSurface(m_sheet->mesh, m_relaxation->state(), 0);
+}
+
+} // namespace bolster

@@ -1,0 +1,68 @@
+// A cover at rest from which others are found that differ a little: warm starts on the same triangles.
+#pragma once
+
+#include "MakeGhosts.h"
+#include "PatternWarp.h"
+#include "PreparedSheet.h"
+#include "Relaxation.h"
+#include "SurfaceMesh.h"
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+namespace bolster {
+
+struct WarmOrder {
+    double edgeLength = 0;   ///< of the triangles, mm; 0: the design's
+    double tolerance = 1e-6; ///< as in SolveOptions
+    int mostIterations = 3000;
+    bool fitsScans = false; ///< scans that are enabled pull; else they are only there to be measured against
+    int threads = 1;
+};
+
+/// Not for several threads at once; each may have its own.
+class WarmCover {
+public:
+    /// Solves from the start that depends on the design alone; see `problem`.
+    WarmCover(const SolveInput& input, const WarmOrder& order, const std::stop_token& stop = {});
+
+    /// Why the last cover was not found; empty when it was.
+    const Message& problem() const { return m_problem; }
+    /// Finds the cover of another design from where home is, on the same triangles: a function of home and this
+    /// design alone, whatever was asked for in between. False when it has none, or needs other triangles.
+    bool follow(const Design& design, const std::stop_token& stop = {});
+    /// Goes to another design for good: that is home now. On other triangles if need be.
+    bool moveHome(const Design& design, const std::stop_token& stop = {});
+
+    const SheetState& home() const { return m_home; }
+    const Design& homeDesign() const { return m_homeInput.design; }
+    const SewnMesh& mesh() const { return m_sheet->mesh; }
+    const PreparedSheet& sheet() const { return *m_sheet; }
+    SheetState state() const { return m_relaxation->state(); }
+    int iterations() const { return m_relaxation->iterations(); }
+    SurfaceMeshPtr surface() const;
+
+private:
+    SolveInput asWanted(const Design& design) const;
+    bool prepare(const SolveInput& input, const std::stop_token& stop);
+    Ghosts ghosts(const std::stop_token& stop);
+    bool adapt(const SolveInput& input, const std::stop_token& stop);
+    bool comeToRest(const std::stop_token& stop);
+    void makeHome();
+
+    WarmOrder m_order;
+    DesignFiles m_files;
+    std::unique_ptr<WorkerPool> m_pool;
+    GhostCache m_ghostCache;
+    std::unique_ptr<PreparedSheet> m_sheet;
+    std::unique_ptr<Relaxation> m_relaxation;
+    std::optional<PatternWarp> m_warp;
+    SolveInput m_now;
+    SolveInput m_homeInput;
+    SheetState m_home;
+    bool m_factorsAreHome = true; // else they are of a design that was too different
+    Message m_problem;
+};
+
+} // namespace bolster
